@@ -58,14 +58,18 @@ def plan_of(model: bd.Model, steps: int, **options) -> Plan:
 # ---- which loop carries a model out
 
 
-def test_beams_that_neither_break_nor_touch_run_by_the_core():
+def test_beams_that_neither_soften_nor_touch_run_by_the_core():
     lattice, law = crooked((3, 2, 2)), LAWS["Timoshenko"]
     plain = bd.Model(lattice, law, density=1e3, boundary=HELD)
     breaking = bd.Model(lattice, law, density=1e3, failure=bd.PeripheralStress(tension=1e5, shear=1e5))
+    tough = bd.PeripheralStress(tension=1e5, shear=1e5, fracture_energy=1e3)
+    softening = bd.Model(lattice, law, density=1e3, failure=tough)
     touching = bd.Model(lattice, law, density=1e3, contact=bd.LinearContact(E=1e7))
     stored = bd.Model(lattice, bd.Timoshenko(E=1e7, nu=0.2, radius=0.2, formulation="incremental"), density=1e3)
-    assert [core_has(model) for model in (plain, breaking, touching, stored)] == [True, False, False, False]
-    for model, kind in ((plain, CoreLoop), (stored, CpuLoop)):
+    lagged = bd.Model(lattice, bd.NonLocal(E=1e7, nu=0.2, areas="weighted"), density=1e3)
+    assert [core_has(model) for model in (plain, breaking, stored, lagged)] == [True, True, True, True]
+    assert [core_has(model) for model in (softening, touching)] == [False, False]
+    for model, kind in ((plain, CoreLoop), (touching, CpuLoop)):
         plan = plan_of(model, 1)
         assert plan.dt is not None
         assert type(loop_on_cpu(model, plan, State(model), plan.dt)) is kind

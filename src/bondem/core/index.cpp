@@ -1,7 +1,9 @@
 // What Python finds in the library: its tables, its passes, and what the CPU is capable of.
+#include "cell_descriptions.hpp"
 #include "described.hpp"
 #include "device_descriptions.hpp"
 #include "instructions.hpp"
+#include "lagged_descriptions.hpp"
 #include "lanes.hpp"
 #include "passes/assembly/stiffness.hpp"
 #include "passes/packing/growth.hpp"
@@ -13,6 +15,7 @@
 #include "passes/tessellation/laguerre.hpp"
 #include "passes/tessellation/measures.hpp"
 #include "passes/tessellation/ownership.hpp"
+#include "statics_descriptions.hpp"
 #include "step_descriptions.hpp"
 
 namespace bondem {
@@ -82,6 +85,10 @@ const TableDescription tables[] = {
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
     BONDEM_DEVICE_TABLES,
+    BONDEM_LAGGED_TABLES,
+    BONDEM_STATICS_TABLES,
+    BONDEM_DAMAGE_TABLES,
+    BONDEM_CELL_TABLES,
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -104,6 +111,10 @@ const PassDescription passes[] = {
     P(load_alike_beams, ""),
     P(measure_beam_energies, ""),
     P(count_turned_beams, ""),
+    BONDEM_LAGGED_LOADS,
+    BONDEM_STATICS_PASSES,
+    BONDEM_DAMAGE_INDICES,
+    BONDEM_CELL_PASSES,
     P(take_steps, "sound not_finite runaway"),
 };
 #undef P
@@ -132,12 +143,17 @@ const StepPassDescription step_passes[] = {
     S(elements_of_blocks, move_resisted),
     S(elements_of_blocks, move_resisted_rows),
     S(elements_of_blocks, add_body_work),
+    S(elements_of_blocks, reopen_elements),
+    S(elements_of_blocks, reopen_rows),
     S(of_bonds, check_beams),
     S(of_bonds, sum_beam_energies),
     S(of_elements, sum_element_energies),
     S(serial, judge_energy),
     S(serial, write_ledger),
     S(serial, read_gauges),
+    BONDEM_LAGGED_PASSES,
+    BONDEM_DAMAGE_PASSES,
+    BONDEM_CELL_STEP_PASSES,
 };
 #undef S
 

@@ -62,6 +62,22 @@ BONDEM_INLINE bool all_below(Lanes a, double bound) {
 
 BONDEM_INLINE Lanes load(const double *from) { return *reinterpret_cast<const LanesInMemory *>(from); }
 BONDEM_INLINE void store(double *to, Lanes a) { *reinterpret_cast<LanesInMemory *>(to) = a; }
+// Numbers that stand in memory in half as many bytes.
+typedef int32_t WholeInMemory __attribute__((vector_size(lanes * 4), aligned(4)));
+typedef float SingleInMemory __attribute__((vector_size(lanes * 4), aligned(4)));
+BONDEM_INLINE Lanes load(const int32_t *from) {
+    return __builtin_convertvector(*reinterpret_cast<const WholeInMemory *>(from), Lanes);
+}
+BONDEM_INLINE Lanes load(const float *from) {
+    return __builtin_convertvector(*reinterpret_cast<const SingleInMemory *>(from), Lanes);
+}
+// Writes lanes known … lanes - 1.
+BONDEM_INLINE void store_behind(double *to, Lanes a, int known) {
+    if (__builtin_expect(known == 0, 1))
+        store(to, a);
+    else
+        for (int n = known; n < lanes; n++) to[n] = a[n];
+}
 
 BONDEM_INLINE void transpose_four(Four *r) {
     const Four low = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6);

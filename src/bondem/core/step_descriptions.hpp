@@ -3,6 +3,7 @@
 #include "described.hpp"
 #include "passes/beams/beam_loads.hpp"
 #include "passes/beams/beam_report.hpp"
+#include "damage_descriptions.hpp"
 #include "passes/boundary/rows.hpp"
 #include "passes/motion/body_forces.hpp"
 #include "passes/motion/move.hpp"
@@ -56,7 +57,8 @@ BONDEM_TABLE(Portions, F(elements, "element_portions 4"), F(bonds, "bond_portion
              F(budget, "2"), F(found, "3"))
 BONDEM_TABLE(Gauges, F(start, "gauges+1"), F(element, "gauged"), F(quantity, "gauges"), F(reduction, "gauges"))
 BONDEM_TABLE(HistoryRows, F(record, "* columns"))
-BONDEM_TABLE(StepPasses, F(present, "* 8"), F(opening, "* 8"), F(forces, "* 8"), F(guard, "* 8"), F(record, "* 8"))
+BONDEM_TABLE(StepPasses, F(present, "* 8"), F(opening, "* 8"), F(forces, "* 8"), F(resume, "* 8"),
+             F(reopening, "* 8"), F(guard, "* 8"), F(record, "* 8"))
 BONDEM_TABLE(StepSpan, F(step, ""), F(steps, ""), F(every, ""), F(looks, ""), F(stale, ""), F(n, ""), F(m, ""), F(done, "4"))
 
 #undef F

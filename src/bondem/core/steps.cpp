@@ -27,7 +27,56 @@ struct List {
 };
 
 bool goes_by_blocks(const Entry &entry) {
-    return entry.kind == bonds_of_blocks || entry.kind == elements_of_blocks || entry.kind == parts_of_shared;
+    return entry.kind != serial && entry.kind != of_elements && entry.kind != of_bonds;
+}
+
+// Passes over the elements of a block, or over shared ones, and how they are divided.
+class ElementPasses {
+  public:
+    ElementPasses(const Clock &clock, const ElementList &all, Index block)
+        : clock(clock), late(clock), block(block), all(all), division{all, {0, 0, 0, nullptr, nullptr}} {
+        late.goes_on = 0;
+    }
+    void call(const Entry &entry) {
+        if (entry.kind == divides_elements)
+            entry.call(turn(clock, all), entry.tables);
+        else if (entry.kind == parts_of_shared)
+            entry.call(turn(clock, all), entry.tables);
+        else if (entry.kind == elements_of_blocks)
+            entry.call(turn(clock, division.going), entry.tables);
+        if (division.postponed.first < division.postponed.last &&
+            (entry.kind == elements_of_blocks || entry.kind == postponed_of_blocks))
+            entry.call(turn(late, division.postponed), entry.tables);
+    }
+    // Elements that were postponed resume by the passes of two lists.
+    void resume(const List &acceleration, const List &opening) {
+        Clock still = late;
+        still.dt = still.finish = still.begin = still.extra = 0.0;
+        for (Index p = 0; p < acceleration.count; p++) {
+            const Entry &entry = acceleration.entry[p];
+            const bool divides = entry.kind == divides_elements;
+            if (!divides && division.postponed.first == division.postponed.last) return;
+            entry.call(turn(still, divides ? all : division.postponed), entry.tables);
+        }
+        if (clock.goes_on)
+            for (Index p = 0; p < opening.count; p++)
+                opening.entry[p].call(turn(clock, division.postponed), opening.entry[p].tables);
+    }
+
+  private:
+    Turn turn(const Clock &at, const ElementList &list) {
+        return {at, list.first, list.last, list.held, list.element, list.row, block, &division};
+    }
+    const Clock &clock;
+    Clock late;
+    const Index block;
+    const ElementList all;
+    ElementDivision division;
+};
+
+// Whether bonds follow elements: they need what all elements, and not only those of their block, have just become.
+bool begins_anew(const Entry *entry, Index p) {
+    return entry[p].kind == bonds_of_blocks && entry[p - 1].kind != bonds_of_blocks;
 }
 
 class Walk {
@@ -40,13 +89,14 @@ class Walk {
             const Entry *first = list.entry + p;
             if (goes_by_blocks(*first)) {
                 Index last = p;
-                while (last < list.count && goes_by_blocks(list.entry[last])) last++;
+                do last++;
+                while (last < list.count && goes_by_blocks(list.entry[last]) && !begins_anew(list.entry, last));
                 by_blocks(first, list.entry + last, clock);
                 p = last;
             } else {
                 p++;
                 if (first->kind == serial)
-                    first->call(Turn{clock, 0, 0, 0, nullptr, nullptr, 0}, first->tables);
+                    first->call(Turn{clock, 0, 0, 0, nullptr, nullptr, 0, nullptr}, first->tables);
                 else if (first->kind == of_elements)
                     by_portions(*first, clock, span.n, elements_of_portion);
                 else
@@ -55,11 +105,16 @@ class Walk {
         }
     }
 
+    // Elements that failures have postponed resume.
+    void resume(const List &acceleration, const List &opening, const Clock &clock) const {
+        ElementPasses(clock, {0, 0, 0, nullptr, nullptr}, 0).resume(acceleration, opening);
+    }
+
   private:
     void by_portions(const Entry &entry, const Clock &clock, Index count, Index size) const {
         for_each_task(threads, portions(count, size), [&](Index task) {
             const Index first = task * size, last = least(first + size, count);
-            entry.call(Turn{clock, first, last, last, nullptr, nullptr, task}, entry.tables);
+            entry.call(Turn{clock, first, last, last, nullptr, nullptr, task, nullptr}, entry.tables);
         });
     }
 
@@ -67,12 +122,14 @@ class Walk {
         const Index domains = cut.domain.size() - 1, blocks = cut.held.size();
         for_each_task(threads, domains, [&](Index d) {
             for (Index b = cut.domain(d); b < cut.domain(d + 1); b++) {
-                const Turn bonds = {clock, cut.bond(b), cut.bond(b + 1), cut.bond(b + 1), nullptr, nullptr, b};
-                const Turn elements = {clock, cut.move(b), cut.move(b + 1), cut.held(b), cut.ready.data,
-                                       cut.ready_row.data, b};
+                const Turn bonds = {clock, cut.bond(b), cut.bond(b + 1), cut.bond(b + 1), nullptr, nullptr, b, nullptr};
+                const ElementList list = {cut.move(b), cut.move(b + 1), cut.held(b), cut.ready.data, cut.ready_row.data};
+                ElementPasses elements(clock, list, b);
                 for (const Entry *entry = first; entry < last; entry++)
-                    if (entry->kind != parts_of_shared)
-                        entry->call(entry->kind == bonds_of_blocks ? bonds : elements, entry->tables);
+                    if (entry->kind == bonds_of_blocks)
+                        entry->call(bonds, entry->tables);
+                    else if (entry->kind != parts_of_shared)
+                        elements.call(*entry);
             }
         });
         const Index shared = cut.shared.size();
@@ -80,9 +137,9 @@ class Walk {
         for_each_task(threads, domains, [&](Index d) {
             const Index begin = shared * d / domains, end = shared * (d + 1) / domains;
             const Index held = within(cut.shared_held, begin, end);
-            const Turn elements = {clock, begin, end, held, cut.shared.data, cut.shared_row.data, blocks};
+            ElementPasses elements(clock, {begin, end, held, cut.shared.data, cut.shared_row.data}, blocks);
             for (const Entry *entry = first; entry < last; entry++)
-                if (entry->kind != bonds_of_blocks) entry->call(elements, entry->tables);
+                if (entry->kind != bonds_of_blocks) elements.call(*entry);
         });
     }
 
@@ -103,7 +160,7 @@ Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, co
                  const Portions &portions) {
     const Walk walk(threads, cut, span);
     const List present(passes.present), opening(passes.opening), forces(passes.forces), guard(passes.guard),
-        record(passes.record);
+        record(passes.record), resume(passes.resume), reopening(passes.reopening);
     for (Index k = 0; k < 4; k++) span.done(k) = 0;
     Clock clock = clock_at(scheme, span.step);
     clock.first = 1;
@@ -130,6 +187,7 @@ Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, co
         clock.record = written;
         walk.through(present, clock);
         walk.through(forces, clock);
+        walk.resume(resume, reopening, clock);
         if (guarded) {
             walk.through(guard, clock);
             wide = most(wide, portions.found(0));

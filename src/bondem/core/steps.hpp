@@ -8,10 +8,15 @@
 //     bonds      for each block of a domain: the bonds of the block
 //     elements   for each block of a domain: the elements whose last bond is in the block; and then for shared ones
 //     parts      for elements that domains share, before `elements`: collects what each domain has for them
+//     divides    divides the elements of a block into those that go on and those that are postponed (`passes/damage/`):
+//                further passes over elements are called for either, for the latter with a clock that does not go on
+//     postponed  for the elements of a block that are postponed
 //     of_elements, of_bonds    for portions of all elements or bonds
 //
 // Passes over blocks that follow each other go block by block, so that a block stays in the cache from its bonds to the
-// motion of its elements; each domain is on a thread of its own.
+// motion of its elements; each domain is on a thread of its own. Bonds that follow elements in the list begin when all
+// elements are done. At the end of a step postponed elements resume: a pass lists them all, passes over elements find
+// their acceleration with a clock that stands still, and others open the next step.
 #pragma once
 #include "tables/step_tables.hpp"
 
@@ -27,6 +32,16 @@ struct Clock {
     Index record;  // row of the history
 };
 
+// Elements first … last - 1 of a list; those from `held` on own rows of the boundary.
+struct ElementList {
+    Index first, last, held;
+    const Short *element, *row;
+};
+// The elements of a block that go on to the next step, and those that do not before what failed is removed.
+struct ElementDivision {
+    ElementList going, postponed;
+};
+
 // A part of a step.
 struct Turn {
     const Clock &clock;
@@ -34,9 +49,19 @@ struct Turn {
     Index held;  // elements held … last - 1 of the list own rows of the boundary
     const Short *element, *row;  // the list, and rows of their sums
     Index block;  // number of the block or portion; of shared elements the number of blocks
+    ElementDivision *division;  // of what a pass divides, else none
 };
 
-enum PassKind : Index { serial, bonds_of_blocks, elements_of_blocks, parts_of_shared, of_elements, of_bonds };
+enum PassKind : Index {
+    serial,
+    bonds_of_blocks,
+    elements_of_blocks,
+    parts_of_shared,
+    of_elements,
+    of_bonds,
+    divides_elements,
+    postponed_of_blocks
+};
 
 // Elements and bonds of a portion.
 constexpr Index elements_of_portion = 1024, bonds_of_portion = 2048;

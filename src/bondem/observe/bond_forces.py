@@ -7,15 +7,18 @@ import numpy as np
 from bondem._checks import instance, shown
 from bondem._types import Floats, PerBond, PerBond3, PerElement3
 from bondem.errors import InputError
-from bondem.kernels.bond_report import COLUMNS, ON_J, TURN_I, TURN_J, report_non_local, report_stored
 from bondem.kernels.soft_tables import SOFT_BOND
 from bondem.model.beam_tables import beam_tables, loads_of_each
-from bondem.model.bond_table import with_zeros
+from bondem.model.incremental_tables import loads_of_stored
 from bondem.model.model import Model
+from bondem.model.non_local_tables import loads_of_non_local
 from bondem.model.origin import difference
 from bondem.model.state import State
 from bondem.observe.bond_strain import BondStrain
 from bondem.observe.cell_forces import SmallMotion
+
+# Columns of the loads of a bond: force on j, torque on i, torque on j.
+ON_J, TURN_I, TURN_J, COLUMNS = 0, 3, 6, 9
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,19 +112,18 @@ def _of_small_motion(model: Model, displacement: PerElement3, rotation: PerEleme
 def _of_state(model: Model, state: State) -> BondForces:
     """Compute the forces in the pose of a state."""
     layout, pairs = model.layout, model.lattice.pairs
-    bonds = model.bonds.stretched(state.rest_strain).rows(layout, model.period, state.integrity)
-    found = np.zeros((bonds.m, COLUMNS))
-    if bonds.m and model.non_local is not None:
-        table = model.non_local.rows(with_zeros(state.history.copy()), state.stress.copy(), layout.i)
-        report_non_local(state.pose, bonds, table, found)
-    elif bonds.m and model.formulation == "incremental":
-        report_stored(state.pose, bonds, state.history, found)
-    elif bonds.m:
+    m = len(pairs)
+    found = np.zeros((m, COLUMNS))
+    if m and model.non_local is not None:
+        found[:] = loads_of_non_local(model, state)
+    elif m and model.formulation == "incremental":
+        found[:] = loads_of_stored(model, state)
+    elif m:
         stretched = model.bonds.stretched(state.rest_strain)
         beams, _ = beam_tables(stretched, layout, model.period, state.integrity, may_share=False)
-        on_i, on_j = loads_of_each(state.pose, beams, bonds.m)
+        on_i, on_j = loads_of_each(state.pose, beams, m)
         found[:] = np.hstack([on_j[:, :3], on_i[:, 4:7], on_j[:, 4:7]])
-    own, back = np.empty_like(found), np.empty(bonds.m, dtype=bool)
+    own, back = np.empty_like(found), np.empty(m, dtype=bool)
     own[layout.bond_order], back[layout.bond_order] = found, layout.flipped
     sign, turned = np.where(back, -1.0, 1.0)[:, None], back[:, None]
     one, other_end = own[:, TURN_I : TURN_I + 3], own[:, TURN_J : TURN_J + 3]

@@ -9,7 +9,6 @@ from bondem._types import Floats, Ints, PerBond
 from bondem.errors import InputError
 from bondem.kernels.cell_pass import STRESS
 from bondem.kernels.facet_breaking import facet_indices
-from bondem.kernels.judging import bond_indices
 from bondem.kernels.pair_breaking import pair_indices
 from bondem.kernels.soft_tables import SOFT_BOND
 from bondem.kernels.tables import (
@@ -22,6 +21,8 @@ from bondem.kernels.tables import (
     BROKEN_TIME,
 )
 from bondem.laws.failure.criterion import MODES
+from bondem.model.beam_tables import beam_tables
+from bondem.model.failure_passes import beam_indices
 from bondem.model.model import Model
 from bondem.model.origin import difference
 from bondem.model.state import State
@@ -99,14 +100,16 @@ def failure_index(model: Model, state: State) -> PerBond:
     if table is None:
         raise InputError("failure_index: the model has no criterion; give it failure=bd.PeripheralStress(...)")
     layout = model.layout
-    bonds = model.bonds.stretched(state.rest_strain).rows(layout, model.period, state.integrity)
+    constants = model.bonds.stretched(state.rest_strain)
+    bonds = constants.rows(layout, model.period, state.integrity)
     if model.non_local is not None:
         found = np.empty(bonds.m)
         lagged = model.non_local.rows(state.history, state.stress, layout.i)
         pair_indices(state.pose, bonds, lagged, table.coefficient, found)
         found = found[: len(layout.i)]
     elif model.cells is None:
-        found = bond_indices(state.pose, bonds, table.kind, table.coefficient, table.station)
+        beams, _ = beam_tables(constants, layout, model.period, state.integrity, may_share=False)
+        found = beam_indices(state.pose, beams, table)
         begun = state.softened[:, SOFT_BOND].astype(np.int64)
         found[begun] = state.integrity[begun] > 0.0
     else:

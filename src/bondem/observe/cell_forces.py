@@ -8,9 +8,8 @@ import numpy as np
 from bondem._checks import shown
 from bondem._types import Floats, Ints, PerBond3, PerElement, PerElement3
 from bondem.errors import InputError
-from bondem.kernels.cell_pass import STRESS
-from bondem.kernels.grip_pass import place_walls
 from bondem.model.cell_constants import CellConstants, body_of
+from bondem.model.cell_tables import STRESS, place_walls, wall_constraints
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_strain import CellStrain
@@ -185,6 +184,6 @@ def wall_places(model: Model, state: State, base: Floats | None = None) -> Float
     Their initial places are `base`, (g, 7), or those of the state.
     """
     base = state.grips if base is None else base
-    grips = model.cell_constants.grips.table(model.layout, model.constraints.row_of, 0, base)
-    place_walls(state.time, grips)
-    return grips.wall
+    walls = wall_constraints(model.cell_constants.grips.table(model.layout, model.constraints.row_of, 0, base))
+    place_walls(walls, state.time)
+    return walls.wall

@@ -7,10 +7,9 @@ import numpy as np
 from bondem._types import Floats, PerBond, PerElement3
 from bondem.errors import InputError
 from bondem.kernels.beam_softening import pressed_energy
-from bondem.kernels.cell_energies import cell_energies
-from bondem.kernels.grip_pass import place_walls
 from bondem.model.beam_tables import beam_energies, beam_tables
 from bondem.model.cell_constants import body_of
+from bondem.model.cell_tables import CellPoses, cell_energies, cell_tables, place_walls, wall_constraints
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.bond_strain import BondStrain
@@ -132,8 +131,8 @@ def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | Non
         raise InputError(
             "elastic_energy: the state has cracks or plastic strains; use run.history.energy"
         )
-    bonds = model.bonds.stretched(strain).rows(model.layout, model.period, state.integrity)
     if model.cells is None:
+        bonds = model.bonds.stretched(strain).rows(model.layout, model.period, state.integrity)
         beams, _ = beam_tables(
             model.bonds.stretched(strain), model.layout, model.period, state.integrity, may_share=False
         )
@@ -143,11 +142,11 @@ def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | Non
         return EnergyParts(normal, *others)
     layout, constants = model.layout, model.cells.stretched(strain, model.layout)
     grips = constants.grips.table(layout, model.constraints.row_of, 0, None if wall is not None else state.grips)
+    walls, whole = wall_constraints(grips), constants.damaged(state.integrity, layout.i, layout.j)
+    facets, cells = cell_tables(whole, layout, model.period, state.integrity, layout.i)
     if wall is None:
-        place_walls(state.time, grips)
-    else:
-        grips.wall[:] = wall
-    cells = constants.damaged(state.integrity, layout.i, layout.j).rows(layout.i)
-    if wall is None:
+        place_walls(walls, state.time)
         cells.given[:] = model.cell_constants.pressed_by(loads_on_facets(model, state.time))[layout.order]
-    return EnergyParts(*cell_energies(state.pose, state.rest, bonds, cells, grips, None))
+    else:
+        walls.wall[:] = wall
+    return EnergyParts(*cell_energies(CellPoses(state.pose, state.rest), facets, cells, walls))

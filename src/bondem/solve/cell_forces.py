@@ -1,27 +1,58 @@
 """Forces of a body of cells in any pose, and their derivative, for Newton's method."""
 
+from dataclasses import dataclass
+
 import numpy as np
 from scipy.sparse import bsr_array
 
-from bondem._types import Floats
-from bondem.kernels.cell_pass import STRESS, facet_loads, stress_cells, swell
-from bondem.kernels.grip_pass import grip_loads, swell_grips
-from bondem.kernels.tables import Body, Bonds, PressTable, lines
+from bondem._types import Floats, PerBond
+from bondem.kernels.tables import lines
+from bondem.model.beam_tables import BeamSums
 from bondem.model.bond_table import with_twins
 from bondem.model.cell_constants import CellConstants
+from bondem.model.cell_tables import (
+    STRESS,
+    CellDilatation,
+    CellPoses,
+    ElasticFacets,
+    WallConstraints,
+    cell_tables,
+    load_body,
+    load_facets,
+    wall_constraints,
+)
 from bondem.model.local_origin import local_rest
 from bondem.model.model import Model
 from bondem.observe.turned_vectors import turned_vectors
 
 
-def body_tables(model: Model, integrity: Floats) -> tuple[Bonds, Body]:
-    """Return facets, cells and walls in the kernels' form, walls at the end of their schedules."""
-    layout, cells = model.layout, _cells(model)
-    grips = cells.grips.table(layout, model.constraints.row_of, 0)
-    grips.wall[:] = cells.grips.motion
-    # tractions are those of the constants, and do not change
-    none = PressTable(np.zeros((0, len(layout.order))), np.zeros(0, dtype=np.int64), 0, np.zeros(0), np.zeros(0))
-    return model.bonds.rows(layout, model.period, integrity), Body(cells.rows(layout.i), grips, none, None, None)
+@dataclass(frozen=True, eq=False)
+class BodyTables:
+    """Facets, cells and walls of a body as the core takes them.
+
+    Tractions on facets are those of the constants and do not change.
+
+    Attributes:
+        facets: facets of the body.
+        cells: cells of the body.
+        walls: facets that walls hold.
+    """
+
+    facets: ElasticFacets
+    cells: CellDilatation
+    walls: WallConstraints
+
+    @classmethod
+    def of(cls, model: Model, integrity: PerBond) -> "BodyTables":
+        """Return the tables of a model with facets of some integrity [-], (m,); walls are at their final places."""
+        layout, constants = model.layout, _cells(model)
+        walls = wall_constraints(constants.grips.table(layout, model.constraints.row_of, 0))
+        walls.wall[:] = constants.grips.motion
+        return cls(*cell_tables(constants, layout, model.period, integrity, layout.i), walls)
+
+    def load(self, pose: Floats, rest: Floats, sums: Floats) -> None:
+        """Add force and torque of facets and walls on all cells to `sums`, (n, 8); store stresses in the poses."""
+        load_body(CellPoses(pose, rest), self.facets, self.cells, self.walls, sums)
 
 
 def _cells(model: Model) -> CellConstants:
@@ -29,39 +60,24 @@ def _cells(model: Model) -> CellConstants:
     return model.cells
 
 
-def body_loads(pose: Floats, rest: Floats, bonds: Bonds, body: Body, sums: Floats) -> None:
-    """Add force and torque of facets and walls on all cells to `sums`, (n, 8), which holds zeros."""
-    cells, grips = body.cells, body.grips
-    swell(pose, bonds, cells, None, 0, len(bonds.i))
-    swell_grips(pose, rest, grips, cells.swelling)
-    stress_cells(pose, cells, 0, len(pose))
-    facet_loads(pose, bonds, cells, None, sums, bonds.i, bonds.j, 0, len(bonds.i))
-    grip_loads(pose, rest, grips)
-    np.add.at(sums[:, :3], grips.cell, grips.load[:, :3])
-    np.add.at(sums[:, 4:7], grips.cell, grips.load[:, 3:])
-
-
 def cell_forces(model: Model, pose: Floats) -> tuple[Floats, Floats]:
     """Return the derivative of the energy by displacements and spins, and the wall loads [N, N·m], (n, 6) each.
 
     The stresses of the cells are stored in the pose.
     """
-    order = model.layout.order
-    bonds, body = body_tables(model, np.ones(len(model.layout.i)))
+    body = BodyTables.of(model, np.ones(len(model.layout.i)))
     sums, walls = lines(len(pose)), np.zeros((len(pose), 6))
-    body_loads(pose, local_rest(model.lattice)[order], bonds, body, sums)
-    np.add.at(walls, body.grips.cell, body.grips.load)
+    body.load(pose, local_rest(model.lattice)[model.layout.order], sums)
+    np.add.at(walls, body.walls.cell, body.walls.load)
     return -sums[:, [0, 1, 2, 4, 5, 6]], walls
 
 
 def facet_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
     """Return the derivative of the energy of facets by the motion of their ends, at the pose's stresses, (6, m)."""
     m = len(i)
-    bonds, body = body_tables(model, np.ones(m))
-    bonds = bonds._replace(i=with_twins(i), j=with_twins(j))
+    facets = BodyTables.of(model, np.ones(m)).facets._replace(i=with_twins(i), j=with_twins(j))
     loads, own = lines(2 * m), np.arange(m, dtype=np.uint32)
-    rows = with_twins(own), with_twins(own + np.uint32(m))
-    facet_loads(pose, bonds, body.cells, None, loads, *rows, 0, len(bonds.i))
+    load_facets(pose, facets, BeamSums(with_twins(own), with_twins(own + np.uint32(m)), loads))
     columns = -loads[:, [0, 1, 2, 4, 5, 6]].T
     return columns[:, :m], columns[:, m:]
 

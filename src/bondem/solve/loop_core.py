@@ -27,13 +27,13 @@ _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
-    It has those of beams of the total formulation that neither break nor touch.
+    It has those of beams of both formulations, which may break but not soften, and of the non-local law without
+    breakage; and no contacts yet.
     """
     return (
         model.cells is None
-        and model.non_local is None
-        and model.formulation == "total"
-        and model.breaking is None
+        and model.beam_softening is None
+        and (model.non_local is None or model.breaking is None)
         and model.contacts is None
     )
 
@@ -51,7 +51,9 @@ class CoreLoop:
         self._scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, self._origin)
         self._threads = current_threads() if self._m >= SERIAL_BONDS else 1
         domains = min(self._threads, max(self._m // _DOMAIN, 1))
-        cut = Blocks.of(model.layout, BLOCK, domains, model.constraints.row_of >= 0).table()
+        # elements that a failure delays keep their sums in rows of their own
+        kept = 0 if model.breaking is None else self._n
+        cut = Blocks.of(model.layout, BLOCK, domains, model.constraints.row_of >= 0).table(kept)
         self._tables, self._parts = parts_of(model, terms, state, cut, gauge_tables(model, plan))
         self._still = noticeable(model, dt)
         self._compose = Composer()
@@ -59,6 +61,8 @@ class CoreLoop:
             present=self._list("present"),
             opening=self._list("opening"),
             forces=self._list(*FORCES),
+            resume=self._list("resume"),
+            reopening=self._list("reopening"),
             guard=self._list("guard"),
             record=self._compose([]),
         )
@@ -81,7 +85,7 @@ class CoreLoop:
         """Bring the acceleration up to date and record the present."""
         state, budget = self.state, self._tables.portions.budget
         begins = state.stale or budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
-        records = np.empty((1, self._width))
+        records = np.zeros((1, self._width))
         self._take(0, records, looks=True)
         state.stale = False
         if begins:
@@ -93,7 +97,7 @@ class CoreLoop:
         if self.state.stale:
             self.look()
         state = self.state
-        records = np.empty((steps // self._every + 1 if self._every else 0, self._width))
+        records = np.zeros((steps // self._every + 1 if self._every else 0, self._width))
         ending, (done, written, wide, lost) = self._take(steps, records)
         state.step += done
         state.time = self._origin + state.step * self._scheme.dt

@@ -1,14 +1,16 @@
 """Equilibrium by dynamic relaxation, with damping by the present frequency and masses that speed it up."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from bondem._checks import count, instance, number
+from bondem._core import Pass
 from bondem._progress import staged
-from bondem._types import Floats, PerElement
+from bondem._types import Floats, Ints, PerElement
 from bondem.errors import ConvergenceError, InputError
-from bondem.kernels.dynamic_relaxation import Relaxation, relax_bonds
 from bondem.kernels.tables import lines
-from bondem.model.beam_tables import beam_tables, count_turned
+from bondem.model.beam_tables import AlikeBeams, Beams, BeamSums, beam_tables, count_turned
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.energy import energy_of
@@ -24,6 +26,36 @@ _PACE = 0.01
 _CHUNK = 2_000
 # The same where forces of moments turn.
 _TURNING = 20
+
+
+class DynamicRelaxation(NamedTuple):
+    """Elements that relax, n of them, as `core/tables/statics_tables.hpp` declares them."""
+
+    pose: Floats  #: (n, 8)
+    velocity: Floats  #: of centres and rotations, (n, 6)
+    before: Floats  #: forces and torques of the bonds in the step before [N, N·m], (n, 6)
+    load: Floats  #: at the end of the ramp [N, N·m], (n, 6)
+    inverse: Floats  #: 1 / mass and 1 / moment of inertia, 0 where nothing is bonded, (n, 2)
+    free: np.ndarray  #: degrees of freedom that nothing prescribes, uint8, (n, 6)
+    motion: Floats  #: prescribed displacements and rotations at the end of the ramp [m, rad], (n, 6)
+    memory: Floats  #: running means Σ v·ΔF and Σ m v² of the steps so far, (2,)
+    ramp: int  #: steps in which loads and prescribed motions grow
+    length: float  #: by which torques become forces [m]
+    tolerance: float  #: unbalanced force over applied and supporting force at which to stop [-]
+    noise: float  #: force that rounding leaves [N]
+
+
+class RelaxationSpan(NamedTuple):
+    """Steps of one call of the core."""
+
+    first: int  #: number of the first step
+    steps: int  #: how many at most
+    done: Ints  #: how many were done, (1,)
+    ratio: Floats  #: unbalanced force over applied and supporting force [-], (1,)
+
+
+_relax_beams = Pass("relax_beams", Beams, BeamSums, DynamicRelaxation, RelaxationSpan)
+_relax_alike_beams = Pass("relax_alike_beams", Beams, AlikeBeams, BeamSums, DynamicRelaxation, RelaxationSpan)
 
 
 @staged("relaxation")
@@ -69,13 +101,13 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     inverse = np.column_stack([1.0 / mass, 1.0 / inertia]) * connected[:, None]
 
     state, model = State(model), strained(model, 1.0)
-    bonds, same = model.bonds, model.bonds.alike
-    rows = bonds.rows(model.layout, model.period, state.integrity, alike=same is not None)
-    beams, _ = beam_tables(bonds, model.layout, model.period, state.integrity, may_share=False)
+    bonds = model.bonds
+    beams, alike = beam_tables(bonds, model.layout, model.period, state.integrity)
+    sums = BeamSums(beams.i, beams.j, lines(n))
     fastest = max(np.abs(motion[:, :3]).max() / bonds.length.min(initial=np.inf), np.abs(motion[:, 3:]).max())
-    relaxation = Relaxation(
-        velocity=np.zeros((n, 6)), sums=lines(n), before=np.zeros((n, 6)), load=load, inverse=inverse, free=free,
-        motion=motion, memory=np.zeros(2), ramp=max(1, int(np.ceil(fastest / _PACE))), length=length,
+    relaxation = DynamicRelaxation(
+        pose=state.pose, velocity=np.zeros((n, 6)), before=np.zeros((n, 6)), load=load, inverse=inverse,
+        free=free.astype(np.uint8), motion=motion, memory=np.zeros(2), ramp=max(1, int(np.ceil(fastest / _PACE))), length=length,
         tolerance=tolerance, noise=1e-14 * float((bonds.kn * bonds.length).max(initial=0.0)) * np.sqrt(n),
     )  # fmt: skip
     done, ratio, finished = 0, np.inf, False
@@ -84,8 +116,8 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         goal = min(_TURNING if turning else _CHUNK, most - done)
         if turning:  # the forces of moments turn with their regions
             load[:] = constraints.final_load(n, state.pose)
-        gone, ratio = relax_bonds(state.pose, rows, same, relaxation, done, goal)
-        finished = gone == 0 if turning else gone < goal
+        gone, ratio, balanced = relaxed(beams, alike, sums, relaxation, done, goal)
+        finished = gone == 0 if turning else balanced
         done += gone
         _, lost, sick = count_turned(state.pose, beams)
         if lost or sick:
@@ -105,6 +137,18 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         values[:, :3].copy(), values[:, 3:].copy(), reaction, energy_of(model, state, state.eigenstrain),
         iterations=done, residual=float(ratio),
     )  # fmt: skip
+
+
+def relaxed(
+    beams: Beams, alike: AlikeBeams | None, sums: BeamSums, relaxation: DynamicRelaxation, first: int, most: int
+) -> tuple[int, float, bool]:
+    """Take steps; return how many, the unbalanced share of the forces, and whether they balance."""
+    span = RelaxationSpan(first, most, np.zeros(1, dtype=np.int64), np.full(1, np.inf))
+    if alike is None:
+        ending = _relax_beams(beams, sums, relaxation, span)
+    else:
+        ending = _relax_alike_beams(beams, alike, sums, relaxation, span)
+    return int(span.done[0]), float(span.ratio[0]), ending == "balanced"
 
 
 def masses(model: Model) -> tuple[PerElement, PerElement]:

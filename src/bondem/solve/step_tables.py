@@ -109,6 +109,8 @@ class StepPasses(NamedTuple):
     present: Ints  #: bring boundary conditions to the time of the clock
     opening: Ints  #: elements open a step after a pause
     forces: Ints  #: forces, and what elements do with them
+    resume: Ints  #: elements that a failure has delayed find their acceleration without what failed
+    reopening: Ints  #: and open the next step
     guard: Ints  #: whether the run is sound
     record: Ints  #: a row of the history
 

@@ -22,7 +22,7 @@ from bondem.model.local_origin import local_rest
 from bondem.model.local_stiffness import local_stiffness
 from bondem.model.matrices import stiffness_matrix
 from bondem.model.model import Model
-from bondem.solve.cell_forces import body_loads, body_tables
+from bondem.solve.cell_forces import BodyTables
 from bondem.solve.dashpot_rate import fastest_decay
 from bondem.solve.lagged_step import SHARES, stable_share
 from bondem.solve.long_slip import LongSlip, long_slips
@@ -85,9 +85,9 @@ def stiffest(
     pose, sums = lines(n), lines(n)
     rest = local_rest(model.lattice)[layout.order]
     if model.cells is not None:
-        _, body = body_tables(model, intact)
-        body.grips.wall[:] = 0.0
-        load = partial(body_loads, pose, rest, table.rows(layout, model.period, intact), body, sums)
+        body = BodyTables.of(model, intact)
+        body.walls.wall[:] = 0.0
+        load = partial(body.load, pose, rest, sums)
     else:
         beams, alike = beam_tables(table, layout, model.period, intact)
         load = partial(load_beams, pose, beams, alike, BeamSums(beams.i, beams.j, sums))

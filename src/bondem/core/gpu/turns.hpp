@@ -9,15 +9,15 @@ static_assert(sizeof(Clock) == 9 * sizeof(Index));
 BONDEM_INLINE Clock &clock_of(const DeviceSpan &span) { return *reinterpret_cast<Clock *>(span.clock.data); }
 
 // A turn of element p.
-BONDEM_INLINE Turn turn_of(const DeviceSpan &span, Index p) { return {clock_of(span), p, p + 1, p + 1, nullptr, nullptr, p}; }
+BONDEM_INLINE Turn turn_of(const DeviceSpan &span, Index p) { return {clock_of(span), p, p + 1, p + 1, nullptr, nullptr, p, nullptr}; }
 // A turn of element number e of the list of a step, which on a device is one block.
 BONDEM_INLINE Turn turn_of(const DeviceSpan &span, const StepCut &cut, Index e) {
-    return {clock_of(span), e, e + 1, e + 1, cut.ready.data, cut.ready_row.data, 0};
+    return {clock_of(span), e, e + 1, e + 1, cut.ready.data, cut.ready_row.data, 0, nullptr};
 }
 // A turn of portion b of elements or bonds.
 BONDEM_INLINE Turn portion_of(const DeviceSpan &span, Index b, Index size, Index count) {
     const Index last = least((b + 1) * size, count);
-    return {clock_of(span), b * size, last, last, nullptr, nullptr, b};
+    return {clock_of(span), b * size, last, last, nullptr, nullptr, b, nullptr};
 }
 
 // Sets the clock to a number of steps from the present one.

@@ -30,15 +30,10 @@
 // rotations have to stay moderate: c1 and c2 above 0.7, w² above 0.75. The V-model of Kuzkin and Asonov (2012) is a
 // relative.
 #pragma once
-#include "rotations.hpp"
+#include "ends.hpp"
 
 namespace bondem {
 
-// Two elements as their bond sees them.
-template <class T> struct Ends {
-    Vector3<T> branch;  // centre of j minus centre of i [m]
-    Quaternion<T> i, j;  // orientations
-};
 // A beam in the reference.
 template <class T> struct BeamShape {
     Vector3<T> direction;  // X0 [-]

@@ -80,7 +80,7 @@ struct Rows {
     Array<double, 2> force;  // of loads now [N, N·m], (r, 6)
     Array<double, 2> half, full;  // prescribed velocities over the step, and now [m/s, rad/s], (r, 6)
     Array<double, 2> reaction;  // minus the bond forces [N, N·m], (r, 6)
-    Array<double, 2> grip;  // empty
+    Array<double, 2> grip;  // force and torque of walls that hold facets of cells [N, N·m], (r, 6), or none
     Array<double, 1> work;  // of loads and drives on each row [J], then of body forces and strains
 };
 // Piecewise linear functions of time, one after the other.
@@ -158,6 +158,8 @@ struct StepPasses {
     Array<const Index, 2> present;  // bring boundary conditions to the time of the clock
     Array<const Index, 2> opening;  // elements open a step after a pause
     Array<const Index, 2> forces;  // forces, and what elements do with them
+    Array<const Index, 2> resume;  // postponed elements find their acceleration without what failed
+    Array<const Index, 2> reopening;  // and open the next step
     Array<const Index, 2> guard;  // whether the run is sound
     Array<const Index, 2> record;  // a row of the history
 };

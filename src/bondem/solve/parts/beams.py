@@ -1,5 +1,7 @@
 """Beams of the total formulation: forces, energies, the guard of large rotations, and strains that change."""
 
+from typing import Any
+
 from bondem._core_steps import StepPass
 from bondem.kernels.strain_tables import Strain
 from bondem.kernels.tables import Rows, StepCut
@@ -7,6 +9,8 @@ from bondem.model.beam_tables import AlikeBeams, Beams, beam_tables
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import changing_strain
+from bondem.solve.damage_tables import Candidates, FailureBounds
+from bondem.solve.parts.breakage import DamageTables, breakage, damage_of
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, Moving, Portions, Timeline
@@ -14,28 +18,42 @@ from bondem.solve.step_tables import Dashpots, Moving, Portions, Timeline
 _follow_strains = StepPass("follow_strains", Timeline, Strain, Moving, Beams, Rows)
 _add_beam_loads = StepPass("add_beam_loads", Moving, Beams, StepCut)
 _add_alike_beam_loads = StepPass("add_alike_beam_loads", Moving, Beams, AlikeBeams, StepCut)
+_add_marked_beam_loads = StepPass("add_marked_beam_loads", Moving, Beams, StepCut, FailureBounds, Candidates)
+_add_marked_alike_beam_loads = StepPass(
+    "add_marked_alike_beam_loads", Moving, Beams, AlikeBeams, StepCut, FailureBounds, Candidates
+)
 _add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)
 _check_beams = StepPass("check_beams", Moving, Beams, Portions)
 _sum_beam_energies = StepPass("sum_beam_energies", Moving, Beams, Portions)
 
 
-def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> Part:
-    """Return the part of beams, with dashpots beside them or without."""
+def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
+    """Return the parts of beams, with dashpots beside them or without: their forces, and their breakage."""
     moving, cut, portions = shared.moving, shared.cut, shared.portions
     strain = changing_strain(model, state)
     bonds = model.bonds.stretched(state.eigenstrain)
     if strain is not None:  # lengths change during the run
         bonds = bonds.separate()
     table, alike = beam_tables(bonds, model.layout, model.period, state.integrity, may_share=strain is None)
+    damage = damage_of(model, state, cut, len(table.i))
     present = [] if strain is None else [(_follow_strains, shared.timeline, strain, moving, table, shared.rows)]
-    loads: Passes
-    if alike is None:
-        loads = [(_add_beam_loads, moving, table, cut)]
-    else:
-        loads = [(_add_alike_beam_loads, moving, table, alike, cut)]
+    loads: Passes = [_loads(moving, table, alike, cut, damage)]
     if dashpots is not None:
         loads.append((_add_dashpot_loads, moving, table, dashpots, cut))
-    return Part(
+    forces = Part(
         {"present": present, "loads": loads, "guard": [(_check_beams, moving, table, portions)]},
         record=lambda _: [(_sum_beam_energies, moving, table, portions)],
     )
+    return [forces] if damage is None else [forces, breakage(damage, state, shared, table, alike, dashpots)]
+
+
+def _loads(
+    moving: Moving, table: Beams, alike: AlikeBeams | None, cut: StepCut, damage: DamageTables | None
+) -> tuple[Any, ...]:
+    """Return the pass of forces: of beams that share their constants or not, and that may break or not."""
+    if damage is None:
+        return (_add_beam_loads, moving, table, cut) if alike is None else (_add_alike_beam_loads, moving, table, alike, cut)
+    marks = damage.bounds, damage.candidates
+    if alike is None:
+        return _add_marked_beam_loads, moving, table, cut, *marks
+    return _add_marked_alike_beam_loads, moving, table, alike, cut, *marks

@@ -23,4 +23,5 @@ def body_forces(shared: SharedTables, more: Added) -> Part:
         "opening": [(_open_body_work, shared.moving, table)],
         "add": [(_add_body_forces, shared.moving, shared.cut, table)],
         "settle": [(_add_body_work, shared.moving, table)],
+        "reopening": [(_add_body_work, shared.moving, table)],
     })  # fmt: skip

@@ -11,6 +11,8 @@ from bondem.solve.step_tables import Dashpots, Moving, Resistance
 
 _open_elements = StepPass("open_elements", Moving)
 _open_elements_and_rows = StepPass("open_elements_and_rows", Moving, Rows)
+_reopen_elements = StepPass("reopen_elements", Moving)
+_reopen_rows = StepPass("reopen_rows", Moving, Rows)
 _collect_sums = StepPass("collect_sums", StepCut)
 _collect_dashpots = StepPass("collect_dashpots", StepCut, Dashpots)
 _add_dashpots = StepPass("add_dashpots", StepCut, Dashpots)
@@ -34,9 +36,11 @@ def motion(shared: SharedTables, dashpots: Dashpots | None, resistance: Resistan
     else:
         move = [(_move_resisted, moving, cut, resistance)]
         held = (_move_resisted_rows, moving, cut, rows, resistance)
+    reopening: Passes = [(_reopen_elements, moving)]
     if shared.owned:
         move.append(held)
-    return Part({"opening": opening, "gather": gather, "move": move})
+        reopening.append((_reopen_rows, moving, rows))
+    return Part({"opening": opening, "gather": gather, "move": move, "resume": move, "reopening": reopening})
 
 
 def dashpots_of(more: Added | None) -> Dashpots | None:

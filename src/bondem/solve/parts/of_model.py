@@ -10,8 +10,11 @@ from bondem.solve.parts.body_forces import body_forces
 from bondem.solve.parts.boundary import boundary
 from bondem.solve.parts.history import history
 from bondem.solve.parts.motion import dashpots_of, motion, resistance_of
+from bondem.solve.parts.non_local import non_local
 from bondem.solve.parts.part import Part
 from bondem.solve.parts.shared_tables import SharedTables
+from bondem.solve.parts.stored_beams import stored_beams
+from bondem.solve.step_tables import Dashpots
 
 
 def parts_of(
@@ -21,12 +24,20 @@ def parts_of(
     shared = SharedTables.of(model, state, cut)
     more = added(model, terms, state, len(cut.sums))
     dashpots = dashpots_of(more)
-    parts = [boundary(shared)]
-    if more is not None and len(more.group):
-        parts.append(body_forces(shared, more))
-    parts += [
-        beams(model, state, shared, dashpots),
+    parts = [
+        boundary(shared),
+        *_bonds(model, state, shared, dashpots),
         motion(shared, dashpots, resistance_of(terms, more)),
-        history(shared, gauges),
     ]
-    return shared, parts
+    if more is not None and len(more.group):
+        parts.append(body_forces(shared, more))  # their work is that at the velocities after the kick
+    return shared, [*parts, history(shared, gauges)]
+
+
+def _bonds(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
+    """Return the parts of the bonds."""
+    if model.non_local is not None:
+        return non_local(model, state, shared, dashpots)
+    if model.formulation == "incremental":
+        return [stored_beams(model, state, shared, dashpots)]
+    return beams(model, state, shared, dashpots)

@@ -21,13 +21,15 @@ FORCES = (
     "judge",  # finds which marked bonds fail
     "gather",  # sums of the elements that domains share
     "add",  # further forces on elements
+    "keep",  # sums of the elements that a failure delays
     "move",  # closes the step of elements, and opens the next one
     "settle",  # works and losses of the motion
     "apply",  # failure of bonds, after the motion
-    "resume",  # motion of elements that the failure delayed
 )
+#: Stages of elements that a failure has delayed: they find their acceleration, and open the next step.
+RESUME = ("resume", "reopening")
 #: Other stages: boundary conditions at the present time, opening of a step after a pause, guard.
-STAGES = ("present", "opening", *FORCES, "guard")
+STAGES = ("present", "opening", *FORCES, *RESUME, "guard")
 
 
 def _nothing(_: HistoryRows) -> Passes:

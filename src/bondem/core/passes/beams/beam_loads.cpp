@@ -2,6 +2,7 @@
 #include "beam_loads.hpp"
 
 #include "../../laws/damping.hpp"
+#include "../damage/pipeline.hpp"
 #include "bonds.hpp"
 
 namespace bondem {
@@ -35,10 +36,23 @@ BONDEM_INLINE void add(double *sums, const Short *row_i, const Short *row_j, con
              known);
 }
 
+// Beams that cannot fail.
+struct NoMarks {
+    BONDEM_INLINE void mark(Index, int, const BeamLoads<Lanes> &) const {}
+};
+// Beams that are compared with their bounds.
+struct BeamMarks {
+    Marks marks;
+    BONDEM_INLINE void mark(Index k, int known, const BeamLoads<Lanes> &loads) {
+        const Vector3<Lanes> f = loads.force, a = loads.on_i, b = loads.on_j;
+        marks.mark(k, known, dot(f, f), dot(a, a) + dot(b, b));
+    }
+};
+
 // Adds the loads of the beams first … last - 1; `to` has the rows of the sums, and the sums.
-template <class Sums, class Kind>
+template <class Sums, class Kind, class Marking>
 BONDEM_INLINE void add_loads(Index first, const Index last, const double *const pose, const Beams &beams, const Sums &to,
-                             const Kind kind) {
+                             const Kind kind, Marking &marking) {
     double *const __restrict sums = to.sums.data;
     const Short *const i = beams.i.data, *const j = beams.j.data;
     const Short *const row_i = to.row_i.data, *const row_j = to.row_j.data;
@@ -50,8 +64,22 @@ BONDEM_INLINE void add_loads(Index first, const Index last, const double *const 
         prefetch(pose, i + least(k + ahead, last - lanes));
         const Ends<Lanes> ends = ends_of(gather(pose, i + k), gather(pose, j + k), period);
         const BeamShape<Lanes> shape = {{load(X0 + k), load(Y0 + k), load(Z0 + k)}, load(L + k)};
-        add(sums, row_i + k, row_j + k, beam_loads(ends, shape, kind.stiffness(k)), group.known);
+        const BeamLoads<Lanes> loads = beam_loads(ends, shape, kind.stiffness(k));
+        add(sums, row_i + k, row_j + k, loads, group.known);
+        marking.mark(k, group.known, loads);
     });
+}
+template <class Sums, class Kind>
+BONDEM_INLINE void add_loads(Index first, Index last, const double *pose, const Beams &beams, const Sums &to, Kind kind) {
+    NoMarks none;
+    add_loads(first, last, pose, beams, to, kind, none);
+}
+template <class Kind>
+BONDEM_INLINE void add_marked_loads(const Turn &turn, const double *pose, const Beams &beams, const StepCut &cut, Kind kind,
+                                    const FailureBounds &bounds, const Candidates &candidates) {
+    BeamMarks marked = {Marks(bounds, candidates, turn)};
+    add_loads(turn.first, turn.last, pose, beams, cut, kind, marked);
+    candidates.count(turn.block) = marked.marks.count();
 }
 
 }  // namespace
@@ -62,6 +90,14 @@ void add_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, con
 void add_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
                           const StepCut &cut) {
     add_loads(turn.first, turn.last, all.pose.data, beams, cut, all_alike(alike));
+}
+void add_marked_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut,
+                           const FailureBounds &bounds, const Candidates &candidates) {
+    add_marked_loads(turn, all.pose.data, beams, cut, Own{beams}, bounds, candidates);
+}
+void add_marked_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
+                                 const StepCut &cut, const FailureBounds &bounds, const Candidates &candidates) {
+    add_marked_loads(turn, all.pose.data, beams, cut, all_alike(alike), bounds, candidates);
 }
 Index load_beams(Index, const Poses &all, const Beams &beams, const BeamSums &to) {
     add_loads(0, beams.i.size(), all.pose.data, beams, to, Own{beams});

@@ -1,5 +1,6 @@
 #pragma once
 #include "../../steps.hpp"
+#include "../../tables/damage_tables.hpp"
 
 namespace bondem {
 
@@ -8,6 +9,11 @@ void add_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, con
 // Those of beams that differ in length only.
 void add_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
                           const StepCut &cut);
+// The same two passes, which mark beams near to failure as well.
+void add_marked_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut,
+                           const FailureBounds &bounds, const Candidates &candidates);
+void add_marked_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
+                                 const StepCut &cut, const FailureBounds &bounds, const Candidates &candidates);
 // Adds forces and torques of all beams in any poses; rows of the sums are given.
 Index load_beams(Index threads, const Poses &all, const Beams &beams, const BeamSums &to);
 Index load_alike_beams(Index threads, const Poses &all, const Beams &beams, const AlikeBeams &alike, const BeamSums &to);

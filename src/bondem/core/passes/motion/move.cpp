@@ -65,4 +65,14 @@ void open_elements_and_rows(const Turn &turn, const Moving &all, const Rows &row
     }
 }
 
+void reopen_elements(const Turn &turn, const Moving &all) {
+    for (Index e = turn.first; e < turn.held; e++) open_one(turn.element[e], turn.clock, all, NoRow{});
+}
+void reopen_rows(const Turn &turn, const Moving &all, const Rows &rows) {
+    for (Index e = turn.held; e < turn.last; e++) {
+        const Short p = turn.element[e];
+        open_one(p, turn.clock, all, BoundaryRow(rows, rows.of(p)));
+    }
+}
+
 }  // namespace bondem

@@ -13,5 +13,8 @@ void move_resisted_rows(const Turn &turn, const Moving &all, const StepCut &cut,
 // All elements open a step after a pause.
 void open_elements(const Turn &turn, const Moving &all);
 void open_elements_and_rows(const Turn &turn, const Moving &all, const Rows &rows);
+// Elements of a list open a step: those that own no row, and those that do.
+void reopen_elements(const Turn &turn, const Moving &all);
+void reopen_rows(const Turn &turn, const Moving &all, const Rows &rows);
 
 }  // namespace bondem

@@ -4,7 +4,7 @@
 
 namespace bondem::gauge {
 
-// What a gauge reads of an element, and how it makes one number of many.
+// What a gauge reads of an element, and how it makes one number of many. Gauges of walls read no elements.
 enum Quantity : Index { displacement, velocity, angle, spin, force, of_walls };
 enum Reduction : Index { mean, sum, largest };
 
@@ -26,7 +26,8 @@ inline double read(const Moving &all, const Rows &rows, Index quantity, Index p,
     }
     const Index r = rows.of(p);
     if (r < 0) return 0.0;
-    return rows.fixed(r, axis) ? rows.reaction(r, axis) : rows.force(r, axis);
+    const double of_walls = rows.grip.size() > 0 ? rows.grip(r, axis) : 0.0;  // that hold facets of the cell
+    return of_walls + (rows.fixed(r, axis) ? rows.reaction(r, axis) : rows.force(r, axis));
 }
 
 }  // namespace bondem::gauge

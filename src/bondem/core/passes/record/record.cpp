@@ -8,6 +8,7 @@ namespace bondem {
 namespace {
 
 using namespace column;
+
 // Kinetic energy over all there ever was from which on a run is taken for unstable. It never exceeds one but by the error
 // of the scheme, and what grows does so by orders of magnitude in a hundred steps.
 constexpr double beyond = 1000.0;
@@ -54,7 +55,6 @@ void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
 
 void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, const HistoryRows &history) {
     double *const record = &history.record(turn.clock.record, 0);
-    for (Index c = 0; c < fixed_columns; c++) record[c] = 0.0;
     record[time] = turn.clock.time;
     for (Index q = 0; q < portions.elements.size(); q++) {
         record[translation] += portions.elements(q, 0);

@@ -1,0 +1,34 @@
+// How the tables and passes of the damage pipeline describe themselves to Python.
+#pragma once
+#include "described.hpp"
+#include "passes/damage/beam_failure.hpp"
+#include "passes/damage/pipeline.hpp"
+
+namespace bondem {
+
+#define F BONDEM_FIELD
+
+BONDEM_TABLE(FailureBounds, F(limit, "m"), F(of_force, ""), F(of_moment, ""))
+BONDEM_TABLE(Strengths, F(coefficient, "bonds 4"), F(station, "bonds"))
+BONDEM_TABLE(Candidates, F(begin, "blocks+1"), F(marked, "bonds"), F(mode, "bonds"), F(count, "blocks"), F(any, "1"))
+BONDEM_TABLE(Postponed, F(held, "n"), F(element, "n"), F(row, "n"), F(first_row, ""), F(kept, "n 8"))
+BONDEM_TABLE(EventLog, F(event, "bonds 9"), F(written, "2"), F(released, "1"))
+BONDEM_TABLE(BeamIntegrity, F(integrity, "m"), F(hold, "*"))
+BONDEM_TABLE(FailureIndices, F(index, "m"))
+
+#undef F
+
+#define BONDEM_DAMAGE_TABLES \
+    described<FailureBounds>(), described<Strengths>(), described<Candidates>(), described<Postponed>(), \
+        described<EventLog>(), described<BeamIntegrity>(), described<FailureIndices>()
+#define BONDEM_DAMAGE_PASSES \
+    S(divides_elements, postpone_elements), S(postponed_of_blocks, keep_sums), S(postponed_of_blocks, keep_dashpots), \
+        S(divides_elements, list_postponed), S(serial, write_released), S(bonds_of_blocks, add_marked_beam_loads), \
+        S(bonds_of_blocks, add_marked_alike_beam_loads), S(bonds_of_blocks, judge_beams_by_peripheral_stress), \
+        S(bonds_of_blocks, judge_beams_by_mohr_coulomb), S(bonds_of_blocks, judge_beams_by_linear_sum), \
+        S(bonds_of_blocks, judge_beams_by_ellipse), S(serial, withdraw_dashpots), S(serial, break_beams)
+#define BONDEM_DAMAGE_INDICES \
+    P(index_beams_by_peripheral_stress, ""), P(index_beams_by_mohr_coulomb, ""), P(index_beams_by_linear_sum, ""), \
+        P(index_beams_by_ellipse, "")
+
+}  // namespace bondem

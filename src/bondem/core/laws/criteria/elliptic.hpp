@@ -1,0 +1,23 @@
+// Elliptic: elongation and bending of a beam together reach their limits ε_c and θ_c.
+//
+//     (ε⁺ / ε_c)² + max(|θ_i|, |θ_j|) / θ_c ≥ 1
+//
+// with ε = (ℓ - L) / L, only where positive, and θ the angle between the axis of the beam and that of its end.
+// Coefficients: a = 1 / ε_c, b = 1 / θ_c.
+//
+// Carmona, Wittel, Kun and Herrmann (2008), eq. (5) of arXiv:0711.2993, where ε² also counts in compression.
+#pragma once
+#include "loads.hpp"
+
+namespace bondem {
+
+struct Elliptic {
+    template <class T> static BONDEM_INLINE Verdict<T> verdict(const BondLoads<T> &load, const Coefficients<T> &s) {
+        const T zero = {}, strain = load.strain > zero ? load.strain : zero;
+        const T stretch = strain * s.a, along = stretch * stretch, about = load.angle * s.b;
+        const T tension = constant<T>(tension_mode), bending = constant<T>(bending_mode);
+        return {along + about, along >= about ? tension : bending};
+    }
+};
+
+}  // namespace bondem

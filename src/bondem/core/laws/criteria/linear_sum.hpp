@@ -1,0 +1,28 @@
+// Linear sum: a bond fails where the shares of its four strengths sum up to 1.
+//
+//     N / N_max + |Q| / Q_max + |M| / M_max + |T| / T_max ≥ 1
+//
+// Tension positive; N counts with its sign, so that compression strengthens. M is the larger of the moments at both ends
+// of a beam, or that at the contact point. Coefficients: the inverse strengths in this order. The mode is that of the
+// largest share, the first one of equal shares.
+//
+// `bond_style bpm/rotational` of LAMMPS, after Wang (2009).
+#pragma once
+#include "loads.hpp"
+
+namespace bondem {
+
+struct LinearSum {
+    template <class T> static BONDEM_INLINE Verdict<T> verdict(const BondLoads<T> &load, const Coefficients<T> &s) {
+        const T n = load.axial * s.a, q = load.shear * s.b, m = load.bending * s.c, t = load.twisting * s.d;
+        T mode = constant<T>(tension_mode), largest = n;
+        mode = q > largest ? constant<T>(shear_mode) : mode;
+        largest = q > largest ? q : largest;
+        mode = m > largest ? constant<T>(bending_mode) : mode;
+        largest = m > largest ? m : largest;
+        mode = t > largest ? constant<T>(twisting_mode) : mode;
+        return {n + q + m + t, mode};
+    }
+};
+
+}  // namespace bondem

@@ -1,0 +1,34 @@
+// What a failure criterion sees of a bond or facet, and what it answers.
+//
+// A criterion is a function of these loads and of four coefficients, which Python computes from strengths, once a bond
+// (`bondem/laws/failure/`). The bond fails where the index reaches 1. The index is of degree one in the loads, or grows
+// with them; the mode is that of the largest part of the index.
+#pragma once
+#include "../../lanes.hpp"
+
+namespace bondem {
+
+// How a bond fails; states and run files store the number.
+enum FailureMode : Index { intact_mode, tension_mode, shear_mode, bending_mode, twisting_mode };
+
+// Loads of a bond, tension positive. A facet has an axial and a shear force only.
+template <class T> struct BondLoads {
+    T axial;  // force along the bond, or along the normal of the facet [N]
+    T shear;  // size of the force across it [N]
+    T bending, twisting;  // sizes of the moments [N·m]
+    T strain;  // ℓ / L - 1 [-]
+    T angle;  // the larger one between the axis and its ends [rad]
+};
+// Four coefficients of a bond.
+template <class T> struct Coefficients {
+    T a, b, c, d;
+};
+// Answer of a criterion.
+template <class T> struct Verdict {
+    T index;  // the bond fails at 1 [-]
+    T mode;  // a `FailureMode`
+};
+
+template <class T> BONDEM_INLINE T constant(double value) { return T{} + value; }
+
+}  // namespace bondem

@@ -1,0 +1,117 @@
+// The non-local law of Celigueta, Oñate et al. (2020): a bond follows the mean stress of its two elements.
+//
+// A bond of area A between centres L apart has two faces, at the levers b_i and b_j that turn with its elements; their
+// gap is δ, with the parts δ_n along the normal n and δ_t across it. σ is the mean stress of both elements, found by the
+// forces of the step before. With kn = A E / L and kt = A G / L, tension positive,
+//
+//     F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
+//     e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻      t = A (σ n - (n·σ n) n)
+//
+// where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t changes by kt (δ_t - δ_t⁻) from A τ: what
+// kt δ_t lacks is the other half of the engineering shear strain. F acts on i, and -F on j, both at the middle of the
+// gap, so that they make no moment together. The stress of an element of volume V is the symmetric part of
+//
+//     σ = (1/V) Σ b ⊗ F                                                     eq (1)
+//
+// n is the normal of the reference, turned with both elements and averaged. A bond stores δ and e in the frame of its
+// element i, an element its stress in its own frame: neither changes when all turns together.
+//
+// Energy: ½ kn δ_n² + ½ kt δ_t² in the springs. The law has no potential: the work of e is an entry of its own in the
+// ledger, by the trapezoidal rule in the frame of i.
+//
+// Limits: the stress lags a step behind, which adds energy where nothing damps; ω_max of the springs is no bound for the
+// time step. With `limited`, the length of t - kt δ_t⁻ is at most |t|; the text of the paper does not print a limiter,
+// but without it nothing except its own lag holds the rotation of an element.
+#pragma once
+#include "stress.hpp"
+
+namespace bondem {
+
+// A bond in the reference.
+template <class T> struct PairShape {
+    Vector3<T> normal;  // from i to j [-]
+    Vector3<T> lever_i, lever_j;  // from the elements to their faces [m]
+};
+template <class T> struct PairStiffness {
+    T area;  // A [m²]
+    T kn, kt;  // [N/m]
+};
+struct PairLaw {
+    double nu;  // ν [-]
+    bool limited;
+};
+// A bond now.
+template <class T> struct PairPose {
+    Vector3<T> normal;  // [-]
+    Vector3<T> lever_i, lever_j;  // [m]
+    Vector3<T> gap;  // δ [m]
+};
+// What a bond stores, in the frame of its element i.
+template <class T> struct PairStore {
+    Vector3<T> gap, extra;  // δ [m], e [N]
+    T taken;  // work that e has taken up [J]
+};
+// What a bond does to its elements.
+template <class T> struct PairLoads {
+    Vector3<T> force;  // on i; its opposite on j [N]
+    Vector3<T> on_i, on_j;  // torque on i, and minus the torque on j [N·m]
+};
+
+// Keeps 0 / 0 away where an element has turned right round, and where no shear force is asked for.
+constexpr double nothing = 1e-200;
+
+template <class T>
+BONDEM_INLINE PairPose<T> pair_pose(Vector3<T> branch, Quaternion<T> i, Quaternion<T> j, const PairShape<T> &shape) {
+    const Vector3<T> both = rotate(i, shape.normal) + rotate(j, shape.normal);
+    const Vector3<T> a = rotate(i, shape.lever_i), b = rotate(j, shape.lever_j);
+    return {1.0 / root(dot(both, both) + nothing) * both, a, b, branch + b - a};
+}
+template <class T> BONDEM_INLINE Vector3<T> across(Vector3<T> a, Vector3<T> n) { return minus(a, dot(a, n), n); }
+
+// The extra force e by the mean stress of the elements and the tangential spring force kt δ_t⁻ of the step before.
+template <class T>
+BONDEM_INLINE Vector3<T> extra_force(const Stress<T> &s, Vector3<T> n, T area, Vector3<T> slip, const PairLaw &law) {
+    const Vector3<T> pull = s * n;
+    const T along = dot(pull, n), push = area * law.nu * (trace(s) - along);
+    const Vector3<T> t = area * minus(pull, along, n);
+    Vector3<T> e = t - slip;
+    if (law.limited) {
+        // exactly 1 within the limit; where nothing is asked for, nothing is left
+        const T largest = dot(t, t), found = dot(e, e);
+        e = root(largest / ((found > largest ? found : largest) + nothing)) * e;
+    }
+    return plus(e, push, n);
+}
+// kn δ_n n + kt δ_t
+template <class T> BONDEM_INLINE Vector3<T> spring_force(const PairPose<T> &now, const PairStiffness<T> &k) {
+    const T along = (k.kn - k.kt) * dot(now.gap, now.normal);
+    return plus(k.kt * now.gap, along, now.normal);
+}
+
+// What a bond of integrity s stores after a step, from what it stored, and from the mean stress of its elements before.
+template <class T>
+BONDEM_INLINE PairStore<T> after_step(const PairStore<T> &before, const Stress<T> &mean, const PairPose<T> &now,
+                                      Quaternion<T> i, T s, const PairStiffness<T> &k, const PairLaw &law) {
+    const Vector3<T> slip = k.kt * across(rotate(i, before.gap), now.normal);
+    const Vector3<T> gap = rotate(inverse(i), now.gap);
+    const Vector3<T> extra = rotate(inverse(i), extra_force(mean, now.normal, k.area, slip, law));
+    return {gap, extra, before.taken + 0.5 * s * dot(before.extra + extra, gap - before.gap)};
+}
+
+template <class T>
+BONDEM_INLINE PairLoads<T> pair_loads(const PairPose<T> &now, Vector3<T> extra, const PairStiffness<T> &k) {
+    const T middle = T{} + 0.5;
+    const Vector3<T> force = spring_force(now, k) + extra, half = middle * now.gap;
+    return {force, cross(now.lever_i + half, force), cross(now.lever_j - half, force)};
+}
+
+// Energy of the springs [J].
+template <class T> struct PairEnergy {
+    T normal, shear;
+};
+template <class T> BONDEM_INLINE PairEnergy<T> pair_energy(const PairPose<T> &now, const PairStiffness<T> &k) {
+    const T along = dot(now.gap, now.normal);
+    return {0.5 * k.kn * along * along, 0.5 * k.kt * (dot(now.gap, now.gap) - along * along)};
+}
+
+}  // namespace bondem

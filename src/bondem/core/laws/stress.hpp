@@ -1,0 +1,61 @@
+// A stress as a symmetric tensor, and bounds of its principal stresses. Tension positive.
+//
+//     σ1 = p + 2 √(J2 / 3) cos(arccos(r) / 3)      r = ½ det(s) / (√(J2 / 3))³
+//     σ3 = p - 2 √(J2 / 3) cos(arccos(-r) / 3)
+//
+// with the mean p, the deviator s = σ - p 1, and J2 = ½ s : s. 2 cos(arccos(r) / 3) is a polynomial of √((1 + r) / 2), to
+// 4e-7 (interpolated at Chebyshev's points). A margin for that and for rounding is added, so that a criterion that is not
+// reached by the bounds is not reached.
+#pragma once
+#include "../symmetric3.hpp"
+#include "rotations.hpp"
+
+namespace bondem {
+
+// In Pa.
+template <class T> using Stress = Symmetric3<T>;
+
+template <class T> BONDEM_INLINE Stress<T> mean_of(const Stress<T> &a, const Stress<T> &b) {
+    return {0.5 * (a.xx + b.xx), 0.5 * (a.yy + b.yy), 0.5 * (a.zz + b.zz),
+            0.5 * (a.xy + b.xy), 0.5 * (a.xz + b.xz), 0.5 * (a.yz + b.yz)};
+}
+template <class T> BONDEM_INLINE Quaternion<T> inverse(Quaternion<T> q) { return {q.w, -q.x, -q.y, -q.z}; }
+// R σ Rᵀ, by R on the columns and then on the rows.
+template <class T> BONDEM_INLINE Stress<T> rotate(Quaternion<T> q, const Stress<T> &s) {
+    using V = Vector3<T>;
+    const V x = rotate(q, V{s.xx, s.xy, s.xz}), y = rotate(q, V{s.xy, s.yy, s.yz}), z = rotate(q, V{s.xz, s.yz, s.zz});
+    const V a = rotate(q, V{x.x, y.x, z.x}), b = rotate(q, V{x.y, y.y, z.y}), c = rotate(q, V{x.z, y.z, z.z});
+    return {a.x, b.y, c.z, a.y, a.z, b.z};
+}
+
+template <class T> struct PrincipalBounds {
+    T largest, least;  // [Pa]
+};
+
+// 2 cos(arccos(r) / 3), within 4e-7.
+template <class T> BONDEM_INLINE T trisected(T r) {
+    const T one = T{} + 1.0, c = r < -one ? -one : r > one ? one : r;
+    const T x = root(0.5 * (1.0 + c));
+    return 1.0000003719387707 +
+           x * (1.1546638041491451 +
+                x * (-0.22161094179544857 +
+                     x * (0.10294952669157148 +
+                          x * (-0.052799498696539826 + x * (0.021003507189659234 + x * -0.004206982020150463)))));
+}
+
+// What the polynomial and rounding may take off a principal stress, over the size of the stress.
+constexpr double principal_margin = 1e-6;
+// Keeps 0 / 0 away [Pa³], and changes no other number.
+constexpr double no_stress = 1e-200;
+
+template <class T> BONDEM_INLINE PrincipalBounds<T> principal_bounds(const Stress<T> &s) {
+    const T mean = trace(s) / (T{} + 3.0), a = s.xx - mean, b = s.yy - mean, c = s.zz - mean;
+    const T square = a * a + b * b + c * c + 2.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz);
+    const T size = root(square / (T{} + 6.0));
+    const T det = a * (b * c - s.yz * s.yz) - s.xy * (s.xy * c - s.yz * s.xz) + s.xz * (s.xy * s.yz - b * s.xz);
+    const T r = 0.5 * det / (size * size * size + no_stress);
+    const T margin = principal_margin * (size + absolute(mean));
+    return {mean + size * trisected(r) + margin, mean - size * trisected(-r) - margin};
+}
+
+}  // namespace bondem

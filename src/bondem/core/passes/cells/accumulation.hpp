@@ -1,0 +1,36 @@
+// V θ and stresses of cells, for passes of a step and for any poses.
+#pragma once
+#include "facets.hpp"
+
+namespace bondem {
+
+// Adds what the facets first … last - 1 contribute to V θ of their cells, one by one.
+BONDEM_INLINE void accumulate(Index first, Index last, const double *pose, const ElasticFacets &facets,
+                              const CellDilatation &cells) {
+    double *const __restrict swelling = cells.swelling.data;
+    const Short *const to_i = cells.to_i.data, *const to_j = facets.j.data;
+    const FacetColumns columns(facets);
+    for_each_facets(first, last, pose, facets, columns.period,
+                    [&](Index k, int known, const Row<Lanes> &, const Row<Lanes> &, const Ends<Lanes> &ends)
+                        __attribute__((always_inline)) {
+        const OfCells<Lanes> grown = dilatation(ends, columns.shape<Lanes>(k));
+        const Lanes s = load(columns.integrity + k), on_i = s * grown.i, on_j = s * grown.j;
+        const auto add = [&](int n) __attribute__((always_inline)) {
+            swelling[to_j[k + n]] += on_j[n];
+            swelling[to_i[k + n]] += on_i[n];
+        };
+        if (__builtin_expect(known == 0, 1)) {
+#pragma clang loop unroll(full)
+            for (int n = 0; n < lanes; n++) add(n);
+        } else {
+            for (int n = known; n < lanes; n++) add(n);
+        }
+    });
+}
+
+BONDEM_INLINE void stress_cell(const Array<double, 2> &pose, const CellDilatation &cells, Index p) {
+    pose(p, stress_column) = cells.weight(p) * (cells.swelling(p) + cells.given(p));
+    cells.swelling(p) = 0.0;
+}
+
+}  // namespace bondem

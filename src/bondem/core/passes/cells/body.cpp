@@ -1,0 +1,56 @@
+// Passes over a body of cells in any poses: its forces, its energies, and the places of its walls.
+#include "body.hpp"
+
+#include "accumulation.hpp"
+#include "energies.hpp"
+#include "facet_sums.hpp"
+#include "walls.hpp"
+
+namespace bondem {
+namespace {
+
+void dilate(const CellPoses &all, const ElasticFacets &facets, const CellDilatation &cells, const WallConstraints &walls) {
+    for (Index g = 0; g < walls.cell.size(); g++)
+        cells.swelling(walls.cell(g)) += dilatation_of_hold(all.pose, all.rest, walls, g);
+    accumulate(0, facets.i.size(), all.pose.data, facets, cells);
+}
+
+}  // namespace
+
+Index load_body(Index, const CellPoses &all, const ElasticFacets &facets, const CellDilatation &cells,
+                const WallConstraints &walls, const BeamSums &to) {
+    dilate(all, facets, cells, walls);
+    for (Index p = 0; p < all.pose.size(); p++) stress_cell(all.pose, cells, p);
+    add_loads_of_facets(0, facets.i.size(), all.pose.data, facets, to.row_i.data, to.row_j.data, to.sums.data);
+    for (Index g = 0; g < walls.cell.size(); g++) {
+        load_hold(all.pose, all.rest, walls, g);
+        for (Index axis = 0; axis < 3; axis++) {
+            to.sums(walls.cell(g), axis) += walls.load(g, axis);
+            to.sums(walls.cell(g), 4 + axis) += walls.load(g, 3 + axis);
+        }
+    }
+    return 0;
+}
+
+Index load_facets(Index, const Poses &all, const ElasticFacets &facets, const BeamSums &to) {
+    add_loads_of_facets(0, facets.i.size(), all.pose.data, facets, to.row_i.data, to.row_j.data, to.sums.data);
+    return 0;
+}
+
+Index measure_cell_energies(Index, const CellPoses &all, const ElasticFacets &facets, const CellDilatation &cells,
+                            const WallConstraints &walls, const CellEnergies &found) {
+    dilate(all, facets, cells, walls);
+    sum_energies(0, facets.i.size(), all.pose.data, facets, found.energy.data);
+    double more = 0.0;
+    for (Index g = 0; g < walls.cell.size(); g++) more += energy_of_hold(all.pose, all.rest, walls, g);
+    for (Index p = 0; p < all.pose.size(); p++) more += take_dilatation_energy(cells, p);
+    found.energy(0) += more;
+    return 0;
+}
+
+Index place_walls(Index, const WallConstraints &walls, const WallTime &at) {
+    for (Index g = 0; g < walls.cell.size(); g++) place_hold(walls, at.time, g);
+    return 0;
+}
+
+}  // namespace bondem

@@ -1,0 +1,47 @@
+// What the guard and the history need of facets and cells.
+#include "cell_report.hpp"
+
+#include "../record/columns.hpp"
+#include "energies.hpp"
+#include "walls.hpp"
+
+namespace bondem {
+
+void check_facets(const Turn &turn, const Moving &all, const Beams &beams, const ElasticFacets &facets,
+                  const Portions &portions) {
+    Index wide = 0, lost = 0, not_finite = 0;
+    const FacetColumns columns(facets);
+    for (Index k = turn.first; k < turn.last; k++) {
+        const Ends<double> ends = ends_of(all.pose.data, facets, k);
+        const BeamTurn<double> turned = beam_turn(ends, direction_of<double>(beams, k));
+        const double c = least(turned.c1, turned.c2);
+        double w2 = turned.w2;
+        not_finite |= !(c * c + w2 < 4.0);
+        if (facets.integrity(k) <= 0.0) continue;
+        if (w2 < 0.75) w2 = swing_square(ends, w2, normal_of(facets, k), columns.stiffness(k, 1.0).H);
+        wide += (c < 0.7) | (w2 < 0.75);
+        lost += (c <= 0.0) | (w2 <= 0.25);
+    }
+    Index *const count = &portions.turned(turn.block, 0);
+    count[0] = wide, count[1] = lost, count[2] = not_finite;
+}
+
+void sum_facet_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Portions &portions) {
+    sum_energies(turn.first, turn.last, all.pose.data, facets, &portions.bonds(turn.block, 0));
+}
+
+void sum_dilatation_energies(const Turn &turn, const CellDilatation &cells, const DilatationEnergy &found) {
+    double sum = 0.0;
+    for (Index p = turn.first; p < turn.last; p++) sum += take_dilatation_energy(cells, p);
+    found.energy(turn.block) = sum;
+}
+
+void add_cell_energies(const Turn &turn, const Moving &all, const WallConstraints &walls, const DilatationEnergy &found,
+                       const HistoryRows &history) {
+    double sum = 0.0;
+    for (Index q = 0; q < found.energy.size(); q++) sum += found.energy(q);
+    for (Index g = 0; g < walls.cell.size(); g++) sum += energy_of_hold(all.pose, all.rest, walls, g);
+    history.record(turn.clock.record, column::normal) += sum;
+}
+
+}  // namespace bondem

@@ -1,0 +1,18 @@
+#pragma once
+#include "../../steps.hpp"
+#include "../../tables/cell_tables.hpp"
+
+namespace bondem {
+
+// Counts unbroken facets of a portion that are turned beyond the range of their energy, and beyond its end.
+void check_facets(const Turn &turn, const Moving &all, const Beams &beams, const ElasticFacets &facets,
+                  const Portions &portions);
+// Sums normal, shear, bending and twisting energy of the facets of a portion, without dilatation [J].
+void sum_facet_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Portions &portions);
+// Sums the energy of dilatation of a portion of cells, whose V θ is complete and left at zero [J].
+void sum_dilatation_energies(const Turn &turn, const CellDilatation &cells, const DilatationEnergy &found);
+// Adds the energy of dilatation, and that of half facets at walls, to the normal energy of a record.
+void add_cell_energies(const Turn &turn, const Moving &all, const WallConstraints &walls, const DilatationEnergy &found,
+                       const HistoryRows &history);
+
+}  // namespace bondem

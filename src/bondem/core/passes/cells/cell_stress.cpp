@@ -1,0 +1,57 @@
+// Moments of cells from the forces of their facets: V σ = sym Σ b⊗f, with b from the centre of the cell to the facet.
+//
+// Levers b and forces f are those of one instant, in space. The sums are found with those of the forces.
+#include "cell_stress.hpp"
+
+#include "facets.hpp"
+
+namespace bondem {
+namespace {
+
+// Columns of a row of sums that the components of a moment and the bending stand in.
+constexpr Index column_of[7] = {0, 1, 2, 4, 5, 6, 3};
+
+void add(double *moment, const Symmetric3<double> &m, double bent) {
+    const double all[7] = {m.xx, m.yy, m.zz, m.xy, m.xz, m.yz, bent};
+    for (Index c = 0; c < 7; c++) moment[c] += all[c];
+}
+
+}  // namespace
+
+void collect_moments(const Turn &turn, const StepCut &cut, const FacetForces &kept) {
+    for (Index e = turn.first; e < turn.last; e++)
+        for (Index q = cut.parts + cut.part(e); q < cut.parts + cut.part(e + 1); q++)
+            for (Index c = 0; c < 8; c++) {
+                kept.sums(turn.row[e], c) += kept.sums(q, c);
+                kept.sums(q, c) = 0.0;
+            }
+}
+
+void take_moments(const Turn &turn, const FacetForces &kept) {
+    for (Index e = turn.first; e < turn.last; e++) {
+        double *const sums = &kept.sums(turn.row[e], 0);
+        for (Index c = 0; c < 7; c++) kept.moment(turn.element[e], c) = sums[column_of[c]];
+        for (Index c = 0; c < 8; c++) sums[c] = 0.0;
+    }
+}
+
+void sum_moments(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetsOfCells &of_cells,
+                 const FacetForces &kept) {
+    const FacetColumns columns(facets);
+    for (Index p = turn.first; p < turn.last; p++) {
+        double *const moment = &kept.moment(p, 0);
+        for (Index c = 0; c < 7; c++) moment[c] = 0.0;
+        const auto add_facet = [&](Index k, bool is_j) {
+            const Ends<double> ends = ends_of(all.pose.data, facets, k);
+            const OpenFacet<double> open = opened(ends, columns.shape<double>(k));
+            const Vector on_i = {kept.force(0, k), kept.force(1, k), kept.force(2, k)};
+            const double bent = bending_square(ends, kept.bends(k), columns.stiffness(k, facets.integrity(k)).H);
+            add(moment, is_j ? symmetric_product(open.arm_j, -on_i) : symmetric_product(open.arm_i, on_i), bent);
+        };
+        for (Index k = of_cells.in_start(p); k < of_cells.in_start(p + 1); k++) add_facet(k, true);
+        for (Index e = of_cells.out_start(p); e < of_cells.out_start(p + 1); e++)
+            add_facet(Index(of_cells.out_bond(e)), false);
+    }
+}
+
+}  // namespace bondem

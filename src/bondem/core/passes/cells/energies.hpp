@@ -1,0 +1,28 @@
+// Energies of facets and cells, for passes of a step and for any poses.
+#pragma once
+#include "facets.hpp"
+
+namespace bondem {
+
+inline void sum_energies(Index first, Index last, const double *pose, const ElasticFacets &facets, double *sum) {
+    const FacetColumns columns(facets);
+    for (Index c = 0; c < 4; c++) sum[c] = 0.0;
+    for (Index k = first; k < last; k++) {
+        const FacetEnergy<double> energy = facet_energy(ends_of(pose, facets, k), columns.shape<double>(k),
+                                                        normal_of(facets, k), columns.stiffness(k, 1.0));
+        const double s = facets.integrity(k);
+        sum[0] += s * energy.normal;
+        sum[1] += s * energy.shear;
+        sum[2] += s * energy.bending;
+        sum[3] += s * energy.twisting;
+    }
+}
+
+// ½ V λ θ² of a cell [J]; leaves V θ at zero.
+inline double take_dilatation_energy(const CellDilatation &cells, Index p) {
+    const double grown = cells.swelling(p) + cells.given(p);
+    cells.swelling(p) = 0.0;
+    return 0.5 * cells.weight(p) * grown * grown;
+}
+
+}  // namespace bondem

@@ -1,0 +1,52 @@
+// The second of two passes over facets: forces and torques, with the stresses of the cells from the first.
+#include "facet_loads.hpp"
+
+#include "facet_sums.hpp"
+
+namespace bondem {
+namespace {
+
+BONDEM_INLINE Row<Lanes> moment_row(Vector3<Lanes> arm, Vector3<Lanes> force, Lanes bent) {
+    const Symmetric3<Lanes> m = symmetric_product(arm, force);
+    return {{m.xx, m.yy, m.zz, bent, m.xy, m.xz, m.yz, Lanes{}}};
+}
+
+// Writes lanes known … to memory: cells of the group before may have moved since it was written.
+BONDEM_INLINE void keep(double *to, Lanes a, int known) {
+    if (__builtin_expect(known == 0, 1)) {
+        store(to, a);
+    } else {
+        for (int n = known; n < lanes; n++) to[n] = a[n];
+    }
+}
+
+}  // namespace
+
+void add_facet_loads(const Turn &turn, const Moving &all, const ElasticFacets &facets, const StepCut &cut) {
+    add_loads_of_facets(turn.first, turn.last, all.pose.data, facets, cut.row_i.data, cut.row_j.data, cut.sums.data);
+}
+
+void add_and_keep_facet_loads(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+                              const StepCut &cut) {
+    const FacetColumns columns(facets);
+    const Short *const row_i = cut.row_i.data, *const row_j = cut.row_j.data;
+    double *const force = kept.force.data;
+    for_each_facets(turn.first, turn.last, all.pose.data, facets, columns.period,
+                    [&](Index k, int known, const Row<Lanes> &a, const Row<Lanes> &b, const Ends<Lanes> &ends)
+                        __attribute__((always_inline)) {
+        const Lanes s = load(columns.integrity + k);
+        const FacetShape<Lanes> shape = columns.shape<Lanes>(k);
+        const FacetStiffness<Lanes> stiffness = columns.stiffness<Lanes>(k, s);
+        const OpenFacet<Lanes> open = opened(ends, shape);
+        const FacetLoads<Lanes> loads = facet_loads(ends, shape, open, stiffness, stresses_of(a, b, s));
+        const Vector3<Lanes> on_i = -loads.force;
+        keep(force + k, on_i.x, known), keep(force + columns.m + k, on_i.y, known);
+        keep(force + 2 * columns.m + k, on_i.z, known);
+        const Lanes bent = bending_square(ends, load(kept.bends.data + k), stiffness.H);
+        add_rows(kept.sums.data, row_i + k, row_j + k, moment_row(open.arm_i, on_i, bent),
+                 moment_row(open.arm_j, loads.force, bent), known);
+        add_loads_of_facets(cut.sums.data, row_i + k, row_j + k, loads, known);
+    });
+}
+
+}  // namespace bondem

@@ -1,0 +1,39 @@
+// Tractions on free facets, as far as they change the dilatation of cells.
+//
+// A traction t opens its facet by the half of its own cell, and with it adds A d t · M⁻¹n / 2G to V θ. Under constant loads
+// ½ V λ θ² of the cells is the potential; a load that changes does the work σ d(V θ) on it.
+#include "facet_traction.hpp"
+
+#include "../boundary/timeline.hpp"
+#include "facets.hpp"
+
+namespace bondem {
+
+void follow_tractions(const Turn &turn, const Timeline &timeline, const FacetTractions &tractions,
+                      const CellDilatation &cells) {
+    const Index count = tractions.schedule.size();
+    bool changed = false;
+    for (Index l = 0; l < count; l++) {
+        const double now = value_at(timeline, tractions.schedule(l), turn.clock.time);
+        tractions.came(l) = turn.clock.first ? 0.0 : now - tractions.factor(l);
+        changed |= now != tractions.factor(l);
+        tractions.factor(l) = now;
+    }
+    if (!changed) return;
+    for (Index p = 0; p < cells.given.size(); p++) {
+        double sum = 0.0;
+        for (Index l = 0; l < count; l++) sum += tractions.factor(l) * tractions.value(l, p);
+        cells.given(p) = sum;
+    }
+}
+
+void add_traction_work(const Turn &, const Moving &all, const FacetTractions &tractions, const Rows &rows) {
+    for (Index l = 0; l < tractions.schedule.size(); l++) {
+        if (tractions.came(l) == 0.0) continue;
+        double power = 0.0;
+        for (Index p = 0; p < tractions.value.shape[1]; p++) power += all.pose(p, stress_column) * tractions.value(l, p);
+        rows.work(tractions.place) += 0.5 * tractions.came(l) * power;
+    }
+}
+
+}  // namespace bondem

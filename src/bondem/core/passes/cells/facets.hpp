@@ -1,0 +1,82 @@
+// How passes read the facets of a table: one, or as many as there are lanes.
+#pragma once
+#include "../../laws/cell.hpp"
+#include "../../tables/cell_tables.hpp"
+#include "../beams/bonds.hpp"
+
+namespace bondem {
+
+// Column of a pose that holds the stress λ θ of a cell [Pa].
+constexpr int stress_column = 3;
+
+BONDEM_INLINE double widened(const int32_t *from, double) { return double(*from); }
+BONDEM_INLINE double widened(const float *from, double) { return double(*from); }
+BONDEM_INLINE Lanes widened(const int32_t *from, Lanes) { return load(from); }
+BONDEM_INLINE Lanes widened(const float *from, Lanes) { return load(from); }
+
+// Columns k … of a table with a row for each of three axes.
+template <class T, class Number> BONDEM_INLINE Vector3<T> three_rows(const Number *table, Index m, Index k) {
+    return {widened(table + k, T{}), widened(table + m + k, T{}), widened(table + 2 * m + k, T{})};
+}
+template <class T> BONDEM_INLINE Vector3<T> lever_of(const int32_t *lever, Index m, const double *pitch, Index k) {
+    const Vector3<T> whole = three_rows<T>(lever, m, k);
+    return {pitch[0] * whole.x, pitch[1] * whole.y, pitch[2] * whole.z};
+}
+
+// The columns of the table of facets, as a loop over them holds them.
+struct FacetColumns {
+    const int32_t *lever_i, *lever_j;
+    const float *share_i, *share_j, *H;
+    const double *integrity, *k;
+    double pitch[3], period[6];
+    Index m;
+
+    explicit FacetColumns(const ElasticFacets &facets)
+        : lever_i(facets.lever_i.data), lever_j(facets.lever_j.data), share_i(facets.share_i.data),
+          share_j(facets.share_j.data), H(facets.H.data), integrity(facets.integrity.data), k(facets.k.data),
+          m(facets.k.size()) {
+        for (Index c = 0; c < 3; c++) pitch[c] = facets.pitch(c);
+        for (Index c = 0; c < 6; c++) period[c] = facets.period(c);
+    }
+    template <class T> BONDEM_INLINE FacetShape<T> shape(Index at) const {
+        return {lever_of<T>(lever_i, m, pitch, at), lever_of<T>(lever_j, m, pitch, at), three_rows<T>(share_i, m, at),
+                three_rows<T>(share_j, m, at)};
+    }
+    // Constants of the energy times a share of them, such as the integrity.
+    template <class T> BONDEM_INLINE FacetStiffness<T> stiffness(Index at, T share) const {
+        const float *h = H + at;
+        const Symmetric3<T> whole = {widened(h, T{}),         widened(h + m, T{}),     widened(h + 2 * m, T{}),
+                                     widened(h + 3 * m, T{}), widened(h + 4 * m, T{}), widened(h + 5 * m, T{})};
+        return {share * number<T>(k, at), share * whole};
+    }
+};
+
+// Stresses of the cells of a facet [Pa], times a share.
+template <class T> BONDEM_INLINE OfCells<T> stresses_of(const Row<T> &i, const Row<T> &j, T share) {
+    return {share * i.column[stress_column], share * j.column[stress_column]};
+}
+
+// One facet, and its normal in the reference.
+inline Ends<double> ends_of(const double *pose, const ElasticFacets &facets, Index k) {
+    return ends_of(gather(pose, facets.i(k)), gather(pose, facets.j(k)), facets.period.data);
+}
+inline Vector normal_of(const ElasticFacets &facets, Index k) {
+    return {facets.normal(0, k), facets.normal(1, k), facets.normal(2, k)};
+}
+
+// Calls on(k, known, i, j, ends) for the groups of the facets first … last - 1, with the poses of their cells; rows that
+// are to come are asked for.
+template <class On>
+BONDEM_INLINE void for_each_facets(Index first, const Index last, const double *const pose, const ElasticFacets &facets,
+                                   const double *const period, On on) {
+    constexpr Index ahead = 32;
+    const Short *const i = facets.i.data, *const j = facets.j.data;
+    for_each_group(first, last, [&](Group group) __attribute__((always_inline)) {
+        const Index k = group.first;
+        prefetch(pose, i + least(k + ahead, last - lanes));
+        const Row<Lanes> a = gather(pose, i + k), b = gather(pose, j + k);
+        on(k, group.known, a, b, ends_of(a, b, period));
+    });
+}
+
+}  // namespace bondem

@@ -1,0 +1,53 @@
+#include "wall_constraints.hpp"
+
+#include "walls.hpp"
+
+namespace bondem {
+namespace {
+
+void load_all(const Moving &all, const WallConstraints &walls, const Rows &rows) {
+    for (Index g = 0; g < walls.cell.size(); g++) load_hold(all.pose, all.rest, walls, g);
+    for (Index r = 0; r < rows.grip.size(); r++)
+        for (Index c = 0; c < 6; c++) rows.grip(r, c) = 0.0;
+    for (Index g = 0; g < walls.cell.size(); g++)
+        for (Index c = 0; c < 6; c++) rows.grip(walls.row(g), c) += walls.load(g, c);
+}
+
+void add_half_work(const WallConstraints &walls, const Rows &rows) {
+    for (Index g = 0; g < walls.cell.size(); g++)
+        for (Index axis = 0; axis < 3; axis++)
+            rows.work(walls.place) += 0.5 * walls.load(g, axis) * walls.came(g, axis);
+}
+
+}  // namespace
+
+void follow_walls(const Turn &turn, const Moving &all, const WallConstraints &walls, const Rows &rows) {
+    for (Index g = 0; g < walls.cell.size(); g++) place_hold(walls, turn.clock.time, g);
+    if (!turn.clock.first) return;
+    for (Index g = 0; g < walls.cell.size(); g++)
+        for (Index axis = 0; axis < 3; axis++) walls.came(g, axis) = 0.0;
+    load_all(all, walls, rows);
+}
+
+void add_wall_dilatation(const Turn &, const Moving &all, const WallConstraints &walls, const CellDilatation &cells) {
+    for (Index g = 0; g < walls.cell.size(); g++)
+        cells.swelling(walls.cell(g)) += dilatation_of_hold(all.pose, all.rest, walls, g);
+}
+
+void apply_walls(const Turn &, const Moving &all, const WallConstraints &walls, const Rows &rows) {
+    add_half_work(walls, rows);
+    load_all(all, walls, rows);
+    add_half_work(walls, rows);
+}
+
+void add_wall_loads(const Turn &turn, const Rows &rows, const StepCut &cut) {
+    for (Index e = turn.held; e < turn.last; e++) {
+        const double *load = &rows.grip(rows.of(turn.element[e]), 0);
+        for (Index axis = 0; axis < 3; axis++) {
+            cut.sums(turn.row[e], axis) += load[axis];
+            cut.sums(turn.row[e], 4 + axis) += load[3 + axis];
+        }
+    }
+}
+
+}  // namespace bondem

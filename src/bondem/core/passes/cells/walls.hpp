@@ -1,0 +1,85 @@
+// A facet that a wall holds. A wall keeps its orientation, so that a gap is measured along fixed axes: with the lever b of
+// the facet and u the displacement of its centroid,
+//
+//     δ = P (wall - u)      V θ += s · δ      U = ½ k |δ|² + 2 v · H v
+//     u = x + R b - its place in the reference
+//
+// P keeps the held axes, k = 2 G A / d is that of the half facet of the cell, and v the vector part of q q₀*, the rotation
+// of the cell since the wall holds it. A wall that takes over a face which has moved begins where that is: `base` has the
+// displacement there and q₀.
+#pragma once
+#include "../boundary/timeline.hpp"
+#include "facets.hpp"
+
+namespace bondem {
+
+// A held facet in space: its gap, and its lever turned with the cell [m].
+struct HeldFacet {
+    Vector gap, arm;
+};
+inline HeldFacet held_facet(const Array<double, 2> &pose, const Array<const double, 2> &rest, const WallConstraints &walls,
+                            Index g) {
+    const Index p = walls.cell(g);
+    const Vector arm = turned_by(orientation(gather(pose.data, Short(p))), walls.arm.row<const Vector>(g));
+    const auto gap = [&](Index axis) {
+        const double moved = (pose(p, axis) - rest(p, axis)) + (arm[axis] - walls.lever(g, axis));
+        return walls.axes(g, axis) * (walls.wall(g, axis) - moved);
+    };
+    return {{gap(0), gap(1), gap(2)}, arm};
+}
+
+// The rotation q q₀* of a cell since its wall holds it.
+struct HeldTurn {
+    double w;
+    Vector v;
+};
+inline HeldTurn held_turn(const Array<double, 2> &pose, const WallConstraints &walls, Index g) {
+    const Quaternion<double> q = orientation(gather(pose.data, Short(walls.cell(g))));
+    const Quaternion<double> o = {walls.base(g, 3), walls.base(g, 4), walls.base(g, 5), walls.base(g, 6)};
+    return {relative_cosine(q, o), relative_sine(o, q)};
+}
+inline const Symmetric3<double> &resistance_of(const WallConstraints &walls, Index g) {
+    return walls.H.row<const Symmetric3<double>>(g);
+}
+
+// What a wall contributes to V θ of its cell [m³].
+inline double dilatation_of_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest,
+                                 const WallConstraints &walls, Index g) {
+    return dot(walls.share.row<const Vector>(g), held_facet(pose, rest, walls, g).gap);
+}
+
+// Sets force and torque of a wall on its cell, whose stress is known.
+inline void load_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest, const WallConstraints &walls,
+                      Index g) {
+    const HeldFacet facet = held_facet(pose, rest, walls, g);
+    const Vector f = plus(walls.k(g) * facet.gap, pose(walls.cell(g), stress_column), walls.share.row<const Vector>(g));
+    const HeldTurn turn = held_turn(pose, walls, g);
+    const Vector h = resistance_of(walls, g) * turn.v;
+    const Vector torque = cross(facet.arm, f) - 2.0 * plus(cross(turn.v, h), turn.w, h);
+    for (Index axis = 0; axis < 3; axis++) {
+        walls.load(g, axis) = f[axis];
+        walls.load(g, 3 + axis) = torque[axis];
+    }
+}
+
+// Energy of the half facet at a wall, without dilatation [J].
+inline double energy_of_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest,
+                             const WallConstraints &walls, Index g) {
+    const Vector gap = held_facet(pose, rest, walls, g).gap, v = held_turn(pose, walls, g).v;
+    return 0.5 * walls.k(g) * dot(gap, gap) + 2.0 * dot(v, resistance_of(walls, g) * v);
+}
+
+// Brings the wall of a held facet to a time; `came` is by how much that moves it.
+inline void place_hold(const WallConstraints &walls, double time, Index g) {
+    const Timeline timeline = {walls.times, walls.values, walls.start};
+    for (Index axis = 0; axis < 3; axis++) {
+        const Index s = walls.drive(g, axis);
+        if (s < 0) continue;
+        const double way = walls.rate(s) ? integral_to(timeline, s, time) : value_at(timeline, s, time);
+        const double now = walls.base(g, axis) + way;
+        walls.came(g, axis) = now - walls.wall(g, axis);
+        walls.wall(g, axis) = now;
+    }
+}
+
+}  // namespace bondem

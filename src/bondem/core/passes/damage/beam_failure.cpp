@@ -1,0 +1,157 @@
+// Beams that fail at once: the criterion on their loads, and their removal.
+#include "beam_failure.hpp"
+
+#include "../../laws/angles.hpp"
+#include "../../laws/criteria/elliptic.hpp"
+#include "../../laws/criteria/linear_sum.hpp"
+#include "../../laws/criteria/mohr_coulomb.hpp"
+#include "../../laws/criteria/peripheral_stress.hpp"
+#include "../../laws/damping.hpp"
+#include "../beams/bonds.hpp"
+#include "pipeline.hpp"
+
+namespace bondem {
+namespace {
+
+template <class T> BONDEM_INLINE T larger(T a, T b) { return a > b ? a : b; }
+
+// Angle between the axis e of a beam and that of an end [rad].
+template <class T> BONDEM_INLINE T angle_at(Quaternion<T> end, Vector3<T> direction, Vector3<T> e) {
+    const Vector3<T> own = rotate(end, direction);
+    return angle_of(length(cross(own, e)), dot(own, e));
+}
+
+// Whether a criterion sees the angles of a beam, which others do without.
+template <class Criterion> constexpr bool sees_angles = false;
+template <> constexpr bool sees_angles<Elliptic> = true;
+
+// What a criterion sees of a beam of the ends and the loads given; `station` is where its moment counts.
+template <class Criterion, class T>
+BONDEM_INLINE BondLoads<T> seen_loads(const Ends<T> &ends, const BeamShape<T> &shape, const BeamLoads<T> &loads, T station) {
+    const T l = length(ends.branch), zero = {};
+    const Vector3<T> e = ends.branch / l;
+    // the moment at the contact point is that on i, and that of the force on j with the lever there
+    const Vector3<T> at_contact = plus(loads.on_i, station * l, cross(e, loads.force));
+    const T at_ends = larger(length(cross(loads.on_i, e)), length(cross(loads.on_j, e)));
+    const T bending = station < zero ? at_ends : length(cross(at_contact, e));
+    T angle = {};
+    if constexpr (sees_angles<Criterion>)
+        angle = larger(angle_at(ends.i, shape.direction, e), angle_at(ends.j, shape.direction, e));
+    return {-dot(loads.force, e), length(cross(loads.force, e)), bending,
+            absolute(dot(loads.on_i, e)), l / shape.length - 1.0, angle};
+}
+
+// The verdict of a criterion on one beam.
+template <class Criterion>
+inline Verdict<double> verdict_of(const double *pose, const Beams &beams, const Strengths &strengths, Index k) {
+    const Ends<double> ends = ends_of(pose, beams, k);
+    const BeamShape<double> shape = shape_of<double>(beams, k);
+    const BeamLoads<double> loads = beam_loads(ends, shape, stiffness_of(beams, k, beams.integrity(k)));
+    const double *c = &strengths.coefficient(k, 0);
+    return Criterion::verdict(seen_loads<Criterion>(ends, shape, loads, strengths.station(k)),
+                              Coefficients<double>{c[0], c[1], c[2], c[3]});
+}
+
+template <class Criterion>
+inline void judge_beams(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,
+                        const Candidates &candidates, const Postponed &postponed) {
+    judge(
+        turn, candidates, [&](Index k) { return beams.integrity(k) > 0.0; },
+        [&](Index k) { return verdict_of<Criterion>(all.pose.data, beams, strengths, k); },
+        [&](Index k) {
+            hold(postponed, beams.i(k));
+            hold(postponed, beams.j(k));
+        });
+}
+
+// Number c of the strengths of the bonds from k on; behind the last bond, that of the last one again.
+Lanes coefficients_of(const Strengths &strengths, Index k, Index c) {
+    Lanes all;
+    for (int n = 0; n < lanes; n++) all[n] = strengths.coefficient(least(k + n, strengths.station.size() - 1), c);
+    return all;
+}
+Lanes stations_of(const Strengths &strengths, Index k) {
+    Lanes all;
+    for (int n = 0; n < lanes; n++) all[n] = strengths.station(least(k + n, strengths.station.size() - 1));
+    return all;
+}
+
+// The indices of all beams, as many at once as there are lanes.
+template <class Criterion>
+inline Index index_beams(const double *pose, const Beams &beams, const Strengths &strengths, const FailureIndices &found) {
+    if (strengths.station.size() == 0) return 0;
+    for_each_group(0, beams.i.size(), [&](Group group) {
+        const Index k = group.first;
+        const Row<Lanes> i = gather(pose, beams.i.data + k), j = gather(pose, beams.j.data + k);
+        const Ends<Lanes> ends = ends_of(i, j, beams.period.data);
+        const BeamShape<Lanes> shape = shape_of<Lanes>(beams, k);
+        const Lanes s = load(beams.integrity.data + k), zero = {};
+        const BeamLoads<Lanes> loads = beam_loads(ends, shape, stiffness_of(beams, k, s));
+        const Coefficients<Lanes> c = {coefficients_of(strengths, k, 0), coefficients_of(strengths, k, 1),
+                                       coefficients_of(strengths, k, 2), coefficients_of(strengths, k, 3)};
+        const Lanes index = Criterion::verdict(seen_loads<Criterion>(ends, shape, loads, stations_of(strengths, k)), c).index;
+        store(found.index.data + k, s > zero ? index : zero);
+    });
+    return 0;
+}
+
+Removal break_beam(const double *pose, const Beams &beams, const BeamIntegrity &state, const Postponed &postponed, Index k) {
+    const Short i = beams.i(k), j = beams.j(k);
+    const Ends<double> ends = ends_of(pose, beams, k);
+    const BeamShape<double> shape = shape_of<double>(beams, k);
+    const double s = state.integrity(k);
+    const BeamLoads<double> loads = beam_loads(ends, shape, stiffness_of(beams, k, s));
+    take_off(&postponed.kept(i, 0), -1.0, loads.force, 1.0, loads.on_i);
+    take_off(&postponed.kept(j, 0), 1.0, loads.force, 1.0, loads.on_j);
+    const BeamEnergy<double> energy = beam_energy(ends, shape, stiffness_of(beams, k, 1.0), beams.ks(k), beams.lever(k));
+    state.integrity(k) = 0.0;
+    if (state.hold.size() > 0) state.hold(k) = 0.0;
+    const Vector centre = {pose[8 * i], pose[8 * i + 1], pose[8 * i + 2]};
+    return {s * (energy.normal + energy.shear + energy.bending + energy.twisting), length(ends.branch) - shape.length,
+            plus(centre, beams.lever(k) / shape.length, ends.branch)};
+}
+
+void withdraw_dashpot(const Moving &all, const Beams &beams, const Dashpots &dashpots, const Postponed &postponed, Index k) {
+    const Short i = beams.i(k), j = beams.j(k);
+    const Index m = dashpots.c.shape[1];
+    const double *const c = dashpots.c.data, s = beams.integrity(k);
+    const Motion<double> a(gather(all.motion.data, i)), b(gather(all.motion.data, j));
+    const BeamDashpots<double> dashpot = {s * c[k], s * c[m + k], s * c[2 * m + k], s * c[3 * m + k]};
+    const BeamLoads<double> loads = dashpot_loads(ends_of(all.pose.data, beams, k).branch, {b.v - a.v, a.w, b.w},
+                                                  dashpots.share(k), dashpot);
+    // both the sums of all forces and those of dashpots alone have them
+    double *const tables[2] = {postponed.kept.data, dashpots.sums.data + 8 * postponed.first_row};
+    for (double *sums : tables) {
+        take_off(sums + 8 * i, -1.0, loads.force, 1.0, loads.on_i);
+        take_off(sums + 8 * j, 1.0, loads.force, 1.0, loads.on_j);
+    }
+}
+
+}  // namespace
+
+#define BONDEM_CRITERION(name, Criterion)                                                                                \
+    void judge_beams_by_##name(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,      \
+                               const Candidates &candidates, const Postponed &postponed) {                               \
+        judge_beams<Criterion>(turn, all, beams, strengths, candidates, postponed);                                      \
+    }                                                                                                                    \
+    Index index_beams_by_##name(Index, const Poses &all, const Beams &beams, const Strengths &strengths,                 \
+                                const FailureIndices &found) {                                                           \
+        return index_beams<Criterion>(all.pose.data, beams, strengths, found);                                           \
+    }
+BONDEM_CRITERION(peripheral_stress, PeripheralStress)
+BONDEM_CRITERION(mohr_coulomb, MohrCoulomb)
+BONDEM_CRITERION(linear_sum, LinearSum)
+BONDEM_CRITERION(ellipse, Elliptic)
+#undef BONDEM_CRITERION
+
+void withdraw_dashpots(const Turn &, const Moving &all, const Beams &beams, const Dashpots &dashpots,
+                       const Candidates &candidates, const Postponed &postponed) {
+    for_each_failing(candidates, [&](Index k, Index) { withdraw_dashpot(all, beams, dashpots, postponed, k); });
+}
+
+void break_beams(const Turn &turn, const Moving &all, const Beams &beams, const BeamIntegrity &state,
+                 const Candidates &candidates, const Postponed &postponed, const EventLog &log) {
+    remove(turn, candidates, log, [&](Index k) { return break_beam(all.pose.data, beams, state, postponed, k); });
+}
+
+}  // namespace bondem

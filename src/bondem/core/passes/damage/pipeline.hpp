@@ -1,0 +1,185 @@
+// The damage pipeline: how bonds, facets and pairs fail in an explicit step. It exists once; what fails is a parameter.
+//
+// Bonds fail at the end of a step. Their two elements close it with the whole force, and open the next without it, so
+// that the energy of a bond is released between two steps, and the balance of energy is as exact as the scheme is.
+//
+// In the order of a step (stages of `bondem/solve/parts/part.py`):
+//
+//     loads    The pass of forces compares a size of the load of each bond with its bound, and `mark`s those that reach
+//              it, block by block. Nearly all bonds do not.
+//     judge    `judge` evaluates the criterion of the marked bonds of a block, index(k) → (index, mode), and keeps those
+//              with index ≥ 1. `postpone(k)` says for which elements the failure matters: they are held.
+//     divide   `postpone_elements` divides the elements of each block into those that move on, and those that are held:
+//              these close the step, and do not open the next. `keep_sums` keeps the sums of their forces.
+//     apply    `remove` calls apply(k) → (energy, gap, place) of each bond that fails, one after the other in the order
+//              of bonds. It takes the force of the bond off the kept sums of its ends, and sets the integrity. The event
+//              is logged, and its energy added to what the run has released.
+//              A further pass may follow for each of these bonds (`for_each_event`): contact where its ends press on
+//              each other, which adds to the kept sums, and takes over a part of the energy (`take_over`).
+//     resume   `list_postponed` lists all held elements, and ends the failures of the step. They find their acceleration
+//              by the passes of motion, with a clock that stands still, and then open the next step.
+//
+// Each criterion and each kind of bond gives two functions:
+//
+//     index(k) → Verdict<double>     at the poses of the step, before any of the elements that k holds moves
+//     apply(k) → Removal             at the same poses, on one thread
+//
+// Beams: `beam_failure.cpp`. Facets of cells hold the neighbours of both cells too, as their stresses change; pairs of
+// the non-local law hold their ends. Beams that soften hold nobody, as their force does not jump.
+//
+// No bit depends on threads, on blocks or on pauses: what fails is decided bond by bond, from the poses alone.
+#pragma once
+#include "../../laws/criteria/loads.hpp"
+#include "../../steps.hpp"
+#include "../../tables/damage_tables.hpp"
+#include "../../vector3.hpp"
+
+namespace bondem {
+
+// What the removal of a bond does.
+struct Removal {
+    double energy;  // released [J]
+    double gap;  // how far it is open [m]
+    Vector place;  // [m]
+};
+
+// ---- marks
+
+BONDEM_INLINE Lanes limits_of(const float *limit) {
+    typedef float Floats __attribute__((vector_size(lanes * 4), aligned(4)));
+    return __builtin_convertvector(*reinterpret_cast<const Floats *>(limit), Lanes);
+}
+BONDEM_INLINE bool any_reaches(Lanes size, Lanes limit) {
+    const auto reached = size >= limit;
+#if defined(__clang__)
+    return __builtin_reduce_or(reached) != 0;
+#else
+    bool any = false;
+    for (int n = 0; n < lanes; n++) any |= reached[n] != 0;
+    return any;
+#endif
+}
+
+// Where a pass over the bonds of a block writes those that reach their bounds.
+class Marks {
+  public:
+    Marks(const FailureBounds &bounds, const Candidates &candidates, const Turn &turn)
+        : limit(bounds.limit.data), of_force(bounds.of_force), of_moment(bounds.of_moment),
+          first(candidates.marked.data + candidates.begin(turn.block)), next(first) {}
+
+    // Marks those of the bonds k + known … whose size reaches the bound.
+    BONDEM_INLINE void mark(Index k, int known, Lanes force_squared, Lanes moment_squared) {
+        const Lanes size = of_force * force_squared + of_moment * moment_squared, bound = limits_of(limit + k);
+        if (__builtin_expect(any_reaches(size, bound), 0))
+            for (int n = known; n < lanes; n++)
+                if (size[n] >= bound[n]) *next++ = k + n;
+    }
+    Index count() const { return next - first; }
+
+  private:
+    const float *const limit;
+    const double of_force, of_moment;
+    Index *const first, *next;
+};
+
+// ---- judging
+
+// Holds an element at the end of the step. Several threads may hold an element that domains share.
+inline void hold(const Postponed &postponed, Index element, Byte as = 1) {
+    __atomic_store_n(&postponed.held(element), as, __ATOMIC_RELAXED);
+}
+inline bool is_held(const Postponed &postponed, Index element) {
+    return __atomic_load_n(&postponed.held(element), __ATOMIC_RELAXED) != 0;
+}
+inline bool any_fails(const Candidates &candidates) { return __atomic_load_n(candidates.any.data, __ATOMIC_RELAXED) != 0; }
+
+// Keeps those of the marked bonds of a block that fail. Nothing fails where the time was not reached by a step.
+//
+//     may_fail(k)    whether the bond is unbroken
+//     index(k)       its index and mode
+//     postpone(k)    holds the elements that the failure of the bond changes
+template <class MayFail, class IndexOf, class Postpone>
+inline void judge(const Turn &turn, const Candidates &candidates, MayFail may_fail, IndexOf index, Postpone postpone) {
+    const Index first = candidates.begin(turn.block);
+    Index kept = 0;
+    if (!turn.clock.first)
+        for (Index e = first; e < first + candidates.count(turn.block); e++) {
+            const Index k = candidates.marked(e);
+            if (!may_fail(k)) continue;
+            const Verdict<double> verdict = index(k);
+            if (!(verdict.index >= 1.0)) continue;
+            candidates.marked(first + kept) = k;
+            candidates.mode(first + kept) = Index(verdict.mode);
+            kept++;
+            postpone(k);
+        }
+    candidates.count(turn.block) = kept;
+    if (kept > 0) __atomic_store_n(candidates.any.data, Index(1), __ATOMIC_RELAXED);
+}
+
+// ---- removal
+
+// Calls on(k, mode) for the bonds that fail in this step, in their order.
+template <class On> inline void for_each_failing(const Candidates &candidates, On on) {
+    if (!any_fails(candidates)) return;
+    for (Index b = 0; b < candidates.count.size(); b++)
+        for (Index e = candidates.begin(b); e < candidates.begin(b) + candidates.count(b); e++)
+            on(candidates.marked(e), candidates.mode(e));
+}
+// Calls on(k, event) for those that have failed in this step; event is the number of a row of the log.
+template <class On> inline void for_each_event(const EventLog &log, On on) {
+    for (Index event = log.written(1); event < log.written(0); event++) on(Index(log.event(event, 2)), event);
+}
+
+inline void log_event(const Clock &clock, const EventLog &log, Index k, Index mode, const Removal &removal) {
+    double *const row = &log.event(log.written(0), 0);
+    const Vector x = removal.place;
+    const double all[9] = {clock.time, double(clock.step), double(k), double(mode), removal.gap, removal.energy, x.x, x.y, x.z};
+    for (Index c = 0; c < 9; c++) row[c] = all[c];
+    log.written(0)++;
+}
+
+// Removes the bonds that fail in this step: apply(k) → Removal.
+template <class Apply>
+inline void remove(const Turn &turn, const Candidates &candidates, const EventLog &log, Apply apply) {
+    log.written(1) = log.written(0);
+    for_each_failing(candidates, [&](Index k, Index mode) {
+        const Removal removal = apply(k);
+        log_event(turn.clock, log, k, mode, removal);
+        log.released(0) += removal.energy;
+    });
+}
+
+// Takes from the energy of an event what a contact between the two elements stores from then on [J].
+inline void take_over(const EventLog &log, Index event, double energy) {
+    log.event(event, 5) -= energy;
+    log.released(0) -= energy;
+}
+
+// Ends the failures of a step that hold nobody.
+inline void end_failures(const Candidates &candidates) {
+    for (Index b = 0; b < candidates.count.size(); b++) candidates.count(b) = 0;
+    candidates.any(0) = 0;
+}
+
+// Takes a force and a torque off the kept sums of an element, each times a number.
+inline void take_off(double *row, double sign, Vector force, double turning, Vector torque) {
+    for (Index c = 0; c < 3; c++) {
+        row[c] -= sign * force[c];
+        row[4 + c] -= turning * torque[c];
+    }
+}
+
+// ---- passes
+
+// Divides the elements of a block, or shared ones, into those that move on and those that are held.
+void postpone_elements(const Turn &turn, const StepCut &cut, const Candidates &candidates, const Postponed &postponed);
+// Keeps the sums of elements that are held; and those of the dashpots of their bonds.
+void keep_sums(const Turn &turn, const StepCut &cut, const Postponed &postponed);
+void keep_dashpots(const Turn &turn, const Dashpots &dashpots, const Postponed &postponed);
+// Lists all elements that are held, those that own rows of the boundary last, and ends the failures of the step.
+void list_postponed(const Turn &turn, const Rows &rows, const Candidates &candidates, const Postponed &postponed);
+// Writes the energy released into a record.
+void write_released(const Turn &turn, const EventLog &log, const HistoryRows &history);
+
+}  // namespace bondem

@@ -1,0 +1,72 @@
+// Elements that a failure delays from the end of a step to the removal of what failed.
+#include "../motion/elements.hpp"
+#include "pipeline.hpp"
+
+namespace bondem {
+namespace {
+
+// A list of elements under way: those that own no row of the boundary, then those that do.
+struct Filling {
+    Index first, held, last;
+
+    ElementList list(const Postponed &postponed) const {
+        return {first, last, held, postponed.element.data, postponed.row.data};
+    }
+};
+
+void put(const Postponed &postponed, Index place, Short element, Short row) {
+    postponed.element(place) = element;
+    postponed.row(place) = row;
+}
+
+}  // namespace
+
+void postpone_elements(const Turn &turn, const StepCut &cut, const Candidates &candidates, const Postponed &postponed) {
+    if (!any_fails(candidates)) return;
+    Index free = 0, own = 0;  // held elements that own no row, and that own one
+    for (Index e = turn.first; e < turn.last; e++)
+        if (is_held(postponed, turn.element[e])) (e < turn.held ? free : own)++;
+    if (free + own == 0) return;
+    // shared elements have their places behind those of the blocks
+    const Index first = turn.first + (turn.block < cut.held.size() ? 0 : cut.ready.size());
+    const Index middle = first + (turn.last - turn.first) - free - own;
+    const Filling going = {first, middle - (turn.last - turn.held - own), middle};
+    const Filling late = {middle, middle + free, middle + free + own};
+    Index next[4] = {going.first, late.first, going.held, late.held};
+    for (Index e = turn.first; e < turn.last; e++) {
+        const Index list = (e < turn.held ? 0 : 2) + (is_held(postponed, turn.element[e]) ? 1 : 0);
+        put(postponed, next[list]++, turn.element[e], turn.row[e]);
+    }
+    *turn.division = {going.list(postponed), late.list(postponed)};
+}
+
+void keep_sums(const Turn &turn, const StepCut &cut, const Postponed &postponed) {
+    for (Index e = turn.first; e < turn.last; e++)
+        row_at(postponed.kept.data, turn.element[e]) = row_at(cut.sums.data, turn.row[e]);
+}
+void keep_dashpots(const Turn &turn, const Dashpots &dashpots, const Postponed &postponed) {
+    for (Index e = turn.first; e < turn.last; e++)
+        row_at(dashpots.sums.data, Short(postponed.first_row + turn.element[e])) = row_at(dashpots.sums.data, turn.row[e]);
+}
+
+void list_postponed(const Turn &turn, const Rows &rows, const Candidates &candidates, const Postponed &postponed) {
+    if (!any_fails(candidates)) return;
+    Index count = 0, free = 0;
+    for (Index own = 0; own < 2; own++) {
+        for (Index p = 0; p < postponed.held.size(); p++)
+            if (postponed.held(p) != 0 && (rows.of(p) >= 0) == (own == 1)) {
+                postponed.held(p) = 0;
+                put(postponed, count++, Short(p), Short(postponed.first_row + p));
+            }
+        if (own == 0) free = count;
+    }
+    turn.division->postponed = {0, count, free, postponed.element.data, postponed.row.data};
+    end_failures(candidates);
+}
+
+void write_released(const Turn &turn, const EventLog &log, const HistoryRows &history) {
+    constexpr Index fracture = 12;
+    history.record(turn.clock.record, fracture) = log.released(0);
+}
+
+}  // namespace bondem

@@ -1,0 +1,99 @@
+// Beams of the incremental formulation: what they store goes on by a step, and acts on their elements.
+#include "stored_beams.hpp"
+
+#include "../../laws/incremental.hpp"
+#include "../beams/bonds.hpp"
+
+namespace bondem {
+namespace {
+
+// Columns of what beams store.
+template <class T> class StoredColumns {
+  public:
+    explicit StoredColumns(const StoredLoads &stored) : first(stored.history.data), m(stored.history.shape[1]) {}
+
+    BONDEM_INLINE StoredLoad<T> operator()(Index k) const { return {vector_at(0, k), vector_at(3, k)}; }
+    // Writes to the bonds of a group, but not to those that belong to the group before: they are a step further already.
+    BONDEM_INLINE void keep(Group group, const StoredLoad<T> &load) const {
+        for (Index c = 0; c < 3; c++) {
+            store_behind(first + c * m + group.first, load.force[c], group.known);
+            store_behind(first + (3 + c) * m + group.first, load.moment[c], group.known);
+        }
+    }
+
+  private:
+    BONDEM_INLINE Vector3<T> vector_at(Index c, Index k) const {
+        const double *column = first + c * m + k;
+        return {number<T>(column, 0), number<T>(column + m, 0), number<T>(column + 2 * m, 0)};
+    }
+
+    double *const first;
+    const Index m;
+};
+
+template <class T> BONDEM_INLINE StoredStiffness<T> stored_stiffness(const Beams &beams, const StoredLoads &stored, Index k) {
+    return {number<T>(beams.kn.data, k), number<T>(beams.ks.data, k), number<T>(beams.kt.data, k),
+            number<T>(stored.kb.data, k)};
+}
+template <class T> BONDEM_INLINE StoredShape<T> stored_shape(const Beams &beams, Index k) {
+    return {number<T>(beams.length.data, k), number<T>(beams.lever.data, k)};
+}
+inline Vector branch_of(const double *pose, const Beams &beams, Index k) {
+    return branch(gather(pose, beams.i(k)), gather(pose, beams.j(k)), beams.period.data);
+}
+
+}  // namespace
+
+void add_stored_loads(const Turn &turn, const Moving &all, const Beams &beams, const StoredLoads &stored, const StepCut &cut) {
+    const Short *const i = beams.i.data, *const j = beams.j.data;
+    const double *const pose = all.pose.data, *const motion = all.motion.data, *const period = beams.period.data;
+    const StoredColumns<Lanes> history(stored);
+    for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
+        const Index k = group.first;
+        const Vector3<Lanes> apart = branch(gather(pose, i + k), gather(pose, j + k), period);
+        const Motion<Lanes> a(gather(motion, i + k)), b(gather(motion, j + k));
+        const StoredShape<Lanes> shape = stored_shape<Lanes>(beams, k);
+        const StoredLoad<Lanes> now = integrated(history(k), apart, {b.v - a.v, a.w, b.w}, shape,
+                                                 stored_stiffness<Lanes>(beams, stored, k), turn.clock.dt);
+        history.keep(group, now);
+        const Lanes s = load(beams.integrity.data + k), zero = {};
+        const BeamLoads<Lanes> loads = stored_loads(now, apart, shape);
+        const Vector3<Lanes> f = s * loads.force, t = s * loads.on_i, u = s * loads.on_j;
+        add_rows(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k, {{-f.x, -f.y, -f.z, zero, t.x, t.y, t.z, zero}},
+                 {{f.x, f.y, f.z, zero, u.x, u.y, u.z, zero}}, group.known);
+    });
+}
+
+void sum_stored_energies(const Turn &turn, const Moving &all, const Beams &beams, const StoredLoads &stored,
+                         const Portions &portions) {
+    const StoredColumns<double> history(stored);
+    double *const sum = &portions.bonds(turn.block, 0);
+    for (Index c = 0; c < 4; c++) sum[c] = 0.0;
+    for (Index k = turn.first; k < turn.last; k++) {
+        const Vector apart = branch_of(all.pose.data, beams, k);
+        const BeamEnergy<double> energy =
+            stored_energy(history(k), apart / length(apart), stored_stiffness<double>(beams, stored, k));
+        const double s = beams.integrity(k);
+        sum[0] += s * energy.normal;
+        sum[1] += s * energy.shear;
+        sum[2] += s * energy.bending;
+        sum[3] += s * energy.twisting;
+    }
+}
+
+Index load_stored_beams(Index, const Poses &all, const Beams &beams, const StoredLoads &stored, const LoadsOfEach &loads) {
+    const StoredColumns<double> history(stored);
+    for (Index k = 0; k < beams.i.size(); k++) {
+        const BeamLoads<double> one =
+            stored_loads(history(k), branch_of(all.pose.data, beams, k), stored_shape<double>(beams, k));
+        const double s = beams.integrity(k);
+        for (Index c = 0; c < 3; c++) {
+            loads.found(c, k) = s * one.force[c];
+            loads.found(3 + c, k) = s * one.on_i[c];
+            loads.found(6 + c, k) = s * one.on_j[c];
+        }
+    }
+    return 0;
+}
+
+}  // namespace bondem

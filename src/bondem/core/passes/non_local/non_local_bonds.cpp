@@ -1,0 +1,146 @@
+// Bonds of the non-local law: extra forces by the stresses of a step before, then what they add to the stresses of now.
+//
+// A step finds the forces of all bonds, and then the stresses of all elements, before the blocks add the forces up as
+// those of other bonds. A step of 0 finds the forces of a state again: extra forces stay what they are, and gaps and
+// stresses do not change.
+#include "non_local_bonds.hpp"
+
+#include "../record/columns.hpp"
+#include "pairs.hpp"
+
+namespace bondem {
+namespace {
+
+// First columns of what a bond stores, and of what it does.
+enum Stored : Index { gap_column, extra_column = 3, taken_column = 6 };
+enum Output : Index { force_column, on_i_column = 3, on_j_column = 6 };
+
+BONDEM_INLINE Vector3<Lanes> where_positive(Lanes s, Vector3<Lanes> a, Vector3<Lanes> b) {
+    const Lanes zero = {};
+    return {s > zero ? a.x : b.x, s > zero ? a.y : b.y, s > zero ? a.z : b.z};
+}
+BONDEM_INLINE Row<Lanes> moment_row(const Stress<Lanes> &s) {
+    const Lanes zero = {};
+    return {{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, zero, zero}};
+}
+
+BONDEM_INLINE PairStore<Lanes> stored_at(const NonLocalBonds &bonds, Index k) {
+    const double *const data = bonds.history.data;
+    const Index m = bonds.history.shape[1];
+    return {vector_at<Lanes>(data, m, gap_column, k), vector_at<Lanes>(data, m, extra_column, k),
+            load(data + taken_column * m + k)};
+}
+// What broken bonds store stays what it is.
+BONDEM_INLINE void keep(const NonLocalBonds &bonds, Group group, Lanes s, const PairStore<Lanes> &now,
+                        const PairStore<Lanes> &before) {
+    double *const data = bonds.history.data;
+    const Index m = bonds.history.shape[1];
+    keep_vector(data, m, gap_column, group, where_positive(s, now.gap, before.gap));
+    keep_vector(data, m, extra_column, group, where_positive(s, now.extra, before.extra));
+    store_behind(data + taken_column * m + group.first, now.taken, group.known);
+}
+BONDEM_INLINE void put_output(const NonLocalBonds &bonds, Group group, Lanes s, const PairLoads<Lanes> &loads) {
+    double *const data = bonds.output.data;
+    const Index m = bonds.output.shape[1];
+    keep_vector(data, m, force_column, group, s * loads.force);
+    keep_vector(data, m, on_i_column, group, s * loads.on_i);
+    keep_vector(data, m, on_j_column, group, s * loads.on_j);
+}
+
+template <bool steps>
+BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams &beams, const NonLocalBonds &bonds,
+                               const LaggedStresses &stresses) {
+    const Short *const i = beams.i.data, *const j = beams.j.data;
+    const PairLaw law = pair_law(bonds);
+    for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
+        const Index k = group.first;
+        const Ends<Lanes> ends = ends_of(gather(pose, i + k), gather(pose, j + k), beams.period.data);
+        const Lanes s = load(beams.integrity.data + k);
+        const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
+        const PairStiffness<Lanes> stiffness = pair_stiffness<Lanes>(bonds, k);
+        const PairStore<Lanes> before = stored_at(bonds, k);
+        PairStore<Lanes> after = {rotate(inverse(ends.i), now.gap), before.extra, before.taken};
+        if constexpr (steps) {
+            const double *const space = stresses.space.data;
+            const Stress<Lanes> mean = mean_of(stress_of(gather(space, i + k)), stress_of(gather(space, j + k)));
+            after = after_step(before, mean, now, ends.i, s, stiffness, law);
+        }
+        keep(bonds, group, s, after, before);
+        const PairLoads<Lanes> loads = pair_loads(now, rotate(ends.i, after.extra), stiffness);
+        const Vector3<Lanes> force = s * loads.force;
+        add_rows(stresses.moment.data, stresses.to_i.data + k, j + k, moment_row(symmetric_product(now.lever_i, force)),
+                 moment_row(symmetric_product(-now.lever_j, force)), group.known);
+        put_output(bonds, group, s, loads);
+    });
+}
+
+}  // namespace
+
+void find_non_local_forces(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+                           const LaggedStresses &stresses) {
+    if (turn.clock.dt > 0.0)
+        find_forces<true>(turn, all.pose.data, beams, bonds, stresses);
+    else
+        find_forces<false>(turn, all.pose.data, beams, bonds, stresses);
+}
+
+void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const StepCut &cut) {
+    const double *const data = bonds.output.data;
+    const Index m = bonds.output.shape[1];
+    for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
+        const Index k = group.first;
+        const Lanes zero = {};
+        const Vector3<Lanes> f = vector_at<Lanes>(data, m, force_column, k), t = vector_at<Lanes>(data, m, on_i_column, k);
+        const Vector3<Lanes> u = vector_at<Lanes>(data, m, on_j_column, k);
+        add_rows(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k, {{f.x, f.y, f.z, zero, t.x, t.y, t.z, zero}},
+                 {{-f.x, -f.y, -f.z, zero, -u.x, -u.y, -u.z, zero}}, group.known);
+    });
+}
+
+void write_non_local_work(const Turn &turn, const NonLocalWork &work, const HistoryRows &history) {
+    double taken = 0.0;
+    for (Index q = 0; q < work.taken.size(); q++) taken += work.taken(q);
+    history.record(turn.clock.record, column::non_local) = taken;
+}
+
+void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+                            const Portions &portions, const NonLocalWork &work) {
+    double normal = 0.0, shear = 0.0, taken = 0.0;
+    for (Index k = turn.first; k < turn.last; k++) {
+        const double s = beams.integrity(k);
+        if (s > 0.0) {
+            const PairEnergy<double> energy =
+                pair_energy(pair_pose(all.pose.data, beams, bonds, k), pair_stiffness<double>(bonds, k));
+            normal += s * energy.normal;
+            shear += s * energy.shear;
+        }
+        taken += bonds.history(taken_column, k);
+    }
+    double *const sum = &portions.bonds(turn.block, 0);
+    sum[0] = normal, sum[1] = shear, sum[2] = sum[3] = 0.0;
+    work.taken(turn.block) = taken;
+}
+
+Index find_small_extra_forces(Index, const SmallPairs &pairs, const ExtraForces &extra) {
+    const PairLaw law = {pairs.nu, pairs.limited != 0};
+    for (Index k = 0; k < pairs.area.size(); k++) {
+        const auto stress = [&](Index end) { return pairs.stress.row<const Stress<double>>(pairs.pairs(k, end)); };
+        const Vector n = pairs.normal.row<const Vector>(k), slip = pairs.kt(k) * across(pairs.gap.row<const Vector>(k), n);
+        extra.force.row<Vector>(k) = extra_force(mean_of(stress(0), stress(1)), n, pairs.area(k), slip, law);
+    }
+    return 0;
+}
+
+Index load_non_local_bonds(Index, const Poses &all, const Beams &beams, const NonLocalBonds &bonds) {
+    for_each_group(0, beams.i.size(), [&](Group group) {
+        const Index k = group.first;
+        const Ends<Lanes> ends = ends_of(gather(all.pose.data, beams.i.data + k), gather(all.pose.data, beams.j.data + k),
+                                         beams.period.data);
+        const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
+        const Vector3<Lanes> extra = rotate(ends.i, stored_at(bonds, k).extra);
+        put_output(bonds, group, load(beams.integrity.data + k), pair_loads(now, extra, pair_stiffness<Lanes>(bonds, k)));
+    });
+    return 0;
+}
+
+}  // namespace bondem

@@ -1,0 +1,110 @@
+// Dynamic relaxation: motion with masses of no physical meaning and a time step of 1, damped until it rests.
+//
+// Each step damps by c = 2 ω, the critical rate of the frequency at which the free elements move at present, Rayleigh's
+// quotient of the last steps:
+//
+//     ω² = Σ v·ΔF / Σ m v²      ΔF = K v
+//
+// averaged over about as many steps as that motion lasts. Loads and prescribed motions grow linearly over the ramp. The
+// motion ends where the unbalanced force is small against applied and supporting forces, roots of sums of squares, with
+// torques divided by a length.
+#include "dynamic_relaxation.hpp"
+
+#include "../beams/beam_loads.hpp"
+#include "../motion/elements.hpp"
+
+namespace bondem {
+namespace {
+
+// Fastest and slowest fading of the running means, and the largest rate of damping, of which 2 is the limit.
+constexpr double fastest_fading = 0.5, slowest_fading = 1e-4, largest_rate = 1.9;
+
+// Share of loads and prescribed motions in a step.
+double share_in(const DynamicRelaxation &c, Index step) { return least(1.0, (double(step) + 1.0) / double(c.ramp)); }
+
+struct Balance {
+    double ratio;  // unbalanced force over applied and supporting force [-]
+    double power, mass;  // Σ v·ΔF and Σ m v² of the last step
+};
+
+// Compares forces and loads, keeps the forces, and leaves zeros in the sums.
+Balance balance(const DynamicRelaxation &c, const Array<double, 2> &sums, double share) {
+    double out = 0.0, applied = 0.0, borne = 0.0, power = 0.0, mass = 0.0;
+    const auto square = [](double a) { return a * a; };
+    for (Index p = 0; p < c.pose.size(); p++) {
+        const Wrench<double> load(gather(sums.data, Short(p)));
+        clear(sums.data, Short(p));
+        for (Index d = 0; d < 6; d++) {
+            const double metric = d < 3 ? 1.0 : 1.0 / c.length, pull = share * c.load(p, d);
+            const double force = d < 3 ? load.force[d] : load.torque[d - 3];
+            applied += square(pull * metric);
+            if (c.free(p, d)) {
+                const double v = c.velocity(p, d);
+                out += square((force + pull) * metric);
+                power += v * (c.before(p, d) - force);
+                mass += v * v / c.inverse(p, d / 3);
+            } else {
+                borne += square(force * metric);
+            }
+            c.before(p, d) = force;
+        }
+    }
+    return {root(out) / (root(applied) + root(borne) + c.noise / c.tolerance), power, mass};
+}
+
+double squared_frequency(const Array<double, 1> &memory) {
+    return memory(1) > 0.0 ? most(memory(0), 0.0) / memory(1) : 0.0;
+}
+// The critical rate of the frequency at present.
+double damping_rate(const Array<double, 1> &memory, const Balance &now) {
+    const double fade = least(fastest_fading, most(root(squared_frequency(memory)), slowest_fading));
+    memory(0) += fade * (now.power - memory(0));
+    memory(1) += fade * (now.mass - memory(1));
+    return least(2.0 * root(squared_frequency(memory)), largest_rate);
+}
+
+// Free elements follow their forces, damped; the others their prescribed motion.
+void move(const DynamicRelaxation &c, double share, double rate, Index step) {
+    const double keep = (2.0 - rate) / (2.0 + rate), push = 2.0 / (2.0 + rate);
+    const double moving = step < c.ramp ? 1.0 / double(c.ramp) : 0.0;
+    for (Index p = 0; p < c.pose.size(); p++) {
+        for (Index d = 0; d < 6; d++) {
+            const double force = c.before(p, d) + share * c.load(p, d);
+            c.velocity(p, d) =
+                c.free(p, d) ? keep * c.velocity(p, d) + push * c.inverse(p, d / 3) * force : moving * c.motion(p, d);
+        }
+        const double *v = &c.velocity(p, 0);
+        Row<double> &pose = row_at(c.pose.data, Short(p));
+        for (Index d = 0; d < 3; d++) pose.column[d] += v[d];
+        const Quaternion<double> q = turned(orientation(pose), Vector{v[3], v[4], v[5]});
+        pose.column[4] = q.w, pose.column[5] = q.x, pose.column[6] = q.y, pose.column[7] = q.z;
+    }
+}
+
+template <class Load>
+Index relax(const DynamicRelaxation &c, const BeamSums &sums, const RelaxationSpan &span, const Load load) {
+    const Poses poses = {{c.pose.data, {c.pose.shape[0], c.pose.shape[1]}}};
+    for (Index &done = span.done(0) = 0; done < span.steps; done++) {
+        const Index step = span.first + done;
+        load(poses);
+        const double share = share_in(c, step);
+        const Balance now = balance(c, sums.sums, share);
+        span.ratio(0) = now.ratio;
+        if (step >= c.ramp && now.ratio <= c.tolerance) return balanced;
+        move(c, share, damping_rate(c.memory, now), step);
+    }
+    return all_steps_done;
+}
+
+}  // namespace
+
+Index relax_beams(Index, const Beams &beams, const BeamSums &sums, const DynamicRelaxation &relaxation,
+                  const RelaxationSpan &span) {
+    return relax(relaxation, sums, span, [&](const Poses &poses) { load_beams(1, poses, beams, sums); });
+}
+Index relax_alike_beams(Index, const Beams &beams, const AlikeBeams &alike, const BeamSums &sums,
+                        const DynamicRelaxation &relaxation, const RelaxationSpan &span) {
+    return relax(relaxation, sums, span, [&](const Poses &poses) { load_alike_beams(1, poses, beams, alike, sums); });
+}
+
+}  // namespace bondem

@@ -1,0 +1,109 @@
+// What the passes over facets and cells take. Named once more in `bondem/model/cell_tables.py`.
+//
+// A pose has the stress λ θ of its cell in its spare column [Pa]: the pass over forces finds it with the rest of the row.
+#pragma once
+#include "../array.hpp"
+
+namespace bondem {
+
+using Byte = uint8_t;
+
+// Facets that are bonded, m of them, sorted by j; a few may follow that have no force, so that lanes can be filled.
+//
+// Levers are whole multiples of a pitch, shares and H single precision: what is computed from them is exact, and passes
+// read half as much.
+struct ElasticFacets {
+    Array<const Short, 1> i, j;
+    Array<double, 1> integrity;  // 1 intact … 0 broken [-]
+    Array<const double, 1> k;  // 2 G A / L [N/m]
+    Array<const double, 1> pitch;  // unit of the levers along x, y, z [m], (3,)
+    Array<int32_t, 2> lever_i, lever_j;  // from the centres of mass to the facet [pitch], (3, m)
+    Array<const float, 2> share_i, share_j;  // A w M⁻¹n [m²], (3, m)
+    Array<const float, 2> H;  // resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], (6, m)
+    Array<const double, 2> normal;  // from i to j in the reference [-], (3, m)
+    Array<const double, 1> period;  // edges of the periodic cell and their inverses, zero where there is none, (6,)
+};
+// Cells, n of them, and the dilatation that their facets add up.
+struct CellDilatation {
+    Array<double, 1> weight;  // λ / V [Pa/m³], (n,)
+    Array<double, 1> given;  // part of V θ from tractions on free facets [m³], (n,)
+    Array<double, 1> swelling;  // the rest of V θ [m³], zero between passes: of n cells, then of shared cells by domains
+    Array<const Short, 1> to_i;  // where in `swelling` a facet adds to its cell i, (m,)
+};
+// Energy of dilatation in portions of cells [J].
+struct DilatationEnergy {
+    Array<double, 1> energy;  // (element portions,)
+};
+// Normal, shear, bending and twisting energy of all facets, cells and walls.
+struct CellEnergies {
+    Array<double, 1> energy;  // [J], (4,)
+};
+// Poses of cells, whose stresses passes write.
+struct CellPoses {
+    Array<double, 2> pose;  // (n, 8)
+    Array<const double, 2> rest;  // centres in the reference [m], (n, 3)
+};
+
+// Forces of facets and moments of cells, which criteria of cracks and yielding need.
+struct FacetForces {
+    Array<const double, 1> bends;  // 4 k / A², by which bending is a traction [1/(N m³)], (m,)
+    Array<double, 2> force;  // of each facet on its cell i in the last step [N], (3, m)
+    Array<double, 2> moment;  // V σ of each cell, of its facets alone, in space, xx, yy, zz, xy, xz, yz [J], and Σ of
+                              // `bending_square` [Pa²], (n, 7)
+    Array<double, 2> sums;  // what is being added up of it, in rows as `StepCut.sums`, (rows, 8)
+};
+// Facets of each cell: first those of which it is j, then those of which it is i.
+struct FacetsOfCells {
+    Array<const Index, 1> in_start;  // facets in_start[p] … in_start[p + 1] have j = p, (n + 1,)
+    Array<const Index, 1> out_start;  // those with i = p are in out_bond[out_start[p]] …, (n + 1,)
+    Array<const Short, 1> out_bond;
+};
+
+// Facets on the surface that walls hold, g of them, each by the half facet of its cell. A wall keeps its orientation.
+struct WallConstraints {
+    Array<const Index, 1> cell;  // (g,)
+    Array<const Index, 1> row;  // of the boundary, that the cell owns, (g,)
+    Array<const double, 1> k;  // 2 G A / d [N/m], (g,)
+    Array<const double, 2> lever;  // from the centre of the cell to the facet in the reference [m], (g, 3)
+    Array<double, 2> arm;  // the same with stress-free and plastic strains of the cell [m], (g, 3)
+    Array<const double, 2> share;  // A M⁻¹n along the held axes [m²], (g, 3)
+    Array<const double, 2> H;  // resistance to rotation, xx, yy, zz, xy, xz, yz [N·m], (g, 6)
+    Array<const double, 2> base;  // where the motion of the wall counts from [m], and the quaternion of the cell there, (g, 7)
+    Array<const double, 2> axes;  // 1 where held, along x, y, z, (g, 3)
+    Array<const Index, 2> drive;  // schedule that moves the wall along x, y, z, or -1, (g, 3)
+    Array<const Byte, 1> rate;  // whether a schedule is a velocity
+    Array<const double, 1> times, values;  // schedules, as `Timeline` has them
+    Array<const Index, 1> start;
+    Index place;  // of the walls in the list of works
+    Array<double, 2> wall;  // displacement of the wall now [m], (g, 3)
+    Array<double, 2> came;  // by how much it has come in this step [m], (g, 3)
+    Array<double, 2> load;  // force and torque on the cell [N, N·m], (g, 6)
+};
+// Tractions on free facets, l of them, which change the dilatation of their cells.
+struct FacetTractions {
+    Array<const double, 2> value;  // what each adds to V θ at full load [m³], (l, n)
+    Array<const Index, 1> schedule;  // (l,)
+    Index place;  // in the list of works
+    Array<double, 1> factor;  // present factors, (l,)
+    Array<double, 1> came;  // by how much they have changed in this step, (l,)
+};
+// Stress-free strains of cells that change in time, g of them: levers of facets and of walls are 1 + ε* times as long.
+struct CellStrains {
+    Array<const Index, 1> schedule;  // (g,)
+    Array<const double, 2> base_i, base_j;  // levers of the reference [m], (3, facets)
+    Array<const double, 1> still;  // 1 + ε* of the state, (facets,)
+    Array<const double, 2> part;  // strain of each facet at factor 1, (g, facets)
+    Array<const double, 2> wall_base;  // levers of walls [m], (w, 3)
+    Array<const double, 1> wall_still;  // (w,)
+    Array<const double, 2> wall_part;  // (g, w)
+    Index place;  // of their work in the list of works
+    Array<double, 2> factor;  // of each strain: now, by how much it came, ∂U/∂factor before and now [J], (4, g)
+    Array<double, 2> power;  // ∂U/∂factor of portions of facets [J], (portions, g)
+    Array<Byte, 1> due;  // whether ∂U/∂factor is needed, (1,)
+};
+// The time that walls are placed at.
+struct WallTime {
+    double time;  // [s]
+};
+
+}  // namespace bondem

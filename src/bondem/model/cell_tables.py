@@ -1,0 +1,205 @@
+"""Facets and cells as the core takes them, and its passes over a body in any poses.
+
+`core/tables/cell_tables.hpp` declares types and shapes.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._core import Pass
+from bondem._types import Floats, Ints, PerBond
+from bondem.kernels.tables import GripTable
+from bondem.model.beam_tables import BeamSums, Poses
+from bondem.model.bond_table import with_twins, with_zeros
+from bondem.model.cell_constants import CellConstants
+from bondem.model.layout import Layout
+
+#: Column of a pose that holds the stress λ θ of a cell [Pa].
+STRESS = 3
+
+
+class ElasticFacets(NamedTuple):
+    """Bonded facets, m of them, and a few without force behind them where they are fewer than a group."""
+
+    i: np.ndarray  #: uint32
+    j: np.ndarray
+    integrity: Floats  #: 1 intact … 0 broken [-]
+    k: Floats  #: 2 G A / L [N/m]
+    pitch: Floats  #: unit of the levers along x, y, z [m], (3,)
+    lever_i: np.ndarray  #: from the centres of mass to the facet [pitch], int32, (3, m)
+    lever_j: np.ndarray
+    share_i: np.ndarray  #: A w M⁻¹n [m²], float32, (3, m)
+    share_j: np.ndarray
+    H: np.ndarray  #: resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], float32, (6, m)
+    normal: Floats  #: from i to j in the reference [-], (3, m)
+    period: Floats  #: edges of the periodic cell and their inverses, (6,)
+
+
+class CellDilatation(NamedTuple):
+    """Cells, n of them, and the dilatation that their facets add up."""
+
+    weight: Floats  #: λ / V [Pa/m³], (n,)
+    given: Floats  #: part of V θ from tractions on free facets [m³], (n,)
+    swelling: Floats  #: the rest of V θ [m³], zero between passes: of n cells, then of shared cells by domains
+    to_i: np.ndarray  #: place in `swelling` where a facet adds to its cell i, uint32, (m,)
+
+
+class DilatationEnergy(NamedTuple):
+    """Energy of dilatation in portions of cells."""
+
+    energy: Floats  #: [J]
+
+
+class CellEnergies(NamedTuple):
+    """Energies of all facets, cells and walls."""
+
+    energy: Floats  #: normal, shear, bending, twisting [J], (4,)
+
+
+class CellPoses(NamedTuple):
+    """Poses of cells, whose stresses passes write."""
+
+    pose: Floats  #: (n, 8)
+    rest: Floats  #: centres in the reference [m], (n, 3)
+
+
+class FacetForces(NamedTuple):
+    """Forces of facets and moments of cells, which criteria of cracks and yielding need."""
+
+    bends: Floats  #: 4 k / A², by which bending is a traction [1/(N m³)], (m,)
+    force: Floats  #: of each facet on its cell i in the last step [N], (3, m)
+    moment: Floats  #: V σ of each cell, xx, yy, zz, xy, xz, yz [J], and the square of its bending [Pa²], (n, 7)
+    sums: Floats  #: sums of them in rows as `StepCut.sums`, (rows, 8)
+
+
+class FacetsOfCells(NamedTuple):
+    """Facets of each cell: first those of which it is j, then those of which it is i."""
+
+    in_start: Ints  #: facets in_start[p] … in_start[p + 1] have j = p, (n + 1,)
+    out_start: Ints  #: those with i = p are out_bond[out_start[p]] …, (n + 1,)
+    out_bond: np.ndarray  #: uint32
+
+
+class WallConstraints(NamedTuple):
+    """Facets on the surface that walls hold, g of them, each by the half facet of its cell."""
+
+    cell: Ints  #: (g,)
+    row: Ints  #: row of the boundary that the cell owns, (g,)
+    k: Floats  #: 2 G A / d [N/m], (g,)
+    lever: Floats  #: from the centre of the cell to the facet in the reference [m], (g, 3)
+    arm: Floats  #: the same with stress-free and plastic strains of the cell [m], (g, 3)
+    share: Floats  #: A M⁻¹n along the held axes [m²], (g, 3)
+    H: Floats  #: resistance to rotation, xx, yy, zz, xy, xz, yz [N·m], (g, 6)
+    base: Floats  #: origin of the motion of the wall [m], and the quaternion of the cell there, (g, 7)
+    axes: Floats  #: 1 where held, along x, y, z, (g, 3)
+    drive: Ints  #: schedule that moves the wall along x, y, z, or -1, (g, 3)
+    rate: np.ndarray  #: 1 for schedules of velocities, uint8
+    times: Floats  #: schedules, one after the other
+    values: Floats
+    start: Ints
+    place: int  #: of the walls in the list of works
+    wall: Floats  #: displacement of the wall now [m], (g, 3)
+    came: Floats  #: its increment in this step [m], (g, 3)
+    load: Floats  #: force and torque on the cell [N, N·m], (g, 6)
+
+
+class FacetTractions(NamedTuple):
+    """Tractions on free facets, l of them, which change the dilatation of their cells."""
+
+    value: Floats  #: contribution of each to V θ at full load [m³], (l, n)
+    schedule: Ints  #: (l,)
+    place: int  #: in the list of works
+    factor: Floats  #: present factors, (l,)
+    came: Floats  #: their increments in this step, (l,)
+
+
+class CellStrains(NamedTuple):
+    """Stress-free strains of cells that change in time, g of them."""
+
+    schedule: Ints  #: (g,)
+    base_i: Floats  #: levers of the reference [m], (3, facets)
+    base_j: Floats
+    still: Floats  #: 1 + ε* of the state, (facets,)
+    part: Floats  #: strain of each facet at factor 1, (g, facets)
+    wall_base: Floats  #: levers of walls [m], (w, 3)
+    wall_still: Floats  #: (w,)
+    wall_part: Floats  #: (g, w)
+    place: int  #: of their work in the list of works
+    factor: Floats  #: of each strain: now, its increment, ∂U/∂factor before and now [J], (4, g)
+    power: Floats  #: ∂U/∂factor of portions of facets [J], (portions, g)
+    due: np.ndarray  #: 1 where ∂U/∂factor is needed, uint8, (1,)
+
+
+class WallTime(NamedTuple):
+    """Time that walls are placed at."""
+
+    time: float  #: [s]
+
+
+_load_body = Pass("load_body", CellPoses, ElasticFacets, CellDilatation, WallConstraints, BeamSums)
+_load_facets = Pass("load_facets", Poses, ElasticFacets, BeamSums)
+_measure = Pass("measure_cell_energies", CellPoses, ElasticFacets, CellDilatation, WallConstraints, CellEnergies)
+_place_walls = Pass("place_walls", WallConstraints, WallTime)
+
+
+def cell_tables(
+    cells: CellConstants, layout: Layout, period: Floats, integrity: PerBond, to_i: np.ndarray
+) -> tuple[ElasticFacets, CellDilatation]:
+    """Return facets and cells as the core takes them.
+
+    Args:
+        cells: constants in the order of the layout.
+        layout: cells of the facets.
+        period: edges of the periodic cell and their inverses, (6,).
+        integrity: integrity of the facets [-], (m,).
+        to_i: place where each facet adds to V θ of its cell i, uint32, (m,).
+    """
+
+    def rows(each: Floats, kind: type) -> np.ndarray:
+        return np.ascontiguousarray(with_zeros(each.T.astype(kind)))
+
+    def whole(lever: Floats) -> np.ndarray:
+        return rows(np.rint(lever / cells.pitch), np.int32)
+
+    facets = ElasticFacets(
+        i=with_twins(layout.i), j=with_twins(layout.j), integrity=with_zeros(integrity), k=with_zeros(cells.k),
+        pitch=cells.pitch, lever_i=whole(cells.lever_i), lever_j=whole(cells.lever_j),
+        share_i=rows(cells.share_i, np.float32), share_j=rows(cells.share_j, np.float32),
+        H=rows(cells.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]], np.float32), normal=rows(cells.normal, np.float64),
+        period=period,
+    )  # fmt: skip
+    count = max(len(cells.weight), int(to_i.max(initial=0)) + 1)
+    return facets, CellDilatation(cells.weight.copy(), cells.pressed.copy(), np.zeros(count), with_twins(to_i))
+
+
+def wall_constraints(grips: GripTable) -> WallConstraints:
+    """Return held facets as the core takes them; they share the arrays that change."""
+    return WallConstraints(*grips)
+
+
+def load_body(
+    all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints, sums: Floats
+) -> None:
+    """Set the stresses of the cells in the poses, and add the loads of facets and walls to the sums, (n, 8)."""
+    _load_body(all_cells, facets, cells, walls, BeamSums(facets.i, facets.j, sums))
+
+
+def load_facets(pose: Floats, facets: ElasticFacets, sums: BeamSums) -> None:
+    """Add force and torque of all facets to rows of the sums, at the stresses in the poses."""
+    _load_facets(Poses(pose), facets, sums)
+
+
+def cell_energies(
+    all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints
+) -> tuple[float, float, float, float]:
+    """Return normal (with dilatation), shear, bending and twisting energy of facets, cells and walls [J]."""
+    found = np.empty(4)
+    _measure(all_cells, facets, cells, walls, CellEnergies(found))
+    normal, shear, bending, twisting = found.tolist()
+    return normal, shear, bending, twisting
+
+
+def place_walls(walls: WallConstraints, time: float) -> None:
+    """Bring walls to a time [s]."""
+    _place_walls(walls, WallTime(time))

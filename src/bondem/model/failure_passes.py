@@ -1,0 +1,44 @@
+"""Failure criteria as the core takes them, and the indices of all bonds in any poses.
+
+`core/tables/damage_tables.hpp` declares types and shapes.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._core import Pass
+from bondem._types import Floats, PerBond
+from bondem.model.beam_tables import Beams, Poses
+from bondem.model.failure_table import FailureTable
+
+#: Names of the criteria in the passes of the core, by their number (`BondCriterion.kind`).
+CRITERION_NAMES = ("peripheral_stress", "mohr_coulomb", "linear_sum", "ellipse")
+
+
+class Strengths(NamedTuple):
+    """Coefficients of the criterion of each bond."""
+
+    coefficient: Floats  #: (m, 4)
+    station: Floats  #: place where the moment of a beam counts, from i over the length; below 0 for its larger end, (m,)
+
+
+class FailureIndices(NamedTuple):
+    """Index of the criterion of each bond."""
+
+    index: Floats  #: 1 at failure, 0 of broken bonds [-], (m,)
+
+
+_index_beams = [Pass(f"index_beams_by_{name}", Poses, Beams, Strengths, FailureIndices) for name in CRITERION_NAMES]
+
+
+def strengths_of(table: FailureTable) -> Strengths:
+    """Return the coefficients of a table as the core takes them."""
+    return Strengths(np.ascontiguousarray(table.coefficient), np.ascontiguousarray(table.station, dtype=float))
+
+
+def beam_indices(pose: Floats, beams: Beams, table: FailureTable) -> PerBond:
+    """Return the index of every beam [-], 0 where broken, internal order, (m,)."""
+    found = np.zeros(len(beams.i))
+    _index_beams[table.kind](Poses(pose), beams, strengths_of(table), FailureIndices(found))
+    return found[: len(table.station)]

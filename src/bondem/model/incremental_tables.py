@@ -1,0 +1,48 @@
+"""Beams of the incremental formulation as the core takes them beside `Beams`.
+
+`core/tables/incremental_tables.hpp` declares types and shapes.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._core import Pass
+from bondem._types import Floats
+from bondem.model.beam_tables import Beams, Poses, beam_tables
+from bondem.model.bond_table import with_zeros
+from bondem.model.model import Model
+from bondem.model.state import State
+
+
+class StoredLoads(NamedTuple):
+    """What m beams store from step to step."""
+
+    kb: Floats  #: bending stiffness [N·m], (m,)
+    history: Floats  #: force [N] and moment [N·m] on i at the contact point, (6, m)
+
+
+class LoadsOfEach(NamedTuple):
+    """Force on j and torques on i and j of each beam."""
+
+    found: Floats  #: [N, N·m], (9, m)
+
+
+_load_stored_beams = Pass("load_stored_beams", Poses, Beams, StoredLoads, LoadsOfEach)
+
+
+def stored_beam_tables(model: Model, state: State) -> tuple[Beams, StoredLoads]:
+    """Return beams of the incremental formulation and what they store; the latter shares its array with the state.
+
+    Where the model has fewer beams than a group, the array is a longer copy (`bondem.model.bond_table.with_zeros`).
+    """
+    beams, _ = beam_tables(model.bonds, model.layout, model.period, state.integrity, may_share=False)
+    return beams, StoredLoads(np.ascontiguousarray(with_zeros(model.bonds.kb)), with_zeros(state.history))
+
+
+def loads_of_stored(model: Model, state: State) -> Floats:
+    """Return force on j, torque on i and torque on j of each beam in the pose of a state [N, N·m], (m, 9)."""
+    beams, stored = stored_beam_tables(model, state)
+    loads = LoadsOfEach(np.empty((9, len(beams.i))))
+    _load_stored_beams(Poses(state.pose), beams, stored, loads)
+    return loads.found[:, : len(state.integrity)].T

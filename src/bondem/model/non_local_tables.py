@@ -1,0 +1,126 @@
+"""Bonds of the non-local law and stresses of their elements as the core takes them beside `Beams`.
+
+`core/tables/non_local_tables.hpp` declares types and shapes.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._core import Pass
+from bondem._types import Floats
+from bondem.kernels.tables import lines
+from bondem.model.beam_tables import Beams, Poses, beam_tables
+from bondem.model.bond_table import with_twins, with_zeros
+from bondem.model.model import Model
+from bondem.model.non_local_constants import NonLocalConstants
+from bondem.model.state import State
+
+
+class NonLocalBonds(NamedTuple):
+    """Bonds of the non-local law, m of them, the data that they store, and their present loads."""
+
+    area: Floats  #: [m²], (m,)
+    kn: Floats  #: [N/m]
+    kt: Floats
+    normal: Floats  #: from i to j in the reference [-], (3, m)
+    lever_i: Floats  #: from the element i to the contact point in the reference [m], (3, m)
+    lever_j: Floats
+    nu: float  #: ν [-]
+    limited: bool  #: whether the extra shear force is limited
+    history: Floats  #: gap [m], extra force [N] and its work [J], in the frame of element i, (7, m)
+    output: Floats  #: force on i, torque on i, minus torque on j, now [N, N·m], (9, m)
+
+
+class LaggedStresses(NamedTuple):
+    """Stresses of n elements."""
+
+    inverse: Floats  #: 1 / V [1/m³], (n,)
+    stress: Floats  #: in the element's own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+    space: Floats  #: in space, and bounds of σ1 and σ3 [Pa], (n, 8)
+    moment: Floats  #: contributions of forces to V σ, zero between steps; rows of shared elements follow [N·m]
+    to_i: np.ndarray  #: row of the moment of element i of each bond, uint32, (m,)
+
+
+class NonLocalWork(NamedTuple):
+    """Work that extra forces have taken up."""
+
+    taken: Floats  #: in each portion of bonds [J]
+
+
+class SmallPairs(NamedTuple):
+    """Bonds at small strain, and the stresses and gaps of the iteration before."""
+
+    pairs: np.ndarray  #: elements of each bond, int64, (m, 2)
+    area: Floats  #: [m²], (m,)
+    kt: Floats  #: [N/m], (m,)
+    nu: float  #: ν [-]
+    limited: bool  #: whether the extra shear force is limited
+    normal: Floats  #: [-], (m, 3)
+    stress: Floats  #: of the elements, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+    gap: Floats  #: [m], (m, 3)
+
+
+class ExtraForces(NamedTuple):
+    """Extra forces of bonds."""
+
+    force: Floats  #: [N], (m, 3)
+
+
+_find_small_extra_forces = Pass("find_small_extra_forces", SmallPairs, ExtraForces)
+_load_non_local_bonds = Pass("load_non_local_bonds", Poses, Beams, NonLocalBonds)
+
+
+def non_local_tables(model: Model, state: State) -> tuple[Beams, NonLocalBonds]:
+    """Return bonds of the non-local law, whose stored data are the state's own array.
+
+    Where the model has fewer bonds than a group, the array is a longer copy (`bondem.model.bond_table.with_zeros`).
+    """
+    constants = model.non_local
+    assert constants is not None
+    beams, _ = beam_tables(model.bonds, model.layout, model.period, state.integrity, may_share=False)
+
+    def columns(each: Floats) -> Floats:
+        return np.ascontiguousarray(with_zeros(each.T))
+
+    return beams, NonLocalBonds(
+        area=with_zeros(constants.area), kn=with_zeros(constants.kn), kt=with_zeros(constants.kt),
+        normal=columns(constants.normal), lever_i=columns(constants.lever_i), lever_j=columns(constants.lever_j),
+        nu=constants.nu, limited=constants.limited, history=with_zeros(state.history),
+        output=with_zeros(np.zeros((_OUTPUT_ROWS, len(constants.area)))),
+    )  # fmt: skip
+
+
+def lagged_stresses(model: Model, state: State, to_i: np.ndarray, more: int) -> LaggedStresses:
+    """Return stresses of the elements, which are the state's own array.
+
+    Args:
+        model: model of the non-local law.
+        state: its state.
+        to_i: row of the moment that each bond adds to for its element i, uint32, (m,).
+        more: number of rows of moments behind those of the elements.
+    """
+    constants, n = model.non_local, len(state.stress)
+    assert constants is not None
+    return LaggedStresses(1.0 / constants.volume, state.stress, lines(n), lines(n + more), with_twins(to_i))
+
+
+def small_extra_forces(pairs: np.ndarray, constants: NonLocalConstants, stress: Floats, gap: Floats) -> Floats:
+    """Return extra forces at small strain from the stresses (n, 6) and gaps (m, 3) of the iteration before, (m, 3)."""
+    c, extra = constants, ExtraForces(np.empty_like(gap))
+    _find_small_extra_forces(
+        SmallPairs(pairs, c.area, c.kt, c.nu, c.limited, np.ascontiguousarray(c.normal), stress, gap), extra
+    )
+    return extra.force
+
+
+def loads_of_non_local(model: Model, state: State) -> Floats:
+    """Return force on j, torque on i and torque on j of each bond in the pose of a state [N, N·m], (m, 9)."""
+    beams, bonds = non_local_tables(model, state)
+    _load_non_local_bonds(Poses(state.pose), beams, bonds)
+    own = bonds.output[:, : len(state.integrity)].T
+    return np.hstack([-own[:, :3], own[:, 3:6], -own[:, 6:]])
+
+
+# Rows of the present loads of bonds.
+_OUTPUT_ROWS = 9

@@ -1,0 +1,73 @@
+"""Dynamic relaxation by the core: the loop of Numba that it replaces, bits at any pause, and equilibrium."""
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem.kernels.dynamic_relaxation import Relaxation, relax_bonds
+from bondem.kernels.tables import lines
+from bondem.model.beam_tables import BeamSums, beam_tables
+from bondem.model.state import State
+from bondem.solve.relaxation import DynamicRelaxation, masses, relaxed
+from tests.core.test_steps import LAWS, X_MAX, X_MIN, crooked
+
+RAMP, LENGTH, TOLERANCE, NOISE = 10, 0.35, 1e-6, 1e-9
+
+
+def loaded(law: str) -> bd.Model:
+    boundary = [bd.Fix(X_MIN), bd.Load(X_MAX, force=(30.0, -10.0, 20.0)), bd.Drive(bd.Index([60]), z=bd.Constant(1e-3))]
+    return bd.Model(crooked((6, 4, 4)), LAWS[law], density=1e3, boundary=boundary)
+
+
+def parts_of(model: bd.Model) -> tuple[np.ndarray, ...]:
+    """Load, 1 / mass and 1 / inertia, free degrees of freedom, prescribed motion."""
+    n, held = len(model.layout.order), model.constraints
+    return held.final_load(n), 1.0 / np.column_stack(masses(model)), ~held.held(n), held.final_motion(n)
+
+
+def by_core(model: bd.Model, chunk: int, steps: int = 2000) -> tuple[np.ndarray, int, bool]:
+    """Poses, steps and whether forces balance."""
+    load, inverse, free, motion = parts_of(model)
+    state, n = State(model), len(load)
+    beams, alike = beam_tables(model.bonds, model.layout, model.period, state.integrity)
+    sums = BeamSums(beams.i, beams.j, lines(n))
+    table = DynamicRelaxation(
+        state.pose, np.zeros((n, 6)), np.zeros((n, 6)), load, inverse, free.astype(np.uint8), motion, np.zeros(2),
+        RAMP, LENGTH, TOLERANCE, NOISE,
+    )  # fmt: skip
+    done, balanced = 0, False
+    while done < steps and not balanced:
+        gone, _, balanced = relaxed(beams, alike, sums, table, done, min(chunk, steps - done))
+        done += gone
+    return state.pose, done, balanced
+
+
+@pytest.mark.parametrize("law", ["Timoshenko", "Euler–Bernoulli"])
+def test_steps_are_those_of_the_loop_of_numba(law):
+    model = loaded(law)
+    load, inverse, free, motion = parts_of(model)
+    state, n, same = State(model), len(load), model.bonds.alike
+    assert (same is None) == (law == "Timoshenko")
+    rows = model.bonds.rows(model.layout, model.period, state.integrity, alike=same is not None)
+    table = Relaxation(
+        np.zeros((n, 6)), lines(n), np.zeros((n, 6)), load, inverse, free, motion, np.zeros(2), RAMP, LENGTH,
+        TOLERANCE, NOISE,
+    )  # fmt: skip
+    done, _ = relax_bonds(state.pose, rows, same, table, 0, 2000)
+    pose, steps, balanced = by_core(model, 2000)
+    assert balanced
+    assert (0 < steps) == (done == steps)
+    np.testing.assert_allclose(pose, state.pose, rtol=0, atol=1e-14)
+
+
+def test_pauses_change_no_bit():
+    whole, pieces = by_core(loaded("Timoshenko"), 2000), by_core(loaded("Timoshenko"), 7)
+    np.testing.assert_array_equal(whole[0], pieces[0])
+    assert whole[1:] == pieces[1:]
+
+
+def test_small_loads_have_the_displacements_of_linear_statics():
+    model = loaded("parallel")
+    found, linear = bd.solve_relaxed(model), bd.solve_static(model)
+    size = np.abs(linear.displacement).max()
+    np.testing.assert_allclose(found.displacement, linear.displacement, rtol=0, atol=1e-2 * size)

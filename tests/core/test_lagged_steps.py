@@ -1,0 +1,194 @@
+"""Steps by the core of bonds that store something: beams of the incremental formulation, and the non-local law."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem._compile import threads
+from bondem.kernels.non_local import TAKEN
+from bondem.model.state import State
+from bondem.solve import loop_core
+from bondem.solve.explicit import integrate
+from bondem.solve.loop_core import CoreLoop
+from bondem.solve.loop_cpu import CpuLoop
+from bondem.solve.plan import Plan
+from tests.bits import EnoughError, assert_same_bits
+from tests.core.lagged_cases import CASES, non_local_cells, non_local_spheres, plan_and_state, stored
+from tests.core.test_steps import HELD, LAWS, crooked
+
+STORED = replace(LAWS["Timoshenko"], formulation="incremental")
+LAGGED = bd.NonLocal(E=1e7, nu=0.1, areas="weighted")
+
+
+# ---- numbers of the loops that these passes replace
+
+
+@pytest.mark.parametrize(
+    "case", ["stored, Timoshenko", "stored, parallel, bond damping", "non-local, cells", "non-local, periodic"]
+)
+@pytest.mark.filterwarnings("ignore::bondem.errors.ImbalanceWarning")
+def test_numbers_are_those_of_the_loops_of_numba(case):
+    make, damping = CASES[case]
+    model, results = make(), []
+    for kind in (CpuLoop, CoreLoop):
+        plan, state = plan_and_state(model, damping)
+        with threads(1):
+            results.append(integrate(model, plan, state=state, loop_of=kind))
+    old, new = results
+    for name in ("pose", "motion", "history", "stress", "work"):
+        before, now = getattr(old.state, name), getattr(new.state, name)
+        np.testing.assert_allclose(now, before, rtol=0, atol=1e-10 * np.abs(before).max(initial=0.0), err_msg=name)
+    size = np.abs(old.history.records).max(axis=0)
+    np.testing.assert_array_less(np.abs(new.history.records - old.history.records).max(axis=0), 1e-10 * size + 1e-300)
+
+
+# ---- bits
+
+
+@pytest.mark.parametrize("law", [STORED, LAGGED], ids=["stored", "non-local"])
+def test_threads_and_pauses_change_no_bit(law, monkeypatch):
+    model = bd.Model(crooked((12, 10, 10)), law, density=1e3, boundary=HELD)
+    results = []
+    for count, every in ((1, 25), (2, 25), (3, 7), (4, 0)):
+        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        plan, state = plan_and_state(model, bd.BondDamping(eta=0.1), steps=75, every=every)
+        results.append(integrate(model, plan, state=state, loop_of=CoreLoop))
+    for other in results[1:]:
+        assert_same_bits(results[0], other)
+    np.testing.assert_array_equal(results[0].history.records, results[1].history.records)
+
+
+def pair(law) -> bd.Model:
+    """Two elements and a bond, fewer than a group of lanes."""
+    lattice = bd.connect(bd.Particles(np.array([[0.0, 0.0, 0.0], [0.9, 0.2, 0.1]]), np.array([0.4, 0.5])), reach=2.0)
+    return bd.Model(lattice, law, density=1e3)
+
+
+MODELS = {
+    "stored": lambda: stored("Timoshenko"),
+    "stored, one bond": lambda: pair(STORED),
+    "cells": non_local_cells,
+    "spheres": non_local_spheres,
+    "spheres, one bond": lambda: pair(LAGGED),
+}
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_forces_of_an_unchanged_state_are_found_again(name):
+    """To the bit: force, moment, gap, extra force and stress are what they were."""
+    model = MODELS[name]()
+    plan, state = plan_and_state(model, None, steps=5, share=0.05)  # a single bond of this law is unstable
+    state = integrate(model, plan, state=state, loop_of=CoreLoop).state
+    assert np.abs(state.history).max() > 0.0
+    again = state.copy()
+    again.stale = True
+    assert plan.dt is not None
+    CoreLoop(model, plan, again, plan.dt).look()
+    for array in ("history", "stress", "acceleration", "reaction", "pose", "motion"):
+        np.testing.assert_array_equal(getattr(again, array), getattr(state, array), err_msg=array)
+
+
+@pytest.mark.parametrize("name", ["stored", "stored, one bond", "cells", "spheres"])
+@pytest.mark.filterwarnings("ignore::bondem.errors.StepWarning")
+def test_a_run_resumed_has_the_bits_of_a_whole_one(name, tmp_path: Path):
+    model = MODELS[name]()
+    plan, start = plan_and_state(model, None, steps=200, share=0.05)
+    options = dict(duration=plan.duration, dt=plan.dt, every=10, damping=bd.LocalDamping(0.1), save_every=50)
+    whole = bd.solve_explicit(model, state=start.copy(), out=tmp_path / "whole", **options)
+
+    def stop(done: float) -> None:
+        if done > 0.6:
+            raise EnoughError
+
+    with pytest.raises(EnoughError):
+        bd.solve_explicit(model, state=start.copy(), out=tmp_path / "cut", progress=stop, **options)
+    assert 0 < bd.read_run(tmp_path / "cut").state.step < 200
+    assert_same_bits(whole, bd.resume(tmp_path / "cut"))
+
+
+# ---- physics
+
+
+def moved(law, steps: int = 40) -> State:
+    """A free lattice in motion, and where it has got to."""
+    model = bd.Model(crooked((4, 3, 3)), law, density=1e3)
+    plan, state = plan_and_state(model, None, steps=steps, every=0)
+    return integrate(model, plan, state=state, loop_of=CoreLoop).state
+
+
+@pytest.mark.parametrize("law", [STORED, LAGGED], ids=["stored", "non-local"])
+def test_forces_have_no_resultant_and_no_moment(law):
+    state = moved(law)
+    force = state.acceleration[:, :3] / state.motion[:, 3:4]
+    torque = state.acceleration[:, 3:] / state.motion[:, 7:8]
+    assert np.abs(force).max() > 1.0
+    np.testing.assert_allclose(force.sum(axis=0), 0.0, atol=1e-10 * np.abs(force).max())
+    about = np.cross(state.pose[:, :3], force) + torque
+    np.testing.assert_allclose(about.sum(axis=0), 0.0, atol=1e-10 * np.abs(about).max())
+
+
+def test_stored_loads_of_a_driven_beam():
+    """Stretch and twist at constant rates: F = kn v t, M = kt ω t, and half of their work is stored in each mode."""
+    law = bd.ParallelBond(E=1e7, nu=0.2, radius=0.3, formulation="incremental")
+    lattice = bd.connect(bd.Particles(np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]), np.full(2, 0.5)), reach=1.1)
+    drive = bd.Drive(bd.Index([1]), vx=1e-3, wx=2e-3)
+    model = bd.Model(lattice, law, density=1e3, boundary=[bd.Fix(bd.Index([0])), drive])
+    dt, steps = 1e-4, 100
+    done = integrate(model, Plan(duration=steps * dt, dt=dt, every=steps), loop_of=CoreLoop)
+    kn, kt, t = float(model.stiffness.kn[0]), float(model.stiffness.kt[0]), steps * dt
+    np.testing.assert_allclose(done.state.history[:, 0], [kn * 1e-3 * t, 0, 0, kt * 2e-3 * t, 0, 0], rtol=1e-12, atol=1e-9)
+    ledger = done.history.energy
+    assert ledger["normal"][-1] == pytest.approx(0.5 * kn * (1e-3 * t) ** 2, rel=1e-12)
+    assert ledger["twisting"][-1] == pytest.approx(0.5 * kt * (2e-3 * t) ** 2, rel=1e-12)
+    assert abs(ledger["shear"][-1]) + abs(ledger["bending"][-1]) < 1e-12 * ledger["normal"][-1]
+
+
+def test_a_stored_force_turns_with_its_bond():
+    """A pair that turns by 60 degrees, stretched so far that its force holds it on its circle."""
+    law = bd.ParallelBond(E=1e6, nu=0.2, radius=0.3, formulation="incremental")
+    lattice = bd.connect(bd.Particles(np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]), np.full(2, 0.5)), reach=1.1)
+    model = bd.Model(lattice, law, density=1e3)
+    state, spin, dt, kn = State(model), 5.0, 1e-4, float(model.stiffness.kn[0])
+    pull = 0.5 * model.mass[0] * spin**2  # m ω² L / 2 = kn (L - 1)
+    stretch = pull / (kn - pull)
+    state.pose[:, 0] += [-0.5 * stretch, 0.5 * stretch]
+    state.history[0, 0] = kn * stretch
+    velocity = 0.5 * spin * (1.0 + stretch) * np.array([[0.0, -1.0, 0.0], [0.0, 1.0, 0.0]])
+    state.set_motion(velocity=velocity, angular_velocity=np.tile([0.0, 0.0, spin], (2, 1)))
+    steps = round(np.pi / 3.0 / spin / dt)
+    state = integrate(model, Plan(duration=steps * dt, dt=dt, every=0), state=state, loop_of=CoreLoop).state
+    angle = spin * steps * dt
+    expected = [np.cos(angle), np.sin(angle), 0.0, 0.0, 0.0, 0.0]
+    np.testing.assert_allclose(state.history[:, 0] / (kn * stretch), expected, rtol=0, atol=1e-5)
+
+
+def test_extra_forces_have_an_entry_of_their_own():
+    """Springs, motion, work and extra forces: their sum closes to second order in the step."""
+    missed = []
+    for share in (1.0, 0.5):
+        model = non_local_spheres()
+        plan, state = plan_and_state(model, None, every=10)
+        assert plan.dt is not None
+        plan = replace(plan, dt=0.1 * share * plan.dt, duration=0.1 * plan.dt * 100)
+        done = integrate(model, plan, state=state, loop_of=CoreLoop)
+        ledger = done.history.energy
+        assert ledger["non-local work"][-1] == pytest.approx(done.state.history[TAKEN].sum(), rel=1e-12)
+        assert np.abs(ledger["non-local work"]).max() > 20.0 * np.abs(ledger["balance"]).max()
+        missed.append(np.abs(ledger["balance"]).max())
+    assert missed[1] < 0.6 * missed[0]
+
+
+def test_a_broken_bond_of_the_non_local_law_keeps_what_it_stores():
+    model = non_local_spheres()
+    plan, state = plan_and_state(model, None, steps=30, every=0)
+    state = integrate(model, plan, state=state, loop_of=CoreLoop).state
+    state.integrity[5] = 0.0
+    before = state.history[:, 5].copy()
+    assert plan.dt is not None
+    CoreLoop(model, plan, state, plan.dt).run(10)
+    np.testing.assert_array_equal(state.history[:, 5], before)
+    forces = bd.bond_forces(model, state)
+    assert np.abs(forces.force[model.layout.bond_order[5]]).max() == 0.0
