@@ -44,7 +44,7 @@ BONDEM_TABLE(WallTime, F(time, ""))
 #define BONDEM_CELL_STEP_PASSES                                                                          \
     S(bonds_of_blocks, accumulate_dilatation), S(parts_of_shared, collect_dilatation),                   \
         S(elements_of_blocks, stress_cells), S(bonds_of_blocks, add_facet_loads),                        \
-        S(bonds_of_blocks, add_and_keep_facet_loads), S(parts_of_shared, collect_moments),               \
+        S(bonds_of_blocks, add_and_keep_facet_loads), S(parts_of_shared, collect_facet_moments),               \
         S(elements_of_blocks, take_moments), S(of_elements, sum_moments), S(of_bonds, check_facets),     \
         S(of_bonds, sum_facet_energies), S(of_elements, sum_dilatation_energies),                        \
         S(serial, add_cell_energies), S(serial, follow_walls), S(serial, add_wall_dilatation),           \

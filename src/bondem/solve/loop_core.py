@@ -28,10 +28,10 @@ def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
     It has those of beams of both formulations, which may break but not soften, and of the non-local law without
-    breakage; and no contacts yet.
+    breakage; those of elastic bodies of cells; and no contacts yet.
     """
     return (
-        model.cells is None
+        (model.cells is None or model.breaking is None and model.softening is None)
         and model.beam_softening is None
         and (model.non_local is None or model.breaking is None)
         and model.contacts is None

@@ -8,6 +8,7 @@ from bondem.solve.added import added
 from bondem.solve.parts.beams import beams
 from bondem.solve.parts.body_forces import body_forces
 from bondem.solve.parts.boundary import boundary
+from bondem.solve.parts.cells import BodyOfCells, cells
 from bondem.solve.parts.history import history
 from bondem.solve.parts.motion import dashpots_of, motion, resistance_of
 from bondem.solve.parts.non_local import non_local
@@ -36,6 +37,8 @@ def parts_of(
 
 def _bonds(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
     """Return the parts of the bonds."""
+    if model.cells is not None:
+        return [cells(shared, model, state, BodyOfCells.of(model, state, shared.cut), dashpots)]
     if model.non_local is not None:
         return non_local(model, state, shared, dashpots)
     if model.formulation == "incremental":

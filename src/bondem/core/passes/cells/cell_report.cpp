@@ -1,7 +1,6 @@
 // What the guard and the history need of facets and cells.
 #include "cell_report.hpp"
 
-#include "../record/columns.hpp"
 #include "energies.hpp"
 #include "walls.hpp"
 
@@ -36,12 +35,12 @@ void sum_dilatation_energies(const Turn &turn, const CellDilatation &cells, cons
     found.energy(turn.block) = sum;
 }
 
-void add_cell_energies(const Turn &turn, const Moving &all, const WallConstraints &walls, const DilatationEnergy &found,
-                       const HistoryRows &history) {
+void add_cell_energies(const Turn &, const Moving &all, const WallConstraints &walls, const DilatationEnergy &found,
+                       const Portions &portions) {
     double sum = 0.0;
     for (Index q = 0; q < found.energy.size(); q++) sum += found.energy(q);
     for (Index g = 0; g < walls.cell.size(); g++) sum += energy_of_hold(all.pose, all.rest, walls, g);
-    history.record(turn.clock.record, column::normal) += sum;
+    if (portions.bonds.size() > 0) portions.bonds(0, 0) += sum;
 }
 
 }  // namespace bondem

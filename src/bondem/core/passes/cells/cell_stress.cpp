@@ -18,7 +18,7 @@ void add(double *moment, const Symmetric3<double> &m, double bent) {
 
 }  // namespace
 
-void collect_moments(const Turn &turn, const StepCut &cut, const FacetForces &kept) {
+void collect_facet_moments(const Turn &turn, const StepCut &cut, const FacetForces &kept) {
     for (Index e = turn.first; e < turn.last; e++)
         for (Index q = cut.parts + cut.part(e); q < cut.parts + cut.part(e + 1); q++)
             for (Index c = 0; c < 8; c++) {

@@ -1,0 +1,147 @@
+"""Bodies of cells: dilatation, forces of facets, walls that hold facets, tractions on them, and strains that change."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._core_steps import StepPass
+from bondem._types import Ints
+from bondem.kernels.tables import Rows, StepCut
+from bondem.model.beam_tables import Beams, beam_tables
+from bondem.model.cell_constants import CellConstants
+from bondem.model.cell_tables import (
+    CellDilatation,
+    CellStrains,
+    DilatationEnergy,
+    ElasticFacets,
+    FacetTractions,
+    WallConstraints,
+    cell_tables,
+    wall_constraints,
+)
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.solve.added import changing_cells
+from bondem.solve.parts.part import Part, Passes
+from bondem.solve.parts.shared_tables import SharedTables
+from bondem.solve.step_tables import Dashpots, Moving, Portions, Timeline
+
+_accumulate_dilatation = StepPass("accumulate_dilatation", Moving, ElasticFacets, CellDilatation)
+_collect_dilatation = StepPass("collect_dilatation", StepCut, CellDilatation)
+_stress_cells = StepPass("stress_cells", Moving, CellDilatation)
+_add_facet_loads = StepPass("add_facet_loads", Moving, ElasticFacets, StepCut)
+_add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)
+_follow_walls = StepPass("follow_walls", Moving, WallConstraints, Rows)
+_add_wall_dilatation = StepPass("add_wall_dilatation", Moving, WallConstraints, CellDilatation)
+_apply_walls = StepPass("apply_walls", Moving, WallConstraints, Rows)
+_add_wall_loads = StepPass("add_wall_loads", Rows, StepCut)
+_follow_tractions = StepPass("follow_tractions", Timeline, FacetTractions, CellDilatation)
+_add_traction_work = StepPass("add_traction_work", Moving, FacetTractions, Rows)
+_follow_cell_strains = StepPass("follow_cell_strains", Timeline, CellStrains, ElasticFacets, WallConstraints)
+_begin_strain_work = StepPass("begin_strain_work", Moving, CellStrains, ElasticFacets, WallConstraints)
+_sum_strain_powers = StepPass("sum_strain_powers", Moving, CellStrains, ElasticFacets)
+_add_strain_work = StepPass("add_strain_work", Moving, CellStrains, WallConstraints, Rows)
+_check_facets = StepPass("check_facets", Moving, Beams, ElasticFacets, Portions)
+_sum_facet_energies = StepPass("sum_facet_energies", Moving, ElasticFacets, Portions)
+_sum_dilatation_energies = StepPass("sum_dilatation_energies", CellDilatation, DilatationEnergy)
+_add_cell_energies = StepPass("add_cell_energies", Moving, WallConstraints, DilatationEnergy, Portions)
+
+
+class BodyOfCells(NamedTuple):
+    """Tables of the facets, cells and walls of a run."""
+
+    beams: Beams  #: directions between the centres of cells, for the guard and dashpots
+    facets: ElasticFacets
+    cells: CellDilatation
+    walls: WallConstraints
+
+    @classmethod
+    def of(cls, model: Model, state: State, cut: StepCut) -> "BodyOfCells":
+        """Return the tables of a run from a state, whose arrays they share."""
+        layout, constants = model.layout, _constants(model, state)
+        bonds = model.bonds.stretched(state.eigenstrain)
+        beams, _ = beam_tables(bonds, layout, model.period, state.integrity, may_share=False)
+        to_i = _places(cut, layout.i, len(layout.order))
+        facets, cells = cell_tables(constants, layout, model.period, state.integrity, to_i)
+        held = model.constraints
+        walls = constants.grips.table(layout, held.row_of, held.works[2], state.grips)
+        return cls(beams, facets._replace(integrity=beams.integrity), cells, wall_constraints(walls))
+
+
+def cells(shared: SharedTables, model: Model, state: State, body: BodyOfCells, dashpots: Dashpots | None) -> Part:
+    """Return the part of an elastic body of cells, with dashpots beside its facets or without."""
+    moving, cut, rows, portions = shared.moving, shared.cut, shared.rows, shared.portions
+    walls, held = body.walls, len(body.walls.cell) > 0
+    dilate: Passes = [(_add_wall_dilatation, moving, walls, body.cells)] if held else []
+    dilate += [(_accumulate_dilatation, moving, body.facets, body.cells), (_collect_dilatation, cut, body.cells)]
+    loads: Passes = [(_add_facet_loads, moving, body.facets, cut)]
+    if dashpots is not None:
+        loads.append((_add_dashpot_loads, moving, body.beams, dashpots, cut))
+    tractions, strains = _tractions(model), _strains(model, state, portions)
+    present, beside, behind = _changing(shared, body, tractions, strains)
+    prepare: Passes = [*beside, *dilate, (_stress_cells, moving, body.cells), *beside]
+    if held:
+        prepare.append((_apply_walls, moving, walls, rows))
+    energy = DilatationEnergy(np.zeros(len(portions.elements)))
+    energies = [
+        *dilate, (_sum_dilatation_energies, body.cells, energy), (_sum_facet_energies, moving, body.facets, portions),
+        (_add_cell_energies, moving, walls, energy, portions),
+    ]  # fmt: skip
+    return Part(
+        {
+            "present": present, "prepare": [*prepare, *behind], "loads": loads,
+            "add": [(_add_wall_loads, rows, cut)] if held else [],
+            "guard": [(_check_facets, moving, body.beams, body.facets, portions)],
+        },
+        record=lambda _: energies,
+    )  # fmt: skip
+
+
+def _changing(
+    shared: SharedTables, body: BodyOfCells, tractions: FacetTractions | None, strains: CellStrains | None
+) -> tuple[Passes, Passes, Passes]:
+    """Return passes of conditions that change: of the present, around the pass of stresses, and behind it."""
+    moving, timeline, rows, walls = shared.moving, shared.timeline, shared.rows, body.walls
+    present: Passes = []
+    beside: Passes = []
+    behind: Passes = []
+    if tractions is not None:
+        present.append((_follow_tractions, timeline, tractions, body.cells))
+        beside.append((_add_traction_work, moving, tractions, rows))
+    if strains is not None:
+        present.append((_follow_cell_strains, timeline, strains, body.facets, walls))
+        behind += [(_sum_strain_powers, moving, strains, body.facets), (_add_strain_work, moving, strains, walls, rows)]
+    if len(walls.cell):
+        present.append((_follow_walls, moving, walls, rows))
+    if strains is not None:
+        present.append((_begin_strain_work, moving, strains, body.facets, walls))
+    return present, beside, behind
+
+
+def _constants(model: Model, state: State) -> CellConstants:
+    assert model.cells is not None
+    strained = model.cells.stretched(state.eigenstrain, model.layout)
+    return strained.damaged(state.integrity, model.layout.i, model.layout.j)
+
+
+def _places(cut: StepCut, i: np.ndarray, n: int) -> np.ndarray:
+    """Return the place where each facet adds to V θ of its cell i, or one behind all n cells, uint32, (m,)."""
+    row = cut.row_i[: len(i)].astype(np.int64)
+    return np.where(row < cut.parts, i, n + row - cut.parts).astype(np.uint32)
+
+
+def _tractions(model: Model) -> FacetTractions | None:
+    held = model.constraints
+    count = len(held.press_schedule)
+    if count == 0:
+        return None
+    schedule: Ints = held.press_schedule
+    return FacetTractions(held.press_value, schedule, held.works[2], np.zeros(count), np.zeros(count))
+
+
+def _strains(model: Model, state: State, portions: Portions) -> CellStrains | None:
+    strained = changing_cells(model, state)
+    if strained is None:
+        return None
+    power = np.zeros((len(portions.bonds), len(strained.schedule)))
+    return CellStrains(*strained._replace(power=power))
