@@ -58,6 +58,10 @@ class Device(Protocol):
         """Copy from an address of the device into a contiguous array, when all launches so far are done."""
         ...
 
+    def compile(self, names: Sequence[str]) -> None:
+        """Compile passes, which `prepared` would compile one by one."""
+        ...
+
     def prepared(self, one: IndexPass, count: int, tables: Sequence[int]) -> Enqueue:
         """Return a function that enqueues a pass over 0 … count - 1 with tables at some addresses."""
         ...
@@ -118,6 +122,8 @@ class DeviceTables:
 
     def prepared(self, launches: Iterable[Launch]) -> list[Enqueue]:
         """Return functions that enqueue launches; those over no index are left out."""
+        launches = list(launches)
+        self.device.compile([one.name for one, count, _ in launches if count > 0])
         return [
             self.device.prepared(
                 one, count, [self._table(*kind, table) for kind, table in zip(one.fields, tables, strict=True)]
@@ -154,6 +160,9 @@ class Host:
     def fetch(self, source: int, array: np.ndarray) -> None:
         """See `Device`."""
         array.reshape(-1).view(np.uint8)[:] = _bytes_at(source, array.nbytes)
+
+    def compile(self, names: Sequence[str]) -> None:
+        """See `Device`: they are compiled."""
 
     def prepared(self, one: IndexPass, count: int, tables: Sequence[int]) -> Enqueue:
         """See `Device`."""

@@ -14,6 +14,7 @@ from bondem.kernels.advance import BEYOND, FINE, GUARD_INTERVAL, NOT_FINITE, RUN
 from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, StepScheme
 from bondem.laws.damping import DampingTerms
 from bondem.model.blocks import Blocks
+from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.device_passes import DevicePasses, count_record, lacking, set_clock
@@ -28,6 +29,8 @@ from bondem.solve.step_tables import HistoryRows
 
 # Steps of a graph at most.
 _RECORDED = 64
+# Bonds from which on their numbers need more than 32 bits.
+_MOST_BONDS = 2**31
 # Columns of a record of the columns of sums.
 _COLUMNS = {1: 0, 2: 1, 3: 4, 4: 5, 5: 6, 6: 7, 8: 11, 9: 2, 10: 3}
 _WIDE, _LOST, _SICK, _SUPPLIED = (SUM_COLUMNS.index(name) for name in ("wide", "lost", "not_finite", "supplied"))
@@ -37,7 +40,9 @@ _STEP, _RECORD = 5, 8
 
 def device_has(model: Model, plan: Plan) -> bool:
     """Return whether all passes of a run have counterparts on a device."""
-    if not core_has(model):
+    if not core_has(model) or not all(isinstance(gauge, Gauge) for gauge in plan.gauges.values()):
+        return False
+    if len(model.layout.i) >= _MOST_BONDS:
         return False
     _, parts = _composed(model, plan, State(model))
     return not lacking(_all_passes(parts))
@@ -77,18 +82,17 @@ class DeviceLoop:
         self._graphs: dict[int, Callable[[], None]] = {}
         passes, parts = self._passes, self._parts
         present, forces = passes(composed(parts, "present")), passes(composed(parts, *FORCES))
-        self._begin = self._list([self._tick(first=True), *present])
-        self._look = self._list([self._tick(first=True, still=True), *forces])
-        self._open = self._list(passes(composed(parts, "opening")))
-        self._pause = self._list([self._tick(ahead=1), *present, *forces])
-        self._go_on = self._list([self._tick(ahead=1, goes_on=True), *present, *forces])
-        self._guarding = self._list(passes(composed(parts, "guard")))
+        begin, look = [self._tick(first=True), *present], [self._tick(first=True, still=True), *forces]
+        opening, guard = passes(composed(parts, "opening")), passes(composed(parts, "guard"))
+        pause = [self._tick(ahead=1), *present, *forces]
+        go_on = [self._tick(ahead=1, goes_on=True), *present, *forces]
+        written = passes([one for part in parts for one in part.record(HistoryRows(np.zeros((1, self._width))))])
+        device.compile([one.name for one, *_ in (*begin, *forces, *opening, *guard, *written)])
+        lists = begin, look, opening, pause, go_on, guard
+        self._begin, self._look, self._open, self._pause, self._go_on, self._guarding = map(self._tables.prepared, lists)
 
     def _tick(self, *, ahead: int = 0, goes_on: bool = False, still: bool = False, first: bool = False) -> Launch:
         return set_clock, 1, (self._passes.span, self._scheme, Tick(ahead, goes_on, still, first))
-
-    def _list(self, launches: Sequence[Launch]) -> list[Enqueue]:
-        return self._tables.prepared(launches)
 
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present state."""
@@ -140,7 +144,10 @@ class DeviceLoop:
         return records.finished(taken), wide, lost, sick
 
     def _take(self, steps: int) -> None:
-        """Take the steps between two pauses, in graphs of powers of two."""
+        """Take the steps between two pauses, in graphs of powers of two; what is recorded must have been loaded."""
+        if steps > 0 and not self._graphs:
+            _run(self._go_on)
+            steps -= 1
         while steps > 0:
             size = min(_RECORDED, 1 << (steps.bit_length() - 1))
             if size not in self._graphs:

@@ -9,7 +9,9 @@ static_assert(sizeof(Clock) == 9 * sizeof(Index));
 BONDEM_INLINE Clock &clock_of(const DeviceSpan &span) { return *reinterpret_cast<Clock *>(span.clock.data); }
 
 // A turn of element p.
-BONDEM_INLINE Turn turn_of(const DeviceSpan &span, Index p) { return {clock_of(span), p, p + 1, p + 1, nullptr, nullptr, p, nullptr}; }
+BONDEM_INLINE Turn turn_of(const DeviceSpan &span, Index p) {
+    return {clock_of(span), p, p + 1, p + 1, nullptr, nullptr, p, nullptr};
+}
 // A turn of element number e of the list of a step, which on a device is one block.
 BONDEM_INLINE Turn turn_of(const DeviceSpan &span, const StepCut &cut, Index e) {
     return {clock_of(span), e, e + 1, e + 1, cut.ready.data, cut.ready_row.data, 0, nullptr};
