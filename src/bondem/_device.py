@@ -84,6 +84,7 @@ class DeviceTables:
         self.lengths = {} if lengths is None else lengths
         self._arrays: dict[int, tuple[np.ndarray, int, object]] = {}
         self._unread: set[int] = set()
+        self._written: dict[int, np.ndarray] = {}
         self._tables: dict[int, tuple[tuple[Any, ...], int, object]] = {}
 
     def work_space(self, *arrays: np.ndarray) -> None:
@@ -100,6 +101,10 @@ class DeviceTables:
             if id(whole) not in self._unread:
                 self.device.send(whole, address)
         return self._arrays[id(whole)][1] + array.ctypes.data - whole.ctypes.data
+
+    def fetch_written(self) -> None:
+        """Copy all arrays from the device that passes write and the CPU may read."""
+        self.fetch(*self._written.values())
 
     def fetch(self, *arrays: np.ndarray) -> None:
         """Copy arrays from the device."""
@@ -119,6 +124,7 @@ class DeviceTables:
         for value in table:
             if isinstance(value, np.ndarray):
                 self._arrays.pop(id(_whole(value)), None)
+                self._written.pop(id(_whole(value)), None)
 
     def prepared(self, launches: Iterable[Launch]) -> list[Enqueue]:
         """Return functions that enqueue launches; those over no index are left out."""
@@ -136,9 +142,13 @@ class DeviceTables:
         """Return the address of a table on the device."""
         if id(table) not in self._tables:
             words = np.frombuffer(filled_table(name, fields, table, self.lengths), dtype=np.int64).copy()
+            words[[field.offset // words.itemsize for field in fields if field.written is not None]] = 0
             for field, value in zip(fields, table, strict=True):
-                if field.written is not None:
-                    words[field.offset // words.itemsize] = self.address(value) if value.size else 0
+                if field.written is None or not value.size:
+                    continue
+                words[field.offset // words.itemsize] = self.address(value)
+                if field.written and id(_whole(value)) not in self._unread:
+                    self._written[id(_whole(value))] = _whole(value)
             address, kept = self.device.allocate(words.nbytes)
             self.device.send(words, address)
             self._tables[id(table)] = table, address, kept

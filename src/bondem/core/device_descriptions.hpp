@@ -1,5 +1,6 @@
 // How the tables and the passes of a device describe themselves to Python.
 #pragma once
+#include "cell_descriptions.hpp"
 #include "gpu/for_each.hpp"
 #include "gpu/index_passes.hpp"
 #include "step_descriptions.hpp"
@@ -14,6 +15,7 @@ BONDEM_TABLE(LoadsOfBonds, F(load, "9 *"))
 BONDEM_TABLE(BondsOfElements, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"))
 BONDEM_TABLE(RowOrder, F(start, "rows+1"), F(load, "loads"))
 BONDEM_TABLE(WorkPortions, F(works, "work_portions 2"))
+BONDEM_TABLE(WallEnergy, F(energy, "wall_portions"))
 BONDEM_TABLE(FoldedPortions, F(sums, "groups 13"))
 BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
 
@@ -21,7 +23,7 @@ BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
 
 #define BONDEM_DEVICE_TABLES                                                                                          \
     described<DeviceSpan>(), described<Tick>(), described<LoadsOfBonds>(), described<BondsOfElements>(), described<RowOrder>(), \
-        described<WorkPortions>(), described<FoldedPortions>(), described<GaugeParts>()
+        described<WorkPortions>(), described<WallEnergy>(), described<FoldedPortions>(), described<GaugeParts>()
 
 // The loop of a pass over all its indices.
 template <auto pass> struct IndexPass;

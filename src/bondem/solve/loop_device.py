@@ -1,6 +1,6 @@
 """Explicit dynamics on a device, where the whole step stays.
 
-The parts of a step compose its lists of passes as for the CPU, and `bondem.solve.device_passes` translates them. Records
+The parts of a step compose its lists of passes as for the CPU, and `bondem.solve.on_device` translates them. Records
 are formed on the device and copied once a call, together with the state. All launches between two pauses are the same
 for every step, because the number of the step is on the device: they are recorded once, as graphs of 1, 2, 4 … 64 steps.
 """
@@ -17,12 +17,13 @@ from bondem.model.blocks import Blocks
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.device_passes import DevicePasses, count_record, lacking, set_clock
-from bondem.solve.device_tables import SUM_COLUMNS, Tick
 from bondem.solve.loop_core import core_has
 from bondem.solve.loop_cpu import gauge_tables, noticeable
+from bondem.solve.on_device.counterparts import FURTHER, launches_of
+from bondem.solve.on_device.device_tables import SUM_COLUMNS, Tick
+from bondem.solve.on_device.translation import Translation, count_record, names_of, set_clock
 from bondem.solve.parts.of_model import parts_of
-from bondem.solve.parts.part import FORCES, Part, Passes, composed
+from bondem.solve.parts.part import FORCES, Part, composed
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.plan import Plan
 from bondem.solve.step_tables import HistoryRows
@@ -34,18 +35,22 @@ _MOST_BONDS = 2**31
 # Columns of a record of the columns of sums.
 _COLUMNS = {1: 0, 2: 1, 3: 4, 4: 5, 5: 6, 6: 7, 8: 11, 9: 2, 10: 3}
 _WIDE, _LOST, _SICK, _SUPPLIED = (SUM_COLUMNS.index(name) for name in ("wide", "lost", "not_finite", "supplied"))
-# Words of the clock that are numbers of a step, and of a record.
-_STEP, _RECORD = 5, 8
+# Word of the clock that is the number of the step.
+_STEP = 5
 
 
 def device_has(model: Model, plan: Plan) -> bool:
     """Return whether all passes of a run have counterparts on a device."""
-    if not core_has(model) or not all(isinstance(gauge, Gauge) for gauge in plan.gauges.values()):
-        return False
-    if len(model.layout.i) >= _MOST_BONDS:
-        return False
-    _, parts = _composed(model, plan, State(model))
-    return not lacking(_all_passes(parts))
+    held = model.constraints
+    return (
+        core_has(model)
+        and model.breaking is None
+        and model.non_local is None
+        and model.formulation == "total"
+        and len(held.strain_part) == 0
+        and all(isinstance(gauge, Gauge) for gauge in plan.gauges.values())
+        and len(model.layout.i) < _MOST_BONDS
+    )
 
 
 def _composed(model: Model, plan: Plan, state: State) -> tuple[SharedTables, list[Part]]:
@@ -53,14 +58,6 @@ def _composed(model: Model, plan: Plan, state: State) -> tuple[SharedTables, lis
     block = max(len(state.pose), 1)
     cut = Blocks.of(model.layout, block, 1, model.constraints.row_of >= 0).table()
     return parts_of(model, DampingTerms.of(plan.damping), state, cut, gauge_tables(model, plan))
-
-
-def _all_passes(parts: Sequence[Part]) -> Passes:
-    """Return the passes of all stages, and those of a record."""
-    rows = HistoryRows(np.zeros((0, 0)))
-    return [
-        *composed(parts, "present", "opening", *FORCES, "guard"), *(one for part in parts for one in part.record(rows))
-    ]  # fmt: skip
 
 
 class DeviceLoop:
@@ -72,27 +69,36 @@ class DeviceLoop:
         terms = DampingTerms.of(plan.damping)
         self._scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, state.time - state.step * dt)
         self._shared, self._parts = _composed(model, plan, state)
-        names = [one.name for one, *_ in composed(self._parts, *FORCES)]
-        self._passes = DevicePasses(model.layout, self._shared.cut, len(state.work), names)
+        names = names_of(composed(self._parts, *FORCES))
+        self._run = Translation(
+            model.layout, self._shared.cut, len(state.reaction), len(state.work), further=not FURTHER.isdisjoint(names)
+        )  # fmt: skip
         self._tables = DeviceTables(device)
-        self._tables.work_space(*self._passes.work_spaces)
+        self._tables.work_space(*self._run.work_spaces)
         self._width = len(SUM_COLUMNS) + 3 * len(plan.gauges)
         self._gauges = len(plan.gauges)
         self._budget, self._still = np.zeros(2), noticeable(model, dt)
         self._graphs: dict[int, Callable[[], None]] = {}
-        passes, parts = self._passes, self._parts
-        present, forces = passes(composed(parts, "present")), passes(composed(parts, *FORCES))
+        present, forces = self._launches("present"), self._launches(*FORCES)
         begin, look = [self._tick(first=True), *present], [self._tick(first=True, still=True), *forces]
-        opening, guard = passes(composed(parts, "opening")), passes(composed(parts, "guard"))
+        opening, guard = self._launches("opening"), self._launches("guard")
         pause = [self._tick(ahead=1), *present, *forces]
         go_on = [self._tick(ahead=1, goes_on=True), *present, *forces]
-        written = passes([one for part in parts for one in part.record(HistoryRows(np.zeros((1, self._width))))])
+        written = self._recording(HistoryRows(np.zeros((1, self._width))))
         device.compile([one.name for one, *_ in (*begin, *forces, *opening, *guard, *written)])
         lists = begin, look, opening, pause, go_on, guard
         self._begin, self._look, self._open, self._pause, self._go_on, self._guarding = map(self._tables.prepared, lists)
 
+    def _launches(self, *stages: str) -> list[Launch]:
+        return launches_of(composed(self._parts, *stages), self._run)
+
+    def _recording(self, rows: HistoryRows) -> list[Launch]:
+        """Return the launches that write one of some rows of the history."""
+        passes = [one for part in self._parts for one in part.record(rows)]
+        return [*launches_of(passes, self._run), (count_record, 1, (self._run.span,))]
+
     def _tick(self, *, ahead: int = 0, goes_on: bool = False, still: bool = False, first: bool = False) -> Launch:
-        return set_clock, 1, (self._passes.span, self._scheme, Tick(ahead, goes_on, still, first))
+        return set_clock, 1, (self._run.span, self._scheme, Tick(ahead, goes_on, still, first))
 
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present state."""
@@ -102,8 +108,6 @@ class DeviceLoop:
         _run(self._begin)
         if state.stale:
             _run(self._look)
-            self._set_clock()
-            _run(self._begin)
             state.stale = False
             self._fetch()
         records = self._records(1)
@@ -158,7 +162,7 @@ class DeviceLoop:
     def _guard(self) -> tuple[int, int, int]:
         """Return bonds turned wide, bonds lost, and whether the run is sound, as `judge_energy` finds them."""
         _run(self._guarding)
-        folded = self._passes.folded.sums
+        folded = self._run.folded.sums
         self._tables.fetch(folded)
         sums = folded.sum(axis=0)
         wide, lost, kinetic, supplied = int(sums[_WIDE]), int(sums[_LOST]), sums[0] + sums[1], sums[_SUPPLIED]
@@ -169,7 +173,7 @@ class DeviceLoop:
 
     def _set_clock(self) -> None:
         """Set the clock of the device to the step of the state, and records to the first row."""
-        clock = self._passes.span.clock
+        clock = self._run.span.clock
         clock[:] = 0
         clock[_STEP] = self.state.step
         self._tables.send(clock)
@@ -178,9 +182,8 @@ class DeviceLoop:
         return _Records(self, HistoryRows(np.zeros((max(rows, 1), self._width))))
 
     def _fetch(self) -> None:
-        """Copy the state from the device."""
-        state = self.state
-        self._tables.fetch(state.pose, state.motion, state.acceleration, state.loss, state.work, state.reaction)
+        """Copy what passes have written from the device, and with it the state."""
+        self._tables.fetch_written()
         for part in self._parts:
             part.keep()
 
@@ -190,9 +193,7 @@ class _Records:
 
     def __init__(self, loop: DeviceLoop, rows: HistoryRows) -> None:
         self._loop, self._rows = loop, rows
-        passes = [one for part in loop._parts for one in part.record(rows)]
-        launches = [*loop._passes(passes), (count_record, 1, (loop._passes.span,))]
-        self.row = loop._tables.prepared(launches)
+        self.row = loop._tables.prepared(loop._recording(rows))
 
     def finished(self, steps: Sequence[int]) -> np.ndarray:
         """Return the records of some steps in the form of the history, and free their memory."""

@@ -2,6 +2,7 @@
 // it, with the sources of the passes that a thread calls for one element or one portion.
 #include "../passes/beams/beam_report.cpp"
 #include "../passes/boundary/couples.cpp"
+#include "../passes/cells/cell_report.cpp"
 #include "../passes/motion/body_forces.cpp"
 #include "../passes/record/record.cpp"
 #include "for_each.hpp"

@@ -9,7 +9,7 @@ namespace bondem {
 
 // Columns of the sums: translation, rotation, damped, rubbed; normal, shear, bending, twisting; bonds turned wide, lost,
 // numbers that are not finite; work, its absolute value.
-constexpr Index sum_columns = 13, portions_of_group = 64, works_of_portion = 1024;
+constexpr Index sum_columns = 13, portions_of_group = 64;
 
 inline void sum_portion_of_elements(Index b, const DeviceSpan &span, const Moving &all, const Portions &portions) {
     sum_element_energies(portion_of(span, b, elements_of_portion, span.n), all, portions);

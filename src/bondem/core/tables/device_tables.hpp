@@ -25,7 +25,7 @@ struct BondsOfElements {
     Array<const int32_t, 1> out_start;  // where the list of those with i = p begins, (n + 1,)
     Array<const Short, 1> out_bond;  // (m,)
 };
-// Loads of each row, in the order of the loads.
+// Loads of each row, or walls, in their order.
 struct RowOrder {
     Array<const Index, 1> start;  // where those of each row begin, (r + 1,)
     Array<const Index, 1> load;
@@ -33,6 +33,10 @@ struct RowOrder {
 // Sums over portions of the works, work and its absolute value [J].
 struct WorkPortions {
     Array<double, 2> works;  // (portions, 2)
+};
+// Energy of portions of walls that hold facets [J].
+struct WallEnergy {
+    Array<double, 1> energy;
 };
 // Sums over groups of portions, see `gpu/record.hpp`.
 struct FoldedPortions {

@@ -4,6 +4,13 @@
 
 namespace bondem {
 
+BONDEM_INLINE void stress_cell(const Array<double, 2> &pose, const CellDilatation &cells, Index p) {
+    pose(p, stress_column) = cells.weight(p) * (cells.swelling(p) + cells.given(p));
+    cells.swelling(p) = 0.0;
+}
+
+#if defined(BONDEM_LANES)
+
 // Adds what the facets first … last - 1 contribute to V θ of their cells, one by one.
 BONDEM_INLINE void accumulate(Index first, Index last, const double *pose, const ElasticFacets &facets,
                               const CellDilatation &cells) {
@@ -28,9 +35,6 @@ BONDEM_INLINE void accumulate(Index first, Index last, const double *pose, const
     });
 }
 
-BONDEM_INLINE void stress_cell(const Array<double, 2> &pose, const CellDilatation &cells, Index p) {
-    pose(p, stress_column) = cells.weight(p) * (cells.swelling(p) + cells.given(p));
-    cells.swelling(p) = 0.0;
-}
+#endif
 
 }  // namespace bondem

@@ -39,14 +39,14 @@ class BondsOfElements(NamedTuple):
 
 
 class RowOrder(NamedTuple):
-    """Loads of each row, in the order of the loads."""
+    """Loads of each row, or walls, in their order."""
 
     start: Ints  #: where those of each row begin, (r + 1,)
     load: Ints
 
     @classmethod
     def of(cls, row: Ints, rows: int) -> "RowOrder":
-        """Return the order of loads on some rows."""
+        """Return the order of loads or walls on some rows."""
         counts = np.bincount(row, minlength=rows)
         start = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
         return cls(start, np.argsort(row, kind="stable").astype(np.int64))
@@ -56,6 +56,12 @@ class WorkPortions(NamedTuple):
     """Sums over portions of the works."""
 
     works: Floats  #: work and its absolute value [J], (portions, 2)
+
+
+class WallEnergy(NamedTuple):
+    """Energy of portions of walls that hold facets."""
+
+    energy: Floats  #: [J], (portions,)
 
 
 class FoldedPortions(NamedTuple):
@@ -77,5 +83,5 @@ SUM_COLUMNS = (
     "translation", "rotation", "damped", "rubbed", "normal", "shear", "bending", "twisting", "wide", "lost", "not_finite",
     "work", "supplied",
 )  # fmt: skip
-#: Portions of a group, and works of a portion.
+#: Portions of a group, and works or walls of a portion.
 GROUP, WORKS = 64, 1024

@@ -1,0 +1,37 @@
+"""The counterparts of all passes: for each pass that a step is composed of, the launches that do the same.
+
+The parts of a step (`bondem.solve.parts`) compose it once, for the CPU and for devices. A model runs on a device where
+each of its passes has a counterpart.
+"""
+
+from bondem._device import Launch
+from bondem.solve.on_device import (
+    beam_counterparts,
+    boundary_counterparts,
+    cell_counterparts,
+    motion_counterparts,
+    record_counterparts,
+)
+from bondem.solve.on_device.translation import Translation
+from bondem.solve.parts.part import Passes
+
+#: Passes that act on elements beside the loads of their bonds.
+FURTHER = {"add_dashpot_loads", "add_body_forces", "add_wall_loads"}
+
+_ALL = {
+    **boundary_counterparts.COUNTERPARTS,
+    **beam_counterparts.COUNTERPARTS,
+    **cell_counterparts.COUNTERPARTS,
+    **motion_counterparts.COUNTERPARTS,
+    **record_counterparts.COUNTERPARTS,
+}
+
+
+def launches_of(passes: Passes, run: Translation) -> list[Launch]:
+    """Return the launches that do what passes do."""
+    return [launch for one, *tables in passes for launch in _ALL[one.name](run, *tables)]
+
+
+def lacking(passes: Passes) -> list[str]:
+    """Return the names of passes that have no counterpart."""
+    return [one.name for one, *_ in passes if one.name not in _ALL]
