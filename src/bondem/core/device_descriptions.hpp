@@ -13,10 +13,10 @@ BONDEM_TABLE(DeviceSpan, F(clock, "9"), F(n, ""), F(m, ""))
 BONDEM_TABLE(Tick, F(ahead, ""), F(goes_on, ""), F(still, ""), F(first, ""))
 BONDEM_TABLE(LoadsOfBonds, F(load, "9 *"))
 BONDEM_TABLE(BondsOfElements, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"))
-BONDEM_TABLE(RowOrder, F(start, "rows+1"), F(load, "loads"))
+BONDEM_TABLE(RowOrder, F(start, "rows+1"), F(load, "*"))
 BONDEM_TABLE(WorkPortions, F(works, "work_portions 2"))
 BONDEM_TABLE(WallEnergy, F(energy, "wall_portions"))
-BONDEM_TABLE(FoldedPortions, F(sums, "groups 13"))
+BONDEM_TABLE(FoldedPortions, F(sums, "folds 13"))
 BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
 
 #undef F
