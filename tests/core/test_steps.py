@@ -68,8 +68,8 @@ def test_beams_that_neither_soften_nor_touch_run_by_the_core():
     stored = bd.Model(lattice, bd.Timoshenko(E=1e7, nu=0.2, radius=0.2, formulation="incremental"), density=1e3)
     lagged = bd.Model(lattice, bd.NonLocal(E=1e7, nu=0.2, areas="weighted"), density=1e3)
     assert [core_has(model) for model in (plain, breaking, stored, lagged)] == [True, True, True, True]
-    assert [core_has(model) for model in (softening, touching)] == [False, False]
-    for model, kind in ((plain, CoreLoop), (touching, CpuLoop)):
+    assert [core_has(model) for model in (softening, touching)] == [True, True]
+    for model, kind in ((plain, CoreLoop), (touching, CoreLoop)):
         plan = plan_of(model, 1)
         assert plan.dt is not None
         assert type(loop_on_cpu(model, plan, State(model), plan.dt)) is kind

@@ -2,7 +2,9 @@
 #pragma once
 #include "described.hpp"
 #include "passes/damage/beam_failure.hpp"
+#include "passes/damage/beam_softening.hpp"
 #include "passes/damage/pipeline.hpp"
+#include "passes/damage/stress_criteria.hpp"
 
 namespace bondem {
 
@@ -14,21 +16,33 @@ BONDEM_TABLE(Candidates, F(begin, "blocks+1"), F(marked, "bonds"), F(mode, "bond
 BONDEM_TABLE(Postponed, F(held, "n"), F(element, "n"), F(row, "n"), F(first_row, ""), F(kept, "n 8"))
 BONDEM_TABLE(EventLog, F(event, "bonds 9"), F(written, "2"), F(released, "1"))
 BONDEM_TABLE(BeamIntegrity, F(integrity, "m"), F(hold, "*"))
+BONDEM_TABLE(SofteningBounds, F(limit, "m"), F(of_force, ""), F(of_moment, ""), F(press, "m"))
+BONDEM_TABLE(SofteningBeams, F(tear, "bonds"), F(slide, "bonds"), F(onset, "bonds 2"), F(row, "bonds 6"), F(begun, "1"),
+             F(listed, "bonds"), F(count, "bond_portions"), F(parted, "bond_portions"), F(lost, "bond_portions"))
 BONDEM_TABLE(FailureIndices, F(index, "m"))
+BONDEM_TABLE(StressCandidates, F(bond, "candidates"), F(stress, "candidates 3 3"), F(index, "candidates"),
+             F(count, "bond_portions"), F(total, "1"))
+BONDEM_TABLE(StressFunction, F(address, ""), F(parameter, "parameters"))
 
 #undef F
 
 #define BONDEM_DAMAGE_TABLES \
     described<FailureBounds>(), described<Strengths>(), described<Candidates>(), described<Postponed>(), \
-        described<EventLog>(), described<BeamIntegrity>(), described<FailureIndices>()
+        described<EventLog>(), described<BeamIntegrity>(), described<SofteningBounds>(), described<SofteningBeams>(), described<FailureIndices>(), described<StressCandidates>(), described<StressFunction>()
 #define BONDEM_DAMAGE_PASSES \
     S(divides_elements, postpone_elements), S(postponed_of_blocks, keep_sums), S(postponed_of_blocks, keep_dashpots), \
         S(divides_elements, list_postponed), S(serial, write_released), S(bonds_of_blocks, add_marked_beam_loads), \
         S(bonds_of_blocks, add_marked_alike_beam_loads), S(bonds_of_blocks, judge_beams_by_peripheral_stress), \
         S(bonds_of_blocks, judge_beams_by_mohr_coulomb), S(bonds_of_blocks, judge_beams_by_linear_sum), \
-        S(bonds_of_blocks, judge_beams_by_ellipse), S(serial, withdraw_dashpots), S(serial, break_beams)
+        S(bonds_of_blocks, judge_beams_by_ellipse), S(serial, withdraw_dashpots), S(serial, break_beams), \
+        S(serial, index_candidates_by_mean_stress), S(serial, index_candidates_by_cone), \
+        S(serial, index_candidates_by_function), S(of_bonds, soften_beams), \
+        S(serial, log_softened_beams), S(bonds_of_blocks, find_softening_by_peripheral_stress), \
+        S(bonds_of_blocks, find_softening_by_mohr_coulomb), S(serial, begin_softening), S(of_bonds, sum_pressed_energies), \
+        S(bonds_of_blocks, add_softening_beam_loads), S(bonds_of_blocks, add_softening_alike_beam_loads)
 #define BONDEM_DAMAGE_INDICES \
     P(index_beams_by_peripheral_stress, ""), P(index_beams_by_mohr_coulomb, ""), P(index_beams_by_linear_sum, ""), \
-        P(index_beams_by_ellipse, "")
+        P(index_beams_by_ellipse, ""), P(index_stresses_by_mean_stress, ""), P(index_stresses_by_cone, ""), \
+        P(index_stresses_by_function, "")
 
 }  // namespace bondem

@@ -89,6 +89,7 @@ const TableDescription tables[] = {
     BONDEM_STATICS_TABLES,
     BONDEM_DAMAGE_TABLES,
     BONDEM_CELL_TABLES,
+    BONDEM_CONTACT_TABLES,
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -115,7 +116,8 @@ const PassDescription passes[] = {
     BONDEM_STATICS_PASSES,
     BONDEM_DAMAGE_INDICES,
     BONDEM_CELL_PASSES,
-    P(take_steps, "sound not_finite runaway"),
+    BONDEM_CONTACT_SEARCHES,
+    P(take_steps, "sound not_finite runaway out_of_date"),
 };
 #undef P
 
@@ -154,6 +156,7 @@ const StepPassDescription step_passes[] = {
     BONDEM_LAGGED_PASSES,
     BONDEM_DAMAGE_PASSES,
     BONDEM_CELL_STEP_PASSES,
+    BONDEM_CONTACT_PASSES,
 };
 #undef S
 

@@ -1,5 +1,6 @@
 // How the tables of a step, and the passes that a step is composed of, describe themselves to Python.
 #pragma once
+#include "contact_descriptions.hpp"
 #include "described.hpp"
 #include "passes/beams/beam_loads.hpp"
 #include "passes/beams/beam_report.hpp"
@@ -54,12 +55,13 @@ BONDEM_TABLE(Resistance, F(gamma, ""), F(alpha, ""), F(viscous, ""), F(dashed, "
 BONDEM_TABLE(Strain, F(schedule, "strains"), F(bond, "strained"), F(part, "strains strained"), F(still, "strained"),
              F(length, "strained"), F(shear, "strained"), F(lever, "strained"), F(factor, "4 strains"), F(place, ""))
 BONDEM_TABLE(Portions, F(elements, "element_portions 4"), F(bonds, "bond_portions 4"), F(turned, "bond_portions 3"),
-             F(budget, "2"), F(found, "3"))
+             F(budget, "3"), F(found, "4"))
 BONDEM_TABLE(Gauges, F(start, "gauges+1"), F(element, "gauged"), F(quantity, "gauges"), F(reduction, "gauges"))
 BONDEM_TABLE(HistoryRows, F(record, "* columns"))
-BONDEM_TABLE(StepPasses, F(present, "* 8"), F(opening, "* 8"), F(forces, "* 8"), F(resume, "* 8"),
+BONDEM_TABLE(StepPasses, F(present, "* 8"), F(opening, "* 8"), F(travel, "* 8"), F(forces, "* 8"), F(resume, "* 8"),
              F(reopening, "* 8"), F(guard, "* 8"), F(record, "* 8"))
-BONDEM_TABLE(StepSpan, F(step, ""), F(steps, ""), F(every, ""), F(looks, ""), F(stale, ""), F(n, ""), F(m, ""), F(done, "4"))
+BONDEM_TABLE(StepSpan, F(step, ""), F(steps, ""), F(every, ""), F(looks, ""), F(stale, ""), F(moved, ""), F(n, ""), F(m, ""),
+             F(done, "4"))
 
 #undef F
 

@@ -7,6 +7,8 @@ namespace bondem {
 namespace {
 
 constexpr Index tables_of_pass = 6;
+// An ending of a call, behind those that the guard finds.
+constexpr Index out_of_date = 3;
 // Steps between two passes of the guard.
 constexpr Index guard_interval = 100;
 
@@ -27,7 +29,7 @@ struct List {
 };
 
 bool goes_by_blocks(const Entry &entry) {
-    return entry.kind != serial && entry.kind != of_elements && entry.kind != of_bonds;
+    return entry.kind != serial && entry.kind != of_elements && entry.kind != of_bonds && entry.kind != of_ranges;
 }
 
 // Passes over the elements of a block, or over shared ones, and how they are divided.
@@ -99,6 +101,8 @@ class Walk {
                     first->call(Turn{clock, 0, 0, 0, nullptr, nullptr, 0, nullptr}, first->tables);
                 else if (first->kind == of_elements)
                     by_portions(*first, clock, span.n, elements_of_portion);
+                else if (first->kind == of_ranges)
+                    by_portions(*first, clock, span.n, most(portions(span.n, threads), elements_of_portion));
                 else
                     by_portions(*first, clock, span.m, bonds_of_portion);
             }
@@ -159,12 +163,12 @@ Clock clock_at(const StepScheme &scheme, Index step) {
 Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, const StepScheme &scheme, const StepSpan &span,
                  const Portions &portions) {
     const Walk walk(threads, cut, span);
-    const List present(passes.present), opening(passes.opening), forces(passes.forces), guard(passes.guard),
-        record(passes.record), resume(passes.resume), reopening(passes.reopening);
+    const List present(passes.present), opening(passes.opening), travel(passes.travel), forces(passes.forces),
+        guard(passes.guard), record(passes.record), resume(passes.resume), reopening(passes.reopening);
     for (Index k = 0; k < 4; k++) span.done(k) = 0;
     Clock clock = clock_at(scheme, span.step);
     clock.first = 1;
-    walk.through(present, clock);
+    if (!span.moved) walk.through(present, clock);
     if (span.looks) {
         if (span.stale) {
             Clock still = clock;
@@ -176,8 +180,12 @@ Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, co
         return 0;
     }
     Index &done = span.done(0), &written = span.done(1), &wide = span.done(2);
-    for (bool paused = true; done < span.steps;) {
-        if (paused) walk.through(opening, clock);
+    for (bool paused = true, moved = span.moved; done < span.steps; moved = false) {
+        if (!moved) {
+            if (paused) walk.through(opening, clock);
+            walk.through(travel, clock);
+            if (portions.found(3) != 0) return out_of_date;
+        }
         done++;
         clock = clock_at(scheme, span.step + done);
         const bool recorded = span.every > 0 && clock.step % span.every == 0;

@@ -12,6 +12,7 @@
 //                further passes over elements are called for either, for the latter with a clock that does not go on
 //     postponed  for the elements of a block that are postponed
 //     of_elements, of_bonds    for portions of all elements or bonds
+//     of_ranges  for as many ranges of all elements as there are threads
 //
 // Passes over blocks that follow each other go block by block, so that a block stays in the cache from its bonds to the
 // motion of its elements; each domain is on a thread of its own. Bonds that follow elements in the list begin when all
@@ -59,6 +60,7 @@ enum PassKind : Index {
     parts_of_shared,
     of_elements,
     of_bonds,
+    of_ranges,
     divides_elements,
     postponed_of_blocks
 };

@@ -60,6 +60,8 @@ class Blocks:
     def of(cls, layout: Layout, size: int, domains: int, owns: Mask) -> "Blocks":
         """Return blocks of about `size` elements, in `domains` of about as many bonds each.
 
+        Where there are fewer bonds than elements, domains have about as many bonds and elements each.
+
         Args:
             layout: elements and bonds.
             size: number of elements per block.
@@ -68,7 +70,8 @@ class Blocks:
         """
         n, m = len(layout.order), len(layout.i)
         i, j = layout.i.astype(np.int64), layout.j.astype(np.int64)
-        border = np.searchsorted(layout.in_start, np.linspace(0, m, domains + 1)[1:-1])
+        work = layout.in_start if m >= n else layout.in_start + np.arange(n + 1)
+        border = np.searchsorted(work, np.linspace(0, work[-1], domains + 1)[1:-1])
         count = max(1, -(-n // size))
         # a border between domains may cut a block in two, which costs nothing
         edges = np.unique(np.concatenate([np.arange(count) * size, border, [n]]))

@@ -6,9 +6,10 @@ import numpy as np
 
 from bondem._compile import current_threads
 from bondem._types import Floats, Ints, PerBond, PerElement
-from bondem.kernels.contact_list import wall_candidates
+from bondem.kernels.tables import lines
 from bondem.kernels.walls import COLUMNS
 from bondem.laws.contact import ContactLaw
+from bondem.model.contact_search import Walls, WallSources, found_walls
 from bondem.model.layout import Layout
 from bondem.model.local_origin import local_rest
 from bondem.model.walls import WallTable
@@ -87,16 +88,14 @@ class ContactModel:
         pairs = RestGaps(
             _starts(later, n), earlier.astype(np.uint32), np.minimum(distance - radius[earlier] - radius[later], 0.0)
         )
-        # one place for the geometry of walls: the kernel, asked for walls within reach of a sphere at rest
-        still = np.zeros((len(walls.friction), COLUMNS))
-        pose = np.zeros((n, 8))
+        # one place for the geometry of walls: the core, asked for walls within reach of a sphere at rest
+        count = len(walls.friction)
+        still = Walls(walls.shape, np.zeros((count, COLUMNS)), walls.friction, np.zeros((count, 4)))
+        pose = lines(n)
         pose[:, :3] = position
-        nothing = RestGaps.none(n)
-        empty = nothing.start, nothing.partner, nothing.gap
-        touching = wall_candidates(
-            pose, radius, walls.shape, still, 0.0, *empty, nothing.start, nothing.partner, np.zeros((0, 6))
-        )
-        return cls(law, radius, walls, pairs, RestGaps(touching[0], touching[1], touching[5]), own)
+        sources = WallSources.without_memory(radius, 0.0)
+        touching = found_walls(pose, still, sources)
+        return cls(law, radius, walls, pairs, RestGaps(sources.start, touching.wall, touching.now), own)
 
 
 def near(position: Floats, radius: Floats, period: Floats | None, skin: float) -> tuple[Ints, np.ndarray]:

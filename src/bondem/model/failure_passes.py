@@ -20,7 +20,7 @@ class Strengths(NamedTuple):
     """Coefficients of the criterion of each bond."""
 
     coefficient: Floats  #: (m, 4)
-    station: Floats  #: place where the moment of a beam counts, from i over the length; below 0 for its larger end, (m,)
+    station: Floats  #: place where the moment counts, from i over the length; below 0 for the larger end, (m,)
 
 
 class FailureIndices(NamedTuple):

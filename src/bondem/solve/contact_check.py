@@ -1,15 +1,15 @@
 """Checks of the contacts of a run against the range of their law and of the time step."""
 
 import warnings
+from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._names import users_line
-from bondem._types import Floats
+from bondem._types import Floats, Ints
 from bondem.errors import ContactWarning
 from bondem.kernels.crack_tables import FACET, PARTED, STATUS
-from bondem.kernels.tables import ContactTable
 from bondem.kernels.walls import RATE
 from bondem.model.contacts import ContactModel
 from bondem.model.model import Model
@@ -20,6 +20,19 @@ _FAST = 0.1
 # Distance of centres over the sum of radii below which elements that nothing joins are inside each other, and over
 # the distance at rest where a bond or facet joined them.
 _SUNK, _SUNK_PAIR = 0.6, 0.75
+
+
+class ListedContacts(NamedTuple):
+    """Contacts of a list, as far as checks need them."""
+
+    first: np.ndarray  #: elements of each pair, (c,)
+    second: np.ndarray
+    bond: Ints  #: the bond of each pair, or -1, (c,)
+    joined: Floats  #: above 0 of bonds that join their elements
+    element: Ints  #: element of each contact with a wall, (b,)
+    wall: np.ndarray  #: its wall, (b,)
+    walls: Floats  #: the walls, as `State.walls`, (w, 14)
+    deepest: float  #: deepest overlap so far over the smaller radius [-]
 
 
 class ContactCheck:
@@ -35,7 +48,7 @@ class ContactCheck:
         self._law = type(contacts.law).__name__
         self._deep = self._fast = False
 
-    def look(self, c: ContactTable, motion: Floats, time: float) -> None:
+    def look(self, c: ListedContacts, motion: Floats, time: float) -> None:
         """Check the contacts of a list.
 
         Args:
@@ -46,10 +59,10 @@ class ContactCheck:
         Warns:
             ContactWarning: An overlap is beyond the law, or a motion beyond the step; each once.
         """
-        if not self._deep and c.far[2] > self._deepest:
+        if not self._deep and c.deepest > self._deepest:
             self._deep = True
             warnings.warn(
-                f"a contact overlaps by {c.far[2]:.2g} of the smaller radius at t = {time:.6g} s, beyond the"
+                f"a contact overlaps by {c.deepest:.2g} of the smaller radius at t = {time:.6g} s, beyond the"
                 f" {self._deepest:.2g} up to which {self._law} describes it; use a stiffer law, a lower speed"
                 " or load, or a smaller dt",
                 ContactWarning, stacklevel=users_line(),
@@ -64,7 +77,7 @@ class ContactCheck:
                     ContactWarning, stacklevel=users_line(),
                 )  # fmt: skip
 
-    def _fastest(self, c: ContactTable, velocity: Floats) -> float:
+    def _fastest(self, c: ListedContacts, velocity: Floats) -> float:
         """Return the largest relative velocity over the smaller radius [1/s].
 
         It covers listed pairs, elements and their walls, and each element against the mean of all.
@@ -73,7 +86,7 @@ class ContactCheck:
         free = (c.bond < 0) | (c.joined[np.maximum(c.bond, 0)] <= 0.0) if len(c.joined) else c.bond < 0
         a, b = c.first[free], c.second[free]
         speed.append(np.linalg.norm(velocity[b] - velocity[a], axis=1) / np.minimum(self._radius[a], self._radius[b]))
-        p = np.repeat(np.arange(len(self._radius)), np.diff(c.wall_start))
+        p = c.element
         speed.append(np.linalg.norm(velocity[p] - c.walls[c.wall, RATE : RATE + 3], axis=1) / self._radius[p])
         return max(float(values.max(initial=0.0)) for values in speed)
 

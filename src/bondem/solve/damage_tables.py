@@ -51,3 +51,26 @@ class BeamIntegrity(NamedTuple):
 
     integrity: Floats  #: 1 intact … 0 broken [-], (m,)
     hold: Floats  #: integrity over rest length of beams that share their constants [1/m], (m,), or (0,)
+
+
+class SofteningBounds(NamedTuple):
+    """Bounds of beams that have not begun to soften, and the pressure on those that have."""
+
+    limit: np.ndarray  #: as of `FailureBounds`, inf of beams that have begun, float32, (m,)
+    of_force: float  #: [1/N²]
+    of_moment: float  #: [1/(N·m)²]
+    press: Floats  #: stiffness of the softened part of a beam in compression, (1 - s) kn [N/m], (m,)
+
+
+class SofteningBeams(NamedTuple):
+    """Beams that soften."""
+
+    tear: Floats  #: G_f A [J], (m,)
+    slide: Floats  #: G_II A [J], (m,)
+    onset: Floats  #: energies of opening and sliding of beams that are found to begin [J], (m, 2)
+    row: Floats  #: beams in the order in which they began, columns of `bondem.kernels.soft_tables`, (m, 6)
+    begun: Ints  #: number of rows, (1,)
+    listed: Ints  #: rows that have not broken, those of a portion of bonds from its first bond on, (m,)
+    count: Ints  #: number of each portion
+    parted: Ints  #: number of those that break in this step, behind the others
+    lost: Floats  #: energy that each portion dissipates in this step [J]

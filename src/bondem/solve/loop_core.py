@@ -27,14 +27,13 @@ _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
-    It has those of beams of both formulations, which may break but not soften, and of the non-local law without
-    breakage; those of elastic bodies of cells; and no contacts yet.
+    It has those of beams of both formulations, which may break or soften, and of the non-local law without
+    breakage; those of elastic bodies of cells; and of contacts and walls where bonds do not break.
     """
     return (
-        (model.cells is None or model.breaking is None and model.softening is None)
-        and model.beam_softening is None
+        (model.cells is None or model.breaking is None and model.softening is None and model.contacts is None)
         and (model.non_local is None or model.breaking is None)
-        and model.contacts is None
+        and (model.contacts is None or model.breaking is None)
     )
 
 
@@ -49,17 +48,23 @@ class CoreLoop:
         self._n, self._m = len(state.pose), len(model.layout.i)
         terms = DampingTerms.of(plan.damping)
         self._scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, self._origin)
-        self._threads = current_threads() if self._m >= SERIAL_BONDS else 1
-        domains = min(self._threads, max(self._m // _DOMAIN, 1))
+        busy = self._m if model.contacts is None else self._m + self._n
+        self._threads = current_threads() if busy >= SERIAL_BONDS else 1
+        domains = min(self._threads, max(busy // _DOMAIN, 1))
         # elements that a failure delays keep their sums in rows of their own
         kept = 0 if model.breaking is None else self._n
         cut = Blocks.of(model.layout, BLOCK, domains, model.constraints.row_of >= 0).table(kept)
-        self._tables, self._parts = parts_of(model, terms, state, cut, gauge_tables(model, plan))
+        self._tables, self._parts = parts_of(model, terms, state, cut, gauge_tables(model, plan), dt)
         self._still = noticeable(model, dt)
+        self._make_lists()
+
+    def _make_lists(self) -> None:
+        """Compose the lists of passes of the present parts."""
         self._compose = Composer()
         self._lists = StepPasses(
             present=self._list("present"),
             opening=self._list("opening"),
+            travel=self._list("travel"),
             forces=self._list(*FORCES),
             resume=self._list("resume"),
             reopening=self._list("reopening"),
@@ -70,13 +75,26 @@ class CoreLoop:
     def _list(self, *stages: str) -> np.ndarray:
         return self._compose(composed(self._parts, *stages))
 
-    def _take(self, steps: int, records: np.ndarray, *, looks: bool = False) -> tuple[str, list[int]]:
+    def _renew(self) -> bool:
+        """Renew lists of contacts that are out of date; return False if a number is not finite."""
+        parts = [part if part.renewed is None else part.renewed() for part in self._parts]
+        self._parts = [part for part in parts if part is not None]
+        self._make_lists()
+        return None not in parts
+
+    def _take(
+        self, steps: int, records: np.ndarray, *, looks: bool = False, moved: bool = False
+    ) -> tuple[str, list[int]]:
         """Take steps, or record the present; return the ending and counts of what was done."""
         state, t, done = self.state, self._tables, np.zeros(4, dtype=np.int64)
-        span = StepSpan(state.step, steps, self._every, looks, looks and state.stale, self._n, self._m, done)
+        stale = looks and state.stale
+        span = StepSpan(state.step, steps, self._every, looks, stale, moved, self._n, self._m, done)
         compose, history = Composer(), HistoryRows(records)  # live as long as this call
         lists = self._lists._replace(record=compose(one for part in self._parts for one in part.record(history)))
         ending = _take_steps(lists, t.cut, self._scheme, span, t.portions, threads=self._threads)
+        if done[0]:
+            state.step += int(done[0])
+            state.time = self._origin + state.step * self._scheme.dt
         for part in self._parts:
             part.keep()
         return ending, done.tolist()
@@ -96,9 +114,15 @@ class CoreLoop:
         """Take steps; return the records, bonds turned wide, bonds lost, and whether the run is sound."""
         if self.state.stale:
             self.look()
-        state = self.state
         records = np.zeros((steps // self._every + 1 if self._every else 0, self._width))
-        ending, (done, written, wide, lost) = self._take(steps, records)
-        state.step += done
-        state.time = self._origin + state.step * self._scheme.dt
+        done, written, wide, moved = 0, 0, 0, False
+        while True:
+            ending, (gone, new, turned, lost) = self._take(steps - done, records[written:], moved=moved)
+            done, written, wide = done + gone, written + new, max(wide, turned)
+            if ending != "out_of_date":
+                break
+            if not self._renew():
+                ending = "not_finite"
+                break
+            moved = True
         return records[:written], wide, lost, _ENDINGS[ending]

@@ -171,14 +171,14 @@ class CpuLoop:
                 break
             self._contacts.keep()
             now = self._origin + (state.step + done) * self._scheme.dt
-            self._check.look(self._contacts.arrays, state.motion, now)
+            self._check.look(self._contacts.listed, state.motion, now)
             sick = FINE if self._contacts.renew(state.step + done) else NOT_FINITE
         state.step += done
         state.time = self._origin + state.step * self._scheme.dt
         self._keep()
         if self._contacts is not None and sick == FINE:
             self._contacts.keep()
-            self._check.look(self._contacts.arrays, state.motion, state.time)
+            self._check.look(self._contacts.listed, state.motion, state.time)
         return records[:written], wide, lost, sick
 
     def _keep(self) -> None:

@@ -45,6 +45,7 @@ def device_has(model: Model, plan: Plan) -> bool:
     return (
         core_has(model)
         and model.breaking is None
+        and model.contacts is None
         and model.non_local is None
         and model.formulation == "total"
         and len(held.strain_part) == 0
@@ -53,11 +54,11 @@ def device_has(model: Model, plan: Plan) -> bool:
     )
 
 
-def _composed(model: Model, plan: Plan, state: State) -> tuple[SharedTables, list[Part]]:
+def _composed(model: Model, plan: Plan, state: State, dt: float) -> tuple[SharedTables, list[Part]]:
     """Return the tables and the parts of a step that is one block."""
     block = max(len(state.pose), 1)
     cut = Blocks.of(model.layout, block, 1, model.constraints.row_of >= 0).table()
-    return parts_of(model, DampingTerms.of(plan.damping), state, cut, gauge_tables(model, plan))
+    return parts_of(model, DampingTerms.of(plan.damping), state, cut, gauge_tables(model, plan), dt)
 
 
 class DeviceLoop:
@@ -68,7 +69,7 @@ class DeviceLoop:
         self._every = int(plan.every)
         terms = DampingTerms.of(plan.damping)
         self._scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, state.time - state.step * dt)
-        self._shared, self._parts = _composed(model, plan, state)
+        self._shared, self._parts = _composed(model, plan, state, dt)
         names = names_of(composed(self._parts, *FORCES))
         self._run = Translation(
             model.layout, self._shared.cut, len(state.reaction), len(state.work), further=not FURTHER.isdisjoint(names)

@@ -84,16 +84,16 @@ class Portions(NamedTuple):
     elements: Floats  #: translation, rotation, damped, rubbed [J]
     bonds: Floats  #: energy of the four modes [J]
     turned: Ints  #: unbroken bonds turned wide, and lost; whether a number was not finite
-    budget: Floats  #: energy at the start, and the most that was put in since [J], (2,)
-    found: Ints  #: bonds turned wide, and lost; 1 for a number that is not finite, 2 for a runaway, (3,)
+    budget: Floats  #: energy at the start, the most that was put in since, and the supply of walls [J], (3,)
+    found: Ints  #: bonds turned wide, and lost; 1 not finite, 2 a runaway; 1 for a list out of date, (4,)
 
     @classmethod
     def of(cls, n: int, m: int) -> "Portions":
         """Room for those of n elements and m bonds."""
-        element, bond = -(-n // _ELEMENTS), -(-m // _BONDS)
+        element, bond = -(-n // _ELEMENTS), -(-m // BONDS_OF_PORTION)
         return cls(
-            np.zeros((element, 4)), np.zeros((bond, 4)), np.zeros((bond, 3), dtype=np.int64), np.zeros(2),
-            np.zeros(3, dtype=np.int64),
+            np.zeros((element, 4)), np.zeros((bond, 4)), np.zeros((bond, 3), dtype=np.int64), np.zeros(3),
+            np.zeros(4, dtype=np.int64),
         )  # fmt: skip
 
 
@@ -108,6 +108,7 @@ class StepPasses(NamedTuple):
 
     present: Ints  #: bring boundary conditions to the time of the clock
     opening: Ints  #: elements open a step after a pause
+    travel: Ints  #: walls move, and lists of contacts may be out of date
     forces: Ints  #: forces, and what elements do with them
     resume: Ints  #: elements that a failure has delayed find their acceleration without what failed
     reopening: Ints  #: and open the next step
@@ -123,10 +124,11 @@ class StepSpan(NamedTuple):
     every: int  #: steps between records, 0 for none
     looks: bool  #: whether it takes none, and records the present
     stale: bool  #: whether the acceleration is to be found for that
+    moved: bool  #: whether elements and walls have moved already in the first step, whose list was out of date
     n: int  #: elements
     m: int  #: bonds, without those that fill a group
     done: Ints  #: steps done, records written, bonds turned wide at most and lost, (4,)
 
 
 # Elements and bonds of a portion, as in `core/steps.hpp`.
-_ELEMENTS, _BONDS = 1024, 2048
+_ELEMENTS, BONDS_OF_PORTION = 1024, 2048

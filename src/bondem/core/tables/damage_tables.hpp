@@ -45,5 +45,18 @@ struct BeamIntegrity {
 struct FailureIndices {
     Array<double, 1> index;  // 1 at failure, 0 of broken bonds [-], (m,)
 };
+// Bonds of which a criterion evaluates a stress, those of a portion of bonds from its first bond on.
+struct StressCandidates {
+    Array<Index, 1> bond;  // (m,)
+    Array<double, 3> stress;  // symmetric [Pa], (m, 3, 3)
+    Array<double, 1> index;  // at 1 a bond fails [-], (m,)
+    Array<Index, 1> count;  // number of each portion
+    Array<Index, 1> total;  // of all portions, where they have been moved together, (1,)
+};
+// A criterion that is a function of a stress.
+struct StressFunction {
+    Index address;  // of a C function (`passes/damage/stress_criteria.hpp`), 0 for a criterion of the core
+    Array<const double, 1> parameter;
+};
 
 }  // namespace bondem

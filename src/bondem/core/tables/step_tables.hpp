@@ -141,8 +141,10 @@ struct Portions {
     Array<double, 2> elements;  // translation, rotation, damped, rubbed [J]
     Array<double, 2> bonds;  // energy of the four modes [J]
     Array<Index, 2> turned;  // unbroken bonds turned wide, and lost; and whether a number was not finite
-    Array<double, 1> budget;  // energy at the start, and the most that was put in since [J], (2,)
-    Array<Index, 1> found;  // bonds turned wide and lost, and 1 for a number that is not finite, 2 for a runaway, (3,)
+    // energy at the start, the most that was put in since, and what walls have supplied [J], (3,)
+    Array<double, 1> budget;
+    // bonds turned wide and lost; 1 for a number that is not finite, 2 for a runaway; 1 for a list out of date; (4,)
+    Array<Index, 1> found;
 };
 // What is read off for the history.
 struct Gauges {
@@ -157,6 +159,7 @@ struct HistoryRows {
 struct StepPasses {
     Array<const Index, 2> present;  // bring boundary conditions to the time of the clock
     Array<const Index, 2> opening;  // elements open a step after a pause
+    Array<const Index, 2> travel;  // walls move, and lists of contacts may be out of date
     Array<const Index, 2> forces;  // forces, and what elements do with them
     Array<const Index, 2> resume;  // postponed elements find their acceleration without what failed
     Array<const Index, 2> reopening;  // and open the next step
@@ -169,6 +172,7 @@ struct StepSpan {
     Index every;  // steps between records, 0 for none
     Index looks;  // whether it takes none, and records the present
     Index stale;  // whether the acceleration is to be found for that
+    Index moved;  // whether elements and walls have moved already in the first step, whose list was out of date
     Index n, m;  // elements, and bonds without those that fill lanes
     Array<Index, 1> done;  // steps done, records written, bonds turned wide at most and lost, (4,)
 };

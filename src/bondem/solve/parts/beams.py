@@ -9,10 +9,12 @@ from bondem.model.beam_tables import AlikeBeams, Beams, beam_tables
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import changing_strain
-from bondem.solve.damage_tables import Candidates, FailureBounds
-from bondem.solve.parts.breakage import DamageTables, breakage, damage_of
+from bondem.solve.damage_tables import Candidates, FailureBounds, SofteningBounds
+from bondem.solve.parts.breakage import breakage
+from bondem.solve.parts.damage import DamageTables, damage_of
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
+from bondem.solve.parts.softening import SofteningTables, softening
 from bondem.solve.step_tables import Dashpots, Moving, Portions, Timeline
 
 _follow_strains = StepPass("follow_strains", Timeline, Strain, Moving, Beams, Rows)
@@ -21,6 +23,12 @@ _add_alike_beam_loads = StepPass("add_alike_beam_loads", Moving, Beams, AlikeBea
 _add_marked_beam_loads = StepPass("add_marked_beam_loads", Moving, Beams, StepCut, FailureBounds, Candidates)
 _add_marked_alike_beam_loads = StepPass(
     "add_marked_alike_beam_loads", Moving, Beams, AlikeBeams, StepCut, FailureBounds, Candidates
+)
+_add_softening_beam_loads = StepPass(
+    "add_softening_beam_loads", Moving, Beams, StepCut, SofteningBounds, Candidates
+)
+_add_softening_alike_beam_loads = StepPass(
+    "add_softening_alike_beam_loads", Moving, Beams, AlikeBeams, StepCut, SofteningBounds, Candidates
 )
 _add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)
 _check_beams = StepPass("check_beams", Moving, Beams, Portions)
@@ -36,24 +44,37 @@ def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots |
         bonds = bonds.separate()
     table, alike = beam_tables(bonds, model.layout, model.period, state.integrity, may_share=strain is None)
     damage = damage_of(model, state, cut, len(table.i))
+    soft, failure = None, []
+    if damage is not None and model.beam_softening is not None:
+        soft = SofteningTables.of(model.beam_softening, damage, state, table, alike)
+        failure = [softening(soft, damage, state, shared, table)]
+    elif damage is not None:
+        failure = [breakage(damage, state, shared, table, alike, dashpots)]
     present = [] if strain is None else [(_follow_strains, shared.timeline, strain, moving, table, shared.rows)]
-    loads: Passes = [_loads(moving, table, alike, cut, damage)]
+    loads: Passes = [_loads(moving, table, alike, cut, damage, soft)]
     if dashpots is not None:
         loads.append((_add_dashpot_loads, moving, table, dashpots, cut))
     forces = Part(
         {"present": present, "loads": loads, "guard": [(_check_beams, moving, table, portions)]},
         record=lambda _: [(_sum_beam_energies, moving, table, portions)],
     )
-    return [forces] if damage is None else [forces, breakage(damage, state, shared, table, alike, dashpots)]
+    return [forces, *failure]
 
 
 def _loads(
-    moving: Moving, table: Beams, alike: AlikeBeams | None, cut: StepCut, damage: DamageTables | None
+    moving: Moving,
+    table: Beams,
+    alike: AlikeBeams | None,
+    cut: StepCut,
+    damage: DamageTables | None,
+    soft: SofteningTables | None,
 ) -> tuple[Any, ...]:
-    """Return the pass of forces: of beams that share their constants or not, and that may break or not."""
+    """Return the pass of forces: of beams that share their constants or not, and that break, soften, or do not."""
+    common = (moving, table, cut) if alike is None else (moving, table, alike, cut)
     if damage is None:
-        return (_add_beam_loads, moving, table, cut) if alike is None else (_add_alike_beam_loads, moving, table, alike, cut)
-    marks = damage.bounds, damage.candidates
-    if alike is None:
-        return _add_marked_beam_loads, moving, table, cut, *marks
-    return _add_marked_alike_beam_loads, moving, table, alike, cut, *marks
+        return _add_beam_loads if alike is None else _add_alike_beam_loads, *common
+    if soft is None:
+        loads = _add_marked_beam_loads if alike is None else _add_marked_alike_beam_loads
+        return loads, *common, damage.bounds, damage.candidates
+    loads = _add_softening_beam_loads if alike is None else _add_softening_alike_beam_loads
+    return loads, *common, soft.bounds, damage.candidates

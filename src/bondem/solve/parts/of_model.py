@@ -5,10 +5,12 @@ from bondem.laws.damping import DampingTerms
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added
+from bondem.solve.cracks import joints
 from bondem.solve.parts.beams import beams
 from bondem.solve.parts.body_forces import body_forces
 from bondem.solve.parts.boundary import boundary
 from bondem.solve.parts.cells import BodyOfCells, cells
+from bondem.solve.parts.contacts import ContactTables
 from bondem.solve.parts.history import history
 from bondem.solve.parts.motion import dashpots_of, motion, resistance_of
 from bondem.solve.parts.non_local import non_local
@@ -19,20 +21,25 @@ from bondem.solve.step_tables import Dashpots
 
 
 def parts_of(
-    model: Model, terms: DampingTerms, state: State, cut: StepCut, gauges: Gauges
+    model: Model, terms: DampingTerms, state: State, cut: StepCut, gauges: Gauges, dt: float
 ) -> tuple[SharedTables, list[Part]]:
     """Return the tables and the parts of a run from a state, whose arrays they share."""
     shared = SharedTables.of(model, state, cut)
     more = added(model, terms, state, len(cut.sums))
     dashpots = dashpots_of(more)
+    contacts: list[Part] = []
+    if model.contacts is not None:
+        joined = joints(model, state, state.integrity)
+        contacts = ContactTables(model, model.contacts, state, shared, gauges, joined, dt).parts()
     parts = [
         boundary(shared),
+        *contacts[:1],
         *_bonds(model, state, shared, dashpots),
         motion(shared, dashpots, resistance_of(terms, more)),
     ]
     if more is not None and len(more.group):
         parts.append(body_forces(shared, more))  # their work is that at the velocities after the kick
-    return shared, [*parts, history(shared, gauges)]
+    return shared, [*parts, history(shared, gauges), *contacts[1:]]
 
 
 def _bonds(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:

@@ -28,8 +28,9 @@ FORCES = (
 )
 #: Stages of elements that a failure has delayed: they find their acceleration, and open the next step.
 RESUME = ("resume", "reopening")
-#: Other stages: boundary conditions at the present time, opening of a step after a pause, guard.
-STAGES = ("present", "opening", *FORCES, *RESUME, "guard")
+#: Other stages: boundary conditions at the present time, opening of a step after a pause, what moves with the elements
+#: and may put lists of contacts out of date, guard.
+STAGES = ("present", "opening", "travel", *FORCES, *RESUME, "guard")
 
 
 def _nothing(_: HistoryRows) -> Passes:
@@ -48,11 +49,14 @@ class Part:
         stages: passes by stage.
         record: function that returns the passes of a record, for rows of the history.
         keep: function that writes data of the passes into the state, after each call of the core.
+        renewed: function that returns the part with a new list of contacts, or None if a number is not finite; None
+            for a part that has no such list.
     """
 
     stages: Mapping[str, Passes]
     record: Callable[[HistoryRows], Passes] = field(default=_nothing)
     keep: Callable[[], None] = field(default=_keep_nothing)
+    renewed: "Callable[[], Part | None] | None" = None
 
     def __post_init__(self) -> None:
         unknown = set(self.stages) - set(STAGES)

@@ -12,6 +12,8 @@
 namespace bondem {
 
 struct MohrCoulomb {
+    static constexpr bool sees_angles = false;  // which take time to find
+
     template <class T> static BONDEM_INLINE Verdict<T> verdict(const BondLoads<T> &load, const Coefficients<T> &s) {
         const T along = load.axial * s.a, across = (load.shear + load.axial * s.c) * s.b;
         const T tension = constant<T>(tension_mode), shear = constant<T>(shear_mode);

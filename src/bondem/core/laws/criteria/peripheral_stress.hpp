@@ -16,6 +16,8 @@
 namespace bondem {
 
 struct PeripheralStress {
+    static constexpr bool sees_angles = false;  // which take time to find
+
     template <class T> static BONDEM_INLINE Verdict<T> verdict(const BondLoads<T> &load, const Coefficients<T> &s) {
         const T along = load.axial * s.a + load.bending * s.b, across = load.shear * s.c + load.twisting * s.d;
         const T tension = constant<T>(tension_mode), shear = constant<T>(shear_mode);

@@ -1,6 +1,7 @@
 // Forces and torques of beams, added to the sums of their elements in the order of the beams.
 #include "beam_loads.hpp"
 
+#include "../../laws/beam_softening.hpp"
 #include "../../laws/damping.hpp"
 #include "../damage/pipeline.hpp"
 #include "bonds.hpp"
@@ -39,13 +40,24 @@ BONDEM_INLINE void add(double *sums, const Short *row_i, const Short *row_j, con
 // Beams that cannot fail.
 struct NoMarks {
     BONDEM_INLINE void mark(Index, int, const BeamLoads<Lanes> &) const {}
+    BONDEM_INLINE void press(Index, Vector3<Lanes>, Lanes, BeamLoads<Lanes> &) const {}
 };
 // Beams that are compared with their bounds.
 struct BeamMarks {
     Marks marks;
+    BONDEM_INLINE void press(Index, Vector3<Lanes>, Lanes, BeamLoads<Lanes> &) const {}
     BONDEM_INLINE void mark(Index k, int known, const BeamLoads<Lanes> &loads) {
         const Vector3<Lanes> f = loads.force, a = loads.on_i, b = loads.on_j;
         marks.mark(k, known, dot(f, f), dot(a, a) + dot(b, b));
+    }
+};
+
+// Beams that soften from their bounds on, and are pressed on.
+struct SofteningMarks : BeamMarks {
+    const double *pressed;
+    SofteningMarks(const Marks &marks, const double *pressed) : BeamMarks{marks}, pressed(pressed) {}
+    BONDEM_INLINE void press(Index k, Vector3<Lanes> branch, Lanes rest_length, BeamLoads<Lanes> &loads) const {
+        loads.force = plus(loads.force, load(pressed + k), pressure_on(branch, rest_length));
     }
 };
 
@@ -64,9 +76,10 @@ BONDEM_INLINE void add_loads(Index first, const Index last, const double *const 
         prefetch(pose, i + least(k + ahead, last - lanes));
         const Ends<Lanes> ends = ends_of(gather(pose, i + k), gather(pose, j + k), period);
         const BeamShape<Lanes> shape = {{load(X0 + k), load(Y0 + k), load(Z0 + k)}, load(L + k)};
-        const BeamLoads<Lanes> loads = beam_loads(ends, shape, kind.stiffness(k));
-        add(sums, row_i + k, row_j + k, loads, group.known);
+        BeamLoads<Lanes> loads = beam_loads(ends, shape, kind.stiffness(k));
         marking.mark(k, group.known, loads);
+        marking.press(k, ends.branch, shape.length, loads);
+        add(sums, row_i + k, row_j + k, loads, group.known);
     });
 }
 template <class Sums, class Kind>
@@ -98,6 +111,26 @@ void add_marked_beam_loads(const Turn &turn, const Moving &all, const Beams &bea
 void add_marked_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
                                  const StepCut &cut, const FailureBounds &bounds, const Candidates &candidates) {
     add_marked_loads(turn, all.pose.data, beams, cut, all_alike(alike), bounds, candidates);
+}
+namespace {
+
+template <class Kind>
+BONDEM_INLINE void add_softening_loads(const Turn &turn, const double *pose, const Beams &beams, const StepCut &cut,
+                                       Kind kind, const SofteningBounds &bounds, const Candidates &candidates) {
+    SofteningMarks marked(Marks(bounds, candidates, turn), bounds.press.data);
+    add_loads(turn.first, turn.last, pose, beams, cut, kind, marked);
+    candidates.count(turn.block) = marked.marks.count();
+}
+
+}  // namespace
+
+void add_softening_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut,
+                              const SofteningBounds &bounds, const Candidates &candidates) {
+    add_softening_loads(turn, all.pose.data, beams, cut, Own{beams}, bounds, candidates);
+}
+void add_softening_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
+                                    const StepCut &cut, const SofteningBounds &bounds, const Candidates &candidates) {
+    add_softening_loads(turn, all.pose.data, beams, cut, all_alike(alike), bounds, candidates);
 }
 Index load_beams(Index, const Poses &all, const Beams &beams, const BeamSums &to) {
     add_loads(0, beams.i.size(), all.pose.data, beams, to, Own{beams});

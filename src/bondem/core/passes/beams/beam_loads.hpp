@@ -1,6 +1,6 @@
 #pragma once
 #include "../../steps.hpp"
-#include "../../tables/damage_tables.hpp"
+#include "../../tables/beam_softening_tables.hpp"
 
 namespace bondem {
 
@@ -14,6 +14,11 @@ void add_marked_beam_loads(const Turn &turn, const Moving &all, const Beams &bea
                            const FailureBounds &bounds, const Candidates &candidates);
 void add_marked_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
                                  const StepCut &cut, const FailureBounds &bounds, const Candidates &candidates);
+// And those of beams that may soften, with the pressure on softened ones.
+void add_softening_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut,
+                              const SofteningBounds &bounds, const Candidates &candidates);
+void add_softening_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
+                                    const StepCut &cut, const SofteningBounds &bounds, const Candidates &candidates);
 // Adds forces and torques of all beams in any poses; rows of the sums are given.
 Index load_beams(Index threads, const Poses &all, const Beams &beams, const BeamSums &to);
 Index load_alike_beams(Index threads, const Poses &all, const Beams &beams, const AlikeBeams &alike, const BeamSums &to);

@@ -1,56 +1,11 @@
 // Beams that fail at once: the criterion on their loads, and their removal.
 #include "beam_failure.hpp"
 
-#include "../../laws/angles.hpp"
-#include "../../laws/criteria/elliptic.hpp"
-#include "../../laws/criteria/linear_sum.hpp"
-#include "../../laws/criteria/mohr_coulomb.hpp"
-#include "../../laws/criteria/peripheral_stress.hpp"
 #include "../../laws/damping.hpp"
-#include "../beams/bonds.hpp"
-#include "pipeline.hpp"
+#include "beam_verdicts.hpp"
 
 namespace bondem {
 namespace {
-
-template <class T> BONDEM_INLINE T larger(T a, T b) { return a > b ? a : b; }
-
-// Angle between the axis e of a beam and that of an end [rad].
-template <class T> BONDEM_INLINE T angle_at(Quaternion<T> end, Vector3<T> direction, Vector3<T> e) {
-    const Vector3<T> own = rotate(end, direction);
-    return angle_of(length(cross(own, e)), dot(own, e));
-}
-
-// Whether a criterion sees the angles of a beam, which others do without.
-template <class Criterion> constexpr bool sees_angles = false;
-template <> constexpr bool sees_angles<Elliptic> = true;
-
-// What a criterion sees of a beam of the ends and the loads given; `station` is where its moment counts.
-template <class Criterion, class T>
-BONDEM_INLINE BondLoads<T> seen_loads(const Ends<T> &ends, const BeamShape<T> &shape, const BeamLoads<T> &loads, T station) {
-    const T l = length(ends.branch), zero = {};
-    const Vector3<T> e = ends.branch / l;
-    // the moment at the contact point is that on i, and that of the force on j with the lever there
-    const Vector3<T> at_contact = plus(loads.on_i, station * l, cross(e, loads.force));
-    const T at_ends = larger(length(cross(loads.on_i, e)), length(cross(loads.on_j, e)));
-    const T bending = station < zero ? at_ends : length(cross(at_contact, e));
-    T angle = {};
-    if constexpr (sees_angles<Criterion>)
-        angle = larger(angle_at(ends.i, shape.direction, e), angle_at(ends.j, shape.direction, e));
-    return {-dot(loads.force, e), length(cross(loads.force, e)), bending,
-            absolute(dot(loads.on_i, e)), l / shape.length - 1.0, angle};
-}
-
-// The verdict of a criterion on one beam.
-template <class Criterion>
-inline Verdict<double> verdict_of(const double *pose, const Beams &beams, const Strengths &strengths, Index k) {
-    const Ends<double> ends = ends_of(pose, beams, k);
-    const BeamShape<double> shape = shape_of<double>(beams, k);
-    const BeamLoads<double> loads = beam_loads(ends, shape, stiffness_of(beams, k, beams.integrity(k)));
-    const double *c = &strengths.coefficient(k, 0);
-    return Criterion::verdict(seen_loads<Criterion>(ends, shape, loads, strengths.station(k)),
-                              Coefficients<double>{c[0], c[1], c[2], c[3]});
-}
 
 template <class Criterion>
 inline void judge_beams(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,

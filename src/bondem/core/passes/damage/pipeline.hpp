@@ -63,7 +63,8 @@ BONDEM_INLINE bool any_reaches(Lanes size, Lanes limit) {
 // Where a pass over the bonds of a block writes those that reach their bounds.
 class Marks {
   public:
-    Marks(const FailureBounds &bounds, const Candidates &candidates, const Turn &turn)
+    template <class Bounds>
+    Marks(const Bounds &bounds, const Candidates &candidates, const Turn &turn)
         : limit(bounds.limit.data), of_force(bounds.of_force), of_moment(bounds.of_moment),
           first(candidates.marked.data + candidates.begin(turn.block)), next(first) {}
 

@@ -42,7 +42,7 @@ void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
         lost += portions.turned(q, 1);
         not_finite |= portions.turned(q, 2);
     }
-    double kinetic = 0.0, supplied = 0.0;
+    double kinetic = 0.0, supplied = portions.budget(2);
     for (Index q = 0; q < portions.elements.size(); q++) kinetic += portions.elements(q, 0) + portions.elements(q, 1);
     for (Index r = 0; r < rows.work.size(); r++) supplied += absolute(rows.work(r));
     portions.found(0) = wide;

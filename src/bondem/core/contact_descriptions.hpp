@@ -1,0 +1,54 @@
+// How the tables of contacts and walls describe themselves to Python.
+#pragma once
+#include "described.hpp"
+#include "passes/contacts/candidates.hpp"
+#include "passes/contacts/contact_loads.hpp"
+#include "passes/contacts/travel.hpp"
+#include "passes/contacts/walls.hpp"
+
+namespace bondem {
+
+#define F BONDEM_FIELD
+
+BONDEM_TABLE(ContactConstants, F(modulus, ""), F(soft, ""), F(friction, ""), F(damping, ""), F(hertzian, ""), F(radius, "n"))
+BONDEM_TABLE(ContactPairs, F(first, "pairs"), F(second, "pairs"), F(start, "n+1"), F(reach, "pairs"), F(own, "pairs"),
+             F(memory, "pairs 8"), F(touch, "pairs"), F(bond, "pairs"), F(joined, "*"), F(period, "6"))
+BONDEM_TABLE(NearPairs, F(near, "pairs+1"), F(close, "pairs+1"), F(output, "pairs 8"), F(count, "element_portions 2"),
+             F(width, ""))
+BONDEM_TABLE(Travel, F(listed, "n 3"), F(measured, "n 3"), F(portion, "element_portions 3"), F(far, "2"), F(reach, ""))
+BONDEM_TABLE(ContactSums, F(sums, "n 8"))
+BONDEM_TABLE(ContactEnergies, F(energy, "element_portions"))
+BONDEM_TABLE(WallContacts, F(start, "n+1"), F(element, "wall_contacts"), F(wall, "wall_contacts"), F(gap, "wall_contacts"),
+             F(memory, "wall_contacts 6"), F(touch, "wall_contacts"), F(output, "wall_contacts 4"))
+BONDEM_TABLE(Walls, F(shape, "walls 9"), F(body, "walls 14"), F(friction, "walls"), F(listed, "walls 4"))
+BONDEM_TABLE(WallMotions, F(times, "wall_times"), F(values, "wall_times"), F(start, "wall_schedules+1"),
+             F(drive_wall, "wall_drives"), F(drive_component, "wall_drives"), F(drive_schedule, "wall_drives"),
+             F(drive_rate, "wall_drives"), F(servo_wall, "servos"), F(servo_schedule, "servos"), F(servo_speed, "servos"),
+             F(servo_mass, "servos"), F(free_wall, "free_walls"), F(free_mass, "free_walls"), F(free_force, "free_walls 3"))
+BONDEM_TABLE(PairSources, F(start, "n+1"), F(neighbour, "neighbours"), F(bond_start, "n+1"), F(bond_first, "m"),
+             F(wanted, "m"), F(rest_start, "n+1"), F(rest_first, "rest"), F(rest_gap, "rest"), F(kept_start, "n+1"),
+             F(kept_first, "kept"), F(kept_memory, "kept 6"))
+BONDEM_TABLE(FoundPairs, F(first, "room"), F(second, "room"), F(bond, "room"), F(start, "n+1"), F(gap, "room"),
+             F(memory, "room 8"), F(touch, "room"))
+BONDEM_TABLE(WallSources, F(radius, "n"), F(rest_start, "n+1"), F(rest_wall, "rest"), F(rest_gap, "rest"),
+             F(kept_start, "n+1"), F(kept_wall, "kept"), F(kept_memory, "kept 6"), F(skin, ""), F(start, "n+1"))
+BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(now, "room"), F(memory, "room 6"),
+             F(touch, "room"))
+
+#undef F
+
+// Lines of the lists in `index.cpp`.
+#define BONDEM_CONTACT_TABLES                                                                                          \
+    described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<Travel>(),             \
+        described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<Walls>(),         \
+        described<WallMotions>(), described<PairSources>(), described<FoundPairs>(), described<WallSources>(),         \
+        described<FoundWalls>()
+#define BONDEM_CONTACT_SEARCHES P(list_pairs, ""), P(count_wall_contacts, ""), P(list_wall_contacts, "")
+#define BONDEM_CONTACT_PASSES                                                                                          \
+    S(serial, move_walls), S(of_elements, measure_travel), S(serial, check_travel), S(of_elements, press_pairs),       \
+        S(of_ranges, add_pair_loads), S(of_elements, press_walls), S(of_elements, measure_wall_overlaps),              \
+        S(serial, load_walls), S(serial, keep_measures), S(elements_of_blocks, add_contact_loads),                     \
+        S(of_elements, sum_pair_energies), S(of_elements, sum_wall_energies), S(serial, write_contact_energy),         \
+        S(serial, count_wall_work), S(serial, write_walls)
+
+}  // namespace bondem

@@ -1,0 +1,66 @@
+// Beams that lose their integrity s, from 1 to 0: one energy, a fracture energy for opening and one for shear.
+//
+//     U = s U0 + (1 - s) ½ kn ⟨L - ℓ⟩²        ⟨x⟩ = x where positive, else 0
+//
+// with U0 the energy of the whole beam (`beam.hpp`). All stiffnesses fall alike, but compression is carried as by the
+// whole beam. Forces are the exact gradient at fixed s: those of U0 times s, and a pressure (1 - s) kn ⟨L - ℓ⟩ along the
+// branch, which pushes the ends apart. Softening dissipates
+//
+//     Y = -∂U/∂s = U0 - ½ kn ⟨L - ℓ⟩² ≥ 0
+//
+// Its root λ = √Y is the opening: along any straight path it grows with the path. Integrity falls where λ grows beyond its
+// previous maximum. The product s λ, proportional to the force, falls on a line from λ0, where the criterion is reached,
+// to λf, where it is zero; in between the beam is unloaded to its origin:
+//
+//     s = λ0 (λf - λ) / (λ (λf - λ0))        ∫ Y (-ds) = λ0 λf = G A
+//
+// on every path along which λ grows. G is that of the shares of opening (elongation and bending) and sliding (shear and
+// twisting) in Y where softening begins, so that G_I / G_f + G_II / G_II,c = 1 at the end:
+//
+//     G = 1 / (share_I / G_f + share_II / G_II,c)
+//
+// A beam that stores G A or more at the beginning breaks over the last twentieth of its opening.
+//
+// Linear softening: Hillerborg, Modéer and Petersson (1976). Linear rule of mixed mode: Wu and Reuter (1965), as in
+// Camanho and Dávila (2002).
+#pragma once
+#include "beam.hpp"
+
+namespace bondem {
+
+// Parts of Y of a beam as if it were whole [J].
+template <class T> struct OpeningEnergy {
+    T opening, sliding;
+};
+template <class T> BONDEM_INLINE T at_least_zero(T a) {
+    const T zero = {};
+    return a > zero ? a : zero;
+}
+// `extension` is ℓ - L [m].
+template <class T> BONDEM_INLINE OpeningEnergy<T> opening_energy(const BeamEnergy<T> &whole, T extension) {
+    const T zero = {}, pulled = extension > zero ? whole.normal : zero;
+    return {at_least_zero(whole.bending + pulled), at_least_zero(whole.shear + whole.twisting)};
+}
+
+// Opening λf where no integrity is left, of a beam that begins to soften at λ0 = `first` [√J]; `tear` and `slide` are
+// G_f A and G_II A [J].
+inline double last_opening(const OpeningEnergy<double> &at_first, double tear, double slide, double first) {
+    constexpr double snap = 1.05;
+    const double energy = (at_first.opening + at_first.sliding) / (at_first.opening / tear + at_first.sliding / slide);
+    return most(energy / first, snap * first);
+}
+
+// Integrity at the opening λ, at most s.
+inline double softened(double s, double opening, double first, double last) {
+    if (opening <= first) return s;
+    if (opening >= last) return 0.0;
+    return least(s, first * (1.0 - opening / last) / (opening * (1.0 - first / last)));
+}
+
+// The pressure that the softened part of a beam carries, as force on j over `press` = (1 - s) kn [m], along the branch.
+template <class T> BONDEM_INLINE Vector3<T> pressure_on(Vector3<T> branch, T rest_length) {
+    const T present = length(branch);
+    return (at_least_zero(rest_length - present) / present) * branch;
+}
+
+}  // namespace bondem

@@ -1,0 +1,24 @@
+// The cone of Drucker and Prager (1952): shear strength k that grows with pressure.
+//
+//     √J2 + α I1 ≥ k        J2 = ½ s : s of the deviator s,  I1 = σ1 + σ2 + σ3
+//
+// Tension positive, so that pressure strengthens. Parameters: α, k, and whether the index is 0 for I1 ≤ 0, where cells
+// yield instead of their facets cracking.
+#pragma once
+#include "../stress.hpp"
+
+namespace bondem {
+
+struct Cone {
+    static constexpr Index parameters = 3;
+    template <class T> static BONDEM_INLINE T index(const Stress<T> &s, const double *parameter) {
+        const double alpha = parameter[0], strength = parameter[1];
+        const T all = trace(s), mean = all / (T{} + 3.0), a = s.xx - mean, b = s.yy - mean, c = s.zz - mean, zero = {};
+        const T square = 0.5 * (a * a + b * b + c * c) + (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz);
+        const T index = (root(square) + alpha * all) / (T{} + strength);
+        if (parameter[2] == 0.0) return index;
+        return all > zero ? index : zero;
+    }
+};
+
+}  // namespace bondem

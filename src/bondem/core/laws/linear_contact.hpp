@@ -1,0 +1,33 @@
+// Linear contact: a spring whose stiffness follows from an effective modulus, as that of a bond does.
+//
+//     F = kn u,   kn = E A / L        two spheres: A = π min(R_i, R_j)²,  L = R_i + R_j
+//                                     at a rigid wall: A = π R²,  L = R
+//
+// Energy: ½ kn u². A pair whose bond is broken has the stiffness of that bond, and is linear with every law
+// (docs/decisions/0020-contact-after-breakage.md). Limits: overlaps up to half of the smaller radius. Source: Cundall and
+// Strack (1979); Potyondy and Cundall (2004) for the modulus.
+#pragma once
+#include "contact.hpp"
+
+namespace bondem {
+
+constexpr double pi = 3.141592653589793;
+
+struct LinearLaw {
+    double modulus;  // E [Pa]
+    double damping;  // β [-]
+
+    // Two spheres; `own` is the stiffness of a pair that has its own, else 0.
+    template <class T> BONDEM_INLINE ContactSpring<T> between(T own, T ra, T rb, T) const {
+        const T small = select(ra < rb, ra, rb), k = modulus * pi * small * small / (ra + rb);
+        return {select(own > T{}, own, k), all<T>(1.0), all<T>(0.5), all<T>(damping)};
+    }
+    // The stiffness kn of two spheres a step ago, when their overlap was another.
+    template <class T> BONDEM_INLINE T before(T, T, T, T, T kn) const { return kn; }
+
+    template <class T> BONDEM_INLINE ContactSpring<T> at_wall(T r, T) const {
+        return {modulus * pi * r, all<T>(1.0), all<T>(0.5), all<T>(damping)};
+    }
+};
+
+}  // namespace bondem

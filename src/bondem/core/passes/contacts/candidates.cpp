@@ -1,0 +1,95 @@
+// Candidates for contact: pairs, and elements at walls, that may touch before the list is made anew.
+//
+// Each pair stands once, sorted by its later element, then by its earlier one, as bonds are.
+#include "candidates.hpp"
+
+#include "pairs.hpp"
+#include "wall_shapes.hpp"
+
+namespace bondem {
+namespace {
+
+// Place of a number among first … last - 1 of a list, or -1.
+Index place_of(const Array<const Short, 1> &list, Index first, Index last, Short wanted) {
+    for (Index e = first; e < last; e++)
+        if (list(e) == wanted) return e;
+    return -1;
+}
+
+// Puts a pair into the ascending list begin … count - 1 of its later element.
+void insert(const FoundPairs &found, Index begin, Index count, Short first, Index bond) {
+    Index k = count;
+    for (; k > begin && found.first(k - 1) > first; k--) {
+        found.first(k) = found.first(k - 1);
+        found.bond(k) = found.bond(k - 1);
+    }
+    found.first(k) = first;
+    found.bond(k) = bond;
+}
+
+// Brings back the gap and the memory that a contact had in the list before.
+template <class Found>
+void recall(const Found &found, Index k, const Array<const double, 1> &rest_gap, Index rest,
+            const Array<const double, 2> &kept_memory, Index kept) {
+    found.gap(k) = rest >= 0 ? rest_gap(rest) : 0.0;
+    found.touch(k) = kept >= 0 ? touching : separate;
+    for (Index c = 0; c < found.memory.shape[1]; c++) found.memory(k, c) = kept >= 0 && c < 6 ? kept_memory(kept, c) : 0.0;
+}
+
+double gap_of(const Poses &all, const Walls &walls, const WallSources &from, Index p, Index w) {
+    return WallPlace(walls, w).surface(centre(all.pose.data, Short(p)), from.radius(p)).gap;
+}
+
+}  // namespace
+
+Index list_pairs(Index, const PairSources &from, const FoundPairs &found) {
+    const Index n = from.start.size() - 1;
+    Index count = 0;
+    found.start(0) = 0;
+    for (Index p = 0; p < n; p++) {
+        const Index begin = count;
+        for (Index e = from.start(p); e < from.start(p + 1); e++) {
+            const Short q = from.neighbour(e);
+            if (q < p && place_of(from.bond_first, from.bond_start(p), from.bond_start(p + 1), q) < 0)
+                insert(found, begin, count++, q, -1);
+        }
+        for (Index b = from.bond_start(p); b < from.bond_start(p + 1); b++)
+            if (from.wanted(b)) insert(found, begin, count++, from.bond_first(b), b);
+        for (Index k = begin; k < count; k++) {
+            const Short q = found.first(k);
+            found.second(k) = Short(p);
+            recall(found, k, from.rest_gap, place_of(from.rest_first, from.rest_start(p), from.rest_start(p + 1), q),
+                   from.kept_memory, place_of(from.kept_first, from.kept_start(p), from.kept_start(p + 1), q));
+        }
+        found.start(p + 1) = count;
+    }
+    return 0;
+}
+
+Index count_wall_contacts(Index, const Poses &all, const Walls &walls, const WallSources &from) {
+    from.start(0) = 0;
+    for (Index p = 0; p < all.pose.size(); p++) {
+        from.start(p + 1) = from.start(p);
+        for (Index w = 0; w < walls.body.size(); w++) from.start(p + 1) += gap_of(all, walls, from, p, w) <= from.skin;
+    }
+    return 0;
+}
+
+Index list_wall_contacts(Index, const Poses &all, const Walls &walls, const WallSources &from, const FoundWalls &found) {
+    for (Index p = 0; p < all.pose.size(); p++) {
+        Index k = from.start(p);
+        for (Index w = 0; w < walls.body.size(); w++) {
+            const double gap = gap_of(all, walls, from, p, w);
+            if (!(gap <= from.skin)) continue;
+            found.element(k) = Short(p);
+            found.wall(k) = Short(w);
+            found.now(k) = gap;
+            recall(found, k, from.rest_gap, place_of(from.rest_wall, from.rest_start(p), from.rest_start(p + 1), Short(w)),
+                   from.kept_memory, place_of(from.kept_wall, from.kept_start(p), from.kept_start(p + 1), Short(w)));
+            k++;
+        }
+    }
+    return 0;
+}
+
+}  // namespace bondem

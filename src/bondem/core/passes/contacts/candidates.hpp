@@ -1,0 +1,14 @@
+#pragma once
+#include "../../tables/contact_tables.hpp"
+#include "../../tables/step_tables.hpp"
+
+namespace bondem {
+
+// Lists neighbours that no bond joins and pairs of bonds that are wanted, with the memory of those that touch.
+Index list_pairs(Index threads, const PairSources &from, const FoundPairs &found);
+// Counts walls within the skin of each element.
+Index count_wall_contacts(Index threads, const Poses &all, const Walls &walls, const WallSources &from);
+// Lists them in their order, with the memory of those that touch.
+Index list_wall_contacts(Index threads, const Poses &all, const Walls &walls, const WallSources &from, const FoundWalls &found);
+
+}  // namespace bondem

@@ -1,0 +1,155 @@
+// Contacts of pairs: each that touches gives its force and keeps its memory, then elements add what their pairs do.
+//
+// Most pairs of a list are bonded, or further apart than elements move until distances are measured anew: only the others
+// are looked at in every step, in the order of the list, and those that touch are taken as many at a time as there are
+// lanes. Two phases, and an order that no division changes: no bit depends on threads. What a list has beyond the pairs
+// that touch changes no bit either, because it adds nothing to any sum.
+#include "contact_loads.hpp"
+
+#include "../record/columns.hpp"
+#include "pairs.hpp"
+#include "travel.hpp"
+
+namespace bondem {
+namespace {
+
+// Share of a distance by which rounding may be wrong about it.
+constexpr double rounding = 1e-9;
+
+// Lists the pairs of a portion that may touch before an element has moved by `width`, and those that do.
+void list_near(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+               const NearPairs &near, const Travel &travel) {
+    const Index begin = pairs.start(turn.first), end = pairs.start(turn.last);
+    Index count = 0;
+    double deepest = 0.0;
+    for (Index k = begin; k < end; k++) {
+        if (bonded(pairs, k)) continue;
+        const Vector d = branch_of(all.pose.data, pairs, k);
+        const double square = dot(d, d), reach = (1.0 + rounding) * pairs.reach(k), limit = reach + 2.0 * near.width;
+        near.near(begin + count) = Short(k);
+        count += (square <= limit * limit) | (pairs.touch(k) != separate);
+        if (square < reach * reach) {
+            const double smaller = least(c.radius(pairs.first(k)), c.radius(pairs.second(k)));
+            deepest = most(deepest, (reach - root(square)) / smaller);
+        }
+    }
+    near.count(turn.block, 0) = count;
+    double farthest = 0.0;
+    for (Index p = turn.first; p < turn.last; p++) {
+        const Vector x = centre(all.pose.data, Short(p)), moved = x - travel.listed.row<const Vector>(p);
+        farthest = most(farthest, dot(moved, moved));
+        travel.measured.row<Vector>(p) = x;
+    }
+    travel.portion(turn.block, 1) = farthest;
+    travel.portion(turn.block, 2) = most(travel.portion(turn.block, 2), deepest);
+}
+
+// Finds the near pairs that touch, or did a step ago; the rest is far enough.
+Index find_close(const Turn &turn, const Moving &all, const ContactPairs &pairs, const NearPairs &near) {
+    const Index begin = pairs.start(turn.first), count = near.count(turn.block, 0);
+    Index found = 0;
+    for (Index e = begin; e < begin + count; e++) {
+        const Short k = near.near(e);
+        const Vector d = branch_of(all.pose.data, pairs, k);
+        const double reach = pairs.reach(k);
+        const bool off = (dot(d, d) >= reach * reach) & (pairs.touch(k) != touching);
+        pairs.touch(k) = off ? Byte(separate) : pairs.touch(k);
+        near.close(begin + found) = k;
+        found += !off;
+    }
+    near.count(turn.block, 1) = found;
+    return found;
+}
+
+// Pairs that stand one after the other in a list; behind the end, the last one again and again.
+struct SeveralPairs {
+    Short pair[lanes], first[lanes], second[lanes], place[lanes];
+
+    BONDEM_INLINE SeveralPairs(const ContactPairs &pairs, const NearPairs &near, Index e, Index end) {
+        for (int n = 0; n < lanes; n++) {
+            place[n] = Short(least(e + n, end - 1));
+            pair[n] = near.close.data[place[n]];
+            first[n] = pairs.first.data[pair[n]];
+            second[n] = pairs.second.data[pair[n]];
+        }
+    }
+};
+
+template <class Law>
+BONDEM_INLINE void press(const Law &law, const SeveralPairs &who, const Moving &all, const ContactConstants &c,
+                         const ContactPairs &pairs, const NearPairs &near, double dt) {
+    using Three = Vector3<Lanes>;
+    const double *const pose = all.pose.data, *const motion = all.motion.data, *const radius = c.radius.data;
+    const Three d = branch(gather(pose, who.first), gather(pose, who.second), pairs.period.data);
+    const Motion<Lanes> a(gather(motion, who.first)), b(gather(motion, who.second));
+    const Lanes ra = number_at(radius, 1, 0, who.first), rb = number_at(radius, 1, 0, who.second);
+    const Spheres2<Lanes> pair(ra, rb, number_at(pairs.reach.data, 1, 0, who.pair), d, a, b);
+    const Row<Lanes> past = gather(pairs.memory.data, who.pair);
+    const ContactMemory<Lanes> memory = {{past.column[0], past.column[1], past.column[2]},
+                                         {past.column[3], past.column[4], past.column[5]}};
+    const PairLoads<Lanes> loads = pair_loads(law, c, pair, number_at(pairs.own.data, 1, 0, who.pair), memory, dt);
+    const Three s = loads.contact.memory.stretch, h = loads.contact.memory.viscous;
+    const Three f = loads.contact.force, t = loads.torque;
+    const Lanes zero = {};
+    scatter(pairs.memory.data, who.pair, {{s.x, s.y, s.z, h.x, h.y, h.z, zero, zero}});
+    scatter(near.output.data, who.place, {{f.x, f.y, f.z, t.x, t.y, t.z, loads.contact.damped, loads.contact.rubbed}});
+    for (int n = 0; n < lanes; n++) pairs.touch.data[who.pair[n]] = loads.overlap[n] > 0.0 ? touching : parted;
+}
+
+}  // namespace
+
+void press_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                 const NearPairs &near, const Travel &travel) {
+    if (measures_anew(turn, near, travel)) list_near(turn, all, c, pairs, near, travel);
+    const Index begin = pairs.start(turn.first), end = begin + find_close(turn, all, pairs, near);
+    with_law(c, [&](auto law) {
+        for (Index e = begin; e < end; e += lanes)
+            press(law, SeveralPairs(pairs, near, e, end), all, c, pairs, near, turn.clock.dt);
+    });
+}
+
+void add_pair_loads(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                    const NearPairs &near, const ContactSums &to) {
+    const auto mine = [&](Index p) { return turn.first <= p && p < turn.last; };
+    for (Index q = turn.first / elements_of_portion; q < near.count.size(); q++) {
+        const Index begin = pairs.start(elements_of_portion * q), end = begin + near.count(q, 1);
+        for (Index e = begin; e < end; e++) {
+            const Short k = near.close(e), a = pairs.first(k), b = pairs.second(k);
+            const double *const out = &near.output(e, 0);
+            if (mine(a)) {
+                double *const sum = &to.sums(a, 0), r = c.radius(a);
+                for (Index x = 0; x < 3; x++) sum[x] -= out[x], sum[4 + x] += r * out[3 + x];
+            }
+            if (mine(b)) {
+                double *const sum = &to.sums(b, 0), r = c.radius(b);
+                for (Index x = 0; x < 3; x++) sum[x] += out[x], sum[4 + x] += r * out[3 + x];
+                all.loss(b, 0) += out[6];
+                all.loss(b, 2) += out[7];
+            }
+        }
+    }
+}
+
+void add_contact_loads(const Turn &turn, const StepCut &cut, const ContactSums &contacts) {
+    for (Index e = turn.first; e < turn.last; e++) {
+        Row<double> &load = row_at(contacts.sums.data, turn.element[e]), &sum = row_at(cut.sums.data, turn.row[e]);
+        for (Index c = 0; c < 8; c++) sum.column[c] += load.column[c];
+        load = {};
+    }
+}
+
+void sum_pair_energies(const Turn &turn, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
+                       const ContactEnergies &energies) {
+    double sum = 0.0;
+    for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++)
+        if (pairs.touch(k) == touching) sum += pair_energy(all.pose.data, law, pairs, k);
+    energies.energy(turn.block) = sum;
+}
+
+void write_contact_energy(const Turn &turn, const ContactEnergies &energies, const HistoryRows &history) {
+    double sum = 0.0;
+    for (Index q = 0; q < energies.energy.size(); q++) sum += energies.energy(q);
+    history.record(turn.clock.record, column::contact) = sum;
+}
+
+}  // namespace bondem

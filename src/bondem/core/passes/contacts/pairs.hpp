@@ -1,0 +1,87 @@
+// A pair of spheres in contact, or as many as there are lanes: what passes over pairs make of their tables.
+//
+// The contact point divides the distance of the centres as the radii do, so that a contact has no net moment.
+#pragma once
+#include "../../laws/hertz_mindlin.hpp"
+#include "../../laws/linear_contact.hpp"
+#include "../../tables/contact_tables.hpp"
+#include "../beams/bonds.hpp"
+
+namespace bondem {
+
+// What a contact is. One that has parted in this step still gives what it lost.
+enum TouchState : Byte { separate, touching, parted };
+
+// Calls on(law) with the law of the contacts.
+template <class On> BONDEM_INLINE void with_law(const ContactConstants &c, On on) {
+    if (c.hertzian)
+        on(HertzMindlinLaw{c.modulus, c.damping});
+    else
+        on(LinearLaw{c.modulus, c.damping});
+}
+
+// Two spheres and their motion.
+template <class T> struct Spheres2 {
+    T ra, rb;  // radii [m]
+    T reach;  // distance at which they touch [m]
+    Vector3<T> branch;  // from the first centre to the second [m]
+    Vector3<T> velocity;  // of the second against the first [m/s]
+    Vector3<T> spin, turning;  // r_a ω_a + r_b ω_b [m/s], ω_a + ω_b [rad/s]
+    T mass;  // m̄ [kg]
+
+    Spheres2(T ra, T rb, T reach, Vector3<T> branch, const Motion<T> &a, const Motion<T> &b)
+        : ra(ra), rb(rb), reach(reach), branch(branch), velocity(b.v - a.v), spin(ra * a.w + rb * b.w),
+          turning(a.w + b.w), mass(1.0 / (a.m + b.m)) {}
+    // Their distance, and the direction and the velocity at the contact, of a branch.
+    Meeting<T> meeting(Vector3<T> d, T &distance) const {
+        distance = length(d);
+        const Vector3<T> n = d / distance;
+        return {n, velocity - cross((distance / (ra + rb)) * spin, n)};
+    }
+};
+template <class T> struct PairLoads {
+    T overlap;  // [m]
+    ContactLoads<T> contact;
+    Vector3<T> torque;  // on either, over its radius [N]
+};
+
+template <class Law, class T>
+BONDEM_INLINE PairLoads<T> pair_loads(const Law &law, const ContactConstants &c, const Spheres2<T> &pair, T own,
+                                      const ContactMemory<T> &memory, double dt) {
+    T distance, before;
+    const Meeting<T> now = pair.meeting(pair.branch, distance);
+    const Meeting<T> last = pair.meeting(minus(pair.branch, all<T>(dt), pair.velocity), before);
+    const T overlap = positive(pair.reach - distance);
+    const ContactSpring<T> spring = law.between(own, pair.ra, pair.rb, overlap);
+    const T kn_before = law.before(own, pair.ra, pair.rb, positive(pair.reach - before), spring.kn);
+    const ContactStiffness<T> k = contact_stiffness(spring, kn_before, c.soft, pair.mass);
+    const T twist = 0.5 * dot(pair.turning, now.normal);
+    const ContactLoads<T> loads = contact_loads(k, c.friction, overlap, now, last, twist, memory, dt);
+    return {overlap, loads, -(distance / (pair.ra + pair.rb)) * cross(now.normal, loads.force)};
+}
+
+inline Vector centre(const double *pose, Short p) { return {pose[8 * uint64_t(p)], pose[8 * uint64_t(p) + 1], pose[8 * uint64_t(p) + 2]}; }
+
+// Branch of pair k over the nearest periodic image [m].
+inline Vector branch_of(const double *pose, const ContactPairs &pairs, Index k) {
+    const Vector d = centre(pose, pairs.second(k)) - centre(pose, pairs.first(k));
+    const double *const period = pairs.period.data;
+    return {over_nearest_image(d.x, period[0], period[3]), over_nearest_image(d.y, period[1], period[4]),
+            over_nearest_image(d.z, period[2], period[5])};
+}
+// Whether a bond joins pair k.
+inline bool bonded(const ContactPairs &pairs, Index k) { return pairs.bond(k) >= 0 && pairs.joined(pairs.bond(k)) > 0.0; }
+
+// Elastic energy of a pair that touches [J].
+inline double pair_energy(const double *pose, const ContactConstants &c, const ContactPairs &pairs, Index k) {
+    const double overlap = positive(pairs.reach(k) - length(branch_of(pose, pairs, k)));
+    const Vector s = pairs.memory.row<const Vector>(k);
+    double energy = 0.0;
+    with_law(c, [&](auto law) {
+        const auto spring = law.between(pairs.own(k), c.radius(pairs.first(k)), c.radius(pairs.second(k)), overlap);
+        energy = contact_energy(spring, c.soft, overlap, dot(s, s));
+    });
+    return energy;
+}
+
+}  // namespace bondem

@@ -1,0 +1,54 @@
+// How long a list of contacts holds: pairs are listed up to a gap of twice the reach, so that no pair beyond it touches
+// before an element or a wall has moved by the reach.
+//
+// The distance of an element from where distances were measured, and from there to where it was when the list was made,
+// bound its distance from the latter: one pass over the elements serves both.
+#include "travel.hpp"
+
+#include "pairs.hpp"
+#include "wall_shapes.hpp"
+
+namespace bondem {
+namespace {
+
+double wall_travel(const Walls &walls) {
+    double farthest = 0.0;
+    for (Index w = 0; w < walls.body.size(); w++) {
+        const Vector moved = walls.body.row<const Vector>(w) - walls.listed.row<const Vector>(w);
+        farthest = most(farthest, length(moved) + absolute(walls.body(w, growth) - walls.listed(w, growth)));
+    }
+    return farthest;
+}
+
+}  // namespace
+
+void measure_travel(const Turn &turn, const Moving &all, const Travel &travel) {
+    double farthest = 0.0;
+    bool finite = true;
+    for (Index p = turn.first; p < turn.last; p++) {
+        const Vector moved = centre(all.pose.data, Short(p)) - travel.measured.row<const Vector>(p);
+        const double square = dot(moved, moved);
+        finite &= square < infinity;
+        farthest = most(farthest, square);
+    }
+    travel.portion(turn.block, 0) = finite ? farthest : infinity;
+}
+
+void check_travel(const Turn &, const Travel &travel, const Walls &walls, const Portions &portions) {
+    double farthest = 0.0;
+    for (Index q = 0; q < travel.portion.size(); q++) farthest = most(farthest, travel.portion(q, 0));
+    travel.far(0) = root(farthest);
+    const bool holds = travel.far(0) + most(travel.far(1), 0.0) < travel.reach && wall_travel(walls) < travel.reach;
+    portions.found(3) = !holds;
+    if (travel.far(1) < 0.0) travel.far(0) = infinity;  // distances have not been measured yet
+}
+
+void keep_measures(const Turn &turn, const NearPairs &near, const Travel &travel) {
+    if (!measures_anew(turn, near, travel)) return;
+    double farthest = 0.0;
+    for (Index q = 0; q < travel.portion.size(); q++) farthest = most(farthest, travel.portion(q, 1));
+    travel.far(0) = 0.0;
+    travel.far(1) = root(farthest);
+}
+
+}  // namespace bondem

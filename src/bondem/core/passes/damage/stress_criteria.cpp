@@ -1,0 +1,52 @@
+#include "stress_criteria.hpp"
+
+#include "../../laws/criteria/cone.hpp"
+#include "../../laws/criteria/mean_stress.hpp"
+
+namespace bondem {
+namespace {
+
+using UserFunction = void (*)(Index count, const double *stress, const double *parameter, double *index);
+
+// A criterion of the core, over many stresses.
+template <class Criterion> void evaluate(const StressCandidates &candidates, const StressFunction &by, Index count) {
+    require(by.parameter.size() == Criterion::parameters);
+    for (Index c = 0; c < count; c++) {
+        const double *s = candidates.stress.data + 9 * c;
+        candidates.index(c) = Criterion::index(Stress<double>{s[0], s[4], s[8], s[1], s[2], s[5]}, by.parameter.data);
+    }
+}
+// The function of a user.
+struct OfUser {};
+template <> void evaluate<OfUser>(const StressCandidates &candidates, const StressFunction &by, Index count) {
+    if (count == 0) return;
+    reinterpret_cast<UserFunction>(by.address)(count, candidates.stress.data, by.parameter.data, candidates.index.data);
+}
+
+// Moves the candidates of all portions together, in the order of the bonds; returns how many there are.
+Index move_together(const StressCandidates &candidates) {
+    Index total = 0;
+    for (Index q = 0; q < candidates.count.size(); q++)
+        for (Index e = q * bonds_of_portion; e < q * bonds_of_portion + candidates.count(q); e++, total++) {
+            candidates.bond(total) = candidates.bond(e);
+            for (Index c = 0; c < 9; c++) candidates.stress.data[9 * total + c] = candidates.stress.data[9 * e + c];
+        }
+    return candidates.total(0) = total;
+}
+
+}  // namespace
+
+#define BONDEM_STRESS_CRITERION(name, Criterion)                                                                      \
+    void index_candidates_by_##name(const Turn &, const StressCandidates &candidates, const StressFunction &by) {     \
+        evaluate<Criterion>(candidates, by, move_together(candidates));                                               \
+    }                                                                                                                 \
+    Index index_stresses_by_##name(Index, const StressCandidates &candidates, const StressFunction &by) {             \
+        evaluate<Criterion>(candidates, by, candidates.bond.size());                                                  \
+        return 0;                                                                                                     \
+    }
+BONDEM_STRESS_CRITERION(mean_stress, MeanStress)
+BONDEM_STRESS_CRITERION(cone, Cone)
+BONDEM_STRESS_CRITERION(function, OfUser)
+#undef BONDEM_STRESS_CRITERION
+
+}  // namespace bondem

@@ -1,0 +1,39 @@
+// Criteria that are functions of a stress tensor, evaluated once a step for all bonds or facets that a bound lets through.
+//
+// A pass over portions of bonds writes the candidates, `write_candidate`, and how many there are. `index_candidates_by_…`
+// moves them together and evaluates the function: one of the core's own, or that of a user, a C function
+//
+//     void function(int64_t count, const double *stress, const double *parameter, double *index)
+//
+// of `count` symmetric stresses (count, 3, 3) [Pa], tension positive, and of the parameters of the criterion, that writes
+// an index for each; at 1 or above, or where it is no number, the bond fails. It is called on the thread that called the
+// core, and not where there is no candidate. A function of Python acquires the lock of the interpreter by itself.
+#pragma once
+#include "../../laws/stress.hpp"
+#include "../../steps.hpp"
+#include "../../tables/damage_tables.hpp"
+
+namespace bondem {
+
+// Writes a candidate of a portion; returns the place of the next one.
+inline Index write_candidate(const StressCandidates &candidates, Index place, Index bond, const Stress<double> &s) {
+    candidates.bond(place) = bond;
+    const double all[9] = {s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz};
+    for (Index c = 0; c < 9; c++) candidates.stress.data[9 * place + c] = all[c];
+    return place + 1;
+}
+// Calls on(bond) for the candidates that fail, in the order of the bonds.
+template <class On> inline void for_each_failing(const StressCandidates &candidates, On on) {
+    for (Index c = 0; c < candidates.total(0); c++)
+        if (!(candidates.index(c) < 1.0)) on(candidates.bond(c));
+}
+
+void index_candidates_by_mean_stress(const Turn &turn, const StressCandidates &candidates, const StressFunction &by);
+void index_candidates_by_cone(const Turn &turn, const StressCandidates &candidates, const StressFunction &by);
+void index_candidates_by_function(const Turn &turn, const StressCandidates &candidates, const StressFunction &by);
+// The same for stresses that are given; the counts of portions are not read.
+Index index_stresses_by_mean_stress(Index threads, const StressCandidates &candidates, const StressFunction &by);
+Index index_stresses_by_cone(Index threads, const StressCandidates &candidates, const StressFunction &by);
+Index index_stresses_by_function(Index threads, const StressCandidates &candidates, const StressFunction &by);
+
+}  // namespace bondem

@@ -1,0 +1,136 @@
+// What contacts of elements and walls take. Named once more in `bondem/solve/contact_tables.py`.
+//
+// Pairs stand once, sorted by their later element and then by their earlier one, as bonds are. A portion of elements
+// (`steps.hpp`) owns the pairs whose later element is in it.
+#pragma once
+#include "../array.hpp"
+
+namespace bondem {
+
+using Byte = uint8_t;
+
+// The law of all contacts, and the radii of the elements.
+struct ContactConstants {
+    double modulus;  // [Pa]
+    double soft;  // ks / kn [-]
+    double friction;  // μ of pairs [-]
+    double damping;  // β [-]
+    Index hertzian;  // whether it is that of Hertz and Mindlin
+    Array<const double, 1> radius;  // [m], (n,)
+};
+// Pairs that may touch before their list is made anew, c of them.
+struct ContactPairs {
+    Array<const Short, 1> first, second;  // (c,)
+    Array<const Index, 1> start;  // where the pairs of each later element begin, (n + 1,)
+    Array<double, 1> reach;  // distance of the centres at which a pair touches [m], (c,)
+    Array<const double, 1> own;  // kn of a pair that does not have that of the law, or 0 [N/m], (c,)
+    Array<double, 2> memory;  // tangential stretch [m] and force of the dashpots [N], in six of (c, 8)
+    Array<Byte, 1> touch;  // apart, touching or parted, (c,)
+    Array<const Index, 1> bond;  // the bond of each pair, or -1; while it joins them they do not touch, (c,)
+    Array<double, 1> joined;  // above 0 of bonds that join their elements
+    Array<const double, 1> period;  // edges of the periodic cell and their inverses, zero where there is none, (6,)
+};
+// Pairs that are looked at in every step, until an element has moved so far that distances are measured anew. Those of a
+// portion stand from its first pair on.
+struct NearPairs {
+    Array<Short, 1> near;  // pairs that may touch, ascending, (c,)
+    Array<Short, 1> close;  // those of them that touch or have just parted, (c,)
+    Array<double, 2> output;  // of these: force on the later element [N], torque over the radius [N], losses [J], (c, 8)
+    Array<Index, 2> count;  // of near and of close pairs of each portion, (portions, 2)
+    double width;  // motion of an element after which distances are measured anew [m]
+};
+// How far elements have moved since their distances were measured, and since the list was made.
+struct Travel {
+    Array<const double, 2> listed;  // centres when the list was made [m], (n, 3)
+    Array<double, 2> measured;  // centres when distances were measured [m], (n, 3)
+    // squares of both largest distances [m²], and the deepest overlap over the smaller radius [-], (portions, 3)
+    Array<double, 2> portion;
+    // largest distance since distances were measured, and when they were since the list was made, below 0 before that [m]
+    Array<double, 1> far;  // (2,)
+    double reach;  // motion of an element or a wall for which the list is made [m]
+};
+// Forces of contacts on elements: force, 0, torque, 0 [N, N·m], zero between steps.
+struct ContactSums {
+    Array<double, 2> sums;  // (n, 8)
+};
+// Elastic energy of contacts.
+struct ContactEnergies {
+    Array<double, 1> energy;  // of each portion [J], (portions,)
+};
+
+// Contacts of elements with walls, b of them, sorted by element.
+struct WallContacts {
+    Array<const Index, 1> start;  // where those of each element begin, (n + 1,)
+    Array<const Short, 1> element, wall;  // (b,)
+    Array<const double, 1> gap;  // from which the overlap counts [m], (b,)
+    Array<double, 2> memory;  // as that of pairs, (b, 6)
+    Array<Byte, 1> touch;  // (b,)
+    Array<double, 2> output;  // force on the wall, and its component along the normal [N], (b, 4)
+};
+// Walls, w of them.
+struct Walls {
+    Array<const double, 2> shape;  // point, normal or axis, radius, kind, radius of a hole, (w, 9)
+    // displacement and growth of the radius [m], their rates [m/s], force of the elements on the wall and on its radius
+    // [N], work on the elements [J], sum of the normal forces [N], (w, 14)
+    Array<double, 2> body;
+    Array<const double, 1> friction;  // μ, (w,)
+    Array<double, 2> listed;  // displacement and growth when the list was made [m], (w, 4)
+};
+// What moves walls.
+struct WallMotions {
+    Array<const double, 1> times, values;  // schedules, as those of `Timeline`
+    Array<const Index, 1> start;
+    Array<const Index, 1> drive_wall, drive_component, drive_schedule;
+    Array<const Byte, 1> drive_rate;  // 1 for a velocity, 0 for a displacement
+    Array<const Index, 1> servo_wall, servo_schedule;
+    Array<const double, 1> servo_speed, servo_mass;  // largest speed [m/s], mass [kg]
+    Array<const Index, 1> free_wall;
+    Array<const double, 1> free_mass;  // [kg]
+    Array<const double, 2> free_force;  // beside that of elements [N], (f, 3)
+};
+
+// ---- the search
+
+// Bonds and memories that the list of pairs is made of; partners of each element are the earlier ones, ascending.
+struct PairSources {
+    Array<const Index, 1> start;  // neighbours of each element, (n + 1,)
+    Array<const Short, 1> neighbour;
+    Array<const Index, 1> bond_start;  // bonds whose later element is p, (n + 1,)
+    Array<const Short, 1> bond_first;
+    Array<const Byte, 1> wanted;  // whether the pair of a bond is listed, however far apart
+    Array<const Index, 1> rest_start;  // pairs that overlap in the reference, (n + 1,)
+    Array<const Short, 1> rest_first;
+    Array<const double, 1> rest_gap;  // [m]
+    Array<const Index, 1> kept_start;  // pairs that touch, (n + 1,)
+    Array<const Short, 1> kept_first;
+    Array<const double, 2> kept_memory;  // (…, 6)
+};
+// The list, with room for all pairs.
+struct FoundPairs {
+    Array<Short, 1> first, second;
+    Array<Index, 1> bond;  // or -1
+    Array<Index, 1> start;  // (n + 1,)
+    Array<double, 1> gap;  // from which the overlap counts [m]
+    Array<double, 2> memory;  // (room, 8)
+    Array<Byte, 1> touch;
+};
+// Memories that the list of contacts with walls is made of.
+struct WallSources {
+    Array<const double, 1> radius;  // of elements [m], (n,)
+    Array<const Index, 1> rest_start;  // contacts that overlap in the reference, (n + 1,)
+    Array<const Short, 1> rest_wall;
+    Array<const double, 1> rest_gap;  // [m]
+    Array<const Index, 1> kept_start;  // contacts that touch, (n + 1,)
+    Array<const Short, 1> kept_wall;
+    Array<const double, 2> kept_memory;  // (…, 6)
+    double skin;  // largest gap [m]
+    Array<Index, 1> start;  // where those found of each element begin, (n + 1,)
+};
+struct FoundWalls {
+    Array<Short, 1> element, wall;
+    Array<double, 1> gap, now;  // from which the overlap counts, and the present one [m]
+    Array<double, 2> memory;  // (room, 6)
+    Array<Byte, 1> touch;
+};
+
+}  // namespace bondem

@@ -1,0 +1,105 @@
+"""Criteria on a stress tensor as the core takes them: criteria of its own, and functions of a user.
+
+`core/tables/damage_tables.hpp` declares types and shapes.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from bondem._core import Pass
+from bondem._core_functions import StressCallback
+from bondem._core_steps import StepPass
+from bondem._types import Floats, Ints
+
+# Bonds of a portion, as in `core/steps.hpp`.
+_PORTION = 2048
+
+
+class StressCandidates(NamedTuple):
+    """Bonds of which a criterion evaluates a stress."""
+
+    bond: Ints  #: those of a portion of bonds from its first bond on, (m,)
+    stress: Floats  #: symmetric [Pa], (m, 3, 3)
+    index: Floats  #: at 1 a bond fails [-], (m,)
+    count: Ints  #: number of each portion
+    total: Ints  #: of all portions, (1,)
+
+    @classmethod
+    def of(cls, m: int) -> "StressCandidates":
+        """Return room for those of m bonds; memory is used as they are written."""
+        return cls(
+            np.empty(m, dtype=np.int64), np.empty((m, 3, 3)), np.empty(m), np.zeros(-(-m // _PORTION), dtype=np.int64),
+            np.zeros(1, dtype=np.int64),
+        )  # fmt: skip
+
+
+class StressFunction(NamedTuple):
+    """A criterion that is a function of a stress."""
+
+    address: int  #: address of a C function, 0 for a criterion of the core
+    parameter: Floats
+
+
+#: Criteria of the core by their names; "function" is that of a user.
+STRESS_CRITERIA = ("mean_stress", "cone", "function")
+_index_stresses = {
+    name: Pass(f"index_stresses_by_{name}", StressCandidates, StressFunction) for name in STRESS_CRITERIA
+}
+_index_candidates = {
+    name: StepPass(f"index_candidates_by_{name}", StressCandidates, StressFunction) for name in STRESS_CRITERIA
+}
+
+
+@dataclass(frozen=True, eq=False)
+class StressPasses:
+    """The passes of a criterion on stresses.
+
+    Attributes:
+        name: one of `STRESS_CRITERIA`.
+        table: address and parameters.
+        callback: function of Python that the address is that of, or None.
+    """
+
+    name: str
+    table: StressFunction
+    callback: StressCallback | None = None
+
+    @classmethod
+    def of_core(cls, name: str, parameters: Sequence[float]) -> "StressPasses":
+        """Return the passes of a criterion of the core."""
+        return cls(name, StressFunction(0, np.array(parameters, dtype=float)))
+
+    @classmethod
+    def of_function(cls, function: Callable[..., Any] | int, parameters: Sequence[float]) -> "StressPasses":
+        """Return the passes of a user's function.
+
+        Args:
+            function: function of stresses (k, 3, 3) [Pa] and of each parameter that returns k indices, or the address
+                of a C function `void f(int64_t count, const double *stress, const double *parameter, double *index)`.
+            parameters: parameters of the function.
+        """
+        given = np.array(parameters, dtype=float)
+        if isinstance(function, int):
+            return cls("function", StressFunction(function, given))
+        callback = StressCallback(function, len(given))
+        return cls("function", StressFunction(callback.address, given), callback)
+
+    def step_pass(self, candidates: StressCandidates) -> tuple[Any, ...]:
+        """Return the pass of a step that evaluates its candidates, with its tables."""
+        return _index_candidates[self.name], candidates, self.table
+
+    def indices(self, stress: Floats) -> Floats:
+        """Return the indices of symmetric stresses (k, 3, 3) [-], (k,)."""
+        k = len(stress)
+        candidates = StressCandidates.of(k)._replace(stress=np.ascontiguousarray(stress, dtype=float))
+        _index_stresses[self.name](candidates, self.table)
+        self.check()
+        return candidates.index
+
+    def check(self) -> None:
+        """Raise the error that a function of Python has raised in a step."""
+        if self.callback is not None:
+            self.callback.check()

@@ -1,0 +1,159 @@
+"""Contacts of elements with each other and with walls: forces, motion of walls, energies, gauges, and their lists."""
+
+import numpy as np
+
+from bondem._core_steps import StepPass
+from bondem._types import PerBond
+from bondem.kernels.tables import Gauges, StepCut, lines
+from bondem.model.contact_search import Walls
+from bondem.model.contacts import ContactModel
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.solve.contact_check import ContactCheck, ListedContacts
+from bondem.solve.contact_tables import (
+    ContactConstants,
+    ContactEnergies,
+    ContactPairs,
+    ContactSums,
+    NearPairs,
+    Travel,
+    WallContacts,
+    WallMotions,
+)
+from bondem.solve.neighbour_list import ContactSearch, FoundContacts
+from bondem.solve.parts.part import Part, Passes
+from bondem.solve.parts.shared_tables import SharedTables
+from bondem.solve.step_tables import HistoryRows, Moving, Portions
+
+_move_walls = StepPass("move_walls", WallMotions, Walls)
+_measure_travel = StepPass("measure_travel", Moving, Travel)
+_check_travel = StepPass("check_travel", Travel, Walls, Portions)
+_press_pairs = StepPass("press_pairs", Moving, ContactConstants, ContactPairs, NearPairs, Travel)
+_add_pair_loads = StepPass("add_pair_loads", Moving, ContactConstants, ContactPairs, NearPairs, ContactSums)
+_press_walls = StepPass("press_walls", Moving, ContactConstants, WallContacts, Walls, ContactSums)
+_measure_walls = StepPass("measure_wall_overlaps", Moving, ContactConstants, WallContacts, Walls, NearPairs, Travel)
+_keep_measures = StepPass("keep_measures", NearPairs, Travel)
+_load_walls = StepPass("load_walls", WallContacts, WallMotions, Walls)
+_add_contact_loads = StepPass("add_contact_loads", StepCut, ContactSums)
+_sum_pair_energies = StepPass("sum_pair_energies", Moving, ContactConstants, ContactPairs, ContactEnergies)
+_sum_wall_energies = StepPass("sum_wall_energies", Moving, ContactConstants, WallContacts, Walls, ContactEnergies)
+_write_contact_energy = StepPass("write_contact_energy", ContactEnergies, HistoryRows)
+_count_wall_work = StepPass("count_wall_work", Walls, Portions)
+_write_walls = StepPass("write_walls", Walls, Gauges, HistoryRows)
+
+# Distances of all pairs are measured again when an element has moved this share of the reach of the list.
+_FRESH = 0.1
+
+
+class ContactTables:
+    """Tables of the contacts of a run, with their present list.
+
+    Args:
+        model: model of the elements.
+        contacts: contacts of the model.
+        state: state of the run; its arrays are shared.
+        shared: tables of all parts.
+        gauges: gauges of the run.
+        joints: result of `bondem.solve.cracks.joints`.
+        dt: time step [s].
+    """
+
+    def __init__(
+        self, model: Model, contacts: ContactModel, state: State, shared: SharedTables, gauges: Gauges,
+        joints: tuple[PerBond, PerBond], dt: float,
+    ) -> None:  # fmt: skip
+        self._state, self._shared, self._gauges = state, shared, gauges
+        self._search = ContactSearch(model, contacts, state, joints)
+        self._check = ContactCheck(contacts, dt)
+        self._period, self._joined = model.period, joints[0]
+        n, portions = len(state.pose), len(shared.portions.elements)
+        modulus, soft, friction, damping, hertzian = contacts.law.parameters.tolist()
+        self._law = ContactConstants(modulus, soft, friction, damping, bool(hertzian), contacts.radius)
+        self._sums = ContactSums(lines(n))
+        self._energies = ContactEnergies(np.zeros(portions))
+        walls = contacts.walls
+        self._walls = Walls(walls.shape, state.walls, walls.friction, np.zeros((len(state.walls), 4)))
+        self._motions = WallMotions(
+            walls.times, walls.values, walls.start, walls.drive_wall, walls.drive_component, walls.drive_schedule,
+            walls.drive_rate, walls.servo_wall, walls.servo_schedule, walls.servo_speed, walls.servo_mass,
+            walls.free_wall, walls.free_mass, walls.free_force,
+        )  # fmt: skip
+        self._deepest = 0.0
+        found = self._search.find(state.step)
+        if found is not None:
+            self._list(found)
+
+    def _list(self, found: FoundContacts) -> None:
+        """Make the tables of a list."""
+        pairs, at_walls, radius = found.pairs, found.walls, self._law.radius
+        c, portions = len(pairs.first), len(self._energies.energy)
+        self._pairs = ContactPairs(
+            pairs.first, pairs.second, pairs.start, radius[pairs.first] + radius[pairs.second] + pairs.gap, found.own,
+            pairs.memory, pairs.touch, pairs.bond, self._joined, self._period,
+        )  # fmt: skip
+        self._near = NearPairs(
+            np.zeros(c + 1, dtype=np.uint32), np.zeros(c + 1, dtype=np.uint32), np.empty((c, 8)),
+            np.zeros((portions, 2), dtype=np.int64), _FRESH * found.reach,
+        )  # fmt: skip
+        self._travel = Travel(
+            found.position, found.position.copy(), np.zeros((portions, 3)),
+            np.array([np.inf, -1.0]), found.reach,
+        )  # fmt: skip
+        self._at_walls = WallContacts(
+            found.wall_start, at_walls.element, at_walls.wall, at_walls.gap, at_walls.memory, at_walls.touch,
+            np.zeros((len(at_walls.wall), 4)),
+        )  # fmt: skip
+        self._walls.listed[:] = self._walls.body[:, :4]
+
+    def parts(self) -> list[Part]:
+        """Return the part of contacts, and that which writes them to the history, after the ledger."""
+        s, law, walls = self._shared, self._law, self._walls
+        walled = len(walls.body) > 0
+        travel: Passes = [(_measure_travel, s.moving, self._travel), (_check_travel, self._travel, walls, s.portions)]
+        contacts: Passes = [
+            (_press_pairs, s.moving, law, self._pairs, self._near, self._travel),
+            (_add_pair_loads, s.moving, law, self._pairs, self._near, self._sums),
+        ]
+        guard: Passes = []
+        if walled:
+            travel.insert(0, (_move_walls, self._motions, walls))
+            contacts += [
+                (_press_walls, s.moving, law, self._at_walls, walls, self._sums),
+                (_measure_walls, s.moving, law, self._at_walls, walls, self._near, self._travel),
+                (_load_walls, self._at_walls, self._motions, walls),
+            ]
+            guard.append((_count_wall_work, walls, s.portions))
+        contacts.append((_keep_measures, self._near, self._travel))
+        add: Passes = [(_add_contact_loads, s.cut, self._sums)]
+        stages = {"travel": travel, "contacts": contacts, "add": add, "guard": guard}
+        return [Part(stages, keep=self._keep, renewed=self._renewed), Part({}, record=self._record)]
+
+    def _record(self, history: HistoryRows) -> Passes:
+        moving, law, energies = self._shared.moving, self._law, self._energies
+        passes: Passes = [(_sum_pair_energies, moving, law, self._pairs, energies)]
+        if len(self._walls.body):
+            passes.append((_sum_wall_energies, moving, law, self._at_walls, self._walls, energies))
+            passes.append((_write_walls, self._walls, self._gauges, history))
+        return [*passes, (_write_contact_energy, energies, history)]
+
+    def _keep(self) -> None:
+        """Write the memory of contacts into the state, and check them."""
+        pairs, at_walls = self._pairs, self._at_walls
+        self._search.keep(
+            pairs.first, pairs.second, pairs.touch, pairs.memory, at_walls.element, at_walls.wall, at_walls.touch,
+            at_walls.memory,
+        )  # fmt: skip
+        self._deepest = max(self._deepest, float(self._travel.portion[:, 2].max(initial=0.0)))
+        listed = ListedContacts(
+            pairs.first, pairs.second, pairs.bond, pairs.joined, at_walls.element, at_walls.wall, self._walls.body,
+            self._deepest,
+        )  # fmt: skip
+        self._check.look(listed, self._state.motion, self._state.time)
+
+    def _renewed(self) -> Part | None:
+        """Return the part with a new list, or None if a centre is not a number."""
+        found = self._search.find(self._state.step)
+        if found is None:
+            return None
+        self._list(found)
+        return self.parts()[0]
