@@ -1,4 +1,4 @@
-"""Small runs in which bonds break: python tests/cuda_breaking.py gpu|cpu OUT.npz IN HANDED, as `cuda_cases.py`.
+"""Small runs in which bonds break: python tests/cuda_breaking.py gpu|cpu OUT.npz IN HANDED, as `device_cases.py`.
 
 Both sides leave the states of half a run in HANDED and go on with those in IN, if it is there, so that a run can
 change sides.
@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import bondem as bd
-import cuda_cases
+import device_cases
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
 from cuda_halves import kept, leave, start
@@ -25,14 +25,14 @@ FIELDS = "pose", "motion", "acceleration", "loss", "work", "reaction", "integrit
 
 
 def breaking_bar(criterion: Any) -> bd.Model:
-    """The bar of `cuda_cases`, whose bonds break."""
-    model = cuda_cases.bar()
+    """The bar of `device_cases`, whose bonds break."""
+    model = device_cases.bar()
     return bd.Model(model.lattice, model.bond, model.density, boundary=model.boundary, failure=criterion)
 
 
 def breaking_cell() -> bd.Model:
     """The periodic cell, whose bonds are alike but for their length."""
-    model = cuda_cases.cell()
+    model = device_cases.cell()
     return bd.Model(model.lattice, model.bond, model.density, failure=bd.PeripheralStress(tension=4e5, shear=2e5))
 
 
@@ -44,19 +44,19 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
         plan = Plan(duration=steps * DT, dt=DT, **options)
         return integrate(model, plan, state=state, loop_of=loop_of)
 
-    common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": cuda_cases.GAUGES}
+    common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": device_cases.GAUGES}
     for name, criterion in CRITERIA.items():
         model = breaking_bar(criterion)
-        yield name, go(model, cuda_cases.moving(model), every=5, **common)
+        yield name, go(model, device_cases.moving(model), every=5, **common)
     model = breaking_bar(CRITERIA["peripheral"])
-    if cuda_cases.EVERY:
-        yield "paused", go(model, cuda_cases.moving(model), every=0, save_every=7, **common)
+    if device_cases.EVERY:
+        yield "paused", go(model, device_cases.moving(model), every=0, save_every=7, **common)
     scheme = bd.TchamwaWielgosz(1.2)
-    yield "dissipative", go(model, cuda_cases.moving(model), every=5, scheme=scheme)
+    yield "dissipative", go(model, device_cases.moving(model), every=5, scheme=scheme)
     model = breaking_cell()
-    yield "alike", go(model, cuda_cases.moving(model, speed=1.2), every=5)
+    yield "alike", go(model, device_cases.moving(model, speed=1.2), every=5)
     model = breaking_bar(CRITERIA["peripheral"])
-    half = go(model, cuda_cases.moving(model), HALF, every=0, **common).state
+    half = go(model, device_cases.moving(model), HALF, every=0, **common).state
     handed["beams"] = kept(half, FIELDS)
     yield "resumed", go(model, half.copy(), every=5, **common)
     if given:

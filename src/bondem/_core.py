@@ -28,8 +28,8 @@ from bondem._lock import alone
 from bondem.errors import InputError
 
 __all__ = [
-    "Pass", "checked_fields", "compiled_level", "core_lanes", "filled_table", "index_pass", "room_for", "step_pass",
-    "table_fields",
+    "Pass", "checked_fields", "compiled_level", "core_lanes", "filled_table", "index_pass", "index_pass_names",
+    "room_for", "step_pass", "table_fields",
 ]  # fmt: skip
 
 # How long a process waits for what another one compiles [s].
@@ -301,6 +301,11 @@ class Pass:
 def step_pass(name: str) -> tuple[tuple[int, int], tuple[str, ...]]:
     """Address and kind of a pass that steps are composed of, and names of its tables."""
     return _library().step_passes[name]
+
+
+def index_pass_names() -> tuple[str, ...]:
+    """Names of all passes over an index."""
+    return tuple(_library().index_passes)
 
 
 def index_pass(name: str) -> tuple[Any, tuple[str, ...]]:

@@ -17,15 +17,15 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import cuda.core as cuda_core
 import numpy as np
-from cuda import core as cuda_core
 from cuda.bindings import nvrtc
 
 from bondem._compile import cache_directory
 from bondem._core_build import SOURCES, core_sources
 from bondem._device import Enqueue, IndexPass
 
-__all__ = ["CudaDevice", "Registers", "compiled_pass", "missing"]
+__all__ = ["CudaDevice", "Registers", "compiled_passes", "missing"]
 
 # its attributes depend on the version of CUDA, so that type checkers do not know them
 core: Any = cuda_core
@@ -63,29 +63,36 @@ class Registers:
     stack: int
 
 
-def compiled_pass(name: str, architecture: str) -> tuple[bytes, Registers]:
-    """Compile a pass over an index; no device is needed.
+def compiled_passes(architecture: str, name: str | None = None) -> tuple[bytes, dict[str, Registers]]:
+    """Compile passes over an index; no device is needed.
 
     Args:
-        name: name of the pass.
         architecture: what to compile for, such as "sm_90".
+        name: name of a pass; None for all of them.
+
+    Returns:
+        The compiled passes, and what a thread of each takes.
     """
-    source = SOURCES / "gpu" / "kernels.cu"
-    log = io.StringIO()
+    source, log = SOURCES / "gpu" / "kernels.cu", io.StringIO()
     options = core.ProgramOptions(
         name=str(source), arch=architecture, std="c++17", device_as_default_execution_space=True,
-        include_path=[str(source.parent)], define_macro=[("BONDEM_PASS", name)], ptxas_options=["-v"],
+        include_path=[str(source.parent)], define_macro=None if name is None else [("BONDEM_PASS", name)],
+        ptxas_options=["-v"],
     )  # fmt: skip
     compiled = core.Program(source.read_text(), "c++", options).compile("cubin", logs=log)
     return bytes(compiled.code), _registers(log.getvalue())
 
 
-def _registers(log: str) -> Registers:
-    spilled = re.search(r"(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes spill loads", log)
-    used = re.search(r"Used (\d+) registers", log)
-    if spilled is None or used is None:
-        return Registers(0, 0, 0)
-    return Registers(int(used[1]), int(spilled[2]) + int(spilled[3]), int(spilled[1]))
+def _registers(log: str) -> dict[str, Registers]:
+    """Read what the compiler says of each kernel."""
+    found = {}
+    for part in log.split("Compiling entry function '")[1:]:
+        kernel = part.partition("'")[0]
+        spilled = re.search(r"(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes spill loads", part)
+        used = re.search(r"Used (\d+) registers", part)
+        if spilled is not None and used is not None:
+            found[kernel] = Registers(int(used[1]), int(spilled[2]) + int(spilled[3]), int(spilled[1]))
+    return found
 
 
 @cache
@@ -103,7 +110,7 @@ def _cubin(name: str, architecture: str) -> bytes:
     try:
         return place.read_bytes()
     except OSError:
-        made, _ = compiled_pass(name, architecture)
+        made, _ = compiled_passes(architecture, name)
     try:
         place.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.NamedTemporaryFile(dir=place.parent, delete=False) as aside:

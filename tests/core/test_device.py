@@ -1,0 +1,208 @@
+"""Steps on a device: passes over an index, which the CPU carries out one by one, against the passes of the CPU."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem._core import index_pass_names
+from bondem._device import DeviceTables, Enqueue, Host, IndexPass
+from bondem.kernels.cell_pass import STRESS
+from bondem.kernels.tables import FIXED_COLUMNS, TRANSLATION, WORK
+from bondem.model.state import State
+from bondem.solve.explicit import integrate
+from bondem.solve.loop_core import CoreLoop
+from bondem.solve.loop_device import DeviceLoop, device_has
+from bondem.solve.plan import ExplicitResult, Plan
+from tests.bits import assert_same_bits
+from tests.device_cases import (
+    CELL_GAUGES,
+    CUBE_DT,
+    CUBE_STEPS,
+    GAUGES,
+    NUS,
+    bar,
+    body,
+    cell,
+    cubes,
+    free_body,
+    held_bar,
+    moving,
+    pressed_bar,
+)
+
+DAMPED = bd.LocalDamping(0.1)
+LAUNCHED: set[str] = set()
+
+
+class Noting(Host):
+    """The CPU as a device, which notes what it has been asked for."""
+
+    def prepared(self, one: IndexPass, count: int, tables: Sequence[int]) -> Enqueue:
+        LAUNCHED.add(one.name)
+        return super().prepared(one, count, tables)
+
+
+def on_device(model: bd.Model, plan: Plan, state: State, dt: float) -> DeviceLoop:
+    assert device_has(model, plan)
+    return DeviceLoop(model, plan, state, dt, Noting())
+
+
+def strained(model: bd.Model, size: float) -> State:
+    state = moving(model)
+    state.set_eigenstrain(size * np.random.default_rng(3).standard_normal(len(model.lattice.pairs)))
+    return state
+
+
+def held_beams() -> bd.Model:
+    """The bar, held at one end and free of anything else."""
+    law = bd.Timoshenko(E=1e7, nu=0.2, radius=0.2)
+    return bd.Model(bar().lattice, law, 1000.0, boundary=bd.Fix(bd.Face("x_min", depth=0.5)))
+
+
+def absorbing_bar() -> bd.Model:
+    """A bar of cells with an absorbing end, a moment on a region, and a pressure that follows its face."""
+    return bd.Model(body(4, 3, 3), bd.CellBond(E=1e7, nu=0.2), density=1000.0, boundary=[
+        bd.Absorbing(bd.Face("x_max"), density=1000.0, E=1e7, nu=0.2),
+        bd.Load(bd.Face("x_min"), moment=(1e4, 0.0, 2e4), schedule=bd.Ramp(0.0, 1.0, 0.02)),
+        bd.Pressure(bd.Face("y_max"), 1e5, schedule=bd.Ramp(0.0, 1.0, 0.01), follows=True),
+    ])  # fmt: skip
+
+
+Case = tuple[bd.Model, Callable[[bd.Model], State], int, float, dict[str, Any]]
+CASES: dict[str, Callable[[], Case]] = {
+    "bar": lambda: (bar(), moving, 320, 2e-3, {"damping": DAMPED, "gauges": GAUGES, "every": 6}),
+    "dissipative": lambda: (
+        bar(), moving, 240, 2e-3, {"scheme": bd.TchamwaWielgosz(1.2), "gauges": GAUGES, "every": 5}
+    ),
+    "dashpots": lambda: (bar(), moving, 240, 1e-3, {"damping": bd.BondDamping(eta=0.1), "every": 7}),
+    "dragged": lambda: (bar(), moving, 240, 2e-3, {"damping": bd.MassDamping(alpha=5.0), "every": 0}),
+    "held": lambda: (held_beams(), moving, 240, 2e-3, {}),
+    "dragged and free": lambda: (cell(), moving, 150, 2e-3, {"damping": bd.MassDamping(alpha=5.0), "every": 9}),
+    "periodic": lambda: (cell(), lambda model: strained(model, 1e-3), 240, 2e-3, {"every": 6}),
+    "free cells": lambda: (free_body()[0], lambda _: free_body()[1], 150, 1e-3, {"every": 3}),
+    "held cells": lambda: (
+        held_bar(), moving, 240, 1e-3, {"damping": DAMPED, "gauges": CELL_GAUGES, "every": 6}
+    ),
+    "pressed cells": lambda: (
+        pressed_bar(), moving, 240, 8e-4, {"scheme": bd.TchamwaWielgosz(1.2), "gauges": CELL_GAUGES, "every": 5}
+    ),
+    "periodic cells": lambda: (
+        bd.Model(body(3, 3, 3, periodic=True), bd.CellBond(E=1e7, nu=0.2), density=1000.0),
+        lambda model: strained(model, 1e-2), 150, 1e-3, {"damping": DAMPED, "every": 3},
+    ),
+    "absorbing cells": lambda: (absorbing_bar(), moving, 150, 1e-3, {"gauges": CELL_GAUGES, "every": 10}),
+}  # fmt: skip
+
+
+def outcomes(case: str) -> tuple[ExplicitResult, ExplicitResult]:
+    """A run by the CPU, and by the device."""
+    model, start, steps, dt, options = CASES[case]()
+    plan = Plan(duration=steps * dt, dt=dt, **options)
+    cpu, device = (integrate(model, plan, state=start(model), loop_of=loop) for loop in (CoreLoop, on_device))
+    return cpu, device
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_device_agrees_with_the_cpu(case: str) -> None:
+    cpu, device = outcomes(case)
+    assert (cpu.status, cpu.message) == (device.status, device.message)
+    for field in ("pose", "motion", "acceleration", "loss", "reaction"):
+        expected, found = getattr(cpu.state, field), getattr(device.state, field)
+        scale = np.abs(expected).max(initial=0.0)
+        np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-12 * scale, err_msg=field)
+    # the work of walls and tractions belongs to the rows of their cells there
+    work = np.abs(cpu.state.work).max(initial=0.0)
+    assert device.state.work.sum() == pytest.approx(cpu.state.work.sum(), rel=0.0, abs=1e-12 * work)
+    records = cpu.history.records
+    scale = np.abs(records).max(axis=0, initial=0.0)
+    scale[1:11] = scale[1:11].max(initial=0.0)  # energies come and go: rounding is measured by their sum
+    apart = (device.history.records - records) / np.where(scale, scale, 1.0)
+    np.testing.assert_allclose(apart, 0.0, rtol=0.0, atol=1e-12)
+
+
+def test_these_runs_have_all_that_acts_on_bodies() -> None:
+    """Leaving a pass out would be seen, because what it does counts in these runs."""
+    for case in ("held cells", "pressed cells"):
+        cpu, _ = outcomes(case)
+        records, work = cpu.history.records, cpu.state.work
+        assert np.abs(cpu.state.pose[:, STRESS]).max() > 1e3
+        assert abs(records[-1, WORK]) > 0.1 * records[-1, TRANSLATION:WORK].sum()
+        assert abs(work[-1]) > 0.01 * np.abs(work).max()  # of walls and tractions
+        assert (np.abs(records[-1, FIXED_COLUMNS:]) > 0.0).all()
+    for case in CASES:
+        model, start, _, dt, options = CASES[case]()
+        DeviceLoop(model, Plan(duration=dt, dt=dt, **options), start(model), dt, Noting()).look()
+    assert set(index_pass_names()) == LAUNCHED
+
+
+@pytest.mark.parametrize("case", ["bar", "held cells"])
+def test_pausing_changes_no_bit(case: str) -> None:
+    model, start, steps, dt, options = CASES[case]()
+    options["every"] = 0
+    plans = [Plan(duration=steps * dt, dt=dt, save_every=interval, **options) for interval in (0, 17)]
+    whole, parted = (integrate(model, plan, state=start(model), loop_of=on_device) for plan in plans)
+    half = integrate(model, Plan(duration=11 * dt, dt=dt, **options), state=start(model), loop_of=on_device).state
+    resumed = integrate(model, plans[0], state=half, loop_of=on_device)
+    for other in (parted, resumed):
+        assert_same_bits(whole, other)
+
+
+@pytest.mark.parametrize("walls", [False, True], ids=["free", "between walls"])
+@pytest.mark.parametrize("nu", NUS)
+def test_two_cubes_move_as_one_oscillator(nu: float, walls: bool) -> None:
+    """Free: U = ½ 2G δ² + 2 · ½ λ' (δ/2)², λ' of five free facets; between walls, of four: U = ½ (4G + λ') u² each.
+
+    With ω² from it and cos φ = 1 - ω² dt²/2, velocity Verlet gives u = v dt sin(n φ) / sin φ exactly.
+    """
+    E, rho, v = 1e7, 1000.0, 1.0
+    G, lame = E / (2.0 * (1.0 + nu)), E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))
+    # c = Σ A d / V over the free facets, each with A = 1 m² and d = ½ m
+    relaxed = lame / (1.0 + (4 if walls else 5) * 0.5 * lame / (2.0 * G))
+    square = (4.0 * G + relaxed if walls else 2.0 * (2.0 * G + 0.5 * relaxed)) / rho
+    phi = np.arccos(1.0 - 0.5 * square * CUBE_DT**2)
+    moved = v * CUBE_DT * np.sin(CUBE_STEPS * phi) / np.sin(phi)
+    model, state = cubes(nu, walls=walls)
+    plan = Plan(duration=CUBE_STEPS * CUBE_DT, dt=CUBE_DT, every=0)
+    found = integrate(model, plan, state=state, loop_of=on_device).state.pose[:, 0] - [0.5, 1.5]
+    expected = [moved, moved] if walls else [-moved, moved]
+    # of a displacement of 7 mm a position of 1 m keeps 14 digits
+    np.testing.assert_allclose(found, expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("make", [cell, lambda: pressed_bar()], ids=["beams", "cells"])
+def test_a_wild_run_ends_as_on_the_cpu(make: Callable[[], bd.Model]) -> None:
+    model = make()
+    plan = Plan(duration=12 * 2e-3, dt=2e-3, every=3)
+    cpu, device = (
+        integrate(model, plan, state=moving(model, speed=300.0), loop_of=loop) for loop in (CoreLoop, on_device)
+    )
+    assert cpu.status.name == device.status.name == "UNSTABLE"
+    assert cpu.message == device.message
+    np.testing.assert_array_equal(cpu.state.pose, device.state.pose)  # the start is kept
+
+
+# ---- tables of a device
+
+
+def test_views_of_an_array_are_views_of_its_copy() -> None:
+    tables = DeviceTables(Host())
+    whole = np.arange(12.0)
+    part = whole[4:10].reshape(3, 2)
+    assert tables.address(part) - tables.address(whole) == 32
+    whole[:] = 0.0
+    tables.fetch(part)
+    np.testing.assert_array_equal(whole, [0, 0, 0, 0, 4, 5, 6, 7, 8, 9, 0, 0])
+    whole[:] = 7.0
+    tables.send(part)
+    whole[:] = 0.0
+    tables.fetch(whole)
+    np.testing.assert_array_equal(whole, [0, 1, 2, 3, 7, 7, 7, 7, 7, 7, 10, 11])
+    assert (tables.address(whole) - whole.ctypes.data) % 128 == 0
+
+
+def test_a_pass_over_an_index_of_other_tables_is_refused() -> None:
+    with pytest.raises(ImportError, match="load_beam takes the tables Moving, Beams, LoadsOfBonds"):
+        IndexPass("load_beam")
