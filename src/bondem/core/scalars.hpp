@@ -38,6 +38,17 @@ inline double absolute(double a) { return __builtin_fabs(a); }
 inline double arc_tangent(double y, double x) { return __builtin_atan2(y, x); }
 #endif
 
+// Numbers that several threads write: any of them in the end, as all write one value; and a count.
+#if defined(__CUDACC_RTC__)
+template <class T> inline void put_shared(T &place, T value) { *const_cast<volatile T *>(&place) = value; }
+template <class T> inline T get_shared(const T &place) { return *const_cast<const volatile T *>(&place); }
+inline Index count_up(Index &count) { return Index(atomicAdd(reinterpret_cast<unsigned long long *>(&count), 1ull)); }
+#else
+template <class T> inline void put_shared(T &place, T value) { __atomic_store_n(&place, value, __ATOMIC_RELAXED); }
+template <class T> inline T get_shared(const T &place) { return __atomic_load_n(&place, __ATOMIC_RELAXED); }
+inline Index count_up(Index &count) { return __atomic_fetch_add(&count, Index(1), __ATOMIC_RELAXED); }
+#endif
+
 template <class T> inline T least(T a, T b) { return b < a ? b : a; }
 template <class T> inline T most(T a, T b) { return b > a ? b : a; }
 template <class T> inline T within(T a, T low, T high) { return least(most(a, low), high); }

@@ -14,16 +14,18 @@ from bondem.kernels.advance import BEYOND, FINE, GUARD_INTERVAL, NOT_FINITE, RUN
 from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, StepScheme
 from bondem.laws.damping import DampingTerms
 from bondem.model.blocks import Blocks
+from bondem.model.failure_passes import CRITERION_NAMES
 from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.loop_core import core_has
 from bondem.solve.loop_cpu import gauge_tables, noticeable
+from bondem.solve.on_device.breakage_counterparts import Postponement, end, resuming
 from bondem.solve.on_device.counterparts import FURTHER, launches_of
-from bondem.solve.on_device.device_tables import SUM_COLUMNS, Tick
+from bondem.solve.on_device.device_tables import FURTHER_COLUMNS, SUM_COLUMNS, Tick
 from bondem.solve.on_device.translation import Translation, count_record, names_of, set_clock
 from bondem.solve.parts.of_model import parts_of
-from bondem.solve.parts.part import FORCES, Part, composed
+from bondem.solve.parts.part import FORCES, RESUME, Part, Passes, composed
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.plan import Plan
 from bondem.solve.step_tables import HistoryRows
@@ -32,8 +34,8 @@ from bondem.solve.step_tables import HistoryRows
 _RECORDED = 64
 # Bonds from which on their numbers need more than 32 bits.
 _MOST_BONDS = 2**31
-# Columns of a record of the columns of sums.
-_COLUMNS = {1: 0, 2: 1, 3: 4, 4: 5, 5: 6, 6: 7, 8: 11, 9: 2, 10: 3}
+# Columns of a record, of those of the device.
+_COLUMNS = {1: 0, 2: 1, 3: 4, 4: 5, 5: 6, 6: 7, 7: 13, 8: 11, 9: 2, 10: 3, 11: 14, 12: 15, 13: 16}
 _WIDE, _LOST, _SICK, _SUPPLIED = (SUM_COLUMNS.index(name) for name in ("wide", "lost", "not_finite", "supplied"))
 # Word of the clock that is the number of the step.
 _STEP = 5
@@ -44,7 +46,8 @@ def device_has(model: Model, plan: Plan) -> bool:
     held = model.constraints
     return (
         core_has(model)
-        and model.breaking is None
+        and (model.breaking is None or model.cells is None and model.breaking.kind < len(CRITERION_NAMES))
+        and model.beam_softening is None
         and model.contacts is None
         and model.non_local is None
         and model.formulation == "total"
@@ -57,8 +60,16 @@ def device_has(model: Model, plan: Plan) -> bool:
 def _composed(model: Model, plan: Plan, state: State, dt: float) -> tuple[SharedTables, list[Part]]:
     """Return the tables and the parts of a step that is one block."""
     block = max(len(state.pose), 1)
-    cut = Blocks.of(model.layout, block, 1, model.constraints.row_of >= 0).table()
+    kept = 0 if model.breaking is None else len(state.pose)
+    cut = Blocks.of(model.layout, block, 1, model.constraints.row_of >= 0).table(kept)
     return parts_of(model, DampingTerms.of(plan.damping), state, cut, gauge_tables(model, plan), dt)
+
+
+def _postponement(passes: Passes) -> Postponement | None:
+    """Return bonds that fail in a step and elements that this postpones, or None where nothing fails."""
+    found = [(candidates, postponed) for one, *tables in passes if one.name == "postpone_elements"
+             for _, candidates, postponed in [tables]]  # fmt: skip
+    return found[0] if found else None
 
 
 class DeviceLoop:
@@ -70,22 +81,28 @@ class DeviceLoop:
         terms = DampingTerms.of(plan.damping)
         self._scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, state.time - state.step * dt)
         self._shared, self._parts = _composed(model, plan, state, dt)
+        late = _postponement(composed(self._parts, *FORCES))
         names = names_of(composed(self._parts, *FORCES))
         self._run = Translation(
-            model.layout, self._shared.cut, len(state.reaction), len(state.work), further=not FURTHER.isdisjoint(names)
+            model.layout, self._shared.cut, len(state.reaction), len(state.work),
+            np.zeros(0, dtype=np.uint8) if late is None else late[1].held, further=not FURTHER.isdisjoint(names),
         )  # fmt: skip
         self._tables = DeviceTables(device)
-        self._tables.work_space(*self._run.work_spaces)
-        self._width = len(SUM_COLUMNS) + 3 * len(plan.gauges)
+        self._first_gauge = len(SUM_COLUMNS) + len(FURTHER_COLUMNS)
         self._gauges = len(plan.gauges)
+        self._width = self._first_gauge + 3 * self._gauges
         self._budget, self._still = np.zeros(2), noticeable(model, dt)
         self._graphs: dict[int, Callable[[], None]] = {}
         present, forces = self._launches("present"), self._launches(*FORCES)
         begin, look = [self._tick(first=True), *present], [self._tick(first=True, still=True), *forces]
         opening, guard = self._launches("opening"), self._launches("guard")
+        if late is not None:
+            resume = launches_of(composed(self._parts, *RESUME), self._run, resuming(late))
+            forces = [*forces, *resume, *end(self._run, late)]
         pause = [self._tick(ahead=1), *present, *forces]
         go_on = [self._tick(ahead=1, goes_on=True), *present, *forces]
         written = self._recording(HistoryRows(np.zeros((1, self._width))))
+        self._tables.work_space(*self._run.work_spaces)
         device.compile([one.name for one, *_ in (*begin, *forces, *opening, *guard, *written)])
         lists = begin, look, opening, pause, go_on, guard
         self._begin, self._look, self._open, self._pause, self._go_on, self._guarding = map(self._tables.prepared, lists)
@@ -173,11 +190,11 @@ class DeviceLoop:
         return wide, lost, RUNAWAY if kinetic > BEYOND * self._budget.sum() else FINE
 
     def _set_clock(self) -> None:
-        """Set the clock of the device to the step of the state, and records to the first row."""
+        """Set the clock of the device to the step of the state; records and events begin with the first row."""
         clock = self._run.span.clock
         clock[:] = 0
         clock[_STEP] = self.state.step
-        self._tables.send(clock)
+        self._tables.send(clock, *(log.written for log in self._run.logs))
 
     def _records(self, rows: int) -> "_Records":
         return _Records(self, HistoryRows(np.zeros((max(rows, 1), self._width))))
@@ -185,6 +202,8 @@ class DeviceLoop:
     def _fetch(self) -> None:
         """Copy what passes have written from the device, and with it the state."""
         self._tables.fetch_written()
+        for log in self._run.logs:
+            self._tables.fetch(log.event[: log.written[0]])
         for part in self._parts:
             part.keep()
 
@@ -205,7 +224,7 @@ class _Records:
             whole[:, 0] = [loop._scheme.origin + step * loop._scheme.dt for step in steps]
             for column, of_sums in _COLUMNS.items():
                 whole[:, column] = found[: len(steps), of_sums]
-            whole[:, FIXED_COLUMNS:] = found[: len(steps), len(SUM_COLUMNS) :]
+            whole[:, FIXED_COLUMNS:] = found[: len(steps), loop._first_gauge :]
         loop._tables.forget(self._rows)
         return whole
 

@@ -14,15 +14,22 @@ BONDEM_INLINE void put(const LoadsOfBonds &to, Index k, const BeamLoads<double> 
     for (Index c = 0; c < 9; c++) to.load.data[c * m + k] = all[c];
 }
 
-inline void load_beam(Index k, const Moving &all, const Beams &beams, const LoadsOfBonds &to) {
+BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams &beams) {
     const BeamStiffness<double> stiffness = stiffness_of(beams, k, beams.integrity(k));
-    put(to, k, beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness));
+    return beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness);
 }
-// One of those that differ in length only.
-inline void load_alike_beam(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike, const LoadsOfBonds &to) {
+// Of one of those that differ in length only.
+BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike) {
     const double h = alike.hold(k);
     const BeamStiffness<double> stiffness = {alike.knL * h, alike.AL * h, alike.BL * h, alike.AL * h, alike.ktL * h};
-    put(to, k, beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness));
+    return beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness);
+}
+
+inline void load_beam(Index k, const Moving &all, const Beams &beams, const LoadsOfBonds &to) {
+    put(to, k, loads_of(k, all, beams));
+}
+inline void load_alike_beam(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike, const LoadsOfBonds &to) {
+    put(to, k, loads_of(k, all, beams, alike));
 }
 inline void load_dashpot(Index k, const Moving &all, const Beams &beams, const Dashpots &dashpots, const LoadsOfBonds &to) {
     const Short i = beams.i(k), j = beams.j(k);

@@ -3,6 +3,7 @@
 #include "../passes/beams/beam_report.cpp"
 #include "../passes/boundary/couples.cpp"
 #include "../passes/cells/cell_report.cpp"
+#include "../passes/damage/beam_failure.cpp"
 #include "../passes/motion/body_forces.cpp"
 #include "../passes/record/record.cpp"
 #include "for_each.hpp"

@@ -53,12 +53,19 @@ struct Summed {
     }
 };
 
+// The clock of an element: those that a failure postpones do not open the next step.
+BONDEM_INLINE Clock clock_on(const DeviceSpan &span, Index p) {
+    Clock clock = clock_of(span);
+    if (span.postponed.size() > 0 && span.postponed(p) != 0) clock.goes_on = 0;
+    return clock;
+}
+
 // Moves element number e of the list, which owns no row of the boundary, and number h of those that own one.
 template <class Load, class Resisted>
 BONDEM_INLINE void move_free_one(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Load &load,
                                  const Resisted &resistance) {
     const One one(turn_of(span, cut, e), e);
-    move(one, clock_of(span), all, load.on(one), NoRow{}, resistance, -1);
+    move(one, clock_on(span, one.element), all, load.on(one), NoRow{}, resistance, -1);
 }
 template <class Load, class Resisted>
 BONDEM_INLINE void move_held_one(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Rows &rows,
@@ -66,7 +73,7 @@ BONDEM_INLINE void move_held_one(Index h, const DeviceSpan &span, const Moving &
     const Index e = cut.held(0) + h;
     const One one(turn_of(span, cut, e), e);
     const Index r = rows.of(one.element);
-    move(one, clock_of(span), all, load.on(one), BoundaryRow(rows, r), resistance, r);
+    move(one, clock_on(span, one.element), all, load.on(one), BoundaryRow(rows, r), resistance, r);
 }
 
 inline void move_gathered(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
@@ -119,7 +126,7 @@ inline void add_body_force(Index e, const DeviceSpan &span, const Moving &all, c
 }
 inline void add_work_of_body(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
                              const BodyForces &body) {
-    add_body_work(turn_of(span, cut, e), all, body);
+    if (clock_on(span, cut.ready(e)).goes_on) add_body_work(turn_of(span, cut, e), all, body);
 }
 
 }  // namespace bondem

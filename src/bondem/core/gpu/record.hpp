@@ -10,6 +10,8 @@ namespace bondem {
 // Columns of the sums: translation, rotation, damped, rubbed; normal, shear, bending, twisting; bonds turned wide, lost,
 // numbers that are not finite; work, its absolute value.
 constexpr Index sum_columns = 13, portions_of_group = 64;
+// Behind them in a record: energies of contacts, of non-local stresses, of fracture, of plasticity; then gauges.
+enum FurtherColumn : Index { of_contacts = sum_columns, of_non_local, of_fracture, of_plasticity, before_gauges };
 
 inline void sum_portion_of_elements(Index b, const DeviceSpan &span, const Moving &all, const Portions &portions) {
     sum_element_energies(portion_of(span, b, elements_of_portion, span.n), all, portions);
@@ -60,7 +62,7 @@ inline void read_part_of_gauge(Index k, const Moving &all, const Rows &rows, con
         to.parts(k, axis) = value;
     }
 }
-// Component k % 3 of gauge k / 3, behind the sums of the present row of records.
+// Component k % 3 of gauge k / 3, in the present row of records.
 inline void write_gauge(Index k, const DeviceSpan &span, const Gauges &gauges, const GaugeParts &from,
                         const HistoryRows &history) {
     const Index g = k / 3, axis = k % 3, reduction = gauges.reduction(g);
@@ -70,7 +72,7 @@ inline void write_gauge(Index k, const DeviceSpan &span, const Gauges &gauges, c
         value = reduction == gauge::largest ? most(value, x) : value + x;
     }
     const double count = double(gauges.start(g + 1) - gauges.start(g));
-    history.record(clock_of(span).record, sum_columns + k) = reduction == gauge::mean ? value / count : value;
+    history.record(clock_of(span).record, before_gauges + k) = reduction == gauge::mean ? value / count : value;
 }
 
 }  // namespace bondem

@@ -8,6 +8,7 @@ namespace bondem {
 // The clock of a run on a device, and how many elements and bonds there are.
 struct DeviceSpan {
     Array<Index, 1> clock;  // a `Clock`, word by word, (9,)
+    Array<const Byte, 1> postponed;  // not 0 for elements that do not open the next step with the others, (n,), or none
     Index n, m;
 };
 // How the clock is set.
@@ -18,6 +19,10 @@ struct Tick {
 // What each bond does to its two ends.
 struct LoadsOfBonds {
     Array<double, 2> load;  // force on j, torque on i, torque on j [N, N·m], (9, m)
+};
+// Bonds whose load reaches their bound.
+struct BondMarks {
+    Array<Byte, 1> mark;  // (m,)
 };
 // Bonds of each element, both lists ascending.
 struct BondsOfElements {

@@ -11,6 +11,7 @@ class DeviceSpan(NamedTuple):
     """The clock of a run on a device, and how many elements and bonds there are."""
 
     clock: Ints  #: word by word: times and coefficients of the scheme (5), step, first, goes on, record; (9,)
+    postponed: np.ndarray  #: not 0 for elements that do not open the next step with the others, uint8, (n,), or (0,)
     n: int
     m: int
 
@@ -28,6 +29,12 @@ class LoadsOfBonds(NamedTuple):
     """What each bond does to its two ends."""
 
     load: Floats  #: force on j, torque on i, torque on j [N, N·m], (9, m)
+
+
+class BondMarks(NamedTuple):
+    """Bonds whose load reaches their bound."""
+
+    mark: np.ndarray  #: uint8, (m,)
 
 
 class BondsOfElements(NamedTuple):
@@ -83,5 +90,7 @@ SUM_COLUMNS = (
     "translation", "rotation", "damped", "rubbed", "normal", "shear", "bending", "twisting", "wide", "lost", "not_finite",
     "work", "supplied",
 )  # fmt: skip
+#: Columns behind them in a record: energies of contacts, of non-local stresses, of fracture, of plasticity.
+FURTHER_COLUMNS = ("contact", "non_local", "fracture", "plastic")
 #: Portions of a group, and works or walls of a portion.
 GROUP, WORKS = 64, 1024

@@ -8,6 +8,7 @@ import numpy as np
 from bondem._device import IndexPass, Launch
 from bondem.kernels.tables import Rows, StepCut, StepScheme
 from bondem.model.layout import Layout
+from bondem.solve.damage_tables import EventLog
 from bondem.solve.on_device.device_tables import (
     GROUP,
     SUM_COLUMNS,
@@ -38,6 +39,7 @@ class Translation:
         cut: cut of a step into one block, whose list has the elements that own rows of the boundary last.
         rows: number of rows of the boundary.
         works: number of works.
+        postponed: elements that failures postpone, uint8, (n,), or (0,) where nothing fails.
         further: whether loads act on elements beside those of their bonds; their sums are in memory then.
 
     Attributes:
@@ -48,13 +50,16 @@ class Translation:
         dashed: what its dashpots do.
         further: see above.
         held: number of elements that own rows.
+        logs: events of the run, whose rows are copied as far as they are filled.
     """
 
-    def __init__(self, layout: Layout, cut: StepCut, rows: int, works: int, *, further: bool) -> None:
+    def __init__(
+        self, layout: Layout, cut: StepCut, rows: int, works: int, postponed: np.ndarray, *, further: bool
+    ) -> None:
         n, m = len(layout.order), len(layout.i)
         self.cut, self.further = cut, further
         self.held = n - int(cut.held[0])
-        self.span = DeviceSpan(np.zeros(9, dtype=np.int64), n, m)
+        self.span = DeviceSpan(np.zeros(9, dtype=np.int64), postponed, n, m)
         self.bonds = BondsOfElements(
             layout.in_start.astype(np.int32), layout.out_start.astype(np.int32), np.ascontiguousarray(layout.out_bond)
         )
@@ -62,13 +67,19 @@ class Translation:
         self._works = WorkPortions(np.zeros((-(-works // WORKS), 2)))
         most = max(-(-n // 1024), -(-m // 2048), len(self._works.works), 1)
         self.folded = FoldedPortions(np.zeros((-(-most // GROUP), len(SUM_COLUMNS))))
+        self.logs: list[EventLog] = []
         self._rows = rows
         self._made: dict[int, tuple[Any, Any]] = {}
 
     @property
     def work_spaces(self) -> list[np.ndarray]:
         """Arrays that only the device reads."""
-        return [self.loads.load, self.dashed.load, self.cut.sums]
+        return [self.loads.load, self.dashed.load, self.cut.sums, *(log.event for log in self.logs)]
+
+    def keep_log(self, log: EventLog) -> None:
+        """Take note of a table of events."""
+        if not any(log is known for known in self.logs):
+            self.logs.append(log)
 
     def once(self, of: Any, make: Callable[[], _T]) -> _T:
         """Return what belongs to a table or an array, which is made once."""
