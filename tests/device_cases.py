@@ -6,6 +6,7 @@ levers, which are whole numbers of a grid, then by 1e-9.
 
 import importlib
 import os
+from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -58,6 +59,26 @@ def bar() -> bd.Model:
         bd.BodyForce((10.0, 5.0, 0.0), bd.Index(range(20))),
     ]
     return bd.Model(lattice, law, density=rng.uniform(900.0, 1100.0, len(grid)), boundary=boundary)
+
+
+CRITERIA: dict[str, Any] = {
+    "peripheral": bd.PeripheralStress(tension=1.5e5, shear=1e5, scatter=bd.Weibull(modulus=6.0, volume=0.3, seed=2)),
+    "mohr coulomb": bd.MohrCoulomb(tension=6e4, cohesion=5e4, friction_angle=0.5),
+    "linear": bd.LinearSum(force=1.5e4, shear=1.5e4, bending=5e3, twisting=5e3, scatter=bd.Normal(deviation=0.1)),
+    "elliptic": bd.Elliptic(elongation=0.011, rotation=0.04),
+}
+
+
+def breaking_bar(criterion: Any) -> bd.Model:
+    """The bar, whose bonds break."""
+    model = bar()
+    return bd.Model(model.lattice, model.bond, model.density, boundary=model.boundary, failure=criterion)
+
+
+def breaking_cell() -> bd.Model:
+    """The periodic cell, whose bonds are alike but for their length."""
+    model = cell()
+    return bd.Model(model.lattice, model.bond, model.density, failure=bd.PeripheralStress(tension=4e5, shear=2e5))
 
 
 def cell() -> bd.Model:

@@ -19,12 +19,15 @@ from bondem.solve.plan import ExplicitResult, Plan
 from tests.bits import assert_same_bits
 from tests.device_cases import (
     CELL_GAUGES,
+    CRITERIA,
     CUBE_DT,
     CUBE_STEPS,
     GAUGES,
     NUS,
     bar,
     body,
+    breaking_bar,
+    breaking_cell,
     cell,
     cubes,
     free_body,
@@ -62,6 +65,12 @@ def held_beams() -> bd.Model:
     return bd.Model(bar().lattice, law, 1000.0, boundary=bd.Fix(bd.Face("x_min", depth=0.5)))
 
 
+def brittle_beams() -> bd.Model:
+    """These beams, which break."""
+    model, failure = held_beams(), bd.PeripheralStress(tension=5e4, shear=5e4)
+    return bd.Model(model.lattice, model.bond, 1000.0, boundary=model.boundary, failure=failure)
+
+
 def absorbing_bar() -> bd.Model:
     """A bar of cells with an absorbing end, a moment on a region, and a pressure that follows its face."""
     return bd.Model(body(4, 3, 3), bd.CellBond(E=1e7, nu=0.2), density=1000.0, boundary=[
@@ -93,6 +102,22 @@ CASES: dict[str, Callable[[], Case]] = {
         bd.Model(body(3, 3, 3, periodic=True), bd.CellBond(E=1e7, nu=0.2), density=1000.0),
         lambda model: strained(model, 1e-2), 150, 1e-3, {"damping": DAMPED, "every": 3},
     ),
+    **{
+        name: lambda criterion=criterion: (
+            breaking_bar(criterion), moving, 60, 2e-3, {"damping": DAMPED, "gauges": GAUGES, "every": 5}
+        )
+        for name, criterion in CRITERIA.items()
+    },
+    "dissipative and brittle": lambda: (
+        breaking_bar(CRITERIA["peripheral"]), moving, 60, 2e-3, {"every": 5, "scheme": bd.TchamwaWielgosz(1.2)}
+    ),
+    "alike and brittle": lambda: (
+        breaking_cell(), lambda model: moving(model, speed=1.2), 60, 2e-3, {"every": 5}
+    ),
+    "dashpots and brittle": lambda: (
+        breaking_bar(CRITERIA["peripheral"]), moving, 60, 1e-3, {"every": 0, "damping": bd.BondDamping(eta=0.1)}
+    ),
+    "held and brittle": lambda: (brittle_beams(), moving, 60, 2e-3, {}),
     "absorbing cells": lambda: (absorbing_bar(), moving, 150, 1e-3, {"gauges": CELL_GAUGES, "every": 10}),
 }  # fmt: skip
 
@@ -113,6 +138,9 @@ def test_a_device_agrees_with_the_cpu(case: str) -> None:
         expected, found = getattr(cpu.state, field), getattr(device.state, field)
         scale = np.abs(expected).max(initial=0.0)
         np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-12 * scale, err_msg=field)
+    np.testing.assert_array_equal(device.state.integrity, cpu.state.integrity)
+    np.testing.assert_allclose(device.state.broken, cpu.state.broken, rtol=1e-12, atol=1e-12)
+    assert ("brittle" in case or case in CRITERIA) == (len(cpu.state.broken) > 3)
     # the work of walls and tractions belongs to the rows of their cells there
     work = np.abs(cpu.state.work).max(initial=0.0)
     assert device.state.work.sum() == pytest.approx(cpu.state.work.sum(), rel=0.0, abs=1e-12 * work)
@@ -138,7 +166,7 @@ def test_these_runs_have_all_that_acts_on_bodies() -> None:
     assert set(index_pass_names()) == LAUNCHED
 
 
-@pytest.mark.parametrize("case", ["bar", "held cells"])
+@pytest.mark.parametrize("case", ["bar", "held cells", "peripheral"])
 def test_pausing_changes_no_bit(case: str) -> None:
     model, start, steps, dt, options = CASES[case]()
     options["every"] = 0
