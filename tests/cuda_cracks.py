@@ -1,6 +1,6 @@
 """Small runs in which facets crack: python tests/cuda_cracks.py gpu|cpu OUT.npz BODIES IN HANDED.
 
-As `device_cases.py` and `cuda_breaking.py`: the device takes the bodies that the CPU has cut, and both sides leave the
+The device takes the bodies that the CPU has cut, and both sides leave the
 states of half a run in HANDED and go on with those in IN, if it is there.
 """
 

@@ -1,6 +1,6 @@
 """Small runs in which facets break at once: python tests/cuda_facets.py gpu|cpu OUT.npz BODIES IN HANDED.
 
-As `device_cases.py` and `cuda_breaking.py`: the device takes the bodies that the CPU has cut, and both sides leave the
+The device takes the bodies that the CPU has cut, and both sides leave the
 states of half a run in HANDED and go on with those in IN, if it is there.
 """
 
@@ -12,8 +12,7 @@ import bondem as bd
 import device_cases
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
-from cuda_breaking import FIELDS
-from cuda_halves import kept, leave_cells, start
+from cuda_halves import FIELDS, kept, leave_cells, start
 
 DT, STEPS, HALF = 1e-3, 24, 14
 

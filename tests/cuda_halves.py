@@ -13,6 +13,8 @@ import device_cases
 from bondem.kernels.cell_pass import STRESS
 from bondem.solve.plan import ExplicitResult
 
+#: Arrays of the states of bodies that break.
+FIELDS = "pose", "motion", "acceleration", "loss", "work", "reaction", "integrity", "released", "broken"
 #: Carries out the cases on a device, "gpu" or "cpu", from states that were handed over, and hands its own over.
 Results = Callable[[str, dict[str, Any], dict[str, Any]], Iterator[tuple[str, ExplicitResult]]]
 

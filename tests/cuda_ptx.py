@@ -17,7 +17,6 @@ import numpy as np
 from numba.cuda import dispatcher
 
 import bondem as bd
-import cuda_breaking
 import device_cases
 import cuda_facets
 import cuda_soft_beams
@@ -72,7 +71,7 @@ def main() -> None:
     sizes: dict[str, dict[str, float]] = {}
     for name, model, gauges in (
         ("bonds", device_cases.bar(), device_cases.GAUGES), ("alike", device_cases.cell(), device_cases.INNER_GAUGES),
-        ("breaking", cuda_breaking.breaking_bar(cuda_breaking.CRITERIA["peripheral"]), device_cases.GAUGES),
+        ("breaking", device_cases.breaking_bar(device_cases.CRITERIA["peripheral"]), device_cases.GAUGES),
         ("cells", device_cases.held_bar(), device_cases.CELL_GAUGES),
         ("breaking cells", cuda_facets.held_bar(), device_cases.CELL_GAUGES),
         ("softening", cuda_soft_beams.softening_bar(cuda_soft_beams.CRITERIA["peripheral"]), device_cases.GAUGES),

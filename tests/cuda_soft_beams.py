@@ -1,6 +1,6 @@
 """Small runs in which beams soften: python tests/cuda_soft_beams.py gpu|cpu OUT.npz IN HANDED.
 
-As `cuda_breaking.py`.
+See `cuda_halves.py`.
 """
 
 import importlib
@@ -11,7 +11,7 @@ import bondem as bd
 import device_cases
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
-from cuda_breaking import FIELDS as BROKEN_FIELDS
+from cuda_halves import FIELDS as BROKEN_FIELDS
 from cuda_halves import kept, leave, start
 
 DT, STEPS, HALF = 2.5e-3, 36, 19

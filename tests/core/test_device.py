@@ -10,7 +10,7 @@ import bondem as bd
 from bondem._core import index_pass_names
 from bondem._device import DeviceTables, Enqueue, Host, IndexPass
 from bondem.kernels.cell_pass import STRESS
-from bondem.kernels.tables import FIXED_COLUMNS, TRANSLATION, WORK
+from bondem.kernels.tables import BROKEN_STEP, FIXED_COLUMNS, FRACTURE, TRANSLATION, WORK
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.loop_core import CoreLoop
@@ -176,6 +176,30 @@ def test_pausing_changes_no_bit(case: str) -> None:
     resumed = integrate(model, plans[0], state=half, loop_of=on_device)
     for other in (parted, resumed):
         assert_same_bits(whole, other)
+
+
+def test_a_run_goes_on_on_the_other_side() -> None:
+    """From the CPU to the device and back, while bonds break."""
+    model, start, steps, dt, options = CASES["peripheral"]()
+    whole = Plan(duration=steps * dt, dt=dt, **options)
+    half = Plan(duration=steps // 2 * dt, dt=dt, **options)
+    cpu = integrate(model, whole, state=start(model), loop_of=CoreLoop)
+    for first, second in ((CoreLoop, on_device), (on_device, CoreLoop)):
+        begun = integrate(model, half, state=start(model), loop_of=first)
+        assert 0 < len(begun.state.broken) < len(cpu.state.broken)
+        assert_same_bits(cpu, integrate(model, whole, state=begun.state, history=begun.history, loop_of=second))
+
+
+def test_breakage_is_spread_over_bonds_and_steps() -> None:
+    """Several bonds break in one step, so that their order counts, and the ledger closes with what they release."""
+    _, device = outcomes("alike and brittle")
+    steps = device.state.broken[:, BROKEN_STEP]
+    assert len(steps) - 5 >= len(np.unique(steps)) > 3
+    assert (device.state.integrity > 0.0).any()
+    records = device.history.records
+    total = records[:, TRANSLATION:WORK].sum(axis=1) + records[:, FRACTURE]
+    assert records[-1, FRACTURE] > 0.1 * total[0]
+    assert abs(total[-1] - total[0]) < 0.02 * total[0]
 
 
 @pytest.mark.parametrize("walls", [False, True], ids=["free", "between walls"])
