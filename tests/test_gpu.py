@@ -15,13 +15,11 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.kernels.tables import FIXED_COLUMNS, TRANSLATION, WORK
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
-from tests.device_cases import CUBE_DT, CUBE_STEPS, NUS
-from tests.recording import Record
+from tests.device_cases import CASES, deviation
 
 HERE = Path(__file__).parent
 SIMULATOR = {"NUMBA_ENABLE_CUDASIM": "1", "NUMBA_DISABLE_JIT": "1"}
@@ -184,6 +182,18 @@ def cylinder(law: str, count: int = 5_000) -> bd.Model:
     return bd.Model(lattice, bond, 2500.0, boundary=[
         bd.Fix(bd.Face("x_min")), bd.Load(bd.Face("x_max"), force=(1e5, 1e5, 0), schedule=bd.Ramp(0.0, 1.0, 1e-6)),
     ])  # fmt: skip
+
+
+@pytest.mark.gpu
+@pytest.mark.parametrize("case", CASES)
+def test_small_runs_on_a_device_agree_with_the_cpu(case: str) -> None:
+    if (reason := absent()) is not None:
+        pytest.skip(reason)
+    loop_of = importlib.import_module("bondem.solve.loop_on_gpu").loop_on_gpu
+    model, start, steps, dt, options = CASES[case]()
+    plan = Plan(duration=steps * dt, dt=dt, **options)
+    cpu, device = (integrate(model, plan, state=start(model), loop_of=loop) for loop in (None, loop_of))
+    assert deviation(cpu, device) < 1e-10
 
 
 @pytest.mark.gpu
