@@ -2,10 +2,11 @@
 
 python benchmarks/gpu_device.py [--seconds 225] [--out FILE]
 
-As long as there is time: small runs with all that acts on bodies, on the device and on the CPU; beams and cells of 1e4
-to 1e6 elements; beams that break; a batch of 100 specimens of 10 000 elements, several at once; a body in contact, where
-the device has contacts; beams and cells of 1e7 elements. Bodies are periodic packings of 10 000 spheres, repeated. The
-file is written after each of them. `--host` rehearses the script in small, with the CPU as the device.
+As long as there is time: small runs with all that acts on bodies, on the device and on the CPU; beams and cells of
+1e4 to 1e6 elements; beams that break; a batch of 100 specimens of 10 000 elements, several at once; a body in
+contact, where the device has contacts; beams and cells of 1e7 elements. Bodies are periodic packings of 10 000
+spheres, repeated. The file is written after each of them. `--host` rehearses the script in small, with the CPU as
+the device.
 """
 
 import argparse
@@ -67,7 +68,11 @@ def checked(device: Callable[[], Device]) -> dict[str, float]:
         model, start, steps, dt, options = make()
         plan = Plan(duration=steps * dt, dt=dt, **options)
         cpu = integrate(model, plan, state=start(model))
-        gpu = integrate(model, plan, state=start(model), loop_of=lambda *of: DeviceLoop(*of, device()))
+
+        def loop_of(model: bd.Model, plan: Plan, state: State, dt: float) -> DeviceLoop:
+            return DeviceLoop(model, plan, state, dt, device())
+
+        gpu = integrate(model, plan, state=start(model), loop_of=loop_of)
         found[name] = cases.deviation(cpu, gpu)
     return found
 
@@ -165,7 +170,7 @@ def report(device: Callable[[], Device], clock: Clock, *, rehearsal: bool) -> It
         yield "beams that break", measured(device, 2_000 if rehearsal else 1_000_000, "beams", failure=brittle)
     if clock.left > 20.0:
         yield "batch", batch(device, *((4, 500, 2) if rehearsal else (_BATCH, _OF_EACH, _AT_ONCE)))
-    touching = {"contact": bd.LinearContact(E=265e9)}
+    touching: dict[str, Any] = {"contact": bd.LinearContact(E=265e9)}
     probe = bd.Model(specimen(500, largest=500), LAWS["beams"][0], 2500.0, **touching)
     if not device_has(probe, Plan(duration=1.0)):
         yield "contacts", "not on the device yet"
@@ -186,7 +191,7 @@ def main() -> int:
         device: Callable[[], Device] = Host
     else:
         cuda = importlib.import_module("bondem._cuda")
-        reason = cuda.missing()
+        reason = cuda.lacks_gpu()
         if reason is not None:
             sys.exit(f"nothing measured: {reason}")
         device = cuda.CudaDevice

@@ -33,7 +33,8 @@ def torn(failure: Any) -> bd.Model:
         bd.Load(bd.Face("y_max"), force=(0.0, 3e4, 1e4), schedule=bd.Ramp(0.0, 1.0, 0.02)),
         bd.Pressure(bd.Face("z_max"), 2e4, schedule=bd.Ramp(1.0, 0.0, 0.03)),
     ]  # fmt: skip
-    return bd.Model(device_cases.body(3, 2, 2), bd.CellBond(E=1e7, nu=0.3), 1000.0, boundary=boundary, failure=failure)
+    body = device_cases.body(3, 2, 2)
+    return bd.Model(body, bd.CellBond(E=1e7, nu=0.3), 1000.0, boundary=boundary, failure=failure)
 
 
 def flying(failure: Any) -> tuple[bd.Model, bd.State]:

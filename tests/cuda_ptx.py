@@ -17,10 +17,10 @@ import numpy as np
 from numba.cuda import dispatcher
 
 import bondem as bd
-import device_cases
 import cuda_facets
 import cuda_soft_beams
 import cuda_yielding
+import device_cases
 from bondem.solve import beam_softening_cuda, breakage_cuda, cracks_cuda, forces_cuda, loop_cuda
 from bondem.solve.plan import Plan
 
@@ -75,7 +75,10 @@ def main() -> None:
         ("cells", device_cases.held_bar(), device_cases.CELL_GAUGES),
         ("breaking cells", cuda_facets.held_bar(), device_cases.CELL_GAUGES),
         ("softening", cuda_soft_beams.softening_bar(cuda_soft_beams.CRITERIA["peripheral"]), device_cases.GAUGES),
-        ("yielding cells", cuda_facets.breaking(device_cases.held_bar(), cuda_yielding.CONE), device_cases.CELL_GAUGES),
+        (
+            "yielding cells", cuda_facets.breaking(device_cases.held_bar(), cuda_yielding.CONE),
+            device_cases.CELL_GAUGES,
+        ),
         ("cracking cells", cuda_facets.breaking(device_cases.held_bar(), RANKINE), device_cases.CELL_GAUGES),
     ):  # fmt: skip
         uploaded.clear()

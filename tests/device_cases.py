@@ -93,9 +93,9 @@ def cell() -> bd.Model:
     return bd.Model(bd.connect(particles, reach=1.15), bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6), 1000.0)
 
 
-def body(*counts: int, periodic: bool = False) -> bd.Lattice:
+def body(a: int, b: int, c: int, *, periodic: bool = False) -> bd.Lattice:
     """A crooked box, or periodic cell, of unit cells."""
-    rng = np.random.default_rng(1)
+    rng, counts = np.random.default_rng(1), (a, b, c)
     grid = np.indices(counts).reshape(3, -1).T + 0.5
     shape = bd.Cell(size=counts) if periodic else bd.Box(counts)
     centre, radius = grid + rng.uniform(-0.2, 0.2, grid.shape), rng.uniform(0.25, 0.3, len(grid))
@@ -151,7 +151,7 @@ def cubes(nu: float, *, walls: bool) -> tuple[bd.Model, State]:
     held = [bd.Fix(bd.Face(face), "x", "") for face in ("x_min", "x_max")] if walls else []
     model = bd.Model(cut("cubes", particles), bd.CellBond(E=1e7, nu=nu), 1000.0, boundary=held)
     state = model.state()
-    state.set_motion(velocity=[[1.0 if walls else -1.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+    state.set_motion(velocity=np.array([[1.0 if walls else -1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]))
     return model, state
 
 
@@ -173,7 +173,7 @@ def strained(model: bd.Model, size: float) -> State:
 def held_beams() -> bd.Model:
     """The bar, held at one end and free of anything else."""
     law = bd.Timoshenko(E=1e7, nu=0.2, radius=0.2)
-    return bd.Model(bar().lattice, law, 1000.0, boundary=bd.Fix(bd.Face("x_min", depth=0.5)))
+    return bd.Model(bar().lattice, law, 1000.0, boundary=[bd.Fix(bd.Face("x_min", depth=0.5))])
 
 
 def brittle_beams() -> bd.Model:
@@ -234,7 +234,7 @@ CASES: dict[str, Callable[[], Case]] = {
 
 
 def deviation(expected: ExplicitResult, found: ExplicitResult) -> float:
-    """Return the largest difference between two runs, each array over its largest value; inf where they end otherwise.
+    """Return the largest difference of two runs, each array over its largest value; inf where they end otherwise.
 
     Energies are compared with the largest of a record, as they come and go, and works by their sum: on a device the
     work of walls and tractions belongs to the rows of their cells.

@@ -156,7 +156,7 @@ def test_without_the_package_it_says_what_to_install(monkeypatch) -> None:
 def absent() -> str | None:
     """Why there is no device here, or None."""
     try:
-        return importlib.import_module("bondem._cuda").missing()
+        return importlib.import_module("bondem._cuda").lacks_gpu()
     except ImportError as error:
         return f"needs cuda-core ({error}): pip install -e '.[gpu]'"
 

@@ -17,26 +17,27 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import cuda.bindings.nvrtc as cuda_nvrtc
 import cuda.core as cuda_core
 import numpy as np
-from cuda.bindings import nvrtc
 
 from bondem._compile import cache_directory
 from bondem._core_build import SOURCES, core_sources
 from bondem._device import Enqueue, IndexPass
 
-__all__ = ["CudaDevice", "Registers", "compiled_passes", "missing"]
+__all__ = ["CudaDevice", "Registers", "compiled_passes", "lacks_gpu"]
 
-# its attributes depend on the version of CUDA, so that type checkers do not know them
+# their attributes depend on the version of CUDA, so that type checkers do not know them
 core: Any = cuda_core
+nvrtc: Any = cuda_nvrtc
 # Threads of a block.
 _BLOCK = 128
 # Arguments of a kernel: how many indices there are, and tables.
 _TABLES = 8
 
 
-def missing() -> str | None:
-    """Return what a run on a device lacks here, as a sentence for people; None where nothing."""
+def lacks_gpu() -> str | None:
+    """Return a sentence that says what a run on a device lacks here, or None."""
     try:
         if core.Device.get_all_devices():
             return None
@@ -50,12 +51,12 @@ def missing() -> str | None:
 
 @dataclass(frozen=True)
 class Registers:
-    """What a thread of a kernel takes, as the compiler says.
+    """Registers and memory of a thread of a kernel, as the compiler reports them.
 
     Attributes:
         registers: number of registers.
-        spilled: bytes that it writes and reads because it lacks registers.
-        stack: bytes of its stack.
+        spilled: number of bytes that a thread writes and reads because registers are lacking.
+        stack: number of bytes on the stack.
     """
 
     registers: int
@@ -67,11 +68,11 @@ def compiled_passes(architecture: str, name: str | None = None) -> tuple[bytes, 
     """Compile passes over an index; no device is needed.
 
     Args:
-        architecture: what to compile for, such as "sm_90".
+        architecture: architecture of the device, such as "sm_90".
         name: name of a pass; None for all of them.
 
     Returns:
-        The compiled passes, and what a thread of each takes.
+        The compiled passes, and the registers of a thread of each.
     """
     source, log = SOURCES / "gpu" / "kernels.cu", io.StringIO()
     options = core.ProgramOptions(
@@ -84,7 +85,7 @@ def compiled_passes(architecture: str, name: str | None = None) -> tuple[bytes, 
 
 
 def _registers(log: str) -> dict[str, Registers]:
-    """Read what the compiler says of each kernel."""
+    """Read the report of the compiler on each kernel."""
     found = {}
     for part in log.split("Compiling entry function '")[1:]:
         kernel = part.partition("'")[0]
@@ -176,7 +177,8 @@ class CudaDevice:
         """Compile passes on several threads, or take them from the cache."""
         lacking = [name for name in dict.fromkeys(names) if name not in self._kernels]
         with ThreadPoolExecutor() as pool:
-            for name, made in zip(lacking, pool.map(lambda name: _cubin(name, self._architecture), lacking), strict=True):
+            made_each = pool.map(lambda name: _cubin(name, self._architecture), lacking)
+            for name, made in zip(lacking, made_each, strict=True):
                 self._kernels[name] = core.ObjectCode.from_cubin(made, name=name).get_kernel(name)
 
     def _kernel(self, name: str) -> Any:

@@ -1,8 +1,8 @@
 """Passes over an index, and the tables of a run on the device that carries them out.
 
-A device is a GPU (`bondem._cuda`), or the CPU itself (`Host`), on which tests run the same passes in a loop. Tables are
-those of the core, named tuples of NumPy arrays. `DeviceTables` checks them, copies their arrays to the device and lays
-the tables out there.
+A device is a GPU (`bondem._cuda`), or the CPU itself (`Host`), on which tests run the same passes in a loop. Tables
+are those of the core, named tuples of NumPy arrays. `DeviceTables` checks them, copies their arrays to the device and
+lays the tables out there.
 """
 
 from collections.abc import Callable, Iterable, Sequence

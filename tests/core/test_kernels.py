@@ -161,7 +161,7 @@ def _synchronous(copy: Any) -> Any:
 
 def test_a_user_without_a_device_learns_what_is_missing(monkeypatch) -> None:
     gpu = pytest.importorskip("bondem.solve.loop_on_gpu")
-    monkeypatch.setattr(_cuda, "missing", lambda: "no CUDA device or driver was found: …")
+    monkeypatch.setattr(_cuda, "lacks_gpu", lambda: "no CUDA device or driver was found: …")
     with pytest.raises(InputError, match="device='gpu': no CUDA device"):
         gpu.require_gpu(bar(), Plan(duration=1.0))
     with pytest.raises(InputError, match="no CUDA device"):

@@ -31,7 +31,7 @@ def core_has(model: Model) -> bool:
     breakage; those of elastic bodies of cells; and of contacts and walls where bonds do not break.
     """
     return (
-        (model.cells is None or model.breaking is None and model.softening is None and model.contacts is None)
+        (model.cells is None or (model.breaking is None and model.softening is None and model.contacts is None))
         and (model.non_local is None or model.breaking is None)
         and (model.contacts is None or model.breaking is None)
     )

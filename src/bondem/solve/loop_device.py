@@ -2,7 +2,8 @@
 
 The parts of a step compose its lists of passes as for the CPU, and `bondem.solve.on_device` translates them. Records
 are formed on the device and copied once a call, together with the state. All launches between two pauses are the same
-for every step, because the number of the step is on the device: they are recorded once, as graphs of 1, 2, 4 … 64 steps.
+for every step, because the number of the step is on the device: they are recorded once, as graphs of 1, 2, 4 … 64
+steps.
 """
 
 from collections.abc import Callable, Sequence
@@ -46,7 +47,7 @@ def device_has(model: Model, plan: Plan) -> bool:
     held = model.constraints
     return (
         core_has(model)
-        and (model.breaking is None or model.cells is None and model.breaking.kind < len(CRITERION_NAMES))
+        and (model.breaking is None or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES)))
         and model.beam_softening is None
         and model.contacts is None
         and model.non_local is None
@@ -105,7 +106,8 @@ class DeviceLoop:
         self._tables.work_space(*self._run.work_spaces)
         device.compile([one.name for one, *_ in (*begin, *forces, *opening, *guard, *written)])
         lists = begin, look, opening, pause, go_on, guard
-        self._begin, self._look, self._open, self._pause, self._go_on, self._guarding = map(self._tables.prepared, lists)
+        prepared = map(self._tables.prepared, lists)
+        self._begin, self._look, self._open, self._pause, self._go_on, self._guarding = prepared
 
     def _launches(self, *stages: str) -> list[Launch]:
         return launches_of(composed(self._parts, *stages), self._run)

@@ -20,7 +20,7 @@ def require_gpu(model: Model, plan: Plan) -> None:
     """
     if not device_has(model, plan):
         _older().require_runnable(model, plan)
-    reason = _cuda.missing()
+    reason = _cuda.lacks_gpu()
     if reason is not None:
         raise InputError(f"device='gpu': {reason}")
 

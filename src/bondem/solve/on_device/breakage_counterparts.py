@@ -64,7 +64,12 @@ def _load_alike(
 
 def _judge(name: str) -> Counterpart:
     def counterpart(
-        run: Translation, moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, postponed: Postponed
+        run: Translation,
+        moving: Moving,
+        beams: Beams,
+        strengths: Strengths,
+        candidates: Candidates,
+        postponed: Postponed,
     ) -> list[Launch]:
         tables = run.span, moving, beams, strengths, _marks(run), candidates, postponed
         return [(_JUDGES[name], run.span.m, tables), (_sort_failing, 1, (candidates,))]

@@ -6,7 +6,14 @@ from bondem._device import IndexPass, Launch
 from bondem.kernels.tables import Rows, StepCut
 from bondem.model.beam_tables import Beams
 from bondem.model.cell_tables import CellDilatation, DilatationEnergy, ElasticFacets, FacetTractions, WallConstraints
-from bondem.solve.on_device.device_tables import WORKS, BondsOfElements, DeviceSpan, LoadsOfBonds, RowOrder, WallEnergy
+from bondem.solve.on_device.device_tables import (
+    WORKS,
+    BondsOfElements,
+    DeviceSpan,
+    LoadsOfBonds,
+    RowOrder,
+    WallEnergy,
+)
 from bondem.solve.on_device.translation import Counterpart, Translation
 from bondem.solve.step_tables import Moving, Portions, Timeline
 

@@ -1,7 +1,7 @@
 """The counterparts of all passes: for each pass that a step is composed of, the launches that do the same.
 
-The parts of a step (`bondem.solve.parts`) compose it once, for the CPU and for devices. A model runs on a device where
-each of its passes has a counterpart.
+The parts of a step (`bondem.solve.parts`) compose it once, for the CPU and for devices. A model runs on a device
+where each of its passes has a counterpart.
 """
 
 from collections.abc import Mapping

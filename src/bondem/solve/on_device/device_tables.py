@@ -17,7 +17,7 @@ class DeviceSpan(NamedTuple):
 
 
 class Tick(NamedTuple):
-    """How the clock is set."""
+    """Change of the clock."""
 
     ahead: int  #: by how many steps
     goes_on: bool  #: whether elements open the next step
@@ -26,7 +26,7 @@ class Tick(NamedTuple):
 
 
 class LoadsOfBonds(NamedTuple):
-    """What each bond does to its two ends."""
+    """Loads of each bond on its two ends."""
 
     load: Floats  #: force on j, torque on i, torque on j [N, N·m], (9, m)
 
@@ -84,11 +84,11 @@ class GaugeParts(NamedTuple):
     parts: Floats  #: (gauges · each, 3)
 
 
-#: Columns of sums, as in `core/gpu/record.hpp`: energies of elements and of bonds, bonds turned too far and numbers that
-#: are not finite, works.
+#: Columns of sums, as in `core/gpu/record.hpp`: energies of elements and of bonds, bonds turned too far and numbers
+#: that are not finite, works.
 SUM_COLUMNS = (
-    "translation", "rotation", "damped", "rubbed", "normal", "shear", "bending", "twisting", "wide", "lost", "not_finite",
-    "work", "supplied",
+    "translation", "rotation", "damped", "rubbed", "normal", "shear", "bending", "twisting", "wide", "lost",
+    "not_finite", "work", "supplied",
 )  # fmt: skip
 #: Columns behind them in a record: energies of contacts, of non-local stresses, of fracture, of plasticity.
 FURTHER_COLUMNS = ("contact", "non_local", "fracture", "plastic")

@@ -13,7 +13,8 @@ _open_element_or_row = IndexPass("open_element_or_row", DeviceSpan, Moving, Rows
 _gather_loads = IndexPass("gather_loads", StepCut, BondsOfElements, LoadsOfBonds)
 _gather_dashpots = IndexPass("gather_dashpots", StepCut, BondsOfElements, LoadsOfBonds, Dashpots)
 
-_FREE, _HELD, _OF_BONDS = (DeviceSpan, Moving, StepCut), (DeviceSpan, Moving, StepCut, Rows), (BondsOfElements, LoadsOfBonds)
+_FREE, _HELD = (DeviceSpan, Moving, StepCut), (DeviceSpan, Moving, StepCut, Rows)
+_OF_BONDS = BondsOfElements, LoadsOfBonds
 # By whether loads act beside those of bonds, and by rows and resistance.
 _MOVES = {
     (False, False, False): IndexPass("move_gathered", *_FREE, *_OF_BONDS),

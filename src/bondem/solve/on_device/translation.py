@@ -46,9 +46,9 @@ class Translation:
         cut: cut of the step.
         span: clock of the run, elements and bonds.
         bonds: bonds of each element.
-        loads: what each bond does to its ends.
-        dashed: what its dashpots do.
-        further: see above.
+        loads: loads of each bond on its ends.
+        dashed: loads of the dashpots of each bond.
+        further: whether loads act beside those of bonds.
         held: number of elements that own rows.
         logs: events of the run, whose rows are copied as far as they are filled.
     """
