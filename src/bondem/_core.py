@@ -16,7 +16,7 @@ import os
 import re
 import struct
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -289,13 +289,28 @@ class Pass:
         Raises:
             InputError: an array of another type, shape or order in memory than declared.
         """
+        return self.bound(*tables, threads=threads)()
+
+    def bound(self, *tables: tuple[Any, ...], threads: int = 1) -> Callable[[], str]:
+        """Return a function that runs the pass with these tables, which are checked once.
+
+        Their arrays are read and written in place at every call.
+
+        Raises:
+            InputError: an array of another type, shape or order in memory than declared.
+        """
         lengths: dict[str, tuple[int, str]] = {}
         filled = [
             filled_table(kind.__name__, fields, table, lengths)
             for (kind, fields), table in zip(self._kinds, tables, strict=True)
         ]
-        ended = self._function(int(threads), *filled)
-        return self._outcomes[ended] if self._outcomes else ""
+
+        def run() -> str:
+            assert tables is not None  # the arrays live as long as this function
+            ended = self._function(int(threads), *filled)
+            return self._outcomes[ended] if self._outcomes else ""
+
+        return run
 
 
 def step_pass(name: str) -> tuple[tuple[int, int], tuple[str, ...]]:

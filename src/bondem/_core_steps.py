@@ -40,11 +40,14 @@ class Composer:
     """Fills tables once, and makes lists of passes of them; it must live as long as these.
 
     A length that a header names, such as n, is one length in all tables of a composer.
+
+    Args:
+        known: composer whose tables this one has too, so that they are not filled again.
     """
 
-    def __init__(self) -> None:
-        self._lengths: dict[str, tuple[int, str]] = {}
-        self._filled: dict[int, tuple[Any, Any]] = {}
+    def __init__(self, known: "Composer | None" = None) -> None:
+        self._lengths: dict[str, tuple[int, str]] = {} if known is None else known._lengths.copy()
+        self._filled: dict[int, tuple[Any, Any]] = {} if known is None else known._filled.copy()
 
     def __call__(self, passes: Iterable[tuple[Any, ...]]) -> np.ndarray:
         """Entries of a list, int64, (passes, 8).

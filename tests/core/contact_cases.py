@@ -1,12 +1,13 @@
 """Models with contacts and walls, for tests of the passes of contact."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 import bondem as bd
 from bondem.model.state import State
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
-from tests.core.test_steps import X_MAX, X_MIN, crooked
 
 E = 1e7
 LINEAR = bd.LinearContact(E=E, friction=0.4, damping=0.1)
@@ -33,35 +34,76 @@ def all_walls(size: float) -> list:
     """Return walls of each kind and of each motion around a cube and within it."""
     middle = size / 2
     return [
-        bd.PlaneWall((0, 0, 0), (1, 0, 0), motion=bd.Servo(2e5, speed=4.0, mass=2e4)),
+        bd.PlaneWall((0, 0, 0), (1, 0, 0), motion=bd.Servo(2e5, speed=4.0, mass=3e5)),
         bd.PlaneWall((0, 0, 0), (0, 1, 0), friction=0.1),
         bd.PlaneWall((0, 0, 0), (0, 0, 1), outer=0.9 * size, inner=0.2),
-        bd.PlaneWall((size, 0, 0), (-1, 0, 0), motion=bd.Free(1e4, velocity=(-3.0, 0, 0), force=(-1e4, 0, 0))),
+        bd.PlaneWall((size, 0, 0), (-1, 0, 0), motion=bd.Free(2e5, velocity=(-3.0, 0, 0), force=(-1e5, 0, 0))),
         bd.PlaneWall((0, size, 0), (0, -1, 0), motion=bd.Driven(y=bd.Ramp(0.0, -0.3, 0.1), vx=0.5)),
         bd.CylinderWall(0.6 * size, (0, middle, middle), (1, 0, 0), motion=bd.Driven(vgrowth=-0.4)),
         bd.CylinderWall(0.12, (1.15, 1.0, 2.3), (0, 1, 0), outside=True, motion=bd.Driven(growth=bd.Ramp(0, 0.2, 0.1))),
         bd.SphereWall(size, (middle, middle, middle), inside=True, motion=bd.Servo(3e5, speed=20.0)),
-        bd.SphereWall(0.15, (middle, middle, middle), motion=bd.Free(5e2, velocity=(3.0, 1.0, 0.0))),
+        bd.SphereWall(0.15, (middle, middle, middle), motion=bd.Free(1e5, velocity=(3.0, 1.0, 0.0))),
     ]
 
 
-def touching_beams(law) -> bd.Model:
-    """Return a crooked bar whose ends are driven past each other, between walls that it touches."""
+def slit_bar(shape: tuple[int, int, int]) -> bd.Lattice:
+    """Return a crooked bar with a slit: across it elements touch that no bond joins."""
+    rng = np.random.default_rng(1)
+    grid = np.indices(shape).reshape(3, -1).T.astype(float)
+    particles = bd.Particles(grid + rng.uniform(-0.05, 0.05, grid.shape), rng.uniform(0.46, 0.5, len(grid)))
+    whole = bd.connect(particles, reach=1.6)
+    side = grid[:, 2] > (shape[2] - 1) / 2
+    i, j = whole.pairs.T
+    slit = (side[i] != side[j]) & (np.minimum(grid[i, 0], grid[j, 0]) > 0.5)
+    return bd.Lattice(particles, whole.pairs[~slit])
+
+
+def touching_beams(law, *, shape=(6, 3, 4), **options) -> bd.Model:
+    """Return a bar with a slit that is pressed between walls and sheared along the slit."""
+    top, bottom = bd.Face("z_max", depth=0.5), bd.Face("z_min", depth=0.5)
     boundary = [
-        bd.Fix(X_MIN),
-        bd.Drive(X_MAX, vx=bd.Ramp(0.0, -4.0, 0.02), vy=bd.Ramp(0.0, 2.0, 0.05)),
-        bd.Load(bd.Face("z_max", depth=0.5) - X_MIN - X_MAX, force=(0, 0, -2e5), schedule=bd.Ramp(0.0, 1.0, 0.02)),
+        bd.Fix(bottom),
+        bd.Drive(top - bottom, vz=bd.Ramp(0.0, -1.5, 0.02), vx=bd.Ramp(0.0, 1.5, 0.05)),
     ]
-    walls = [bd.PlaneWall((0, 0, -0.4), (0, 0, 1)), bd.CylinderWall(0.5, (2, 1, 3.2), (0, 1, 0), outside=True)]
-    return bd.Model(crooked((5, 3, 3)), BEAM, density=1e3, boundary=boundary, contact=law, walls=walls)
+    walls = [
+        bd.PlaneWall((-0.5, 0, 0), (1, 0, 0)),
+        bd.PlaneWall((0, -0.5, 0), (0, 1, 0), motion=bd.Servo(1e5, speed=0.3)),
+    ]
+    return bd.Model(
+        slit_bar(shape), BEAM, density=1e3, boundary=boundary, contact=law, walls=walls, **options
+    )
 
 
-def plan_of(model: bd.Model, steps: int, *, share: float = 0.5, gauges: bool = True, **options) -> Plan:
+def moving_beams(law, **options) -> tuple[bd.Model, State]:
+    """Return that bar with random velocities, in a model and a state."""
+    model = touching_beams(law, **options)
+    state = State(model)
+    state.set_motion(velocity=np.random.default_rng(7).uniform(-0.5, 0.5, (len(state.pose), 3)))
+    return model, state
+
+
+def plan_of(model: bd.Model, steps: int, *, share: float = 0.5, **options) -> Plan:
     """Return a plan of some steps of a share of the critical step, with gauges of all walls."""
     dt = share * critical_step(model, bd.VelocityVerlet())
     quantities = ("force", "displacement", "velocity", "growth")
-    names = {
-        f"{quantity} {wall}": bd.WallGauge(wall, quantity)
-        for wall in range(len(model.walls) if gauges else 0) for quantity in quantities
-    }  # fmt: skip
-    return Plan(duration=steps * dt, dt=dt, gauges=names, **options)
+    gauges = {f"{quantity} {w}": bd.WallGauge(w, quantity) for w in range(len(model.walls)) for quantity in quantities}
+    return Plan(duration=steps * dt, dt=dt, gauges=gauges, **options)
+
+
+WEAK = bd.PeripheralStress(tension=1.2e6, shear=1.2e6)
+PARALLEL = bd.LinearContact(E=E / 10, friction=0.3, damping=0.2, parallel=True)
+STRESSED = bd.LinearContact(E=E / 20, friction=0.2, stress_free=False)
+#: Models, their states, and the damping of their runs.
+CASES: dict[str, tuple[Callable[[], tuple[bd.Model, State]], object]] = {
+    "spheres and walls": (lambda: cloud(4, LINEAR, walls=all_walls(9.2)), None),
+    "Hertzian spheres and walls": (lambda: cloud(4, HERTZIAN, walls=all_walls(9.2)), None),
+    "periodic cell": (lambda: cloud(5, LINEAR, period=(11.5, 11.5, 11.5)), None),
+    "beams, damped": (lambda: moving_beams(LINEAR), bd.LocalDamping(0.1)),
+    "beams, Hertzian": (lambda: moving_beams(HERTZIAN), None),
+    "beams, no friction": (lambda: moving_beams(bd.LinearContact(E=E, damping=0.2)), None),
+    "beams, parallel": (lambda: moving_beams(PARALLEL), None),
+    "beams break, Hertzian": (lambda: moving_beams(HERTZIAN, failure=WEAK), None),
+    "beams break, parallel": (lambda: moving_beams(PARALLEL, failure=WEAK), None),
+    "beams break, stressed": (lambda: moving_beams(STRESSED, failure=WEAK), None),
+}
+STEPS = 400

@@ -6,8 +6,10 @@
 #include "passes/cells/cell_strains.hpp"
 #include "passes/cells/cell_stress.hpp"
 #include "passes/cells/dilatation.hpp"
+#include "passes/cells/facet_failure.hpp"
 #include "passes/cells/facet_loads.hpp"
 #include "passes/cells/facet_traction.hpp"
+#include "passes/cells/observation.hpp"
 #include "passes/cells/wall_constraints.hpp"
 
 namespace bondem {
@@ -22,9 +24,11 @@ BONDEM_TABLE(CellEnergies, F(energy, "4"))
 BONDEM_TABLE(CellPoses, F(pose, "n 8"), F(rest, "n 3"))
 BONDEM_TABLE(FacetForces, F(bends, "m"), F(force, "3 m"), F(moment, "n 7"), F(sums, "* 8"))
 BONDEM_TABLE(FacetsOfCells, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"))
+BONDEM_TABLE(FacetRelease, F(whole, "n"), F(weight, "n"), F(given, "n"), F(slack_i, "bonds"), F(slack_j, "bonds"),
+             F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "bonds"), F(changed, "n"), F(changes, "1"))
 BONDEM_TABLE(WallConstraints, F(cell, "held"), F(row, "held"), F(k, "held"), F(lever, "held 3"), F(arm, "held 3"),
              F(share, "held 3"), F(H, "held 6"), F(base, "held 7"), F(axes, "held 3"), F(drive, "held 3"),
-             F(rate, "wall_schedules"), F(times, "wall_times"), F(values, "wall_times"), F(start, "wall_schedules+1"),
+             F(rate, "hold_schedules"), F(times, "hold_times"), F(values, "hold_times"), F(start, "hold_schedules+1"),
              F(place, ""), F(wall, "held 3"), F(came, "held 3"), F(load, "held 6"))
 BONDEM_TABLE(FacetTractions, F(value, "tractions n"), F(schedule, "tractions"), F(place, ""), F(factor, "tractions"),
              F(came, "tractions"))
@@ -32,6 +36,8 @@ BONDEM_TABLE(CellStrains, F(schedule, "strains"), F(base_i, "3 strained"), F(bas
              F(part, "strains strained"), F(wall_base, "held 3"), F(wall_still, "held"), F(wall_part, "strains held"),
              F(place, ""), F(factor, "4 strains"), F(power, "bond_portions strains"), F(due, "1"))
 BONDEM_TABLE(WallTime, F(time, ""))
+BONDEM_TABLE(TurnedVectors, F(quaternion, "vectors 4"), F(vector, "vectors 3"), F(turned, "vectors 3"))
+BONDEM_TABLE(MomentsOfForces, F(moment, "* 6"), F(owner, "vectors"), F(arm, "vectors 3"), F(force, "vectors 3"), F(sign, ""))
 
 #undef F
 
@@ -39,8 +45,11 @@ BONDEM_TABLE(WallTime, F(time, ""))
 #define BONDEM_CELL_TABLES                                                                                      \
     described<ElasticFacets>(), described<CellDilatation>(), described<DilatationEnergy>(),                     \
         described<CellEnergies>(), described<CellPoses>(), described<FacetForces>(), described<FacetsOfCells>(), \
-        described<WallConstraints>(), described<FacetTractions>(), described<CellStrains>(), described<WallTime>()
-#define BONDEM_CELL_PASSES P(load_body, ""), P(load_facets, ""), P(measure_cell_energies, ""), P(place_walls, "")
+        described<WallConstraints>(), described<FacetTractions>(), described<CellStrains>(), described<WallTime>(), \
+        described<FacetRelease>(), described<TurnedVectors>(), described<MomentsOfForces>()
+#define BONDEM_CELL_PASSES P(load_body, ""), P(load_facets, ""), P(measure_cell_energies, ""), P(place_walls, ""), \
+        P(turn_vectors, ""), P(add_moments, ""), P(weigh_cells, ""), P(index_facets_by_peripheral_stress, ""), P(index_facets_by_mohr_coulomb, ""), \
+        P(index_facets_by_linear_sum, ""), P(index_facets_by_ellipse, "")
 #define BONDEM_CELL_STEP_PASSES                                                                          \
     S(bonds_of_blocks, accumulate_dilatation), S(parts_of_shared, collect_dilatation),                   \
         S(elements_of_blocks, stress_cells), S(bonds_of_blocks, add_facet_loads),                        \
@@ -51,6 +60,9 @@ BONDEM_TABLE(WallTime, F(time, ""))
         S(serial, apply_walls), S(elements_of_blocks, add_wall_loads), S(serial, follow_tractions),      \
         S(serial, add_traction_work), S(serial, follow_cell_strains), S(serial, begin_strain_work), \
         S(of_bonds, sum_strain_powers),    \
-        S(serial, add_strain_work)
+        S(serial, add_strain_work), S(bonds_of_blocks, accumulate_and_mark), \
+        S(serial, judge_facets_by_peripheral_stress), S(serial, judge_facets_by_mohr_coulomb), \
+        S(serial, judge_facets_by_linear_sum), S(serial, judge_facets_by_ellipse), S(serial, withdraw_facets), \
+        S(serial, break_facets), S(serial, restore_facets), S(serial, renew_wall_rows)
 
 }  // namespace bondem

@@ -3,6 +3,7 @@
 #include "described.hpp"
 #include "passes/contacts/candidates.hpp"
 #include "passes/contacts/contact_loads.hpp"
+#include "passes/contacts/handover.hpp"
 #include "passes/contacts/travel.hpp"
 #include "passes/contacts/walls.hpp"
 
@@ -12,7 +13,7 @@ namespace bondem {
 
 BONDEM_TABLE(ContactConstants, F(modulus, ""), F(soft, ""), F(friction, ""), F(damping, ""), F(hertzian, ""), F(radius, "n"))
 BONDEM_TABLE(ContactPairs, F(first, "pairs"), F(second, "pairs"), F(start, "n+1"), F(reach, "pairs"), F(own, "pairs"),
-             F(memory, "pairs 8"), F(touch, "pairs"), F(bond, "pairs"), F(joined, "*"), F(period, "6"))
+             F(memory, "pairs 8"), F(touch, "pairs"), F(bond, "pairs"), F(joined, "*"), F(of_bond, "*"), F(period, "6"))
 BONDEM_TABLE(NearPairs, F(near, "pairs+1"), F(close, "pairs+1"), F(output, "pairs 8"), F(count, "element_portions 2"),
              F(width, ""))
 BONDEM_TABLE(Travel, F(listed, "n 3"), F(measured, "n 3"), F(portion, "element_portions 3"), F(far, "2"), F(reach, ""))
@@ -38,17 +39,17 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
 #undef F
 
 // Lines of the lists in `index.cpp`.
-#define BONDEM_CONTACT_TABLES                                                                                          \
-    described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<Travel>(),             \
-        described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<Walls>(),         \
-        described<WallMotions>(), described<PairSources>(), described<FoundPairs>(), described<WallSources>(),         \
+#define BONDEM_CONTACT_TABLES                                                                                            \
+    described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<Travel>(),               \
+        described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<Walls>(),           \
+        described<WallMotions>(), described<PairSources>(), described<FoundPairs>(), described<WallSources>(),           \
         described<FoundWalls>()
-#define BONDEM_CONTACT_SEARCHES P(list_pairs, ""), P(count_wall_contacts, ""), P(list_wall_contacts, "")
-#define BONDEM_CONTACT_PASSES                                                                                          \
-    S(serial, move_walls), S(of_elements, measure_travel), S(serial, check_travel), S(of_elements, press_pairs),       \
-        S(of_ranges, add_pair_loads), S(of_elements, press_walls), S(of_elements, measure_wall_overlaps),              \
-        S(serial, load_walls), S(serial, keep_measures), S(elements_of_blocks, add_contact_loads),                     \
-        S(of_elements, sum_pair_energies), S(of_elements, sum_wall_energies), S(serial, write_contact_energy),         \
-        S(serial, count_wall_work), S(serial, write_walls)
+#define BONDEM_CONTACT_SEARCH P(list_pairs, ""), P(count_wall_contacts, ""), P(list_wall_contacts, "")
+#define BONDEM_CONTACT_PASSES                                                                                            \
+    S(serial, move_walls), S(of_elements, measure_travel), S(serial, check_travel), S(of_elements, press_pairs),         \
+        S(of_ranges, add_pair_loads), S(of_elements, press_walls), S(of_elements, measure_wall_overlaps),                \
+        S(serial, load_walls), S(serial, keep_measures), S(elements_of_blocks, add_contact_loads),                       \
+        S(of_elements, sum_pair_energies), S(of_elements, sum_wall_energies), S(serial, write_contact_energy),           \
+        S(serial, count_wall_work), S(serial, write_walls), S(serial, begin_contacts)
 
 }  // namespace bondem

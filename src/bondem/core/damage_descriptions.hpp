@@ -18,10 +18,10 @@ BONDEM_TABLE(EventLog, F(event, "bonds 9"), F(written, "2"), F(released, "1"))
 BONDEM_TABLE(BeamIntegrity, F(integrity, "m"), F(hold, "*"))
 BONDEM_TABLE(SofteningBounds, F(limit, "m"), F(of_force, ""), F(of_moment, ""), F(press, "m"))
 BONDEM_TABLE(SofteningBeams, F(tear, "bonds"), F(slide, "bonds"), F(onset, "bonds 2"), F(row, "bonds 6"), F(begun, "1"),
-             F(listed, "bonds"), F(count, "bond_portions"), F(parted, "bond_portions"), F(lost, "bond_portions"))
+             F(listed, "bonds"), F(number, "bond_portions"), F(parted, "bond_portions"), F(lost, "bond_portions"))
 BONDEM_TABLE(FailureIndices, F(index, "m"))
-BONDEM_TABLE(StressCandidates, F(bond, "candidates"), F(stress, "candidates 3 3"), F(index, "candidates"),
-             F(count, "bond_portions"), F(total, "1"))
+BONDEM_TABLE(StressCandidates, F(bond, "candidates"), F(stress, "candidates 3 3"), F(found, "candidates"),
+             F(number, "bond_portions"), F(total, "1"))
 BONDEM_TABLE(StressFunction, F(address, ""), F(parameter, "parameters"))
 
 #undef F

@@ -34,6 +34,7 @@ template <> struct TypeName<Array<Index, 2>> { static constexpr const char *name
 template <> struct TypeName<Array<int32_t, 1>> { static constexpr const char *name = "int32 written"; };
 template <> struct TypeName<Array<int32_t, 2>> { static constexpr const char *name = "int32 written"; };
 template <> struct TypeName<Array<uint8_t, 1>> { static constexpr const char *name = "uint8 written"; };
+template <> struct TypeName<Array<uint8_t, 2>> { static constexpr const char *name = "uint8 written"; };
 template <> struct TypeName<Array<const float, 2>> { static constexpr const char *name = "float32 read"; };
 template <> struct TypeName<Array<Short, 1>> { static constexpr const char *name = "uint32 written"; };
 template <> struct TypeName<Array<float, 1>> { static constexpr const char *name = "float32 written"; };
@@ -42,6 +43,7 @@ template <> struct TypeName<Array<const double, 2>> { static constexpr const cha
 template <> struct TypeName<Array<const double, 3>> { static constexpr const char *name = "float64 read"; };
 template <> struct TypeName<Array<const Index, 1>> { static constexpr const char *name = "int64 read"; };
 template <> struct TypeName<Array<const int32_t, 1>> { static constexpr const char *name = "int32 read"; };
+template <> struct TypeName<Array<const int32_t, 2>> { static constexpr const char *name = "int32 read"; };
 template <> struct TypeName<Array<const Index, 2>> { static constexpr const char *name = "int64 read"; };
 template <> struct TypeName<Array<const uint8_t, 1>> { static constexpr const char *name = "uint8 read"; };
 template <> struct TypeName<Array<const uint8_t, 2>> { static constexpr const char *name = "uint8 read"; };

@@ -1,5 +1,6 @@
 // What Python finds in the library: its tables, its passes, and what the CPU is capable of.
 #include "cell_descriptions.hpp"
+#include "crack_descriptions.hpp"
 #include "described.hpp"
 #include "device_descriptions.hpp"
 #include "instructions.hpp"
@@ -15,6 +16,7 @@
 #include "passes/tessellation/laguerre.hpp"
 #include "passes/tessellation/measures.hpp"
 #include "passes/tessellation/ownership.hpp"
+#include "quasistatic_descriptions.hpp"
 #include "statics_descriptions.hpp"
 #include "step_descriptions.hpp"
 
@@ -89,7 +91,9 @@ const TableDescription tables[] = {
     BONDEM_STATICS_TABLES,
     BONDEM_DAMAGE_TABLES,
     BONDEM_CELL_TABLES,
+    BONDEM_QUASISTATIC_TABLES,
     BONDEM_CONTACT_TABLES,
+    BONDEM_CRACK_TABLES,
 };
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
@@ -116,7 +120,9 @@ const PassDescription passes[] = {
     BONDEM_STATICS_PASSES,
     BONDEM_DAMAGE_INDICES,
     BONDEM_CELL_PASSES,
-    BONDEM_CONTACT_SEARCHES,
+    BONDEM_QUASISTATIC_PASSES,
+    BONDEM_CONTACT_SEARCH,
+    BONDEM_CRACK_PASSES,
     P(take_steps, "sound not_finite runaway out_of_date"),
 };
 #undef P
@@ -157,6 +163,7 @@ const StepPassDescription step_passes[] = {
     BONDEM_DAMAGE_PASSES,
     BONDEM_CELL_STEP_PASSES,
     BONDEM_CONTACT_PASSES,
+    BONDEM_CRACK_STEP_PASSES,
 };
 #undef S
 

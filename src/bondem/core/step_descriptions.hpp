@@ -60,8 +60,8 @@ BONDEM_TABLE(Gauges, F(start, "gauges+1"), F(element, "gauged"), F(quantity, "ga
 BONDEM_TABLE(HistoryRows, F(record, "* columns"))
 BONDEM_TABLE(StepPasses, F(present, "* 8"), F(opening, "* 8"), F(travel, "* 8"), F(forces, "* 8"), F(resume, "* 8"),
              F(reopening, "* 8"), F(guard, "* 8"), F(record, "* 8"))
-BONDEM_TABLE(StepSpan, F(step, ""), F(steps, ""), F(every, ""), F(looks, ""), F(stale, ""), F(moved, ""), F(n, ""), F(m, ""),
-             F(done, "4"))
+BONDEM_TABLE(StepSpan, F(step, ""), F(steps, ""), F(every, ""), F(looks, ""), F(stale, ""), F(moved, ""), F(n, ""),
+             F(m, ""), F(done, "4"))
 
 #undef F
 

@@ -98,7 +98,7 @@ class Walk {
             } else {
                 p++;
                 if (first->kind == serial)
-                    first->call(Turn{clock, 0, 0, 0, nullptr, nullptr, 0, nullptr}, first->tables);
+                    first->call(Turn{clock, 0, 0, 0, nullptr, nullptr, 0, nullptr, threads}, first->tables);
                 else if (first->kind == of_elements)
                     by_portions(*first, clock, span.n, elements_of_portion);
                 else if (first->kind == of_ranges)
@@ -164,7 +164,7 @@ Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, co
                  const Portions &portions) {
     const Walk walk(threads, cut, span);
     const List present(passes.present), opening(passes.opening), travel(passes.travel), forces(passes.forces),
-        guard(passes.guard), record(passes.record), resume(passes.resume), reopening(passes.reopening);
+        resume(passes.resume), reopening(passes.reopening), guard(passes.guard), record(passes.record);
     for (Index k = 0; k < 4; k++) span.done(k) = 0;
     Clock clock = clock_at(scheme, span.step);
     clock.first = 1;

@@ -51,6 +51,7 @@ struct Turn {
     const Short *element, *row;  // the list, and rows of their sums
     Index block;  // number of the block or portion; of shared elements the number of blocks
     ElementDivision *division;  // of what a pass divides, else none
+    Index threads;  // that a serial pass may share tasks of its own with; 0 for all others
 };
 
 enum PassKind : Index {
@@ -60,9 +61,9 @@ enum PassKind : Index {
     parts_of_shared,
     of_elements,
     of_bonds,
-    of_ranges,
     divides_elements,
-    postponed_of_blocks
+    postponed_of_blocks,
+    of_ranges
 };
 
 // Elements and bonds of a portion.

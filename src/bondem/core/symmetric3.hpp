@@ -15,6 +15,9 @@ template <class T> inline Vector3<T> operator*(Symmetric3<T> a, Vector3<T> v) {
 template <class T> inline Symmetric3<T> operator*(T s, Symmetric3<T> a) {
     return {s * a.xx, s * a.yy, s * a.zz, s * a.xy, s * a.xz, s * a.yz};
 }
+template <class T> inline Symmetric3<T> operator+(Symmetric3<T> a, Symmetric3<T> b) {
+    return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
+}
 template <class T> inline T trace(Symmetric3<T> a) { return a.xx + a.yy + a.zz; }
 
 // The symmetric part of the dyad a⊗b.

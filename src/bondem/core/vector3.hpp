@@ -3,7 +3,7 @@
 // Products and sums stand in one expression where one rounding is wanted (-ffp-contract=on fuses within an expression
 // only, so that every instruction set gives the same bits).
 #pragma once
-#include "scalars.hpp"
+#include "lanes.hpp"
 
 namespace bondem {
 

@@ -81,6 +81,21 @@ class FacetsOfCells(NamedTuple):
     out_bond: np.ndarray  #: uint32
 
 
+class FacetRelease(NamedTuple):
+    """Effect of failing facets on their cells, n of them; a failed facet is a free facet of both cells."""
+
+    whole: Floats  #: λ / V of each cell with all its facets [Pa/m³], (n,)
+    weight: Floats  #: with those it has left: the array of `CellDilatation`
+    given: Floats  #: that of `CellDilatation` too
+    slack_i: Floats  #: gain of 1 / weight of each side where a facet fails [m³/Pa], (bonds,)
+    slack_j: Floats
+    in_start: Ints  #: facets of each cell, as in `FacetsOfCells`
+    out_start: Ints
+    out_bond: np.ndarray  #: uint32
+    changed: np.ndarray  #: cells of the facets that fail in a step, uint32, (n,)
+    changes: Ints  #: their number, (1,)
+
+
 class WallConstraints(NamedTuple):
     """Facets on the surface that walls hold, g of them, each by the half facet of its cell."""
 
@@ -140,6 +155,7 @@ class WallTime(NamedTuple):
 _load_body = Pass("load_body", CellPoses, ElasticFacets, CellDilatation, WallConstraints, BeamSums)
 _load_facets = Pass("load_facets", Poses, ElasticFacets, BeamSums)
 _measure = Pass("measure_cell_energies", CellPoses, ElasticFacets, CellDilatation, WallConstraints, CellEnergies)
+_weigh_cells = Pass("weigh_cells", ElasticFacets, FacetRelease)
 _place_walls = Pass("place_walls", WallConstraints, WallTime)
 
 
@@ -173,6 +189,26 @@ def cell_tables(
     return facets, CellDilatation(cells.weight.copy(), cells.pressed.copy(), np.zeros(count), with_twins(to_i))
 
 
+def facet_release(
+    constants: CellConstants, layout: Layout, facets: ElasticFacets, cells: CellDilatation
+) -> FacetRelease:
+    """Return the effect of failing facets on their cells, and weigh the cells by the facets that they have left.
+
+    Args:
+        constants: constants of the whole body in the order of the layout.
+        layout: cells of the facets.
+        facets: facets with their integrity.
+        cells: cells, whose weights are set.
+    """
+    n = len(constants.weight)
+    release = FacetRelease(
+        constants.weight, cells.weight, cells.given, constants.slack_i, constants.slack_j, layout.in_start,
+        layout.out_start, layout.out_bond, np.zeros(n, dtype=np.uint32), np.zeros(1, dtype=np.int64),
+    )  # fmt: skip
+    _weigh_cells(facets, release)
+    return release
+
+
 def wall_constraints(grips: GripTable) -> WallConstraints:
     """Return held facets as the core takes them; they share the arrays that change."""
     return WallConstraints(*grips)
@@ -185,12 +221,12 @@ def load_body(
     _load_body(all_cells, facets, cells, walls, BeamSums(facets.i, facets.j, sums))
 
 
-def load_facets(pose: Floats, facets: ElasticFacets, sums: BeamSums) -> None:
+def load_all_facets(pose: Floats, facets: ElasticFacets, sums: BeamSums) -> None:
     """Add force and torque of all facets to rows of the sums, at the stresses in the poses."""
     _load_facets(Poses(pose), facets, sums)
 
 
-def cell_energies(
+def body_energies(
     all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints
 ) -> tuple[float, float, float, float]:
     """Return normal (with dilatation), shear, bending and twisting energy of facets, cells and walls [J]."""
@@ -200,6 +236,6 @@ def cell_energies(
     return normal, shear, bending, twisting
 
 
-def place_walls(walls: WallConstraints, time: float) -> None:
+def place_held_walls(walls: WallConstraints, time: float) -> None:
     """Bring walls to a time [s]."""
     _place_walls(walls, WallTime(time))

@@ -8,7 +8,7 @@ import numpy as np
 from bondem._types import Floats, Ints, PerElement6
 from bondem.kernels.couples import CoupleTable
 from bondem.model.balance import balanced_forces
-from bondem.model.grips import turned_rows
+from bondem.model.turned_frames import turned_rows
 
 
 @dataclass(frozen=True, eq=False)

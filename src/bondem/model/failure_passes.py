@@ -10,6 +10,7 @@ import numpy as np
 from bondem._core import Pass
 from bondem._types import Floats, PerBond
 from bondem.model.beam_tables import Beams, Poses
+from bondem.model.cell_tables import ElasticFacets
 from bondem.model.failure_table import FailureTable
 
 #: Names of the criteria in the passes of the core, by their number (`BondCriterion.kind`).
@@ -26,10 +27,14 @@ class Strengths(NamedTuple):
 class FailureIndices(NamedTuple):
     """Index of the criterion of each bond."""
 
-    index: Floats  #: 1 at failure, 0 of broken bonds [-], (m,)
+    index: Floats  # pyright: ignore[reportIncompatibleMethodOverride] #: 1 at failure, 0 of broken bonds [-], (m,)
 
 
 _index_beams = [Pass(f"index_beams_by_{name}", Poses, Beams, Strengths, FailureIndices) for name in CRITERION_NAMES]
+
+_index_facets = [
+    Pass(f"index_facets_by_{name}", Poses, ElasticFacets, Strengths, FailureIndices) for name in CRITERION_NAMES
+]
 
 
 def strengths_of(table: FailureTable) -> Strengths:
@@ -41,4 +46,11 @@ def beam_indices(pose: Floats, beams: Beams, table: FailureTable) -> PerBond:
     """Return the index of every beam [-], 0 where broken, internal order, (m,)."""
     found = np.zeros(len(beams.i))
     _index_beams[table.kind](Poses(pose), beams, strengths_of(table), FailureIndices(found))
+    return found[: len(table.station)]
+
+
+def indices_of_facets(pose: Floats, facets: ElasticFacets, table: FailureTable) -> PerBond:
+    """Return the index of every facet at the stresses in the poses [-], 0 where broken, internal order, (m,)."""
+    found = np.zeros(len(facets.i))
+    _index_facets[table.kind](Poses(pose), facets, strengths_of(table), FailureIndices(found))
     return found[: len(table.station)]

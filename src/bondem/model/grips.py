@@ -12,11 +12,11 @@ import numpy as np
 
 from bondem._types import Floats, Ints, Mask, PerElement, PerElement3, PerElement6
 from bondem.kernels.tables import GripTable
-from bondem.kernels.turning import turn_vectors
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.layout import Layout
 from bondem.model.loads import facet_numbers, is_face
 from bondem.model.schedules import Schedule
+from bondem.model.turned_frames import turned_rows
 from bondem.specimen.lattice import Lattice
 
 #: Columns of where walls come from, `State.grips`: offset [m], 3, and the orientation of the cell there, w x y z.
@@ -222,8 +222,3 @@ def reference_base(count: int) -> Floats:
     base = np.zeros((count, BASE))
     base[:, 3] = 1.0
     return base
-
-
-def turned_rows(quaternion: Floats, vectors: Floats) -> Floats:
-    """Return vectors (k, 3), each rotated by its unit quaternion, (k, 4)."""
-    return turn_vectors(np.ascontiguousarray(quaternion), np.ascontiguousarray(vectors))

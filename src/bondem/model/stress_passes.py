@@ -23,15 +23,16 @@ class StressCandidates(NamedTuple):
 
     bond: Ints  #: those of a portion of bonds from its first bond on, (m,)
     stress: Floats  #: symmetric [Pa], (m, 3, 3)
-    index: Floats  #: at 1 a bond fails [-], (m,)
-    count: Ints  #: number of each portion
-    total: Ints  #: of all portions, (1,)
+    found: Floats  #: index of each, at 1 a bond fails [-], (m,)
+    number: Ints  #: number of candidates of each portion
+    total: Ints  #: number in all portions, (1,)
 
     @classmethod
     def of(cls, m: int) -> "StressCandidates":
         """Return room for those of m bonds; memory is used as they are written."""
+        portions = -(-m // _PORTION)
         return cls(
-            np.empty(m, dtype=np.int64), np.empty((m, 3, 3)), np.empty(m), np.zeros(-(-m // _PORTION), dtype=np.int64),
+            np.empty(m, dtype=np.int64), np.empty((m, 3, 3)), np.empty(m), np.zeros(portions, dtype=np.int64),
             np.zeros(1, dtype=np.int64),
         )  # fmt: skip
 
@@ -97,7 +98,7 @@ class StressPasses:
         candidates = StressCandidates.of(k)._replace(stress=np.ascontiguousarray(stress, dtype=float))
         _index_stresses[self.name](candidates, self.table)
         self.check()
-        return candidates.index
+        return candidates.found
 
     def check(self) -> None:
         """Raise the error that a function of Python has raised in a step."""

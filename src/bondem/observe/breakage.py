@@ -7,8 +7,6 @@ import numpy as np
 from bondem._checks import instance
 from bondem._types import Floats, Ints, PerBond
 from bondem.errors import InputError
-from bondem.kernels.cell_pass import STRESS
-from bondem.kernels.facet_breaking import facet_indices
 from bondem.kernels.pair_breaking import pair_indices
 from bondem.kernels.soft_tables import SOFT_BOND
 from bondem.kernels.tables import (
@@ -22,7 +20,8 @@ from bondem.kernels.tables import (
 )
 from bondem.laws.failure.criterion import MODES
 from bondem.model.beam_tables import beam_tables
-from bondem.model.failure_passes import beam_indices
+from bondem.model.cell_tables import STRESS, cell_tables
+from bondem.model.failure_passes import beam_indices, indices_of_facets
 from bondem.model.model import Model
 from bondem.model.origin import difference
 from bondem.model.state import State
@@ -113,11 +112,11 @@ def failure_index(model: Model, state: State) -> PerBond:
         begun = state.softened[:, SOFT_BOND].astype(np.int64)
         found[begun] = state.integrity[begun] > 0.0
     else:
-        found = np.empty(bonds.m)
         pose = state.pose.copy()
         pose[:, STRESS] = CellForces.of(model, state).stress[layout.order]
-        cells = model.cells.stretched(state.rest_strain, layout).rows(layout.i)
-        facet_indices(pose, bonds, cells, table.kind, table.coefficient, found)
+        strained = model.cells.stretched(state.rest_strain, layout)
+        facets, _ = cell_tables(strained, layout, model.period, state.integrity, layout.i)
+        found = indices_of_facets(pose, facets, table)
     own = np.empty_like(found)
     own[layout.bond_order] = found
     return own

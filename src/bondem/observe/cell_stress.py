@@ -3,10 +3,10 @@
 import numpy as np
 
 from bondem._types import Floats, PerElement
-from bondem.kernels.turning import add_moments
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.model.turned_frames import add_force_moments
 from bondem.observe.cell_forces import CellForces, SmallMotion
 from bondem.observe.element_stress import element_stress
 
@@ -46,7 +46,7 @@ def mean_stress(model: Model, forces: CellForces) -> Floats:
         (i, forces.arm_i, forces.force, 1.0), (j, forces.arm_j, forces.force, -1.0),
         (grips.cell, forces.held_arm, forces.held, 1.0), (cells.free.cell, forces.load_arm, forces.load, 1.0),
     ):  # fmt: skip
-        add_moments(moment, np.ascontiguousarray(owner), arm, force, sign)
+        add_force_moments(moment, owner, arm, force, sign)
     return (moment / cells.volume[:, None])[:, _OF_TENSOR]
 
 

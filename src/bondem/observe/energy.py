@@ -9,7 +9,7 @@ from bondem.errors import InputError
 from bondem.kernels.beam_softening import pressed_energy
 from bondem.model.beam_tables import beam_energies, beam_tables
 from bondem.model.cell_constants import body_of
-from bondem.model.cell_tables import CellPoses, cell_energies, cell_tables, place_walls, wall_constraints
+from bondem.model.cell_tables import CellPoses, body_energies, cell_tables, place_held_walls, wall_constraints
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.bond_strain import BondStrain
@@ -145,8 +145,8 @@ def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | Non
     walls, whole = wall_constraints(grips), constants.damaged(state.integrity, layout.i, layout.j)
     facets, cells = cell_tables(whole, layout, model.period, state.integrity, layout.i)
     if wall is None:
-        place_walls(walls, state.time)
+        place_held_walls(walls, state.time)
         cells.given[:] = model.cell_constants.pressed_by(loads_on_facets(model, state.time))[layout.order]
     else:
         walls.wall[:] = wall
-    return EnergyParts(*cell_energies(CellPoses(state.pose, state.rest), facets, cells, walls))
+    return EnergyParts(*body_energies(CellPoses(state.pose, state.rest), facets, cells, walls))

@@ -11,13 +11,13 @@ import numpy as np
 
 from bondem._types import Floats, Ints, Mask
 from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET
-from bondem.kernels.damaged_facets import Borne, DamagedFacets, load_facets, part_facets
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_strain import CellStrain
 from bondem.observe.facet_loads import loads_on_facets
 from bondem.quasistatic.facet_matrix import FacetMatrix, facet_stiffness
+from bondem.quasistatic.facet_passes import OpenedFacets, WeakenedFacets
 from bondem.quasistatic.tensors import full_tensor
 from bondem.solve.linear import System
 
@@ -86,10 +86,11 @@ class DamagedBody:
         self.integrity = np.ones(len(self.i))
         self.closed = np.zeros((len(self.i), 2), dtype=bool)
         c = self.constants
-        self._facets = DamagedFacets(
-            self.i, self.j, c.k, self.area, self._part, c.lever_i, c.lever_j, c.share_i, c.share_j, c.normal, c.H,
-            self.integrity, self.closed,
+        weakened = WeakenedFacets(
+            self.i, self.j, c.k, self.area, self._part, c.lever_i, c.lever_j, c.share_i, c.share_j, c.normal,
+            np.ascontiguousarray(c.H), self.integrity, self.closed.view(np.uint8),
         )  # fmt: skip
+        self._facets = OpenedFacets(weakened, len(order))
         self.matrix = FacetMatrix(system.matrix, layout, root)
         self.system = replace(system, matrix=self.matrix.plain)
         self._slack = np.zeros(len(order))
@@ -193,26 +194,21 @@ class DamagedBody:
         """Return the loads of facets and cells under displacements and rotations (6 n,)."""
         c, grips = self.constants, self.model.cell_constants.grips
         u, phi = (np.ascontiguousarray(part) for part in np.hsplit(motion.reshape(-1, 6), 2))
-        m, n, rank = len(self.i), len(u), self.model.layout.rank
-        gap, swelling = np.empty((m, 3)), self.given.copy()
-        part_facets(self._facets, u, phi, gap, swelling)
+        n, rank = len(u), self.model.layout.rank
+        swelling = self._facets.swelling(u, phi, self.given)
         moved = grips.gap(u[rank], phi[rank])  # what walls do is in `given`
         swelling += np.bincount(self._held, (grips.share * moved).sum(axis=1), n)
         stress = self.system.matrix.weight * swelling
-        borne = Borne(
-            np.empty((m, 3)), np.empty(m), np.empty((m, 3)), np.empty(m), np.empty((m, 2), dtype=bool),
-            self._pressed.copy(),
-        )  # fmt: skip
-        load_facets(self._facets, phi, gap, stress, borne)
+        loading = self._facets.load(stress, self._pressed)
         held = grips.gap(u[rank], phi[rank], grips.motion)
         wall = grips.k[:, None] * held + stress[self._held, None] * grips.share
-        tensor = borne.moment
+        tensor = loading.moment
         _add_moments(tensor, self._held, grips.lever, wall)
         tensor /= c.volume[:, None]
         cracked = np.flatnonzero(self.integrity < 1.0)
         return Loaded(
-            borne.traction, borne.bending, tensor, cracked, borne.opening[cracked], borne.opened[cracked],
-            borne.turned[cracked], wall,
+            loading.traction, loading.bending, tensor, cracked, loading.opening[cracked], loading.opened[cracked],
+            loading.turned[cracked].astype(bool), wall,
         )  # fmt: skip
 
     def mean(self, tensor: Floats, facets: Ints) -> Floats:

@@ -5,11 +5,11 @@ from typing import Protocol
 import numpy as np
 
 from bondem._types import Floats, Ints, PerBond
-from bondem.kernels.stressed_facets import StressedFacets, stress_factors
 from bondem.model.failure_table import FailureTable
 from bondem.model.softening_table import SofteningTable
 from bondem.observe.opened_facets import Opened
 from bondem.quasistatic.damaged_body import DamagedBody, Loaded
+from bondem.quasistatic.facet_passes import LoadedFacets, factors_by_stress
 from bondem.quasistatic.teeth import SofteningLine, Teeth
 from bondem.quasistatic.tensors import agreed, full_tensor, largest
 
@@ -82,11 +82,11 @@ class StressOnset:
         body, planes = self._body, whole[self._table.plane[whole]]
         inner = whole if not len(planes) else whole[~self._table.plane[whole]]
         own = self._opened(found, planes, found.traction[planes]).reached(np.ones(len(planes)))
-        about, below = np.empty(len(inner)), min(below, float(own.min(initial=np.inf)) * (1.0 + close))
-        judged = StressedFacets(
-            body.i, body.j, body.constants.normal, found.traction, found.bending, found.tensor
+        below = min(below, float(own.min(initial=np.inf)) * (1.0 + close))
+        loaded = LoadedFacets(
+            body.i, body.j, body.constants.normal, found.traction, found.bending, found.tensor, self._strength
         )
-        stress_factors(judged, self._strength, inner, below, (1.0 + close) * (1.0 + _NEAR), about)
+        about = factors_by_stress(loaded, inner, below, (1.0 + close) * (1.0 + _NEAR))
         least = min(below, float(about.min(initial=np.inf)) * (1.0 + close))
         some = inner[about <= least * (1.0 + _NEAR)]
         return np.concatenate([some, planes]), np.concatenate([self._reached(found, some), own])

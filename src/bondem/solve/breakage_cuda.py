@@ -27,7 +27,7 @@ from bondem.kernels.tables import BROKEN_COLUMNS
 from bondem.model.failure_table import FailureTable
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.forces_cuda import BeamForces, DeviceRun, FacetForces
+from bondem.solve.forces_cuda import BeamForces, DeviceFacetForces, DeviceRun
 
 
 def device_breaks(
@@ -111,7 +111,7 @@ class FacetBreakage:
 
     def __init__(
         self, table: FailureTable, model: Model, state: State, run: DeviceRun, bodies: DeviceBodies,
-        forces: FacetForces,
+        forces: DeviceFacetForces,
     ) -> None:  # fmt: skip
         assert model.cells is not None
         self._run, self._bodies, self._forces = run, bodies, forces

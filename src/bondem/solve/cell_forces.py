@@ -17,8 +17,8 @@ from bondem.model.cell_tables import (
     ElasticFacets,
     WallConstraints,
     cell_tables,
+    load_all_facets,
     load_body,
-    load_facets,
     wall_constraints,
 )
 from bondem.model.local_origin import local_rest
@@ -77,7 +77,7 @@ def facet_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> 
     m = len(i)
     facets = BodyTables.of(model, np.ones(m)).facets._replace(i=with_twins(i), j=with_twins(j))
     loads, own = lines(2 * m), np.arange(m, dtype=np.uint32)
-    load_facets(pose, facets, BeamSums(with_twins(own), with_twins(own + np.uint32(m)), loads))
+    load_all_facets(pose, facets, BeamSums(with_twins(own), with_twins(own + np.uint32(m)), loads))
     columns = -loads[:, [0, 1, 2, 4, 5, 6]].T
     return columns[:, :m], columns[:, m:]
 

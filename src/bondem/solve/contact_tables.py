@@ -33,6 +33,7 @@ class ContactPairs(NamedTuple):
     touch: np.ndarray  #: uint8, (c,)
     bond: Ints  #: the bond of each pair, or -1, (c,)
     joined: Floats  #: above 0 of bonds that join their elements, which then do not touch, (m,)
+    of_bond: Ints  #: the pair of each bond, or -1, (m,)
     period: Floats  #: edges of the periodic cell and their inverses, (6,)
 
 
@@ -41,7 +42,7 @@ class NearPairs(NamedTuple):
 
     near: np.ndarray  #: pairs that may touch, uint32, (c + 1,)
     close: np.ndarray  #: pairs that touch or have just parted, uint32, (c + 1,)
-    output: Floats  #: of these: force on the later element, torque over the radius, losses, (c, 8)
+    output: Floats  #: force on the later element, damped [J], torque over the radius, rubbed [J], (c, 8)
     count: Ints  #: of near and of close pairs of each portion of elements, (portions, 2)
     width: float  #: motion of an element after which distances are measured again [m]
 
@@ -57,9 +58,9 @@ class Travel(NamedTuple):
 
 
 class ContactSums(NamedTuple):
-    """Forces of contacts on elements, zero between steps."""
+    """Forces and losses of contacts of elements, zero between steps."""
 
-    sums: Floats  #: force, 0, torque, 0 [N, N·m], (n, 8)
+    sums: Floats  #: force [N], lost to dashpots [J], torque [N·m], lost to friction [J], (n, 8)
 
 
 class ContactEnergies(NamedTuple):

@@ -35,7 +35,7 @@ from bondem.model.state import State
 
 # What breaks at once loses this share of its integrity, at most, in the time 1/ω in which the facet between its two
 # cells swings by itself, and in a step: the ledger closes, the better the shorter the step.
-_LOSS = 0.1
+LOSS = 0.1
 
 
 def with_forces(cells: CellTable, model: Model, state: State, rows: int) -> CellTable:
@@ -104,7 +104,7 @@ def crack_table(
     swing = np.sqrt(cells.k[:m] * (state.motion[i, 3] + state.motion[j, 3]))  # of a facet by itself [1/s]
     listed = np.zeros(m, dtype=np.uint8)
     facets = CrackedFacets(
-        last=table.last, part=table.part, fastest=_LOSS * np.minimum(dt * swing, 1.0), area=table.area,
+        last=table.last, part=table.part, fastest=LOSS * np.minimum(dt * swing, 1.0), area=table.area,
         kink=table.kink, steep=table.steep, friction=table.friction, plane=table.plane.astype(np.uint8),
         cohesion=table.cohesion, last_slip=table.last_slip, tensor=tensor, weight=constants.weight,
         slack_i=constants.slack_i, slack_j=constants.slack_j, now=np.array([0.0, -1.0]), integrity=state.integrity,
@@ -144,11 +144,11 @@ def _flow(
         cohesion=none if slip is None else slip.strength, sine=none if slip is None else slip.slope,
         dilation=none if slip is None else slip.dilation, fade=none if slip is None else slip.fade, G=G,
         base_i=bare if slip is None else cells.lever_i.copy(), base_j=bare if slip is None else cells.lever_j.copy(),
-        base_grip=grips.arm.copy(), pressed=_pressed(model), plastic=state.plastic,
+        base_grip=grips.arm.copy(), pressed=pressed_moments(model), plastic=state.plastic,
     )  # fmt: skip
 
 
-def _pressed(model: Model) -> Floats:
+def pressed_moments(model: Model) -> Floats:
     """Return b⊗F of loads on free facets, xx, yy, zz, xy, xz, yz, in the order of kernels' loads [J], (l, n, 6)."""
     _, cells = body_of(model.lattice)
     free, found = cells.free, []

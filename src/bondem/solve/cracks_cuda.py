@@ -41,7 +41,7 @@ from bondem.kernels.tables import BROKEN_COLUMNS, GripTable
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.cracks import crack_table, with_forces
-from bondem.solve.forces_cuda import DeviceRun, FacetForces, starts
+from bondem.solve.forces_cuda import DeviceFacetForces, DeviceRun, starts
 
 # Parts in which what cracks dissipate in a step is added up: a number of its own, so that no bit depends on a device.
 _PARTS = 256
@@ -52,7 +52,7 @@ class CrackForces:
 
     def __init__(self, model: Model, state: State, run: DeviceRun, dt: float) -> None:
         self._run = run
-        self._whole = FacetForces(model, state, run)
+        self._whole = DeviceFacetForces(model, state, run)
         facets, self.m = self._whole.facets, self._whole.m
         self.forces, self.integrity = facets.forces, facets.integrity
         forces = np.zeros((9, self.m))

@@ -24,7 +24,7 @@ class Candidates(NamedTuple):
     begin: Ints  #: first bond of each block, (blocks + 1,)
     marked: Ints  #: those of a block from begin[block] on, (m,)
     mode: Ints  #: of those that fail, (m,)
-    count: Ints  #: number of each block, (blocks,)
+    count: Ints  # pyright: ignore[reportIncompatibleMethodOverride] #: number of each block, (blocks,)
     any: Ints  #: 1 where a bond fails in this step, (1,)
 
 
@@ -71,6 +71,6 @@ class SofteningBeams(NamedTuple):
     row: Floats  #: beams in the order in which they began, columns of `bondem.kernels.soft_tables`, (m, 6)
     begun: Ints  #: number of rows, (1,)
     listed: Ints  #: rows that have not broken, those of a portion of bonds from its first bond on, (m,)
-    count: Ints  #: number of each portion
+    number: Ints  #: number of rows of each portion
     parted: Ints  #: number of those that break in this step, behind the others
     lost: Floats  #: energy that each portion dissipates in this step [J]

@@ -104,7 +104,7 @@ class BeamForces:
         """Do nothing: beams store no data besides the poses."""
 
 
-class FacetForces:
+class DeviceFacetForces:
     """Forces of the facets of a body of cells, and of walls that hold some of them."""
 
     def __init__(self, model: Model, state: State, run: DeviceRun) -> None:

@@ -13,7 +13,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.loop_cpu import BLOCK, gauge_tables, noticeable
 from bondem.solve.parts.of_model import parts_of
-from bondem.solve.parts.part import FORCES, composed
+from bondem.solve.parts.part import FORCES, STAGES, composed
 from bondem.solve.plan import Plan
 from bondem.solve.step_tables import HistoryRows, Portions, StepPasses, StepSpan
 
@@ -28,12 +28,13 @@ def core_has(model: Model) -> bool:
     """Return whether the core has all passes of a model.
 
     It has those of beams of both formulations, which may break or soften, and of the non-local law without
-    breakage; those of elastic bodies of cells; and of contacts and walls where bonds do not break.
+    breakage; of bodies of cells whose facets break or soften by the largest principal stress, and whose cells yield;
+    and of contacts and walls where nothing softens, except with the non-local law.
     """
     return (
-        (model.cells is None or (model.breaking is None and model.softening is None and model.contacts is None))
+        (model.softening is None or model.softening.judge is None)
         and (model.non_local is None or model.breaking is None)
-        and (model.contacts is None or model.breaking is None)
+        and (model.contacts is None or model.non_local is model.beam_softening is model.softening is None)
     )
 
 
@@ -56,11 +57,14 @@ class CoreLoop:
         cut = Blocks.of(model.layout, BLOCK, domains, model.constraints.row_of >= 0).table(kept)
         self._tables, self._parts = parts_of(model, terms, state, cut, gauge_tables(model, plan), dt)
         self._still = noticeable(model, dt)
+        # tables of all parts whose lists are not renewed
+        self._lasting = Composer()
+        self._lasting(composed([part for part in self._parts if part.renewed is None], *STAGES))
         self._make_lists()
 
     def _make_lists(self) -> None:
         """Compose the lists of passes of the present parts."""
-        self._compose = Composer()
+        self._compose = Composer(self._lasting)
         self._lists = StepPasses(
             present=self._list("present"),
             opening=self._list("opening"),
@@ -71,6 +75,19 @@ class CoreLoop:
             guard=self._list("guard"),
             record=self._compose([]),
         )
+        self._begin()
+
+    def _begin(self) -> None:
+        """Call the passes that begin a run, at the time of the state."""
+        first = composed(self._parts, "begin")
+        if not first:
+            return
+        nothing = self._compose([])
+        lists = StepPasses(*[nothing] * len(StepPasses._fields))
+        lists = lists._replace(present=self._compose([*composed(self._parts, "present"), *first]))
+        done = np.zeros(4, dtype=np.int64)
+        span = StepSpan(self.state.step, 0, 0, True, False, self._n, self._m, done)
+        _take_steps(lists, self._tables.cut, self._scheme, span, self._tables.portions, threads=self._threads)
 
     def _list(self, *stages: str) -> np.ndarray:
         return self._compose(composed(self._parts, *stages))
@@ -89,7 +106,7 @@ class CoreLoop:
         state, t, done = self.state, self._tables, np.zeros(4, dtype=np.int64)
         stale = looks and state.stale
         span = StepSpan(state.step, steps, self._every, looks, stale, moved, self._n, self._m, done)
-        compose, history = Composer(), HistoryRows(records)  # live as long as this call
+        compose, history = Composer(self._compose), HistoryRows(records)  # live as long as this call
         lists = self._lists._replace(record=compose(one for part in self._parts for one in part.record(history)))
         ending = _take_steps(lists, t.cut, self._scheme, span, t.portions, threads=self._threads)
         if done[0]:

@@ -49,6 +49,7 @@ def device_has(model: Model, plan: Plan) -> bool:
         core_has(model)
         and (model.breaking is None or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES)))
         and model.beam_softening is None
+        and model.softening is None
         and model.contacts is None
         and model.non_local is None
         and model.formulation == "total"

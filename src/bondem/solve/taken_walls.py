@@ -6,9 +6,10 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.model.cell_constants import body_of
-from bondem.model.grips import Grips, reference_base, turned_rows
+from bondem.model.grips import Grips, reference_base
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.model.turned_frames import turned_rows
 from bondem.observe.cell_forces import CellForces, held_arms, wall_places
 from bondem.observe.facet_loads import loads_on_facets
 from bondem.solve.nonlinear import rotation_vector

@@ -18,7 +18,7 @@ struct SofteningBeams {
     Array<double, 2> row;  // beams in the order in which they began, (bonds, 6)
     Array<Index, 1> begun;  // number of rows, (1,)
     Array<Index, 1> listed;  // rows that have not broken, those of a portion of bonds from its first bond on, (bonds,)
-    Array<Index, 1> count, parted;  // number of each portion, and of those behind them that break in this step
+    Array<Index, 1> number, parted;  // of rows of each portion, and of those behind them that break in this step
     Array<double, 1> lost;  // energy that each portion dissipates in this step [J]
 };
 

@@ -58,6 +58,18 @@ struct FacetsOfCells {
     Array<const Index, 1> out_start;  // those with i = p are in out_bond[out_start[p]] …, (n + 1,)
     Array<const Short, 1> out_bond;
 };
+// What the failure of a facet of integrity s changes: its missing part 1 - s is a free facet of both cells, so that they
+// weigh dilatation less. The facets of each cell are those of `FacetsOfCells`.
+struct FacetRelease {
+    Array<const double, 1> whole;  // λ / V of each cell with all its facets [Pa/m³], (n,)
+    Array<double, 1> weight;  // with those it has left: the array of `CellDilatation`
+    Array<const double, 1> given;  // that of `CellDilatation` too
+    Array<const double, 1> slack_i, slack_j;  // what 1 / weight of each side gains where a facet fails [m³/Pa], (bonds,)
+    Array<const Index, 1> in_start, out_start;  // (n + 1,)
+    Array<const Short, 1> out_bond;
+    Array<Short, 1> changed;  // cells of the facets that fail in a step, (n,)
+    Array<Index, 1> changes;  // how many, (1,)
+};
 
 // Facets on the surface that walls hold, g of them, each by the half facet of its cell. A wall keeps its orientation.
 struct WallConstraints {
@@ -104,6 +116,20 @@ struct CellStrains {
 // The time that walls are placed at.
 struct WallTime {
     double time;  // [s]
+};
+// Vectors, k of them, and the same turned by unit quaternions w x y z.
+struct TurnedVectors {
+    Array<const double, 2> quaternion;  // (k, 4)
+    Array<const double, 2> vector;  // (k, 3)
+    Array<double, 2> turned;  // (k, 3)
+};
+// Forces on elements, k of them, and V σ of the elements.
+struct MomentsOfForces {
+    Array<double, 2> moment;  // xx, yy, zz, xy, yz, zx [J], (n, 6)
+    Array<const Index, 1> owner;  // element that each force acts on, (k,)
+    Array<const double, 2> arm;  // from its centre [m], (k, 3)
+    Array<const double, 2> force;  // [N], (k, 3)
+    double sign;
 };
 
 }  // namespace bondem

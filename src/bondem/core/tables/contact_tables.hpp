@@ -3,11 +3,10 @@
 // Pairs stand once, sorted by their later element and then by their earlier one, as bonds are. A portion of elements
 // (`steps.hpp`) owns the pairs whose later element is in it.
 #pragma once
-#include "../array.hpp"
+#include "damage_tables.hpp"
+#include "step_tables.hpp"
 
 namespace bondem {
-
-using Byte = uint8_t;
 
 // The law of all contacts, and the radii of the elements.
 struct ContactConstants {
@@ -28,6 +27,7 @@ struct ContactPairs {
     Array<Byte, 1> touch;  // apart, touching or parted, (c,)
     Array<const Index, 1> bond;  // the bond of each pair, or -1; while it joins them they do not touch, (c,)
     Array<double, 1> joined;  // above 0 of bonds that join their elements
+    Array<const Index, 1> of_bond;  // the pair of each bond, or -1, (m,)
     Array<const double, 1> period;  // edges of the periodic cell and their inverses, zero where there is none, (6,)
 };
 // Pairs that are looked at in every step, until an element has moved so far that distances are measured anew. Those of a
@@ -35,7 +35,8 @@ struct ContactPairs {
 struct NearPairs {
     Array<Short, 1> near;  // pairs that may touch, ascending, (c,)
     Array<Short, 1> close;  // those of them that touch or have just parted, (c,)
-    Array<double, 2> output;  // of these: force on the later element [N], torque over the radius [N], losses [J], (c, 8)
+    // of these: force on the later element [N], lost to dashpots [J], torque over the radius [N], lost to friction [J]
+    Array<double, 2> output;  // (c, 8)
     Array<Index, 2> count;  // of near and of close pairs of each portion, (portions, 2)
     double width;  // motion of an element after which distances are measured anew [m]
 };
@@ -49,9 +50,9 @@ struct Travel {
     Array<double, 1> far;  // (2,)
     double reach;  // motion of an element or a wall for which the list is made [m]
 };
-// Forces of contacts on elements: force, 0, torque, 0 [N, N·m], zero between steps.
+// What contacts do to elements, zero between steps.
 struct ContactSums {
-    Array<double, 2> sums;  // (n, 8)
+    Array<double, 2> sums;  // force [N], lost to dashpots [J], torque [N·m], lost to friction [J], (n, 8)
 };
 // Elastic energy of contacts.
 struct ContactEnergies {

@@ -49,8 +49,8 @@ struct FailureIndices {
 struct StressCandidates {
     Array<Index, 1> bond;  // (m,)
     Array<double, 3> stress;  // symmetric [Pa], (m, 3, 3)
-    Array<double, 1> index;  // at 1 a bond fails [-], (m,)
-    Array<Index, 1> count;  // number of each portion
+    Array<double, 1> found;  // index of each, at 1 a bond fails [-], (m,)
+    Array<Index, 1> number;  // of candidates of each portion
     Array<Index, 1> total;  // of all portions, where they have been moved together, (1,)
 };
 // A criterion that is a function of a stress.

@@ -11,7 +11,7 @@ from bondem.model.state import State
 from bondem.solve.added import changing_strain
 from bondem.solve.damage_tables import Candidates, FailureBounds, SofteningBounds
 from bondem.solve.parts.breakage import breakage
-from bondem.solve.parts.damage import DamageTables, damage_of
+from bondem.solve.parts.damage import DamageTables, Joints, damage_of
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.parts.softening import SofteningTables, softening
@@ -35,8 +35,14 @@ _check_beams = StepPass("check_beams", Moving, Beams, Portions)
 _sum_beam_energies = StepPass("sum_beam_energies", Moving, Beams, Portions)
 
 
-def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
-    """Return the parts of beams, with dashpots beside them or without: their forces, and their breakage."""
+def beams(
+    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None
+) -> tuple[list[Part], Joints]:
+    """Return the parts of beams, with dashpots beside them or without: their forces, and their breakage.
+
+    Returns:
+        The parts, and the beams as joints of their elements.
+    """
     moving, cut, portions = shared.moving, shared.cut, shared.portions
     strain = changing_strain(model, state)
     bonds = model.bonds.stretched(state.eigenstrain)
@@ -58,7 +64,7 @@ def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots |
         {"present": present, "loads": loads, "guard": [(_check_beams, moving, table, portions)]},
         record=lambda _: [(_sum_beam_energies, moving, table, portions)],
     )
-    return [forces, *failure]
+    return [forces, *failure], Joints.of(model, state, table.integrity, damage)
 
 
 def _loads(

@@ -1,4 +1,4 @@
-"""Bodies of cells: dilatation, forces of facets, walls that hold facets, tractions on them, and strains that change."""
+"""Bodies of cells: dilatation, forces of facets, walls that hold facets, tractions, and strains that change."""
 
 from typing import NamedTuple
 
@@ -14,6 +14,7 @@ from bondem.model.cell_tables import (
     CellStrains,
     DilatationEnergy,
     ElasticFacets,
+    FacetForces,
     FacetTractions,
     WallConstraints,
     cell_tables,
@@ -22,14 +23,22 @@ from bondem.model.cell_tables import (
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import changing_cells
+from bondem.solve.damage_tables import Candidates, FailureBounds
+from bondem.solve.parts.damage import DamageTables
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, Moving, Portions, Timeline
 
 _accumulate_dilatation = StepPass("accumulate_dilatation", Moving, ElasticFacets, CellDilatation)
+_accumulate_and_mark = StepPass(
+    "accumulate_and_mark", Moving, ElasticFacets, CellDilatation, FailureBounds, Candidates
+)
 _collect_dilatation = StepPass("collect_dilatation", StepCut, CellDilatation)
 _stress_cells = StepPass("stress_cells", Moving, CellDilatation)
 _add_facet_loads = StepPass("add_facet_loads", Moving, ElasticFacets, StepCut)
+_add_and_keep_facet_loads = StepPass("add_and_keep_facet_loads", Moving, ElasticFacets, FacetForces, StepCut)
+_collect_facet_moments = StepPass("collect_facet_moments", StepCut, FacetForces)
+_take_moments = StepPass("take_moments", FacetForces)
 _add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)
 _follow_walls = StepPass("follow_walls", Moving, WallConstraints, Rows)
 _add_wall_dilatation = StepPass("add_wall_dilatation", Moving, WallConstraints, CellDilatation)
@@ -54,63 +63,91 @@ class BodyOfCells(NamedTuple):
     facets: ElasticFacets
     cells: CellDilatation
     walls: WallConstraints
+    tractions: FacetTractions | None
 
     @classmethod
     def of(cls, model: Model, state: State, cut: StepCut) -> "BodyOfCells":
         """Return the tables of a run from a state, whose arrays they share."""
-        layout, constants = model.layout, _constants(model, state)
+        layout, constants = model.layout, constants_of(model, state)
         bonds = model.bonds.stretched(state.eigenstrain)
         beams, _ = beam_tables(bonds, layout, model.period, state.integrity, may_share=False)
         to_i = _places(cut, layout.i, len(layout.order))
         facets, cells = cell_tables(constants, layout, model.period, state.integrity, to_i)
         held = model.constraints
         walls = constants.grips.table(layout, held.row_of, held.works[2], state.grips)
-        return cls(beams, facets._replace(integrity=beams.integrity), cells, wall_constraints(walls))
+        integrity = beams.integrity if model.softening is None else beams.integrity.copy()
+        return cls(beams, facets._replace(integrity=integrity), cells, wall_constraints(walls), _tractions(model))
 
 
-def cells(shared: SharedTables, model: Model, state: State, body: BodyOfCells, dashpots: Dashpots | None) -> Part:
-    """Return the part of an elastic body of cells, with dashpots beside its facets or without."""
+def cells(
+    shared: SharedTables,
+    model: Model,
+    state: State,
+    body: BodyOfCells,
+    dashpots: Dashpots | None,
+    kept: FacetForces | None = None,
+    damage: DamageTables | None = None,
+) -> Part:
+    """Return the part of a body of cells, with dashpots beside its facets or without.
+
+    Args:
+        shared: tables of the run.
+        model: model of the body.
+        state: state from which the run begins.
+        body: tables of the body.
+        dashpots: dashpots of the facets, or None.
+        kept: forces of facets and moments of cells where cracks need them, or None. Then the energies of dilatation
+            are those of another part, which knows the stresses of cells with cracks.
+        damage: tables of facets that break at once, or None.
+    """
     moving, cut, rows, portions = shared.moving, shared.cut, shared.rows, shared.portions
     walls, held = body.walls, len(body.walls.cell) > 0
-    dilate: Passes = [(_add_wall_dilatation, moving, walls, body.cells)] if held else []
-    dilate += [(_accumulate_dilatation, moving, body.facets, body.cells), (_collect_dilatation, cut, body.cells)]
+    before: Passes = [(_add_wall_dilatation, moving, walls, body.cells)] if held else []
+    dilate: Passes = [(_accumulate_dilatation, moving, body.facets, body.cells)]
+    mark = dilate
+    if damage is not None:
+        mark = [(_accumulate_and_mark, moving, body.facets, body.cells, damage.bounds, damage.candidates)]
+    collect: Passes = [(_collect_dilatation, cut, body.cells)]
     loads: Passes = [(_add_facet_loads, moving, body.facets, cut)]
+    gather: Passes = []
+    if kept is not None:
+        loads = [(_add_and_keep_facet_loads, moving, body.facets, kept, cut)]
+        gather = [(_collect_facet_moments, cut, kept), (_take_moments, kept)]
     if dashpots is not None:
         loads.append((_add_dashpot_loads, moving, body.beams, dashpots, cut))
-    tractions, strains = _tractions(model), _strains(model, state, portions)
-    present, beside, behind = _changing(shared, body, tractions, strains)
-    prepare: Passes = [*beside, *dilate, (_stress_cells, moving, body.cells), *beside]
-    if held:
-        prepare.append((_apply_walls, moving, walls, rows))
+    present, beside, behind = _changing(shared, body, _strains(model, state, portions))
+    constrain: Passes = [*beside, (_apply_walls, moving, walls, rows)] if held else [*beside]
     energy = DilatationEnergy(np.zeros(len(portions.elements)))
-    energies = [
-        *dilate, (_sum_dilatation_energies, body.cells, energy), (_sum_facet_energies, moving, body.facets, portions),
-        (_add_cell_energies, moving, walls, energy, portions),
+    energies: Passes = [
+        *before, *dilate, *collect, (_sum_dilatation_energies, body.cells, energy),
+        (_sum_facet_energies, moving, body.facets, portions), (_add_cell_energies, moving, walls, energy, portions),
     ]  # fmt: skip
     return Part(
         {
-            "present": present, "prepare": [*prepare, *behind], "loads": loads,
+            "present": present, "prepare": [*beside, *before, *mark, *collect, (_stress_cells, moving, body.cells)],
+            "constrain": [*constrain, *behind], "loads": loads, "gather": gather,
             "add": [(_add_wall_loads, rows, cut)] if held else [],
             "guard": [(_check_facets, moving, body.beams, body.facets, portions)],
         },
-        record=lambda _: energies,
+        record=lambda _: energies if kept is None else energies[-2:-1],
     )  # fmt: skip
 
 
 def _changing(
-    shared: SharedTables, body: BodyOfCells, tractions: FacetTractions | None, strains: CellStrains | None
+    shared: SharedTables, body: BodyOfCells, strains: CellStrains | None
 ) -> tuple[Passes, Passes, Passes]:
     """Return passes of conditions that change: of the present, around the pass of stresses, and behind it."""
     moving, timeline, rows, walls = shared.moving, shared.timeline, shared.rows, body.walls
     present: Passes = []
     beside: Passes = []
     behind: Passes = []
-    if tractions is not None:
-        present.append((_follow_tractions, timeline, tractions, body.cells))
-        beside.append((_add_traction_work, moving, tractions, rows))
+    if body.tractions is not None:
+        present.append((_follow_tractions, timeline, body.tractions, body.cells))
+        beside.append((_add_traction_work, moving, body.tractions, rows))
     if strains is not None:
         present.append((_follow_cell_strains, timeline, strains, body.facets, walls))
-        behind += [(_sum_strain_powers, moving, strains, body.facets), (_add_strain_work, moving, strains, walls, rows)]
+        behind.append((_sum_strain_powers, moving, strains, body.facets))
+        behind.append((_add_strain_work, moving, strains, walls, rows))
     if len(walls.cell):
         present.append((_follow_walls, moving, walls, rows))
     if strains is not None:
@@ -118,9 +155,12 @@ def _changing(
     return present, beside, behind
 
 
-def _constants(model: Model, state: State) -> CellConstants:
+def constants_of(model: Model, state: State) -> CellConstants:
+    """Return the constants of a body with stress-free strains, and with the facets that are left."""
     assert model.cells is not None
     strained = model.cells.stretched(state.eigenstrain, model.layout)
+    if model.softening is not None:  # cracks that are not treated one by one count by their integrity
+        return strained
     return strained.damaged(state.integrity, model.layout.i, model.layout.j)
 
 
@@ -131,6 +171,7 @@ def _places(cut: StepCut, i: np.ndarray, n: int) -> np.ndarray:
 
 
 def _tractions(model: Model) -> FacetTractions | None:
+    """Return the tractions on free facets, or None."""
     held = model.constraints
     count = len(held.press_schedule)
     if count == 0:

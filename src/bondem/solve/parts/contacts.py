@@ -3,7 +3,6 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem._types import PerBond
 from bondem.kernels.tables import Gauges, StepCut, lines
 from bondem.model.contact_search import Walls
 from bondem.model.contacts import ContactModel
@@ -20,7 +19,9 @@ from bondem.solve.contact_tables import (
     WallContacts,
     WallMotions,
 )
+from bondem.solve.damage_tables import EventLog, Postponed
 from bondem.solve.neighbour_list import ContactSearch, FoundContacts
+from bondem.solve.parts.damage import Joints
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import HistoryRows, Moving, Portions
@@ -29,16 +30,19 @@ _move_walls = StepPass("move_walls", WallMotions, Walls)
 _measure_travel = StepPass("measure_travel", Moving, Travel)
 _check_travel = StepPass("check_travel", Travel, Walls, Portions)
 _press_pairs = StepPass("press_pairs", Moving, ContactConstants, ContactPairs, NearPairs, Travel)
-_add_pair_loads = StepPass("add_pair_loads", Moving, ContactConstants, ContactPairs, NearPairs, ContactSums)
+_add_pair_loads = StepPass("add_pair_loads", ContactConstants, ContactPairs, NearPairs, ContactSums)
 _press_walls = StepPass("press_walls", Moving, ContactConstants, WallContacts, Walls, ContactSums)
 _measure_walls = StepPass("measure_wall_overlaps", Moving, ContactConstants, WallContacts, Walls, NearPairs, Travel)
 _keep_measures = StepPass("keep_measures", NearPairs, Travel)
 _load_walls = StepPass("load_walls", WallContacts, WallMotions, Walls)
-_add_contact_loads = StepPass("add_contact_loads", StepCut, ContactSums)
+_add_contact_loads = StepPass("add_contact_loads", Moving, StepCut, ContactSums)
 _sum_pair_energies = StepPass("sum_pair_energies", Moving, ContactConstants, ContactPairs, ContactEnergies)
 _sum_wall_energies = StepPass("sum_wall_energies", Moving, ContactConstants, WallContacts, Walls, ContactEnergies)
 _write_contact_energy = StepPass("write_contact_energy", ContactEnergies, HistoryRows)
 _count_wall_work = StepPass("count_wall_work", Walls, Portions)
+_begin_contacts = StepPass(
+    "begin_contacts", Moving, ContactConstants, ContactPairs, NearPairs, EventLog, Postponed
+)
 _write_walls = StepPass("write_walls", Walls, Gauges, HistoryRows)
 
 # Distances of all pairs are measured again when an element has moved this share of the reach of the list.
@@ -54,18 +58,18 @@ class ContactTables:
         state: state of the run; its arrays are shared.
         shared: tables of all parts.
         gauges: gauges of the run.
-        joints: result of `bondem.solve.cracks.joints`.
+        joints: what joins the elements.
         dt: time step [s].
     """
 
     def __init__(
         self, model: Model, contacts: ContactModel, state: State, shared: SharedTables, gauges: Gauges,
-        joints: tuple[PerBond, PerBond], dt: float,
+        joints: Joints, dt: float,
     ) -> None:  # fmt: skip
         self._state, self._shared, self._gauges = state, shared, gauges
-        self._search = ContactSearch(model, contacts, state, joints)
+        self._search = ContactSearch(model, contacts, state, (joints.integrity, joints.apart))
         self._check = ContactCheck(contacts, dt)
-        self._period, self._joined = model.period, joints[0]
+        self._period, self._joints = model.period, joints
         n, portions = len(state.pose), len(shared.portions.elements)
         modulus, soft, friction, damping, hertzian = contacts.law.parameters.tolist()
         self._law = ContactConstants(modulus, soft, friction, damping, bool(hertzian), contacts.radius)
@@ -89,7 +93,7 @@ class ContactTables:
         c, portions = len(pairs.first), len(self._energies.energy)
         self._pairs = ContactPairs(
             pairs.first, pairs.second, pairs.start, radius[pairs.first] + radius[pairs.second] + pairs.gap, found.own,
-            pairs.memory, pairs.touch, pairs.bond, self._joined, self._period,
+            pairs.memory, pairs.touch, pairs.bond, self._joints.integrity, found.of_bond, self._period,
         )  # fmt: skip
         self._near = NearPairs(
             np.zeros(c + 1, dtype=np.uint32), np.zeros(c + 1, dtype=np.uint32), np.empty((c, 8)),
@@ -105,14 +109,14 @@ class ContactTables:
         )  # fmt: skip
         self._walls.listed[:] = self._walls.body[:, :4]
 
-    def parts(self) -> list[Part]:
-        """Return the part of contacts, and that which writes them to the history, after the ledger."""
+    def part(self) -> Part:
+        """Return the part of contacts with their present list."""
         s, law, walls = self._shared, self._law, self._walls
         walled = len(walls.body) > 0
         travel: Passes = [(_measure_travel, s.moving, self._travel), (_check_travel, self._travel, walls, s.portions)]
         contacts: Passes = [
             (_press_pairs, s.moving, law, self._pairs, self._near, self._travel),
-            (_add_pair_loads, s.moving, law, self._pairs, self._near, self._sums),
+            (_add_pair_loads, law, self._pairs, self._near, self._sums),
         ]
         guard: Passes = []
         if walled:
@@ -124,9 +128,15 @@ class ContactTables:
             ]
             guard.append((_count_wall_work, walls, s.portions))
         contacts.append((_keep_measures, self._near, self._travel))
-        add: Passes = [(_add_contact_loads, s.cut, self._sums)]
-        stages = {"travel": travel, "contacts": contacts, "add": add, "guard": guard}
-        return [Part(stages, keep=self._keep, renewed=self._renewed), Part({}, record=self._record)]
+        add: Passes = [(_add_contact_loads, s.moving, s.cut, self._sums)]
+        hand_over: Passes = []
+        if self._joints.damage is not None:
+            damage = self._joints.damage
+            hand_over.append(
+                (_begin_contacts, s.moving, law, self._pairs, self._near, damage.log, damage.postponed)
+            )
+        stages = {"hand_over": hand_over, "travel": travel, "contacts": contacts, "add": add, "guard": guard}
+        return Part(stages, record=self._record, keep=self._keep, renewed=self._renewed)
 
     def _record(self, history: HistoryRows) -> Passes:
         moving, law, energies = self._shared.moving, self._law, self._energies
@@ -156,4 +166,4 @@ class ContactTables:
         if found is None:
             return None
         self._list(found)
-        return self.parts()[0]
+        return self.part()

@@ -5,11 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._core_steps import StepPass
+from bondem._types import PerBond
 from bondem.kernels.soft_tables import SOFT_BOND
 from bondem.kernels.tables import BROKEN_COLUMNS, Rows, StepCut
 from bondem.model.failure_table import FailureTable
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.solve.cracks import joints
 from bondem.solve.damage_tables import Candidates, EventLog, FailureBounds, Postponed
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
@@ -98,6 +100,26 @@ class DamageTables:
             state.broken = np.concatenate([state.broken, self.log.event[:count]])
             state.integrity[:] = integrity[: len(state.integrity)]
             self.log.written[:] = 0
+
+
+@dataclass(frozen=True, eq=False)
+class Joints:
+    """Bonds that join elements, which do not touch as long as they are joined.
+
+    Attributes:
+        integrity: above 0 of bonds that join their elements, (m,) or longer; the passes write it.
+        apart: distance of the centres at which the elements of a bond touch without it [m], (m,).
+        damage: tables of the damage pipeline, or None if bonds do not fail.
+    """
+
+    integrity: PerBond
+    apart: PerBond
+    damage: DamageTables | None
+
+    @classmethod
+    def of(cls, model: Model, state: State, integrity: PerBond, damage: DamageTables | None) -> "Joints":
+        """Return those of a run, given the integrity in the form of the loop over the bonds."""
+        return cls(*joints(model, state, integrity), damage)
 
 
 def damage_of(model: Model, state: State, cut: StepCut, filled: int) -> DamageTables | None:

@@ -6,7 +6,13 @@ from bondem._core_steps import StepPass
 from bondem.kernels.tables import StepCut
 from bondem.model.beam_tables import Beams
 from bondem.model.model import Model
-from bondem.model.non_local_tables import LaggedStresses, NonLocalBonds, NonLocalWork, lagged_stresses, non_local_tables
+from bondem.model.non_local_tables import (
+    LaggedStresses,
+    NonLocalBonds,
+    NonLocalWork,
+    lagged_stresses,
+    non_local_tables,
+)
 from bondem.model.state import State
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables

@@ -5,12 +5,13 @@ from bondem.laws.damping import DampingTerms
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added
-from bondem.solve.cracks import joints
 from bondem.solve.parts.beams import beams
 from bondem.solve.parts.body_forces import body_forces
 from bondem.solve.parts.boundary import boundary
-from bondem.solve.parts.cells import BodyOfCells, cells
+from bondem.solve.parts.cohesive_cracks import CrackingBody
 from bondem.solve.parts.contacts import ContactTables
+from bondem.solve.parts.damage import Joints
+from bondem.solve.parts.facet_breakage import body_of_cells
 from bondem.solve.parts.history import history
 from bondem.solve.parts.motion import dashpots_of, motion, resistance_of
 from bondem.solve.parts.non_local import non_local
@@ -27,27 +28,34 @@ def parts_of(
     shared = SharedTables.of(model, state, cut)
     more = added(model, terms, state, len(cut.sums))
     dashpots = dashpots_of(more)
+    bonds, joints = _bonds(model, state, shared, dashpots, dt)
     contacts: list[Part] = []
     if model.contacts is not None:
-        joined = joints(model, state, state.integrity)
-        contacts = ContactTables(model, model.contacts, state, shared, gauges, joined, dt).parts()
+        contacts.append(ContactTables(model, model.contacts, state, shared, gauges, joints, dt).part())
     parts = [
         boundary(shared),
-        *contacts[:1],
-        *_bonds(model, state, shared, dashpots),
+        *contacts,
+        *bonds,
         motion(shared, dashpots, resistance_of(terms, more)),
     ]
     if more is not None and len(more.group):
         parts.append(body_forces(shared, more))  # their work is that at the velocities after the kick
-    return shared, [*parts, history(shared, gauges), *contacts[1:]]
+    return shared, [*parts, history(shared, gauges)]
 
 
-def _bonds(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
-    """Return the parts of the bonds."""
+def _bonds(
+    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
+) -> tuple[list[Part], Joints]:
+    """Return the parts of the bonds, and the bonds as joints of their elements."""
+    if model.softening is not None:
+        parts = CrackingBody(model, state, shared, dt).parts(model, dashpots)
+        return parts, Joints.of(model, state, state.integrity, None)
     if model.cells is not None:
-        return [cells(shared, model, state, BodyOfCells.of(model, state, shared.cut), dashpots)]
+        return body_of_cells(model, state, shared, dashpots)
+    if model.non_local is None and model.formulation == "total":
+        return beams(model, state, shared, dashpots)
     if model.non_local is not None:
-        return non_local(model, state, shared, dashpots)
-    if model.formulation == "incremental":
-        return [stored_beams(model, state, shared, dashpots)]
-    return beams(model, state, shared, dashpots)
+        parts = non_local(model, state, shared, dashpots)
+    else:
+        parts = [stored_beams(model, state, shared, dashpots)]
+    return parts, Joints.of(model, state, state.integrity, None)

@@ -17,6 +17,7 @@ Passes = list[tuple[Any, ...]]
 FORCES = (
     "contacts",  # forces of contacts and walls
     "prepare",  # quantities of elements that bonds need
+    "constrain",  # walls and conditions that depend on these
     "loads",  # forces of bonds; marks bonds near to failure
     "judge",  # finds which marked bonds fail
     "gather",  # sums of the elements that domains share
@@ -25,12 +26,13 @@ FORCES = (
     "move",  # closes the step of elements, and opens the next one
     "settle",  # works and losses of the motion
     "apply",  # failure of bonds, after the motion
+    "hand_over",  # contact where bonds have failed
 )
 #: Stages of elements that a failure has delayed: they find their acceleration, and open the next step.
 RESUME = ("resume", "reopening")
-#: Other stages: boundary conditions at the present time, opening of a step after a pause, what moves with the elements
-#: and may put lists of contacts out of date, guard.
-STAGES = ("present", "opening", "travel", *FORCES, *RESUME, "guard")
+#: Other stages: the beginning of a run, boundary conditions at the present time, opening of a step after a pause,
+#: what moves with the elements and may put lists of contacts out of date, guard.
+STAGES = ("begin", "present", "opening", "travel", *FORCES, *RESUME, "guard")
 
 
 def _nothing(_: HistoryRows) -> Passes:

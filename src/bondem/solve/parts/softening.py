@@ -40,7 +40,7 @@ class SofteningTables:
     Attributes:
         bounds: bounds of the beams, and what presses on them.
         soft: beams that soften.
-        integrity: what failure changes of the beams.
+        integrity: integrity of the beams.
     """
 
     bounds: SofteningBounds
@@ -68,7 +68,7 @@ class SofteningTables:
             bounds=SofteningBounds(*damage.bounds, press),
             soft=SofteningBeams(
                 tear=energies.tear, slide=energies.shear, onset=np.zeros((m, 2)), row=row,
-                begun=np.array([begun], dtype=np.int64), listed=listed, count=count,
+                begun=np.array([begun], dtype=np.int64), listed=listed, number=count,
                 parted=np.zeros(portions, dtype=np.int64), lost=np.zeros(portions),
             ),
             integrity=BeamIntegrity(beams.integrity, np.zeros(0) if alike is None else alike.hold),

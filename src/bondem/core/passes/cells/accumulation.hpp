@@ -11,14 +11,20 @@ BONDEM_INLINE void stress_cell(const Array<double, 2> &pose, const CellDilatatio
 
 #if defined(BONDEM_LANES)
 
-// Adds what the facets first … last - 1 contribute to V θ of their cells, one by one.
+// Facets that cannot fail.
+struct NoFacetMarks {
+    BONDEM_INLINE void mark(Index, int, const Row<Lanes> &, const Row<Lanes> &, const Ends<Lanes> &, const FacetColumns &) {}
+};
+
+// Adds what the facets first … last - 1 contribute to V θ of their cells, one by one, and marks those near to failure.
+template <class Marking>
 BONDEM_INLINE void accumulate(Index first, Index last, const double *pose, const ElasticFacets &facets,
-                              const CellDilatation &cells) {
+                              const CellDilatation &cells, Marking &marking) {
     double *const __restrict swelling = cells.swelling.data;
     const Short *const to_i = cells.to_i.data, *const to_j = facets.j.data;
     const FacetColumns columns(facets);
     for_each_facets(first, last, pose, facets, columns.period,
-                    [&](Index k, int known, const Row<Lanes> &, const Row<Lanes> &, const Ends<Lanes> &ends)
+                    [&](Index k, int known, const Row<Lanes> &a, const Row<Lanes> &b, const Ends<Lanes> &ends)
                         __attribute__((always_inline)) {
         const OfCells<Lanes> grown = dilatation(ends, columns.shape<Lanes>(k));
         const Lanes s = load(columns.integrity + k), on_i = s * grown.i, on_j = s * grown.j;
@@ -32,6 +38,7 @@ BONDEM_INLINE void accumulate(Index first, Index last, const double *pose, const
         } else {
             for (int n = known; n < lanes; n++) add(n);
         }
+        marking.mark(k, known, a, b, ends, columns);
     });
 }
 

@@ -12,7 +12,8 @@ namespace {
 void dilate(const CellPoses &all, const ElasticFacets &facets, const CellDilatation &cells, const WallConstraints &walls) {
     for (Index g = 0; g < walls.cell.size(); g++)
         cells.swelling(walls.cell(g)) += dilatation_of_hold(all.pose, all.rest, walls, g);
-    accumulate(0, facets.i.size(), all.pose.data, facets, cells);
+    NoFacetMarks none;
+    accumulate(0, facets.i.size(), all.pose.data, facets, cells, none);
 }
 
 }  // namespace

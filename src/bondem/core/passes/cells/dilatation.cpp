@@ -1,12 +1,34 @@
 // The first of two passes over facets: V θ of the cells, added up in the order of the facets, and with it their stresses.
 #include "dilatation.hpp"
 
+#include "../damage/pipeline.hpp"
 #include "accumulation.hpp"
 
 namespace bondem {
+namespace {
+
+// Facets that are compared with their bounds, by the stresses of the step before.
+struct FacetMarks {
+    Marks marks;
+    BONDEM_INLINE void mark(Index k, int known, const Row<Lanes> &a, const Row<Lanes> &b, const Ends<Lanes> &ends,
+                            const FacetColumns &columns) {
+        const Lanes s = load(columns.integrity + k), whole = Lanes{} + 1.0, none = {};
+        const Vector3<Lanes> f = facet_pull(ends, columns.shape<Lanes>(k), load(columns.k + k), stresses_of(a, b, whole));
+        marks.mark(k, known, s * s * dot(f, f), none);
+    }
+};
+
+}  // namespace
 
 void accumulate_dilatation(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells) {
-    accumulate(turn.first, turn.last, all.pose.data, facets, cells);
+    NoFacetMarks none;
+    accumulate(turn.first, turn.last, all.pose.data, facets, cells, none);
+}
+void accumulate_and_mark(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
+                         const FailureBounds &bounds, const Candidates &candidates) {
+    FacetMarks marked = {Marks(bounds, candidates, turn)};
+    accumulate(turn.first, turn.last, all.pose.data, facets, cells, marked);
+    candidates.count(turn.block) = marked.marks.count();
 }
 
 void collect_dilatation(const Turn &turn, const StepCut &cut, const CellDilatation &cells) {

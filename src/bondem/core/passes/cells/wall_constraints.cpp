@@ -7,10 +7,7 @@ namespace {
 
 void load_all(const Moving &all, const WallConstraints &walls, const Rows &rows) {
     for (Index g = 0; g < walls.cell.size(); g++) load_hold(all.pose, all.rest, walls, g);
-    for (Index r = 0; r < rows.grip.size(); r++)
-        for (Index c = 0; c < 6; c++) rows.grip(r, c) = 0.0;
-    for (Index g = 0; g < walls.cell.size(); g++)
-        for (Index c = 0; c < 6; c++) rows.grip(walls.row(g), c) += walls.load(g, c);
+    set_rows(walls, rows);
 }
 
 void add_half_work(const WallConstraints &walls, const Rows &rows) {

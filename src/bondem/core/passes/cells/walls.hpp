@@ -62,6 +62,14 @@ inline void load_hold(const Array<double, 2> &pose, const Array<const double, 2>
     }
 }
 
+// Sets the forces of walls on the rows of the boundary that their cells own.
+inline void set_rows(const WallConstraints &walls, const Rows &rows) {
+    for (Index r = 0; r < rows.grip.size(); r++)
+        for (Index c = 0; c < 6; c++) rows.grip(r, c) = 0.0;
+    for (Index g = 0; g < walls.cell.size(); g++)
+        for (Index c = 0; c < 6; c++) rows.grip(walls.row(g), c) += walls.load(g, c);
+}
+
 // Energy of the half facet at a wall, without dilatation [J].
 inline double energy_of_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest,
                              const WallConstraints &walls, Index g) {

@@ -92,7 +92,7 @@ BONDEM_INLINE void press(const Law &law, const SeveralPairs &who, const Moving &
     const Three f = loads.contact.force, t = loads.torque;
     const Lanes zero = {};
     scatter(pairs.memory.data, who.pair, {{s.x, s.y, s.z, h.x, h.y, h.z, zero, zero}});
-    scatter(near.output.data, who.place, {{f.x, f.y, f.z, t.x, t.y, t.z, loads.contact.damped, loads.contact.rubbed}});
+    scatter(near.output.data, who.place, {{f.x, f.y, f.z, loads.contact.damped, t.x, t.y, t.z, loads.contact.rubbed}});
     for (int n = 0; n < lanes; n++) pairs.touch.data[who.pair[n]] = loads.overlap[n] > 0.0 ? touching : parted;
 }
 
@@ -108,32 +108,41 @@ void press_pairs(const Turn &turn, const Moving &all, const ContactConstants &c,
     });
 }
 
-void add_pair_loads(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+void add_pair_loads(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs,
                     const NearPairs &near, const ContactSums &to) {
-    const auto mine = [&](Index p) { return turn.first <= p && p < turn.last; };
+    const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };
+    const auto add = [&](Short p, Four force, Four torque, Four signs, double losses) __attribute__((always_inline)) {
+        const double r = c.radius(p);
+        const Four arms = {r, r, r, losses};
+        FourInMemory *const sum = &to.sums.row<FourInMemory>(p);
+        sum[0] = sum[0] + signs * force;
+        sum[1] = sum[1] + arms * torque;
+    };
     for (Index q = turn.first / elements_of_portion; q < near.count.size(); q++) {
         const Index begin = pairs.start(elements_of_portion * q), end = begin + near.count(q, 1);
         for (Index e = begin; e < end; e++) {
             const Short k = near.close(e), a = pairs.first(k), b = pairs.second(k);
-            const double *const out = &near.output(e, 0);
-            if (mine(a)) {
-                double *const sum = &to.sums(a, 0), r = c.radius(a);
-                for (Index x = 0; x < 3; x++) sum[x] -= out[x], sum[4 + x] += r * out[3 + x];
-            }
-            if (mine(b)) {
-                double *const sum = &to.sums(b, 0), r = c.radius(b);
-                for (Index x = 0; x < 3; x++) sum[x] += out[x], sum[4 + x] += r * out[3 + x];
-                all.loss(b, 0) += out[6];
-                all.loss(b, 2) += out[7];
-            }
+            const FourInMemory *const out = &near.output.row<FourInMemory>(e);
+            const Four force = out[0], torque = out[1];
+            if (mine(a)) add(a, force, torque, Four{-1.0, -1.0, -1.0, 0.0}, 0.0);
+            if (mine(b)) add(b, force, torque, Four{1.0, 1.0, 1.0, 1.0}, 1.0);
         }
     }
 }
 
-void add_contact_loads(const Turn &turn, const StepCut &cut, const ContactSums &contacts) {
+void add_contact_loads(const Turn &turn, const Moving &all, const StepCut &cut, const ContactSums &contacts) {
     for (Index e = turn.first; e < turn.last; e++) {
-        Row<double> &load = row_at(contacts.sums.data, turn.element[e]), &sum = row_at(cut.sums.data, turn.row[e]);
-        for (Index c = 0; c < 8; c++) sum.column[c] += load.column[c];
+        const Short p = turn.element[e];
+        Row<double> &load = row_at(contacts.sums.data, p), &sum = row_at(cut.sums.data, turn.row[e]);
+        bool loaded = false;
+        for (double number : load.column) loaded |= number != 0.0;
+        if (!loaded) continue;  // as most elements of a body
+        for (Index c = 0; c < 3; c++) {
+            sum.column[c] += load.column[c];
+            sum.column[4 + c] += load.column[4 + c];
+        }
+        all.loss(p, 0) += load.column[3];
+        all.loss(p, 2) += load.column[7];
         load = {};
     }
 }

@@ -8,11 +8,11 @@ namespace bondem {
 // since that was done.
 void press_pairs(const Turn &turn, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
                  const NearPairs &near, const Travel &travel);
-// Adds what pairs do to the elements of a range, in the order of the pairs, and their losses.
-void add_pair_loads(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+// Adds what pairs do to the elements of a range, in the order of the pairs.
+void add_pair_loads(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs,
                     const NearPairs &near, const ContactSums &to);
-// Adds forces of contacts to the sums of elements, and leaves them at zero.
-void add_contact_loads(const Turn &turn, const StepCut &cut, const ContactSums &contacts);
+// Adds forces of contacts to the sums of elements, and losses to theirs, and leaves them at zero.
+void add_contact_loads(const Turn &turn, const Moving &all, const StepCut &cut, const ContactSums &contacts);
 // Sums the elastic energy of the pairs of a portion [J].
 void sum_pair_energies(const Turn &turn, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
                        const ContactEnergies &energies);

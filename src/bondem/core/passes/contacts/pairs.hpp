@@ -29,11 +29,11 @@ template <class T> struct Spheres2 {
     Vector3<T> spin, turning;  // r_a ω_a + r_b ω_b [m/s], ω_a + ω_b [rad/s]
     T mass;  // m̄ [kg]
 
-    Spheres2(T ra, T rb, T reach, Vector3<T> branch, const Motion<T> &a, const Motion<T> &b)
+    BONDEM_INLINE Spheres2(T ra, T rb, T reach, Vector3<T> branch, const Motion<T> &a, const Motion<T> &b)
         : ra(ra), rb(rb), reach(reach), branch(branch), velocity(b.v - a.v), spin(ra * a.w + rb * b.w),
           turning(a.w + b.w), mass(1.0 / (a.m + b.m)) {}
     // Their distance, and the direction and the velocity at the contact, of a branch.
-    Meeting<T> meeting(Vector3<T> d, T &distance) const {
+    BONDEM_INLINE Meeting<T> meeting(Vector3<T> d, T &distance) const {
         distance = length(d);
         const Vector3<T> n = d / distance;
         return {n, velocity - cross((distance / (ra + rb)) * spin, n)};

@@ -102,8 +102,8 @@ void press_wall(const Moving &all, const ContactConstants &c, const WallContacts
         to.sums(p, x) += f[x];
         to.sums(p, 4 + x) += torque[x];
     }
-    all.loss(p, 0) += loads.damped;
-    all.loss(p, 2) += loads.rubbed;
+    to.sums(p, 3) += loads.damped;
+    to.sums(p, 7) += loads.rubbed;
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ void find_softening(const Turn &turn, const Moving &all, const Beams &beams, con
 
 void soften_beams(const Turn &turn, const Moving &all, const Beams &beams, const BeamIntegrity &state,
                   const SofteningBounds &bounds, const SofteningBeams &soft) {
-    const Index q = turn.block, first = turn.first, count = soft.count(q);
+    const Index q = turn.block, first = turn.first, count = soft.number(q);
     Index kept = 0, parted = 0;
     Index gone[bonds_of_portion];
     double lost = 0.0;
@@ -86,7 +86,7 @@ void soften_beams(const Turn &turn, const Moving &all, const Beams &beams, const
             gone[parted++] = c;
     }
     for (Index e = 0; e < parted; e++) soft.listed(first + kept + e) = gone[e];
-    soft.count(q) = kept;
+    soft.number(q) = kept;
     soft.parted(q) = parted;
     soft.lost(q) = lost;
 }
@@ -94,10 +94,10 @@ void soften_beams(const Turn &turn, const Moving &all, const Beams &beams, const
 void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBeams &soft,
                         const EventLog &log) {
     log.written(1) = log.written(0);
-    for (Index q = 0; q < soft.count.size(); q++) {
+    for (Index q = 0; q < soft.number.size(); q++) {
         log.released(0) += soft.lost(q);
         for (Index e = 0; e < soft.parted(q); e++) {
-            const double *row = &soft.row(soft.listed(q * bonds_of_portion + soft.count(q) + e), 0);
+            const double *row = &soft.row(soft.listed(q * bonds_of_portion + soft.number(q) + e), 0);
             const Index k = Index(row[bond_column]);
             const Vector d = ends_of(all.pose.data, beams, k).branch;
             const double *x = &all.pose(beams.i(k), 0), share = beams.lever(k) / beams.length(k);
@@ -126,7 +126,7 @@ void begin_softening(const Turn &, const Candidates &candidates, const Softening
         const double last = last_opening(energy, soft.tear(k), soft.slide(k), first);
         const double all[6] = {double(k), first, last, rate, 0.0, double(mode)};
         for (Index column = 0; column < 6; column++) soft.row(c, column) = all[column];
-        soft.listed(q * bonds_of_portion + soft.count(q)++) = c;
+        soft.listed(q * bonds_of_portion + soft.number(q)++) = c;
         bounds.limit(k) = float(infinity);
     });
     end_failures(candidates);

@@ -13,21 +13,21 @@ template <class Criterion> void evaluate(const StressCandidates &candidates, con
     require(by.parameter.size() == Criterion::parameters);
     for (Index c = 0; c < count; c++) {
         const double *s = candidates.stress.data + 9 * c;
-        candidates.index(c) = Criterion::index(Stress<double>{s[0], s[4], s[8], s[1], s[2], s[5]}, by.parameter.data);
+        candidates.found(c) = Criterion::index(Stress<double>{s[0], s[4], s[8], s[1], s[2], s[5]}, by.parameter.data);
     }
 }
 // The function of a user.
 struct OfUser {};
 template <> void evaluate<OfUser>(const StressCandidates &candidates, const StressFunction &by, Index count) {
     if (count == 0) return;
-    reinterpret_cast<UserFunction>(by.address)(count, candidates.stress.data, by.parameter.data, candidates.index.data);
+    reinterpret_cast<UserFunction>(by.address)(count, candidates.stress.data, by.parameter.data, candidates.found.data);
 }
 
 // Moves the candidates of all portions together, in the order of the bonds; returns how many there are.
 Index move_together(const StressCandidates &candidates) {
     Index total = 0;
-    for (Index q = 0; q < candidates.count.size(); q++)
-        for (Index e = q * bonds_of_portion; e < q * bonds_of_portion + candidates.count(q); e++, total++) {
+    for (Index q = 0; q < candidates.number.size(); q++)
+        for (Index e = q * bonds_of_portion; e < q * bonds_of_portion + candidates.number(q); e++, total++) {
             candidates.bond(total) = candidates.bond(e);
             for (Index c = 0; c < 9; c++) candidates.stress.data[9 * total + c] = candidates.stress.data[9 * e + c];
         }

@@ -25,7 +25,7 @@ inline Index write_candidate(const StressCandidates &candidates, Index place, In
 // Calls on(bond) for the candidates that fail, in the order of the bonds.
 template <class On> inline void for_each_failing(const StressCandidates &candidates, On on) {
     for (Index c = 0; c < candidates.total(0); c++)
-        if (!(candidates.index(c) < 1.0)) on(candidates.bond(c));
+        if (!(candidates.found(c) < 1.0)) on(candidates.bond(c));
 }
 
 void index_candidates_by_mean_stress(const Turn &turn, const StressCandidates &candidates, const StressFunction &by);

@@ -1,0 +1,104 @@
+// Cells that yield under their mean stress: a cohesion that falls with slip, a friction that stays.
+//
+// Mohr and Coulomb, with σ_1 and σ_3 the largest and least principal stress and V the volume of the cell:
+//
+//     F = ½ (σ_1 - σ_3) + ½ (σ_1 + σ_3) sin φ - r c cos φ        r = ⟨1 - Σ Δγ V^(1/3) c / 2 G_II⟩
+//     Δγ = ½ F / 2 G                                               Δε = ½ Δγ [(1 + sin ψ) e_1⊗e_1 - (1 - sin ψ) e_3⊗e_3]
+//
+// Drucker and Prager, for a mean stress that is compressive, with the deviator s, and k in place of c in r:
+//
+//     F = √J2 + α I1 - r k        Δγ = ½ F / (G + 9 K α β)        Δε = Δγ [s / 2 √J2 + β 1]
+//
+// so that in pure shear τ both dissipate τ Δγ. Half of the return to the surface is made in a step, because the stress is
+// that of the step before.
+//
+// The plastic strain is an eigenstrain of the cell: its levers are P b with P ← (1 + Δε) P in the frame of the cell. So
+// what is dissipated is exactly V σ:Δε, also at large strain.
+//
+// Signs: tension positive. Limits: a cell without cohesion under tension does not flow, its facets crack.
+#pragma once
+#include "principal.hpp"
+
+namespace bondem {
+
+// Share of the return to the yield surface that is made in a step.
+constexpr double share_of_return = 0.5;
+
+template <class T> struct YieldStrength {
+    T cohesion;  // r c cos φ, or r k of the cone [Pa]
+    T slope;  // sin φ, or α [-]
+    T dilation;  // sin ψ, or β [-]
+    T stiffness;  // G, of the cone G + 9 K α β [Pa]
+};
+// An upper bound of F by Mohr and Coulomb, F itself by the cone [Pa].
+template <class T>
+BONDEM_INLINE T yield_bound(const StressInvariants<T> &s, const YieldStrength<T> &by, bool cone) {
+    if (cone) return select(s.mean > T{}, all<T>(-1.0), s.deviator + 3.0 * by.slope * s.mean - by.cohesion);
+    return s.deviator + by.slope * (s.mean + 0.57735026918962576 * s.deviator) - by.cohesion;
+}
+
+// A step of plastic strain: Δγ, and Δε along each of the principal directions of the stress.
+template <class T> struct PlasticStep {
+    T gamma;
+    T along[3];
+};
+template <class T>
+BONDEM_INLINE PlasticStep<T> slip_step(const PrincipalStress<T> &s, const YieldStrength<T> &by) {
+    const T high = largest_of(s), low = least_of(s), zero = {};
+    const T F = 0.5 * (high - low) + 0.5 * (high + low) * by.slope - by.cohesion;
+    // slip takes no more than the shear there is
+    const T gamma = share_of_return * positive(least(F, high - low)) / (2.0 * by.stiffness);
+    const T up = 0.5 * gamma * (1.0 + by.dilation), down = -0.5 * gamma * (1.0 - by.dilation);
+    // of equal stresses the first is the largest and the last the least
+    const Mask<T> up0 = s.stress[0] >= high, up1 = opposite(up0) & (s.stress[1] >= high);
+    const Mask<T> low2 = s.stress[2] <= low, low1 = opposite(low2) & (s.stress[1] <= low);
+    return {gamma,
+            {select(up0, up, select(low2 | low1, zero, down)), select(up1, up, select(low1, down, zero)),
+             select(low2, down, select(up0 | up1, zero, up))}};
+}
+template <class T>
+BONDEM_INLINE PlasticStep<T> cone_step(const PrincipalStress<T> &s, const StressInvariants<T> &at, const YieldStrength<T> &by) {
+    const T zero = {}, F = at.deviator + 3.0 * by.slope * at.mean - by.cohesion;
+    const T flow = share_of_return * positive(least(F, 2.0 * at.deviator)) / by.stiffness;
+    const T gamma = select(at.mean > zero, zero, flow), half = 0.5 / at.deviator;
+    const auto along = [&](int d) {
+        return select(gamma > zero, T(gamma * ((s.stress[d] - at.mean) * half + by.dilation)), zero);
+    };
+    return {gamma, {along(0), along(1), along(2)}};
+}
+// Δε in space.
+template <class T> BONDEM_INLINE Symmetric3<T> plastic_strain(const PrincipalStress<T> &s, const PlasticStep<T> &step) {
+    Symmetric3<T> sum = {};
+    for (int d = 0; d < 3; d++) {
+        const Vector3<T> e = s.direction[d], a = step.along[d] * e;
+        sum = {sum.xx + a.x * e.x, sum.yy + a.y * e.y, sum.zz + a.z * e.z,
+               sum.xy + a.x * e.y, sum.xz + a.x * e.z, sum.yz + a.y * e.z};
+    }
+    return sum;
+}
+// σ:Δε [Pa]
+template <class T> BONDEM_INLINE T work_of(const Symmetric3<T> &s, const Symmetric3<T> &strain) {
+    return s.xx * strain.xx + s.yy * strain.yy + s.zz * strain.zz +
+           2.0 * (s.xy * strain.xy + s.xz * strain.xz + s.yz * strain.yz);
+}
+
+// P of a cell: its rows less those of the identity.
+template <class T> struct PlasticDeformation {
+    Vector3<T> x, y, z;
+};
+// (1 + Δε) P, with Δε in the frame of the cell.
+template <class T>
+BONDEM_INLINE PlasticDeformation<T> deformed(const PlasticDeformation<T> &P, const Symmetric3<T> &strain) {
+    const auto row = [&](Vector3<T> before, Vector3<T> e, Vector3<T> one) {
+        return before + plus(plus(plus(one, e.x, P.x), e.y, P.y), e.z, P.z);
+    };
+    const Vector3<T> a = {strain.xx, strain.xy, strain.xz}, b = {strain.xy, strain.yy, strain.yz},
+                     c = {strain.xz, strain.yz, strain.zz};
+    return {row(P.x, a, a), row(P.y, b, b), row(P.z, c, c)};
+}
+// A lever with the plastic deformation of its cell, P b.
+template <class T> BONDEM_INLINE Vector3<T> stretched(const PlasticDeformation<T> &P, Vector3<T> b) {
+    return {b.x + dot(P.x, b), b.y + dot(P.y, b), b.z + dot(P.z, b)};
+}
+
+}  // namespace bondem

@@ -1,0 +1,43 @@
+#pragma once
+#include "../../steps.hpp"
+#include "../../tables/cell_tables.hpp"
+#include "../../tables/damage_tables.hpp"
+
+namespace bondem {
+
+// Finds which of the marked facets fail, by the present stresses, and holds their cells and the neighbours of these.
+void judge_facets_by_peripheral_stress(const Turn &turn, const Moving &all, const ElasticFacets &facets,
+                                       const FacetRelease &release, const Strengths &strengths,
+                                       const Candidates &candidates, const Postponed &postponed);
+void judge_facets_by_mohr_coulomb(const Turn &turn, const Moving &all, const ElasticFacets &facets,
+                                  const FacetRelease &release, const Strengths &strengths, const Candidates &candidates,
+                                  const Postponed &postponed);
+void judge_facets_by_linear_sum(const Turn &turn, const Moving &all, const ElasticFacets &facets,
+                                const FacetRelease &release, const Strengths &strengths, const Candidates &candidates,
+                                const Postponed &postponed);
+void judge_facets_by_ellipse(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetRelease &release,
+                             const Strengths &strengths, const Candidates &candidates, const Postponed &postponed);
+// Lists the cells of facets that fail, and takes the loads of all their facets and walls off the kept sums.
+void withdraw_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                     const FacetRelease &release, const Candidates &candidates, const Postponed &postponed);
+// Removes the facets that fail, and brings the stresses of their cells up to date.
+void break_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                  const FacetRelease &release, const Candidates &candidates, const EventLog &log);
+// Adds the loads of the facets that are left, and of walls, to the kept sums.
+void restore_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                    const FacetRelease &release, const Candidates &candidates, const Postponed &postponed);
+// Sets the forces of walls on the rows of their cells anew.
+void renew_wall_rows(const Turn &turn, const WallConstraints &walls, const Rows &rows, const Candidates &candidates);
+// Weighs all cells by the facets that they have left, as a run begins.
+Index weigh_cells(Index threads, const ElasticFacets &facets, const FacetRelease &release);
+// Index of the criterion of every facet, at the stresses in the poses.
+Index index_facets_by_peripheral_stress(Index threads, const Poses &all, const ElasticFacets &facets,
+                                        const Strengths &strengths, const FailureIndices &found);
+Index index_facets_by_mohr_coulomb(Index threads, const Poses &all, const ElasticFacets &facets,
+                                   const Strengths &strengths, const FailureIndices &found);
+Index index_facets_by_linear_sum(Index threads, const Poses &all, const ElasticFacets &facets, const Strengths &strengths,
+                                 const FailureIndices &found);
+Index index_facets_by_ellipse(Index threads, const Poses &all, const ElasticFacets &facets, const Strengths &strengths,
+                              const FailureIndices &found);
+
+}  // namespace bondem

@@ -1,0 +1,24 @@
+// What is read off cells in any poses: vectors that turn with them, and moments of forces on them.
+#include "observation.hpp"
+
+#include "../../laws/rotations.hpp"
+#include "../../symmetric3.hpp"
+
+namespace bondem {
+
+Index turn_vectors(Index, const TurnedVectors &all) {
+    for (Index e = 0; e < all.vector.size(); e++)
+        all.turned.row<Vector>(e) = rotate(all.quaternion.row<const Quaternion<double>>(e), all.vector.row<const Vector>(e));
+    return 0;
+}
+
+Index add_moments(Index, const MomentsOfForces &all) {
+    for (Index e = 0; e < all.owner.size(); e++) {
+        const Symmetric3<double> m = symmetric_product(all.sign * all.arm.row<const Vector>(e), all.force.row<const Vector>(e));
+        const double parts[6] = {m.xx, m.yy, m.zz, m.xy, m.yz, m.xz};
+        for (Index c = 0; c < 6; c++) all.moment(all.owner(e), c) += parts[c];
+    }
+    return 0;
+}
+
+}  // namespace bondem

@@ -1,0 +1,69 @@
+#include "handover.hpp"
+
+#include "../damage/pipeline.hpp"
+
+namespace bondem {
+
+void examine(const ContactPairs &pairs, const NearPairs &near, Index k) {
+    const Index portion = pairs.second(k) / elements_of_portion, begin = pairs.start(portion * elements_of_portion);
+    Index e = begin + near.count(portion, 0);
+    const Index end = e;
+    while (e > begin && near.near(e - 1) > k) e--;
+    if (e > begin && near.near(e - 1) == k) return;
+    for (Index q = end; q > e; q--) near.near(q) = near.near(q - 1);
+    near.near(e) = Short(k);
+    near.count(portion, 0)++;
+}
+
+BegunContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index k) {
+    examine(pairs, near, k);
+    for (Index x = 0; x < 8; x++) pairs.memory(k, x) = 0.0;
+    pairs.touch(k) = separate;
+    const Vector d = branch_of(all.pose.data, pairs, k);
+    if (!(length(d) < pairs.reach(k))) return {false, {}, {}};
+    const Short a = pairs.first(k), b = pairs.second(k);
+    const Motion<double> of_a(gather(all.motion.data, a)), of_b(gather(all.motion.data, b));
+    const Spheres2<double> pair(c.radius(a), c.radius(b), pairs.reach(k), d, of_a, of_b);
+    PairLoads<double> loads;
+    with_law(c, [&](auto law) { loads = pair_loads(law, c, pair, pairs.own(k), ContactMemory<double>{}, 0.0); });
+    const ContactMemory<double> &memory = loads.contact.memory;
+    pairs.memory.row<Vector>(k) = memory.stretch;
+    (&pairs.memory.row<Vector>(k))[1] = memory.viscous;
+    pairs.touch(k) = touching;
+    return {true, loads.contact.force, loads.torque};
+}
+
+double hand_over(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index bond,
+                 double *sums) {
+    const Index k = pairs.of_bond(bond);
+    if (k < 0) return 0.0;
+    const BegunContact begun = begin_pair(all, c, pairs, near, k);
+    if (!begun.touches) return 0.0;
+    const Short ends[2] = {pairs.first(k), pairs.second(k)};
+    for (Index end = 0; end < 2; end++) {
+        double *const row = sums + 8 * uint64_t(ends[end]), sign = end == 0 ? -1.0 : 1.0, r = c.radius(ends[end]);
+        for (Index x = 0; x < 3; x++) {
+            row[x] += sign * begun.force[x];
+            row[4 + x] += r * begun.torque[x];
+        }
+    }
+    return pair_energy(all.pose.data, c, pairs, k);
+}
+
+double let_touch(const Moving &all, const ContactPairs &pairs, const NearPairs &near, Index facet, double apart) {
+    const Index k = pairs.of_bond(facet);
+    const double reach = least(apart, length(branch_of(all.pose.data, pairs, k)));
+    pairs.joined(facet) = 0.0;
+    pairs.reach(k) = reach;
+    examine(pairs, near, k);
+    return reach;
+}
+
+void begin_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                    const NearPairs &near, const EventLog &log, const Postponed &postponed) {
+    for_each_event(log, [&](Index bond, Index event) {
+        take_over(log, event, hand_over(all, c, pairs, near, bond, postponed.kept.data));
+    });
+}
+
+}  // namespace bondem

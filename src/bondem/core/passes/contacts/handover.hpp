@@ -1,0 +1,34 @@
+// Contact of two elements from which a bond or a facet has gone: the pair was listed, and passed over so far.
+//
+// What presses the two together bears on at once, with the tangential spring at rest, at the end of the step in which the
+// bond fails. The contact takes over the energy that it stores.
+#pragma once
+#include "pairs.hpp"
+
+namespace bondem {
+
+// Examines pair k in every step from now on; it keeps its place in the order of the pairs.
+void examine(const ContactPairs &pairs, const NearPairs &near, Index k);
+
+// Begins the contact of pair k as the pair is now; whether the two touch, and what they do to each other then.
+struct BegunContact {
+    bool touches;
+    Vector force;  // on the later element [N]
+    Vector torque;  // on either, over its radius [N]
+};
+BegunContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index k);
+
+// Begins the contact of the pair of a bond, and adds its force to rows of sums of elements (first_row + element); the
+// energy that it takes over [J].
+double hand_over(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index bond,
+                 double *sums);
+
+// Contact of a facet that bears nothing any more begins at its rest length `apart`, or at the present distance where that
+// is less: without a force, and with no energy. Returns that distance [m].
+double let_touch(const Moving &all, const ContactPairs &pairs, const NearPairs &near, Index facet, double apart);
+
+// Begins contact where beams have broken in this step, on the sums that are kept for their ends.
+void begin_contacts(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                    const NearPairs &near, const EventLog &log, const Postponed &postponed);
+
+}  // namespace bondem

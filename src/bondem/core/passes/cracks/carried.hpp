@@ -1,0 +1,22 @@
+// Σ b⊗f of the cracks of a cell, with b the lever in the reference and f the force in space.
+#pragma once
+#include "single_cracks.hpp"
+
+namespace bondem {
+
+struct Carried {
+    double sum[12];  // b_x f, b_y f, b_z f, each and another number, b in its pitch
+
+    // `b` is the lever; `f` has three numbers and another one, which is of no account.
+    BONDEM_INLINE void add(const int32_t *b, const double *f) {
+        for (int r = 0; r < 3; r++) {
+            const double along = b[r];
+            for (int d = 0; d < 4; d++) sum[4 * r + d] += along * f[d];
+        }
+    }
+    BONDEM_INLINE void put(const StressesOfCells &stresses, const double *pitch, Index p) const {
+        for (int c = 0; c < 12; c++) stresses.carried(p, c) = pitch[c / 4] * sum[c];
+    }
+};
+
+}  // namespace bondem

@@ -1,0 +1,59 @@
+// Rows of cracks. Each is one line of the cache, as there are many cracks and a pass takes few of their numbers; levers,
+// shares and H have half as many bytes, in which they are exact.
+#pragma once
+#include "../../laws/crack.hpp"
+#include "../../laws/softening.hpp"
+#include "../../tables/crack_tables.hpp"
+
+namespace bondem {
+
+// A facet in the reference.
+struct CrackShapeRow {
+    int32_t lever_i[3], lever_j[3];  // [pitch]
+    float share_i[3], share_j[3];  // [m²]
+    double k;  // [N/m]
+    double top;  // force below which it does not soften [N]; once faces have parted, distance at which cells touch [m]
+};
+struct CrackFaceRow {
+    double normal[3];  // in the reference [-]
+    double part, area, integrity, friction, k;
+};
+struct CrackStateRow {
+    double slip[3];  // in the frame of cell i [m]
+    double rub[3];  // friction force a step ago [N]
+    double before;  // integrity a step ago
+    double rate;  // -∂U/∂s [J]
+};
+struct CrackSofteningRow {
+    float H[6], plane, unused;  // [N·m]; 1 for facets of material planes
+    double bends, brittleness, fastest;  // 4 k / A², 1 / T_l, and the largest loss in a step of what breaks at once
+    double strength;  // [Pa], 0 where a cell had no cohesion
+};
+struct CrackHistoryRow {
+    double facet, status, spent;  // spent: energy dissipated [J]
+    double cohesion, slip_brittleness, friction;  // of facets of material planes
+    double unused[2];
+};
+static_assert(sizeof(CrackShapeRow) == 64 && sizeof(CrackFaceRow) == 64 && sizeof(CrackStateRow) == 64 &&
+              sizeof(CrackSofteningRow) == 64 && sizeof(CrackHistoryRow) == 64);
+
+inline CrackShapeRow &shape_of(const CohesiveCracks &cracks, Index c) { return cracks.shape.row<CrackShapeRow>(c); }
+inline CrackFaceRow &face_of(const CohesiveCracks &cracks, Index c) { return cracks.face.row<CrackFaceRow>(c); }
+inline CrackStateRow &state_of(const CohesiveCracks &cracks, Index c) { return cracks.state.row<CrackStateRow>(c); }
+inline CrackSofteningRow &softening_of(const CohesiveCracks &cracks, Index c) {
+    return cracks.softening.row<CrackSofteningRow>(c);
+}
+inline CrackHistoryRow &history_of(const CohesiveCracks &cracks, Index c) { return cracks.history.row<CrackHistoryRow>(c); }
+
+namespace crack {
+// How a crack is treated: one by one; as a facet of less stiffness; not at all, as its faces have parted.
+enum Status : int { active, resting, parted };
+// What becomes of a crack in a step, besides nothing.
+enum Flag : Byte { unchanged, fell, calmed, parts, wakes };
+// Stands for the integrity a step ago of a crack that begins.
+constexpr double fresh = 2.0;
+// Places of a portion of a list.
+constexpr Index of_portion = 256;
+}  // namespace crack
+
+}  // namespace bondem

@@ -1,0 +1,151 @@
+// Laws of cracks and yielding over arrays: each sample by itself, or as many at once as there are lanes.
+#include "crack_samples.hpp"
+
+#include "../../laws/crack.hpp"
+#include "../../laws/plasticity.hpp"
+#include "../../laws/softening.hpp"
+
+namespace bondem {
+namespace {
+
+// Reads and writes the columns of a table at sample e, one after the other.
+template <class T> struct ReadColumns {
+    const Array<const double, 2> &table;
+    const Index e;
+    Index column = 0;
+
+    ReadColumns(const Array<const double, 2> &table, Index e) : table(table), e(e) {}
+    T number() {
+        const double *at = &table(column++, e);
+        if constexpr (sizeof(T) == sizeof(double))
+            return *at;
+        else
+            return load(at);
+    }
+    Vector3<T> vector() {
+        const T x = number(), y = number(), z = number();
+        return {x, y, z};
+    }
+    Quaternion<T> quaternion() {
+        const T w = number(), x = number(), y = number(), z = number();
+        return {w, x, y, z};
+    }
+    Symmetric3<T> tensor() {
+        const Vector3<T> a = vector(), b = vector();
+        return {a.x, a.y, a.z, b.x, b.y, b.z};
+    }
+};
+template <class T> struct WriteColumns {
+    const Array<double, 2> &table;
+    const Index e;
+    Index column = 0;
+
+    WriteColumns(const Array<double, 2> &table, Index e) : table(table), e(e) {}
+    void operator()(T a) {
+        double *at = &table(column++, e);
+        if constexpr (sizeof(T) == sizeof(double))
+            *at = a;
+        else
+            store(at, a);
+    }
+    void operator()(Vector3<T> a) {
+        (*this)(a.x);
+        (*this)(a.y);
+        (*this)(a.z);
+    }
+};
+template <class T> T column_at(const Array<const double, 1> &column, Index e) {
+    if constexpr (sizeof(T) == sizeof(double))
+        return column(e);
+    else
+        return load(&column(e));
+}
+
+template <class T> void soften(const SofteningSamples &samples, Index e) {
+    ReadColumns<T> traction(samples.traction, e), normal(samples.normal, e), stress(samples.stress, e);
+    ReadColumns<T> of(samples.strength, e);
+    const FacetTraction<T> load = {traction.vector(), normal.vector(), column_at<T>(samples.bent, e)};
+    const Softening<T> tension = {of.number(), of.number()};
+    const PlaneStrength<T> plane = {of.number(), of.number(), of.number()};
+    const CrackStrength<T> by = {tension, plane, of.number() > all<T>(0.5)};
+    const CurveShape curve = {samples.kink, samples.steep};
+    const T s = column_at<T>(samples.integrity, e);
+    WriteColumns<T> left(samples.left, e);
+    left(integrity_left(s, load, principal(stress.tensor()), by, curve));
+    left(unsoftened_below(s, by, curve));
+}
+
+template <class T> T swelling(const SwellingHalf<T> &half, T stress) {
+    const T press = least(half.closed + stress * half.pressed, T{});
+    return half.swollen - half.loose * (half.pulled + stress * half.square - press * half.along);
+}
+
+template <class T> void crack(const CrackSamples &samples, Index e) {
+    ReadColumns<T> of(samples.given, e);
+    const Ends<T> ends = {of.vector(), of.quaternion(), of.quaternion()};
+    const FacetShape<T> shape = {of.vector(), of.vector(), of.vector(), of.vector()};
+    const Vector3<T> normal = of.vector();
+    const Symmetric3<T> H = of.tensor();
+    const FacetCompliance<T> facet = {of.number(), of.number()};
+    const T s = of.number();
+    const OfCells<T> stress = {of.number(), of.number()};
+    const Vector3<T> slip = of.vector();
+    const T friction = of.number(), s_before = of.number(), rate_before = of.number();
+    const Vector3<T> rub_before = of.vector();
+    const CrackFaces<T> at = crack_faces(ends, shape, normal).faces;
+    const CrackLoads<T> loads = crack_loads(facet, at, s, stress, slip, friction);
+    const FacetBending<T> bending = facet_bending(ends, H);
+    const CrackEnergy<T> energy =
+        crack_energy(facet, at, s, crack_halves(facet, at, stress), loads.friction.force);
+    const CrackStep<T> step = {s_before, s, rate_before, loads.rate + bending.energy,
+                               rub_before, loads.friction.force, loads.friction.slip - slip};
+    const CrackLosses<T> lost = crack_losses(facet.k, step);
+    WriteColumns<T> found(samples.found, e);
+    found(loads.force), found(loads.on_i), found(loads.on_j), found(loads.friction.force), found(loads.friction.slip);
+    found(loads.rate), found(bending.energy), found(bending.torque), found(energy.across), found(energy.along);
+    found(lost.cracked), found(lost.rubbed);
+    found(swelling(swelling_half(facet.k, facet.part, s, at.gap, at.share_i, at.normal), stress.i));
+    found(swelling(swelling_half(facet.k, T(1.0 - facet.part), s, at.gap, at.share_j, at.normal), stress.j));
+}
+
+template <class T> void flow(const YieldSamples &samples, Index e) {
+    ReadColumns<T> stress(samples.stress, e), of(samples.strength, e);
+    const Symmetric3<T> s = stress.tensor();
+    const YieldStrength<T> by = {of.number(), of.number(), of.number(), of.number()};
+    const StressInvariants<T> at = invariants(s);
+    const PrincipalStress<T> p = principal(s);
+    const PlasticStep<T> step = samples.cone ? cone_step(p, at, by) : slip_step(p, by);
+    const Symmetric3<T> strain = plastic_strain(p, step);
+    WriteColumns<T> found(samples.found, e);
+    found(yield_bound(at, by, samples.cone != 0)), found(step.gamma);
+    found(Vector3<T>{strain.xx, strain.yy, strain.zz}), found(Vector3<T>{strain.xy, strain.xz, strain.yz});
+    found(Vector3<T>{p.stress[0], p.stress[1], p.stress[2]});
+}
+
+// Calls one(e) for each sample, or several(e) for groups of them; samples behind the last whole group one by one.
+template <class One, class Several> void over(Index count, Index wide, One one, Several several) {
+    Index e = 0;
+    if (wide)
+        for (; e + lanes <= count; e += lanes) several(e);
+    for (; e < count; e++) one(e);
+}
+
+}  // namespace
+
+Index evaluate_softening(Index, const SofteningSamples &samples) {
+    over(samples.bent.size(), samples.wide, [&](Index e) { soften<double>(samples, e); },
+         [&](Index e) { soften<Lanes>(samples, e); });
+    return 0;
+}
+Index evaluate_cracks(Index, const CrackSamples &samples) {
+    over(samples.given.shape[1], samples.wide, [&](Index e) { crack<double>(samples, e); },
+         [&](Index e) { crack<Lanes>(samples, e); });
+    return 0;
+}
+Index evaluate_yielding(Index, const YieldSamples &samples) {
+    over(samples.stress.shape[1], samples.wide, [&](Index e) { flow<double>(samples, e); },
+         [&](Index e) { flow<Lanes>(samples, e); });
+    return 0;
+}
+
+}  // namespace bondem

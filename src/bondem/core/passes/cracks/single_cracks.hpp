@@ -1,0 +1,109 @@
+// One crack at a time, for what concerns few of them: when they begin, rest, wake, or part.
+#pragma once
+#include "crack_groups.hpp"
+
+namespace bondem {
+
+// A crack in space, from the poses of its cells.
+struct SingleCrack {
+    Index facet;
+    Ends<double> ends;
+    OfCells<double> stress;
+    FacetCompliance<double> stiffness;
+    double area, s;
+    FacedFaces<double> now;
+
+    SingleCrack(const Array<double, 2> &pose, const double *period, const CohesiveCracks &cracks, Index c)
+        : facet(cracks.facet(c)), ends(ends_of(gather(pose.data, cracks.i(c)), gather(pose.data, cracks.j(c)), period)),
+          stress{pose(cracks.i(c), stress_column), pose(cracks.j(c), stress_column)} {
+        const CrackShapeRow &of = shape_of(cracks, c);
+        const CrackFaceRow &face = face_of(cracks, c);
+        const double *const pitch = cracks.pitch.data;
+        stiffness = {face.k, face.part};
+        area = face.area;
+        s = face.integrity;
+        const auto lever = [&](const int32_t *b) {
+            return Vector{pitch[0] * double(b[0]), pitch[1] * double(b[1]), pitch[2] * double(b[2])};
+        };
+        const auto share = [](const float *g) { return Vector{double(g[0]), double(g[1]), double(g[2])}; };
+        const FacetShape<double> shape = {lever(of.lever_i), lever(of.lever_j), share(of.share_i), share(of.share_j)};
+        now = crack_faces(ends, shape, {face.normal[0], face.normal[1], face.normal[2]});
+    }
+};
+
+inline void put_node(const CrackLists &lists, Index number, Index next, const int32_t *lever) {
+    int32_t *const node = &lists.node(number, 0);
+    node[0] = int32_t(next);
+    for (int d = 0; d < 3; d++) node[1 + d] = lever[d];
+}
+// A half that adds nothing.
+inline void clear_half(const CrackLists &lists, Index number) {
+    for (Index c = 0; c < 7; c++) lists.half(number, c) = 0.0;
+    lists.half(number, 7) = infinity;
+    for (Index c = 0; c < 8; c++) lists.output(number, c) = 0.0;
+}
+
+// Treats a crack one by one from now on, or as a facet of its integrity among the others, or not at all.
+inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Index c, int status) {
+    const Index k = cracks.facet(c);
+    history_of(cracks, c).status = status;
+    cracks.listed(k) = Byte(1 + status);
+    facets.integrity(k) = status == crack::active ? 0.0 : cracks.integrity(k);
+    cracks.size(1) = 1;
+}
+
+// λ / V of a cell: of what its cracks lack that are not treated one by one, they are free facets.
+inline void weigh_cracked(const CellDilatation &cells, const CellSlack &of, const CohesiveCracks &cracks, Index p) {
+    double slack = 0.0;
+    const auto add = [&](Index k, const Array<const double, 1> &side) {
+        if (cracks.listed(k) > 1 + crack::active) slack += (1.0 - cracks.integrity(k)) * side(k);
+    };
+    for (Index k = of.in_start(p); k < of.in_start(p + 1); k++) add(k, of.slack_j);
+    for (Index e = of.out_start(p); e < of.out_start(p + 1); e++)
+        add(of.in_start(0) + Index(of.out_bond(e)), of.slack_i);
+    cells.weight(p) = of.weight(p) / (1.0 + of.weight(p) * slack);
+}
+
+inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &cracks, Index c) {
+    const Index k = cracks.facet(c);
+    CrackShapeRow &of = shape_of(cracks, c);
+    for (Index d = 0; d < 3; d++) {
+        of.lever_i[d] = facets.lever_i(d, k);
+        of.lever_j[d] = facets.lever_j(d, k);
+    }
+    cracks.size(1) = 1;  // lists have levers too
+}
+
+// Writes down what is constant of a facet as it becomes a crack.
+inline void write_constants(const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
+                            const CohesiveCracks &cracks, Index c) {
+    const Index k = cracks.facet(c);
+    cracks.i(c) = facets.i(k);
+    cracks.j(c) = facets.j(k);
+    write_levers(facets, cracks, c);
+    CrackShapeRow &shape = shape_of(cracks, c);
+    CrackFaceRow &face = face_of(cracks, c);
+    CrackSofteningRow &softening = softening_of(cracks, c);
+    for (Index d = 0; d < 3; d++) {
+        shape.share_i[d] = facets.share_i(d, k);
+        shape.share_j[d] = facets.share_j(d, k);
+        face.normal[d] = facets.normal(d, k);
+    }
+    shape.k = face.k = facets.k(k);
+    face.part = strengths.part(k);
+    face.area = strengths.area(k);
+    face.integrity = cracks.integrity(k);
+    face.friction = strengths.friction(k);
+    for (Index d = 0; d < 6; d++) softening.H[d] = facets.H(d, k);
+    softening.plane = float(strengths.plane(k));
+    softening.bends = kept.bends(k);
+    softening.brittleness = strengths.brittleness(k);
+    softening.fastest = strengths.fastest(k);
+    CrackHistoryRow &history = history_of(cracks, c);
+    history.facet = double(k);
+    history.cohesion = strengths.cohesion(k);
+    history.slip_brittleness = strengths.slip_brittleness(k);
+    history.friction = strengths.friction(k);
+}
+
+}  // namespace bondem

@@ -1,0 +1,86 @@
+// Mean stresses of cells from the forces of the last step: V σ = Σ b⊗f, symmetric part.
+//
+// The sums of facets have levers and forces of one instant. Cracks keep Σ b⊗f with levers of the reference, which turn with
+// the cell: R Σ b⊗f is the same sum in space.
+#include "stress_state.hpp"
+
+#include "../../laws/principal.hpp"
+#include "crack_groups.hpp"
+
+namespace bondem {
+namespace {
+
+Symmetric3<double> tensor_of(const StressesOfCells &stresses, Index p) {
+    const double *s = &stresses.tensor(p, 0);
+    return {s[0], s[1], s[2], s[3], s[4], s[5]};
+}
+void put_size(const StressesOfCells &stresses, Index p) {
+    stresses.tensor(p, 7) = root(square_of(tensor_of(stresses, p)));
+}
+
+// b⊗f in space from b_x f, b_y f, b_z f in the reference of b: b' = R b has the components of R by rows.
+Symmetric3<double> turned_moment(Quaternion<double> q, const double *c) {
+    const Vector x = turned_by(q, Vector{c[0], c[4], c[8]}), y = turned_by(q, Vector{c[1], c[5], c[9]}),
+                 z = turned_by(q, Vector{c[2], c[6], c[10]});  // R b f_x, R b f_y, R b f_z
+    return {x.x, y.y, z.z, 0.5 * (y.x + x.y), 0.5 * (z.x + x.z), 0.5 * (z.y + y.z)};
+}
+
+void find_stresses(const Turn &turn, const Moving &all, const FacetForces &kept, const StressesOfCells &stresses) {
+    for (Index p = turn.first; p < turn.last; p++) {
+        const double *m = &kept.moment(p, 0), *c = &stresses.carried(p, 0);
+        const double one = 1.0 / stresses.volume(p);
+        const Symmetric3<double> more = turned_moment(orientation(gather(all.pose.data, Short(p))), c);
+        double *const s = &stresses.tensor(p, 0);
+        s[0] = one * (m[0] + more.xx), s[1] = one * (m[1] + more.yy), s[2] = one * (m[2] + more.zz);
+        s[3] = one * (m[3] + more.xy), s[4] = one * (m[4] + more.xz), s[5] = one * (m[5] + more.yz);
+        s[6] = m[6];
+        put_size(stresses, p);
+    }
+}
+
+void add_of_surface(const Moving &all, const WallConstraints &walls, const FacetTractions &tractions,
+                    const StressesOfCells &stresses) {
+    for (Index l = 0; l < stresses.pressed.shape[0]; l++)
+        for (Index p = 0; p < stresses.volume.size(); p++) {
+            for (Index d = 0; d < 6; d++)
+                stresses.tensor(p, d) += tractions.factor(l) * stresses.pressed(l, p, d) / stresses.volume(p);
+            put_size(stresses, p);
+        }
+    for (Index g = 0; g < walls.cell.size(); g++) {
+        const Index p = walls.cell(g);
+        const Vector arm = turned_by(orientation(gather(all.pose.data, Short(p))), walls.arm.row<const Vector>(g));
+        const Symmetric3<double> m = symmetric_product(arm, walls.load.row<Vector>(g));
+        const double more[6] = {m.xx, m.yy, m.zz, m.xy, m.xz, m.yz};
+        for (Index d = 0; d < 6; d++) stresses.tensor(p, d) += more[d] / stresses.volume(p);
+        put_size(stresses, p);
+    }
+}
+
+}  // namespace
+
+void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &kept, const StressesOfCells &stresses) {
+    if (turn.clock.dt > 0.0) find_stresses(turn, all, kept, stresses);
+}
+void find_still_stresses(const Turn &turn, const Moving &all, const FacetForces &kept, const StressesOfCells &stresses) {
+    if (!(turn.clock.dt > 0.0)) find_stresses(turn, all, kept, stresses);
+}
+void add_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
+                          const FacetTractions &tractions, const StressesOfCells &stresses) {
+    if (turn.clock.dt > 0.0) add_of_surface(all, walls, tractions, stresses);
+}
+void add_still_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
+                                const FacetTractions &tractions, const StressesOfCells &stresses) {
+    if (!(turn.clock.dt > 0.0)) add_of_surface(all, walls, tractions, stresses);
+}
+
+void judge_cells(const Turn &turn, const FacetStrengths &strengths, const StressesOfCells &stresses, const CrackOnset &onset) {
+    if (!(turn.clock.dt > 0.0)) return;
+    for (Index p = turn.first; p < turn.last; p++) {
+        const StressInvariants<double> s = invariants(tensor_of(stresses, p));
+        const double bent = root(positive(stresses.tensor(p, 6)));
+        const bool hot = largest_at_most(s) + positive(bent + least(s.mean, 0.0)) > strengths.hot;
+        onset.judged(p) = onset.cracked(p) != 0 || hot;
+    }
+}
+
+}  // namespace bondem

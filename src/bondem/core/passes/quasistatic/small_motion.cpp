@@ -1,0 +1,94 @@
+// Facets of any integrity s in small motions about the reference, without friction.
+//
+// A facet is two halves, each of which is softened where it opens and stays whole along the normal where it presses. With
+// F the force of a half as if it were whole, w its part of the compliance, δ the gap and σ the stress of its cell,
+//
+//     F = k δ + σ s_p / w       opens: s F       presses: s F + (1 - s) (F · n) n
+//     V θ += s (s_p · δ)        presses: and (1 - s) (s_p · n) (δ · n)
+//
+// The facet has the mean of both halves, weighted by their parts of the compliance.
+#include "small_motion.hpp"
+
+#include "../../symmetric3.hpp"
+
+namespace bondem {
+namespace {
+
+// A half closes or opens where its force along the normal is beyond this share of its size.
+constexpr double turns = 1e-9;
+
+Vector at(const Array<const double, 2> &rows, Index k) { return rows.row<const Vector>(k); }
+
+// Displacement of the face of a facet on cell p.
+Vector end_of(const SmallMotions &motions, Index p, Vector lever) {
+    return at(motions.displacement, p) + cross(at(motions.rotation, p), lever);
+}
+
+double swollen(double s, bool closed, Vector share, Vector gap, Vector normal) {
+    const double grown = s * dot(share, gap);
+    return closed ? grown + (1.0 - s) * dot(share, normal) * dot(gap, normal) : grown;
+}
+
+struct Half {
+    Vector force, opening;  // F of the half, and the part of the whole one that opens it [N]
+    bool turns;  // whether it closes or opens now
+};
+Half half_of(Vector whole, double s, bool closed, Vector normal) {
+    const double along = dot(whole, normal), size = turns * length(whole);
+    const Vector force = s * whole;
+    if (closed) return {plus(force, (1.0 - s) * along, normal), minus(whole, along, normal), along > size};
+    return {force, whole, along < -size};
+}
+
+void add_moment(const Array<double, 2> &moment, Index p, Vector arm, Vector force, double sign) {
+    const Symmetric3<double> m = symmetric_product(arm, force);
+    const double parts[6] = {m.xx, m.yy, m.zz, m.xy, m.xz, m.yz};
+    for (Index c = 0; c < 6; c++) moment(p, c) += sign * parts[c];
+}
+
+}  // namespace
+
+Index open_weakened_facets(Index, const WeakenedFacets &facets, const SmallMotions &motions) {
+    for (Index k = 0; k < facets.k.size(); k++) {
+        const Index i = facets.i(k), j = facets.j(k);
+        const Vector gap = end_of(motions, j, at(facets.lever_j, k)) - end_of(motions, i, at(facets.lever_i, k));
+        const Vector n = at(facets.normal, k);
+        const double s = facets.integrity(k);
+        motions.gap.row<Vector>(k) = gap;
+        motions.swelling(i) += swollen(s, facets.closed(k, 0), at(facets.share_i, k), gap, n);
+        motions.swelling(j) += swollen(s, facets.closed(k, 1), at(facets.share_j, k), gap, n);
+    }
+    return 0;
+}
+
+Index load_weakened_facets(Index, const WeakenedFacets &facets, const SmallMotions &motions, const FacetLoading &loading) {
+    for (Index k = 0; k < facets.k.size(); k++) {
+        const Index i = facets.i(k), j = facets.j(k);
+        const double s = facets.integrity(k), w = facets.part(k), v = 1.0 - w, per_area = 1.0 / facets.area(k);
+        const Vector n = at(facets.normal, k), spring = facets.k(k) * motions.gap.row<Vector>(k);
+        const Vector g_i = loading.stress(i) * at(facets.share_i, k), g_j = loading.stress(j) * at(facets.share_j, k);
+        Vector force = spring + g_i + g_j;
+        loading.opened(k) = 0.0;
+        loading.turned(k, 0) = loading.turned(k, 1) = 0;
+        if (s < 1.0) {
+            loading.opening.row<Vector>(k) = per_area * force;
+            const Half one = half_of(plus(spring, 1.0 / w, g_i), s, facets.closed(k, 0), n);
+            const Half two = half_of(plus(spring, 1.0 / v, g_j), s, facets.closed(k, 1), n);
+            force = plus(w * one.force, v, two.force);
+            loading.opened(k) = length(plus(w * one.opening, v, two.opening)) / facets.area(k);
+            loading.turned(k, 0) = one.turns;
+            loading.turned(k, 1) = two.turns;
+        }
+        loading.traction.row<Vector>(k) = per_area * force;
+        add_moment(loading.moment, i, at(facets.lever_i, k), force, 1.0);
+        add_moment(loading.moment, j, at(facets.lever_j, k), force, -1.0);
+        const Vector turn = at(motions.rotation, j) - at(motions.rotation, i);
+        double square = 0.0;
+        for (Index r = 0; r < 3; r++)
+            square += turn[r] * dot(Vector{facets.H(k, r, 0), facets.H(k, r, 1), facets.H(k, r, 2)}, turn);
+        loading.bending(k) = root(facets.k(k) * most(square, 0.0)) * per_area;  // slivers are below 0 by rounding
+    }
+    return 0;
+}
+
+}  // namespace bondem

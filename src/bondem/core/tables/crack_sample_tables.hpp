@@ -1,0 +1,36 @@
+// What the passes take that evaluate the laws of cracks and of yielding over arrays, m samples each, a column a quantity.
+#pragma once
+#include "../array.hpp"
+
+namespace bondem {
+
+// Facets that are judged by the softening curve (`laws/softening.hpp`).
+struct SofteningSamples {
+    Array<const double, 2> traction, normal;  // [Pa, -], (3, m)
+    Array<const double, 2> stress;  // mean of both cells, xx, yy, zz, xy, xz, yz [Pa], (6, m)
+    Array<const double, 1> bent, integrity;  // T_b [Pa], s, (m,)
+    Array<const double, 2> strength;  // f_t, 1 / T_l, c, 1 / T_l of slip [Pa, 1/Pa], tan φ, 1 on a plane, (6, m)
+    double kink, steep;  // of the softening curve
+    Index wide;  // whether lanes are used
+    Array<double, 2> left;  // the integrity that is left, and the traction below which none is lost [Pa], (2, m)
+};
+// Cracks (`laws/crack.hpp`).
+struct CrackSamples {
+    // branch, orientations of i and j, levers of i and j, shares of i and j, normal; H, k, w; s, σ of i and j [Pa], slip [m],
+    // friction; s, -∂U/∂s and friction force before: (46, m)
+    Array<const double, 2> given;
+    Index wide;
+    // force, torques on i and j, friction force, slip; -∂U/∂s, bending [J], torque of bending; energy across and along;
+    // energy dissipated by the crack and by friction; V θ of the halves of i and j [m³]: (26, m)
+    Array<double, 2> found;
+};
+// Cells that yield (`laws/plasticity.hpp`).
+struct YieldSamples {
+    Array<const double, 2> stress;  // [Pa], (6, m)
+    Array<const double, 2> strength;  // cohesion [Pa], slope, dilation, stiffness [Pa], (4, m)
+    Index cone;  // whether by Drucker and Prager
+    Index wide;
+    Array<double, 2> found;  // bound of F [Pa], Δγ, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa], (11, m)
+};
+
+}  // namespace bondem

@@ -1,0 +1,93 @@
+// What the passes over cracked facets and cells that yield take. Named once more in `bondem/solve/cohesive_tables.py`.
+#pragma once
+#include "../array.hpp"
+
+namespace bondem {
+
+using Byte = uint8_t;
+
+// Mean stresses of n cells, and what their cracks carry.
+struct StressesOfCells {
+    Array<const double, 1> volume;  // [m³], (n,)
+    Array<double, 2> tensor;  // in the last step, in space, xx, yy, zz, xy, xz, yz [Pa], Σ T_b² [Pa²], size √(σ:σ) [Pa], (n, 8)
+    Array<double, 2> carried;  // Σ b⊗f of cracks on their own, b in the reference: b_x f, b_y f, b_z f, each and 0 [J], (n, 12)
+    Array<const double, 3> pressed;  // what loads on free facets add to V σ at full load [J], (l, n, 6)
+};
+// Cells that yield (`laws/plasticity.hpp`).
+struct YieldingCells {
+    Index cone;  // whether by Drucker and Prager
+    Array<const double, 1> cohesion;  // c cos φ or k [Pa], inf for cells that do not yield, (n,)
+    Array<const double, 1> slope, dilation, stiffness;  // (n,)
+    Array<const double, 1> fade;  // share of the cohesion lost by Δγ of 1, (n,)
+    Array<double, 2> plastic;  // P - 1 by rows, Σ Δγ, last increment of strain in space, energy dissipated [J], (n, 17)
+    Array<const int32_t, 2> base_i, base_j;  // levers of facets without plastic strain [pitch], (3, m)
+    Array<const double, 2> base_wall;  // those of walls [m], (g, 3)
+};
+
+// m facets as softening has them (`laws/softening.hpp`).
+struct FacetStrengths {
+    Array<const double, 1> area;  // [m²]
+    Array<const double, 1> strength;  // f_t [Pa]
+    Array<const double, 1> brittleness;  // 1 / T_l [1/Pa]
+    Array<const double, 1> part;  // part of cell i in the compliance
+    Array<const double, 1> fastest;  // by how much the integrity of what breaks at once falls in a step at most
+    Array<const double, 1> friction;  // tan φ, μ of closed cracks
+    Array<const double, 1> plane;  // 1 for facets of material planes
+    Array<const double, 1> cohesion, slip_brittleness;  // of these [Pa, 1/Pa]
+    Array<const Index, 1> planes;  // facets of material planes
+    double kink, steep;  // of the softening curve
+    double hot;  // largest principal stress of a cell from which its facets are judged [Pa]
+};
+// Which facets begin to crack.
+struct CrackOnset {
+    Array<Byte, 1> cracked;  // 1 for cells with cracks, (n,)
+    Array<Byte, 1> judged;  // 1 for cells whose facets are judged, 2 for those without cohesion, (n,)
+    Array<Byte, 1> marked;  // 1 for facets that begin to crack, 2 for those of a cell without cohesion, zero between steps, (m,)
+    Array<Byte, 1> listed;  // that of `CohesiveCracks`, (m,)
+    Array<Index, 1> found;  // how many of a portion of facets are marked, and at the end of the planes
+};
+
+// Cracked facets, in the order in which they began; room for all facets. Rows are lines of the cache, each for some passes
+// (`passes/cracks/crack_rows.hpp`).
+struct CohesiveCracks {
+    Array<double, 2> shape, face, state, softening, history;  // (room, 8)
+    Array<double, 2> pull;  // force on cell i [N], (room, 4)
+    Array<double, 1> pitch;  // unit of levers [m], (3,)
+    Array<Index, 1> facet;
+    Array<Short, 1> i, j;  // cells
+    Array<Byte, 1> listed;  // of each facet: 0 whole, else 1 and how its crack is treated, (m,)
+    Array<double, 1> integrity;  // of each facet, (m,)
+    Array<Index, 1> size;  // number of cracks, and whether lists are out of date, (2,)
+};
+// What cells lose with facets that are treated as facets of less integrity.
+struct CellSlack {
+    Array<const Index, 1> in_start, out_start;  // facets of each cell, as `FacetsOfCells` has them, (n + 1,)
+    Array<const Short, 1> out_bond;
+    Array<const double, 1> slack_i, slack_j;  // what 1 / weight of a cell gains where the facet parts [m³/Pa], (m,)
+    Array<const double, 1> weight;  // λ / V of each cell with all its facets [Pa/m³], (n,)
+};
+// Lists of a step, and what is known of the cracks on them. A half is a side of a crack: that of place e on cell i has the
+// number 2 e + 1, that on cell j the number 2 e + 2; number 0 is none.
+struct CrackLists {
+    Array<Index, 1> size;  // cracks treated one by one, those that rest, cells of the first, resting cracks not broken, (4,)
+    Array<Index, 1> treated, resting;  // cracks; lanes behind the last one repeat it
+    Array<Short, 1> treated_i, treated_j, resting_i, resting_j;  // their cells
+    Array<Short, 1> cell;  // cells of cracks that are treated one by one
+    Array<int32_t, 1> head;  // first half of each cell, (n,)
+    Array<int32_t, 2> node;  // next half of its cell, and the lever of this one in the reference [pitch], (halves, 4)
+    Array<Byte, 1> flag, waking;  // what becomes of a crack, by place
+    Array<Index, 1> flagged, woken;  // whether there is a flag in a portion
+    Array<Byte, 1> stale;  // 1 for cells whose stress is to be found again, (n,)
+    Array<double, 1> base;  // V θ without cracks that are treated one by one [m³], (n,)
+    Array<double, 2> half;  // `SwellingHalf` by number of the half, (halves, 8)
+    Array<double, 2> output;  // force, energy rubbed away, torque, 0 on the cell of a half, (halves, 8)
+    Array<double, 2> lost;  // energy of portions dissipated, and that of cracks that part [J], (portions, 2)
+};
+// Energies of cells with cracks.
+struct CrackEnergies {
+    Array<double, 1> dilatation;  // of portions of cells [J]
+    Array<double, 1> heat;  // that these have dissipated by yielding [J]
+    Array<double, 1> cracked;  // elastic energy across and along cracks, and of bending [J], (3,)
+};
+
+}  // namespace bondem

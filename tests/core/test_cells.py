@@ -1,0 +1,181 @@
+"""Bodies of cells by the core: the law and its gradient, walls, tractions and strains, and bits of a step."""
+
+from functools import lru_cache
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem._compile import threads
+from bondem.kernels.tables import lines
+from bondem.model.cell_tables import STRESS, CellPoses, body_energies
+from bondem.model.state import State
+from bondem.solve import loop_core
+from bondem.solve.cell_forces import BodyTables
+from bondem.solve.explicit import ExplicitResult, integrate
+from bondem.solve.loop_core import CoreLoop, core_has
+from bondem.solve.loop_cpu import CpuLoop
+from bondem.solve.plan import Plan
+from bondem.solve.timestep import critical_step
+from tests.bits import assert_same_bits
+
+LAW = bd.CellBond(E=1e9, nu=0.3)
+X_MIN, X_MAX, Z_MAX = bd.Face("x_min"), bd.Face("x_max"), bd.Face("z_max")
+RAMP = bd.Ramp(0.0, 1.0, 0.01)
+CONDITIONS = {
+    "free": [],
+    "held": [
+        bd.Fix(X_MIN), bd.Drive(X_MAX, vx=bd.Ramp(0.0, 0.3, 0.01), y=bd.Ramp(0.0, 1e-3, 0.01)),
+        bd.Pressure(Z_MAX, pressure=1e6, schedule=RAMP), bd.BodyForce((0.0, 0.0, -9.81)),
+        bd.Eigenstrain(1e-3, schedule=RAMP),
+    ],
+}  # fmt: skip
+GAUGES = {"grip": bd.Gauge(X_MIN, "force", "sum"), "end": bd.Gauge(X_MAX, "displacement")}
+
+
+@lru_cache
+def body(count: int) -> bd.Lattice:
+    return bd.connect(bd.pack(bd.Box(size=(2.0, 1.0, 1.0)), count=count, spread=0.3, seed=2), method="laguerre")
+
+
+def model_of(conditions: str, count: int = 120) -> bd.Model:
+    return bd.Model(body(count), LAW, density=2500.0, boundary=CONDITIONS[conditions])
+
+
+def run_of(model: bd.Model, steps: int, kind: type, **options) -> ExplicitResult:
+    dt, rng, state = 0.5 * critical_step(model, bd.VelocityVerlet()), np.random.default_rng(7), State(model)
+    state.set_motion(velocity=rng.uniform(-0.5, 0.5, (len(state.pose), 3)))
+    plan = Plan(duration=steps * dt, dt=dt, gauges=GAUGES, imbalance=None, **options)
+    return integrate(model, plan, state=state, loop_of=kind)
+
+
+def displaced(model: bd.Model, size: float = 1e-3) -> State:
+    rng, state = np.random.default_rng(3), State(model)
+    state.pose[:, :3] += size * rng.standard_normal((len(state.pose), 3))
+    state.pose[:, 5:] = 5.0 * size * rng.standard_normal((len(state.pose), 3))
+    state.pose[:, 4] = np.sqrt(1.0 - (state.pose[:, 5:] ** 2).sum(axis=1))
+    return state
+
+
+# ---- against the loops of Numba
+
+
+def test_elastic_bodies_run_by_the_core():
+    assert core_has(model_of("held"))
+
+
+@pytest.mark.parametrize("conditions", CONDITIONS)
+def test_results_are_those_of_the_loops_of_numba(conditions):
+    model, damping = model_of(conditions), None if conditions == "free" else bd.BondDamping(eta=0.01)
+    with threads(1):
+        old, new = (run_of(model, 250, kind, every=50, damping=damping) for kind in (CpuLoop, CoreLoop))
+    for name in ("pose", "motion", "reaction", "work", "loss"):
+        one, other = getattr(old.state, name), getattr(new.state, name)
+        np.testing.assert_allclose(other, one, rtol=0, atol=1e-10 * np.abs(one).max(initial=1e-300), err_msg=name)
+    size = np.abs(old.history.records).max(axis=0)
+    energy = size[1:9].sum()
+    np.testing.assert_allclose(new.history.records[:, 1:9], old.history.records[:, 1:9], rtol=0, atol=1e-10 * energy)
+    np.testing.assert_allclose(new.history.records / size[None].clip(1e-300), old.history.records / size.clip(1e-300),
+                               rtol=0, atol=1e-8)  # fmt: skip
+
+
+# ---- bits
+
+
+def test_threads_and_pauses_change_no_bit(monkeypatch):
+    model, results = model_of("held", 450), []
+    assert len(model.layout.i) > 2000
+    for count, every in ((1, 50), (2, 50), (3, 7), (4, 0)):
+        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        results.append(run_of(model, 150, CoreLoop, every=every))
+    for other in results[1:]:
+        assert_same_bits(results[0], other)
+    np.testing.assert_array_equal(results[0].history.records, results[1].history.records)
+
+
+# ---- physics
+
+
+def energy_at(tables: BodyTables, state: State, pose: np.ndarray) -> float:
+    return sum(body_energies(CellPoses(pose, state.rest), tables.facets, tables.cells, tables.walls))
+
+
+def test_forces_are_the_gradient_of_the_energy():
+    model = model_of("held")
+    state, h = displaced(model), 1e-6
+    tables = BodyTables.of(model, state.integrity)
+    sums = lines(len(state.pose))
+    tables.load(state.pose, state.rest, sums)
+    held = int(tables.walls.cell[0])
+    for cell in (held, (held + 5) % len(state.pose)):
+        for axis in range(3):
+            ends = []
+            for sign in (1.0, -1.0):
+                pose = state.pose.copy()
+                pose[cell, axis] += sign * h
+                ends.append(energy_at(tables, state, pose))
+            slope = (ends[0] - ends[1]) / (2.0 * h)
+            assert sums[cell, axis] == pytest.approx(-slope, rel=1e-6, abs=1e-7 * np.abs(sums[:, :3]).max())
+            for place, sign in ((0, 1.0), (1, -1.0)):
+                pose, (w, x, y, z) = state.pose.copy(), state.pose[cell, 4:]
+                turned = [(-x, w, -z, y), (-y, z, w, -x), (-z, -y, x, w)][axis]  # e q of a unit vector e
+                pose[cell, 4:] += sign * 0.5 * h * np.array(turned)
+                ends[place] = energy_at(tables, state, pose)
+            slope = (ends[0] - ends[1]) / (2.0 * h)
+            assert sums[cell, 4 + axis] == pytest.approx(-slope, rel=1e-5, abs=1e-6 * np.abs(sums[:, 4:]).max())
+
+
+def test_rigid_motion_has_no_energy_and_forces_balance():
+    model = model_of("free")
+    state, far = displaced(model), State(model)
+    tables, sums = BodyTables.of(model, state.integrity), lines(len(state.pose))
+    tables.load(state.pose, state.rest, sums)
+    moment = sums[:, 4:7] + np.cross(state.pose[:, :3], sums[:, :3])
+    np.testing.assert_allclose(sums[:, :3].sum(axis=0), 0.0, atol=1e-11 * np.abs(sums[:, :3]).sum())
+    np.testing.assert_allclose(moment.sum(axis=0), 0.0, atol=1e-11 * np.abs(moment).sum())
+    half, axis = 0.7, np.array([0.48, 0.6, 0.64])
+    u = np.cross(np.broadcast_to(axis, (len(far.pose), 3)), far.pose[:, :3])
+    far.pose[:, :3] += np.sin(2 * half) * u + (1.0 - np.cos(2 * half)) * np.cross(axis, u) + (3.0, 1.0, -2.0)
+    far.pose[:, 4:] = [np.cos(half), *(np.sin(half) * axis)]
+    assert energy_at(tables, far, far.pose) < 1e-18 * energy_at(tables, state, state.pose)
+
+
+def test_dilatation_is_exact_under_uniform_strain_and_cells_have_the_stress_of_the_law():
+    model = model_of("free", 450)
+    state, strain = State(model), 1e-6 * np.array([[2.0, 0.5, 0.3], [0.5, -1.0, 0.2], [0.3, 0.2, 0.7]])
+    rest = state.pose[:, :3].copy()
+    state.pose[:, :3] += rest @ strain
+    tables, sums = BodyTables.of(model, state.integrity), lines(len(rest))
+    tables.load(state.pose, state.rest, sums)
+    cells = model.lattice.cells
+    assert cells is not None
+    inside = np.ones(len(rest), dtype=bool)
+    inside[cells.free.cell] = False
+    inside = inside[model.layout.order]
+    # centres are those of mass, not the generators at which the tessellation is exact: second order in the cell
+    expected = LAW.lame * np.trace(strain)
+    assert inside.sum() > 20
+    np.testing.assert_allclose(state.pose[inside, STRESS].mean(), expected, rtol=0.01)
+
+
+def test_a_bar_stretched_by_walls_has_the_modulus_and_takes_the_work():
+    length = bd.Ramp(0.0, 2e-4, 0.05)
+    model = bd.Model(body(120), LAW, density=2500.0, boundary=[
+        bd.Fix(X_MIN, translation="x", rotation=""), bd.Drive(X_MAX, x=length),
+    ])  # fmt: skip
+    run = bd.solve_explicit(model, duration=0.1, every=50, damping=bd.LocalDamping(0.3), gauges=GAUGES)
+    assert abs(run.history["grip"][-1, 0]) == pytest.approx(LAW.E * 1e-4, rel=0.02)
+    assert run.history.records[-1, 3:7].sum() == pytest.approx(0.5 * LAW.E * 1e-8 * 2.0, rel=0.03)
+
+
+def test_facets_turned_too_far_are_counted_but_not_for_a_twist_that_they_do_not_resist():
+    model = model_of("free")
+    state, dt = State(model), 1e-7
+    loop = CoreLoop(model, Plan(duration=dt, dt=dt, every=0), state, dt)
+    of_first = (model.layout.i == 0) | (model.layout.j == 0)
+    state.pose[0, 4:] = [np.cos(0.6), 0.0, 0.0, np.sin(0.6)]
+    _, wide, lost, _ = loop.run(1)
+    assert 1 < wide <= of_first.sum()
+    assert lost == 0
+    state.pose[0, 4:] = [np.cos(1.3), 0.0, 0.0, np.sin(1.3)]
+    assert loop.run(1)[2] > 0

@@ -1,0 +1,81 @@
+"""Breakage of facets by the damage pipeline of the core: against the loops of Numba, and against closed forms."""
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem._compile import threads
+from bondem.kernels.tables import FRACTURE, TRANSLATION, TWISTING, WORK
+from bondem.observe.cell_forces import CellForces
+from bondem.observe.energy import elastic_energy
+from bondem.solve import loop_core
+from bondem.solve.loop_core import CoreLoop, core_has
+from bondem.solve.loop_cpu import CpuLoop
+from tests.bits import assert_same_bits
+from tests.core.test_cells import CONDITIONS, LAW, X_MAX, X_MIN, body, run_of
+
+BRITTLE = bd.MohrCoulomb(tension=3e5, cohesion=6e5, friction_angle=0.5)
+pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
+
+
+def breaking(conditions: str, count: int = 120, failure: bd.Criterion = BRITTLE) -> bd.Model:
+    return bd.Model(body(count), LAW, density=2500.0, boundary=CONDITIONS[conditions], failure=failure)
+
+
+def test_breakage_is_that_of_the_loops_of_numba():
+    model, damping = breaking("held"), bd.BondDamping(eta=0.05)
+    assert core_has(model)
+    with threads(1):
+        old, new = (run_of(model, 300, kind, every=50, damping=damping) for kind in (CpuLoop, CoreLoop))
+    assert len(new.state.broken) > 30
+    np.testing.assert_array_equal(new.state.broken[:, 1:4], old.state.broken[:, 1:4])
+    np.testing.assert_array_equal(new.state.integrity, old.state.integrity)
+    for name in ("pose", "motion", "reaction", "work", "loss", "released"):
+        one, other = getattr(old.state, name), getattr(new.state, name)
+        np.testing.assert_allclose(other, one, rtol=0, atol=1e-9 * np.abs(one).max(initial=1e-300), err_msg=name)
+    scale = np.abs(old.history.records).max(axis=0)
+    scale[1:14] = scale[1:14].max()
+    np.testing.assert_allclose(new.history.records / scale, old.history.records / scale, rtol=0, atol=1e-9)
+
+
+def test_threads_and_pauses_change_no_bit(monkeypatch):
+    model, results = breaking("held", 450), []
+    for count, every in ((1, 50), (2, 50), (3, 7), (4, 0)):
+        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        results.append(run_of(model, 200, CoreLoop, every=every, damping=bd.BondDamping(eta=0.05)))
+    assert len(results[0].state.broken) > 30
+    for other in results[1:]:
+        assert_same_bits(results[0], other)
+    np.testing.assert_array_equal(results[0].history.records, results[1].history.records)
+
+
+def test_what_the_facets_release_is_what_the_body_loses():
+    model = breaking("free")
+    whole = run_of(bd.Model(body(120), LAW, density=2500.0), 300, CoreLoop, every=1)
+    run = run_of(model, 300, CoreLoop, every=1)
+    assert 10 < len(run.state.broken) < len(model.layout.i)
+    assert run.state.broken[:, 5].sum() == pytest.approx(run.state.released[0])
+    assert (run.state.broken[:, 5] > 0.0).all()
+
+    def drift(records: np.ndarray) -> float:
+        total = records[:, TRANSLATION : TWISTING + 1].sum(axis=1) - records[:, WORK] + records[:, FRACTURE]
+        return float(np.ptp(total) / total[0])
+
+    assert drift(run.history.records) < 1.5 * drift(whole.history.records)
+    # cells weigh their dilatation by the facets that they have left
+    stored = elastic_energy(model, run.state).total
+    assert run.history.records[-1, 3:7].sum() == pytest.approx(stored, rel=1e-12)
+
+
+def test_the_index_of_a_facet_is_its_traction_over_the_strength():
+    strong = bd.MohrCoulomb(tension=1e7, cohesion=1e9, friction_angle=0.0)
+    model = bd.Model(body(120), LAW, density=2500.0, failure=strong, boundary=[
+        bd.Fix(X_MIN), bd.Drive(X_MAX, vx=bd.Constant(0.5)),
+    ])  # fmt: skip
+    run = run_of(model, 100, CoreLoop, every=0)
+    forces, facets = CellForces.of(model, run.state), model.lattice.facets
+    assert facets is not None
+    pulled = (forces.force * facets.normal).sum(axis=1) / facets.area
+    index = bd.failure_index(model, run.state)
+    far = pulled > 0.1 * pulled.max()
+    np.testing.assert_allclose(index[far], pulled[far] / 1e7, rtol=0.02)
