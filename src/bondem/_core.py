@@ -214,7 +214,7 @@ def _library() -> _Library:
         names = tuple(one.tables[k].decode() for k in range(one.count))
         step_passes[one.name.decode()] = (one.address, one.kind), names
     index_passes = {}
-    loop = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p)
+    loop = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)
     for one in _described(loaded.bondem_index_passes, _PassDescription):
         index_passes[one.name.decode()] = loop(one.address), tuple(one.tables[k].decode() for k in range(one.count))
     return _Library(level, tables, passes, step_passes, index_passes, int(loaded.bondem_lanes()))
@@ -326,7 +326,8 @@ def index_pass_names() -> tuple[str, ...]:
 def index_pass(name: str) -> tuple[Any, tuple[str, ...]]:
     """The loop on the CPU of a pass over an index, and names of its tables.
 
-    The loop is a function of how many indices there are, and of the address of a list of addresses of tables.
+    The loop is a function of how many indices there are, of the address of a number that is 0 unless nothing is to be
+    done, or 0, and of the address of a list of addresses of tables.
     """
     return _library().index_passes[name]
 

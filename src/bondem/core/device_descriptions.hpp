@@ -1,6 +1,7 @@
 // How the tables and the passes of a device describe themselves to Python.
 #pragma once
 #include "cell_descriptions.hpp"
+#include "contact_descriptions.hpp"
 #include "damage_descriptions.hpp"
 #include "gpu/for_each.hpp"
 #include "gpu/index_passes.hpp"
@@ -10,12 +11,13 @@ namespace bondem {
 
 #define F BONDEM_FIELD
 
-BONDEM_TABLE(DeviceSpan, F(clock, "9"), F(postponed, "*"), F(n, ""), F(m, ""))
+BONDEM_TABLE(DeviceSpan, F(clock, "9"), F(postponed, "*"), F(halted, "1"), F(n, ""), F(m, ""))
 BONDEM_TABLE(Tick, F(ahead, ""), F(goes_on, ""), F(still, ""), F(first, ""))
 BONDEM_TABLE(LoadsOfBonds, F(load, "9 *"))
 BONDEM_TABLE(BondMarks, F(mark, "*"))
 BONDEM_TABLE(BondsOfElements, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"))
-BONDEM_TABLE(RowOrder, F(start, "rows+1"), F(load, "*"))
+BONDEM_TABLE(EarlierPairs, F(start, "n+1"), F(pair, "pairs"))
+BONDEM_TABLE(RowOrder, F(start, "*"), F(load, "*"))
 BONDEM_TABLE(WorkPortions, F(works, "work_portions 2"))
 BONDEM_TABLE(WallEnergy, F(energy, "wall_portions"))
 BONDEM_TABLE(FoldedPortions, F(sums, "folds 13"))
@@ -24,7 +26,7 @@ BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
 #undef F
 
 #define BONDEM_DEVICE_TABLES                                                                                          \
-    described<DeviceSpan>(), described<Tick>(), described<BondMarks>(), described<LoadsOfBonds>(), described<BondsOfElements>(), described<RowOrder>(), \
+    described<DeviceSpan>(), described<Tick>(), described<BondMarks>(), described<LoadsOfBonds>(), described<BondsOfElements>(), described<EarlierPairs>(), described<RowOrder>(), \
         described<WorkPortions>(), described<WallEnergy>(), described<FoldedPortions>(), described<GaugeParts>()
 
 // The loop of a pass over all its indices.

@@ -17,7 +17,9 @@ template <class... Tables, void (*pass)(Index, const Tables &...)> struct ForEac
     static void at(Index k, const void *const *tables) {
         with(k, tables, typename CountTo<sizeof...(Tables)>::type{});
     }
-    static Index on_host(Index count, const void *const *tables) {
+    // Nothing is done where a number that is given is not 0.
+    static Index on_host(Index count, const Index *halted, const void *const *tables) {
+        if (halted && *halted) return 0;
         for (Index k = 0; k < count; k++) at(k, tables);
         return 0;
     }

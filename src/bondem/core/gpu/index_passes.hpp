@@ -4,6 +4,7 @@
 #include "boundary.hpp"
 #include "breakage.hpp"
 #include "cells.hpp"
+#include "contacts.hpp"
 #include "motion.hpp"
 #include "record.hpp"
 
@@ -77,4 +78,19 @@
     X(reopen_work_of_body)              \
     X(release_element)                  \
     X(end_all_failures)                 \
-    X(write_released_energy)
+    X(write_released_energy)            \
+    X(check_travel_of_element)          \
+    X(check_travel_of_wall)             \
+    X(move_all_walls)                   \
+    X(press_pair)                       \
+    X(add_pairs_of_element)             \
+    X(press_walls_on_element)           \
+    X(add_contact_load)                 \
+    X(load_wall)                        \
+    X(kick_free_wall)                   \
+    X(measure_overlaps)                 \
+    X(sum_portion_of_pairs)             \
+    X(sum_portion_at_walls)             \
+    X(write_energy_of_contacts)         \
+    X(write_work_of_walls)              \
+    X(write_gauge_of_wall)

@@ -3,6 +3,8 @@
 #include "../passes/beams/beam_report.cpp"
 #include "../passes/boundary/couples.cpp"
 #include "../passes/cells/cell_report.cpp"
+#include "../passes/contacts/contact_loads.cpp"
+#include "../passes/contacts/walls.cpp"
 #include "../passes/damage/beam_failure.cpp"
 #include "../passes/motion/body_forces.cpp"
 #include "../passes/record/record.cpp"
@@ -12,11 +14,11 @@
 using bondem::Index;
 
 #define BONDEM_KERNEL(pass)                                                                                              \
-    extern "C" __global__ void pass(Index count, const void *a, const void *b, const void *c, const void *d,             \
-                                    const void *e, const void *f, const void *g, const void *h) {                        \
+    extern "C" __global__ void pass(Index count, const Index *halted, const void *a, const void *b, const void *c,       \
+                                    const void *d, const void *e, const void *f, const void *g, const void *h) {         \
         const Index k = Index(blockIdx.x) * blockDim.x + threadIdx.x;                                                    \
         const void *const tables[bondem::tables_of_index_pass] = {a, b, c, d, e, f, g, h};                               \
-        if (k < count) bondem::ForEach<bondem::pass>::at(k, tables);                                                     \
+        if (k < count && !(halted && *halted)) bondem::ForEach<bondem::pass>::at(k, tables);                             \
     }
 #if defined(BONDEM_PASS)
 BONDEM_KERNEL(BONDEM_PASS)

@@ -10,8 +10,8 @@ namespace bondem {
 // Columns of the sums: translation, rotation, damped, rubbed; normal, shear, bending, twisting; bonds turned wide, lost,
 // numbers that are not finite; work, its absolute value.
 constexpr Index sum_columns = 13, portions_of_group = 64;
-// Behind them in a record: energies of contacts, of non-local stresses, of fracture, of plasticity; then gauges.
-enum FurtherColumn : Index { of_contacts = sum_columns, of_non_local, of_fracture, of_plasticity, before_gauges };
+// Behind them in a record: energies of contacts, of non-local stresses, of fracture, of plasticity, work of walls; then gauges.
+enum FurtherColumn : Index { of_contacts = sum_columns, of_non_local, of_fracture, of_plasticity, of_walls_work, before_gauges };
 
 inline void sum_portion_of_elements(Index b, const DeviceSpan &span, const Moving &all, const Portions &portions) {
     sum_element_energies(portion_of(span, b, elements_of_portion, span.n), all, portions);
@@ -66,6 +66,7 @@ inline void read_part_of_gauge(Index k, const Moving &all, const Rows &rows, con
 inline void write_gauge(Index k, const DeviceSpan &span, const Gauges &gauges, const GaugeParts &from,
                         const HistoryRows &history) {
     const Index g = k / 3, axis = k % 3, reduction = gauges.reduction(g);
+    if (gauges.quantity(g) >= gauge::of_walls) return;
     double value = reduction == gauge::largest ? -infinity : 0.0;
     for (Index part = g * from.each; part < (g + 1) * from.each; part++) {
         const double x = from.parts(part, axis);

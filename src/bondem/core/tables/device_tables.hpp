@@ -1,6 +1,7 @@
 // What passes over an index take on a device beside the tables of a step. Named once more in
 // `bondem/solve/device_tables.py`.
 #pragma once
+#include "contact_tables.hpp"
 #include "step_tables.hpp"
 
 namespace bondem {
@@ -9,6 +10,7 @@ namespace bondem {
 struct DeviceSpan {
     Array<Index, 1> clock;  // a `Clock`, word by word, (9,)
     Array<const Byte, 1> postponed;  // not 0 for elements that do not open the next step with the others, (n,), or none
+    Array<Index, 1> halted;  // 1 where a list of contacts has to be made anew before the step goes on, (1,)
     Index n, m;
 };
 // How the clock is set.
@@ -29,6 +31,11 @@ struct BondsOfElements {
     Array<const int32_t, 1> in_start;  // bonds in_start(p) … in_start(p + 1) have j = p, (n + 1,)
     Array<const int32_t, 1> out_start;  // where the list of those with i = p begins, (n + 1,)
     Array<const Short, 1> out_bond;  // (m,)
+};
+// Pairs of contact whose earlier element each element is, ascending.
+struct EarlierPairs {
+    Array<const int32_t, 1> start;  // (n + 1,)
+    Array<const Short, 1> pair;
 };
 // Loads of each row, or walls, in their order.
 struct RowOrder {
