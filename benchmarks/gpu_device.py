@@ -172,7 +172,7 @@ def report(device: Callable[[], Device], clock: Clock, *, rehearsal: bool) -> It
         yield "batch", batch(device, *((4, 500, 2) if rehearsal else (_BATCH, _OF_EACH, _AT_ONCE)))
     touching: dict[str, Any] = {"contact": bd.LinearContact(E=265e9)}
     probe = bd.Model(specimen(500, largest=500), LAWS["beams"][0], 2500.0, **touching)
-    if not device_has(probe, Plan(duration=1.0)):
+    if not device_has(probe):
         yield "contacts", "not on the device yet"
     elif clock.left > 20.0:
         yield "contacts", measured(device, 2_000 if rehearsal else 100_000, "beams", **touching)

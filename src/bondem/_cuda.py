@@ -32,7 +32,7 @@ core: Any = cuda_core
 nvrtc: Any = cuda_nvrtc
 # Threads of a block.
 _BLOCK = 128
-# Arguments of a kernel: how many indices there are, and tables.
+# Tables of a kernel; before them are how many indices there are, and where it stands whether anything is to be done.
 _TABLES = 8
 
 
@@ -161,11 +161,11 @@ class CudaDevice:
             there.copy_from(here, stream=self._stream)
             self._stream.sync()
 
-    def prepared(self, one: IndexPass, count: int, tables: Sequence[int]) -> Enqueue:
+    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
         """See `Device`."""
         kernel, device_stream = self._kernel(one.name), self._stream
         config = core.LaunchConfig(grid=-(-count // _BLOCK), block=_BLOCK)
-        arguments = [np.int64(count), *(np.uint64(table) for table in tables)]
+        arguments = [np.int64(count), np.uint64(halted), *(np.uint64(table) for table in tables)]
         arguments += [np.uint64(0)] * (_TABLES - len(tables))
 
         def enqueue(stream: Any) -> None:

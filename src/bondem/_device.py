@@ -62,8 +62,15 @@ class Device(Protocol):
         """Compile passes, which `prepared` would compile one by one."""
         ...
 
-    def prepared(self, one: IndexPass, count: int, tables: Sequence[int]) -> Enqueue:
-        """Return a function that enqueues a pass over 0 … count - 1 with tables at some addresses."""
+    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+        """Return a function that enqueues a pass over 0 … count - 1 with tables at some addresses.
+
+        Args:
+            one: the pass.
+            count: number of indices.
+            tables: addresses of the tables.
+            halted: address of a number that is not 0 where the pass is to do nothing, or 0.
+        """
         ...
 
     def recorded(self, work: Sequence[Enqueue]) -> Callable[[], None]:
@@ -85,6 +92,7 @@ class DeviceTables:
         self._arrays: dict[int, tuple[np.ndarray, int, object]] = {}
         self._unread: set[int] = set()
         self._written: dict[int, np.ndarray] = {}
+        self._uses: dict[int, int] = {}
         self._tables: dict[int, tuple[tuple[Any, ...], int, object]] = {}
 
     def work_space(self, *arrays: np.ndarray) -> None:
@@ -118,21 +126,32 @@ class DeviceTables:
             if array.size:
                 self.device.send(array, self.address(array))
 
-    def forget(self, table: tuple[Any, ...]) -> None:
-        """Free the memory of a table and of its arrays, of which no other table has one."""
-        self._tables.pop(id(table), None)
-        for value in table:
-            if isinstance(value, np.ndarray):
-                self._arrays.pop(id(_whole(value)), None)
-                self._written.pop(id(_whole(value)), None)
+    def forget(self, *tables: tuple[Any, ...]) -> None:
+        """Free the memory of tables, and of the arrays that no other table has; lengths are no longer known."""
+        self.lengths.clear()
+        for table in tables:
+            if self._tables.pop(id(table), None) is None:
+                continue
+            for whole in _arrays_of(table):
+                self._uses[id(whole)] -= 1
+                if self._uses[id(whole)] == 0:
+                    self._arrays.pop(id(whole))
+                    self._written.pop(id(whole), None)
+                    self._uses.pop(id(whole))
 
-    def prepared(self, launches: Iterable[Launch]) -> list[Enqueue]:
-        """Return functions that enqueue launches; those over no index are left out."""
+    def prepared(self, launches: Iterable[Launch], halted: np.ndarray | None = None) -> list[Enqueue]:
+        """Return functions that enqueue launches; those over no index are left out.
+
+        Args:
+            launches: launches in their order.
+            halted: number that makes launches do nothing where it is not 0, (1,), or None.
+        """
+        flag = 0 if halted is None else self.address(halted)
         launches = list(launches)
         self.device.compile([one.name for one, count, _ in launches if count > 0])
         return [
             self.device.prepared(
-                one, count, [self._table(*kind, table) for kind, table in zip(one.fields, tables, strict=True)]
+                one, count, [self._table(*kind, table) for kind, table in zip(one.fields, tables, strict=True)], flag
             )
             for one, count, tables in launches
             if count > 0
@@ -149,6 +168,8 @@ class DeviceTables:
                 words[field.offset // words.itemsize] = self.address(value)
                 if field.written and id(_whole(value)) not in self._unread:
                     self._written[id(_whole(value))] = _whole(value)
+            for whole in _arrays_of(table):
+                self._uses[id(whole)] = self._uses.get(id(whole), 0) + 1
             address, kept = self.device.allocate(words.nbytes)
             self.device.send(words, address)
             self._tables[id(table)] = table, address, kept
@@ -174,10 +195,10 @@ class Host:
     def compile(self, names: Sequence[str]) -> None:
         """See `Device`: they are compiled."""
 
-    def prepared(self, one: IndexPass, count: int, tables: Sequence[int]) -> Enqueue:
+    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
         """See `Device`."""
         addresses = np.array(tables, dtype=np.int64)
-        return lambda _: one.on_host(count, addresses.ctypes.data)
+        return lambda _: one.on_host(count, halted, addresses.ctypes.data)
 
     def recorded(self, work: Sequence[Enqueue]) -> Callable[[], None]:
         """See `Device`."""
@@ -194,6 +215,11 @@ def _whole(array: np.ndarray) -> np.ndarray:
     while isinstance(array.base, np.ndarray):
         array = array.base
     return array
+
+
+def _arrays_of(table: tuple[Any, ...]) -> list[np.ndarray]:
+    """Return the arrays that the arrays of a table are views of, as often as they occur, without empty ones."""
+    return [_whole(value) for value in table if isinstance(value, np.ndarray) and value.size]
 
 
 class _Memory:

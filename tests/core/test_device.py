@@ -24,13 +24,13 @@ LAUNCHED: set[str] = set()
 class Noting(Host):
     """The CPU as a device, which notes what it has been asked for."""
 
-    def prepared(self, one: IndexPass, count: int, tables: Sequence[int]) -> Enqueue:
+    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
         LAUNCHED.add(one.name)
-        return super().prepared(one, count, tables)
+        return super().prepared(one, count, tables, halted)
 
 
 def on_device(model: bd.Model, plan: Plan, state: State, dt: float) -> DeviceLoop:
-    assert device_has(model, plan)
+    assert device_has(model)
     return DeviceLoop(model, plan, state, dt, Noting())
 
 

@@ -111,13 +111,13 @@ class FakeDevice:
         )
 
 
-def fake_launch(stream: Any, config: Any, kernel: Any, count: Any, *tables: Any) -> None:
+def fake_launch(stream: Any, config: Any, kernel: Any, count: Any, halted: Any, *tables: Any) -> None:
     assert config.grid * config.block >= count > (config.grid - 1) * config.block
     assert len(tables) == 8
     on_host, names = index_pass(kernel)
     assert all((int(table) != 0) == (k < len(names)) for k, table in enumerate(tables))
     addresses = np.array([int(table) for table in tables], dtype=np.int64)
-    stream.calls.append(lambda: on_host(int(count), addresses.ctypes.data))
+    stream.calls.append(lambda: on_host(int(count), int(halted), addresses.ctypes.data))
 
 
 @pytest.fixture

@@ -16,12 +16,12 @@ from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, StepSchem
 from bondem.laws.damping import DampingTerms
 from bondem.model.blocks import Blocks
 from bondem.model.failure_passes import CRITERION_NAMES
-from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.loop_core import core_has
 from bondem.solve.loop_cpu import gauge_tables, noticeable
 from bondem.solve.on_device.breakage_counterparts import Postponement, end, resuming
+from bondem.solve.on_device.contact_counterparts import deepest_overlaps, lists_of_contacts, walls_listed
 from bondem.solve.on_device.counterparts import FURTHER, launches_of
 from bondem.solve.on_device.device_tables import FURTHER_COLUMNS, SUM_COLUMNS, Tick
 from bondem.solve.on_device.translation import Translation, count_record, names_of, set_clock
@@ -36,13 +36,16 @@ _RECORDED = 64
 # Bonds from which on their numbers need more than 32 bits.
 _MOST_BONDS = 2**31
 # Columns of a record, of those of the device.
-_COLUMNS = {1: 0, 2: 1, 3: 4, 4: 5, 5: 6, 6: 7, 7: 13, 8: 11, 9: 2, 10: 3, 11: 14, 12: 15, 13: 16}
+_COLUMNS = [(1, 0), (2, 1), (3, 4), (4, 5), (5, 6), (6, 7), (7, 13), (8, 11), (8, 17), (9, 2), (10, 3), (11, 14),
+            (12, 15), (13, 16)]  # fmt: skip
 _WIDE, _LOST, _SICK, _SUPPLIED = (SUM_COLUMNS.index(name) for name in ("wide", "lost", "not_finite", "supplied"))
+# Column of walls that is their work on the elements.
+_WALL_WORK = 12
 # Word of the clock that is the number of the step.
 _STEP = 5
 
 
-def device_has(model: Model, plan: Plan) -> bool:
+def device_has(model: Model) -> bool:
     """Return whether all passes of a run have counterparts on a device."""
     held = model.constraints
     return (
@@ -50,11 +53,10 @@ def device_has(model: Model, plan: Plan) -> bool:
         and (model.breaking is None or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES)))
         and model.beam_softening is None
         and model.softening is None
-        and model.contacts is None
+        and (model.contacts is None or model.breaking is None)
         and model.non_local is None
         and model.formulation == "total"
         and len(held.strain_part) == 0
-        and all(isinstance(gauge, Gauge) for gauge in plan.gauges.values())
         and len(model.layout.i) < _MOST_BONDS
     )
 
@@ -94,21 +96,32 @@ class DeviceLoop:
         self._gauges = len(plan.gauges)
         self._width = self._first_gauge + 3 * self._gauges
         self._budget, self._still = np.zeros(2), noticeable(model, dt)
+        self._late, self._listed = late, model.contacts is not None
+        self._compose()
+
+    def _compose(self) -> None:
+        """Prepare the launches of the present parts."""
+        run, late = self._run, self._late
         self._graphs: dict[int, Callable[[], None]] = {}
         present, forces = self._launches("present"), self._launches(*FORCES)
         begin, look = [self._tick(first=True), *present], [self._tick(first=True, still=True), *forces]
-        opening, guard = self._launches("opening"), self._launches("guard")
+        opening, guard, travel = self._launches("opening"), self._launches("guard"), self._launches("travel")
+        guard += deepest_overlaps(run, composed(self._parts, "travel", *FORCES))
         if late is not None:
-            resume = launches_of(composed(self._parts, *RESUME), self._run, resuming(late))
-            forces = [*forces, *resume, *end(self._run, late)]
+            forces += [*launches_of(composed(self._parts, *RESUME), run, resuming(late)), *end(run, late)]
         pause = [self._tick(ahead=1), *present, *forces]
         go_on = [self._tick(ahead=1, goes_on=True), *present, *forces]
         written = self._recording(HistoryRows(np.zeros((1, self._width))))
-        self._tables.work_space(*self._run.work_spaces)
-        device.compile([one.name for one, *_ in (*begin, *forces, *opening, *guard, *written)])
-        lists = begin, look, opening, pause, go_on, guard
-        prepared = map(self._tables.prepared, lists)
-        self._begin, self._look, self._open, self._pause, self._go_on, self._guarding = prepared
+        self._tables.work_space(*run.work_spaces)
+        self._tables.device.compile(
+            [one.name for one, *_ in (*begin, *travel, *forces, *opening, *guard, *written)]
+        )
+        self._begin, self._look, self._open, self._guarding = map(self._tables.prepared, (begin, look, opening, guard))
+        halted = run.span.halted if self._listed else None
+        steps = [*travel, *go_on], [*travel, *pause], go_on, pause
+        self._go_on, self._pause, self._moved_on, self._moved_pause = (
+            self._tables.prepared(step, halted) for step in steps
+        )
 
     def _launches(self, *stages: str) -> list[Launch]:
         return launches_of(composed(self._parts, *stages), self._run)
@@ -154,31 +167,77 @@ class DeviceLoop:
             goal = min(last, (now // GUARD_INTERVAL + 1) * GUARD_INTERVAL)
             if every:
                 goal = min(goal, (now // every + 1) * every)
-            self._take(goal - now - 1)
-            _run(self._pause)
-            now = goal
+            now, finite = self._advance(now, goal, records)
+            if not finite:
+                sick = NOT_FINITE
+                break
             if now % GUARD_INTERVAL == 0 or now == last:
                 turned, lost, sick = self._guard()
                 wide = max(wide, turned)
             if every and now % every == 0 and not lost and sick == FINE:
                 _run(records.row)
                 taken.append(now)
-        state.step = now
-        state.time = self._scheme.origin + now * self._scheme.dt
+        self._set_time(now)
         self._fetch()
         return records.finished(taken), wide, lost, sick
 
-    def _take(self, steps: int) -> None:
-        """Take the steps between two pauses, in graphs of powers of two; what is recorded must have been loaded."""
-        if steps > 0 and not self._graphs:
-            _run(self._go_on)
-            steps -= 1
-        while steps > 0:
-            size = min(_RECORDED, 1 << (steps.bit_length() - 1))
-            if size not in self._graphs:
-                self._graphs[size] = self._tables.device.recorded(self._go_on * size)
-            self._graphs[size]()
-            steps -= size
+    def _advance(self, now: int, goal: int, records: "_Records") -> tuple[int, bool]:
+        """Take steps up to a pause; return the number of the last one, and whether all numbers are finite."""
+        while now < goal:
+            taken = self._enqueue(goal - now)
+            stopped = self._stopped() if self._listed else None
+            if stopped is None:
+                now += taken
+                continue
+            now = stopped
+            if not self._renew(now):
+                return now, False
+            records.prepare()
+            _run(self._moved_on if goal - now > 1 else self._moved_pause)
+            now += 1
+        return now, True
+
+    def _enqueue(self, steps: int) -> int:
+        """Enqueue some of the steps to a pause, as a graph where possible; return how many."""
+        if steps == 1 or not self._graphs:  # what is recorded must have been loaded
+            _run(self._pause if steps == 1 else self._go_on)
+            if not self._graphs:
+                self._graphs[1] = self._tables.device.recorded(self._go_on)
+            return 1
+        size = min(_RECORDED, 1 << ((steps - 1).bit_length() - 1))
+        if size not in self._graphs:
+            self._graphs[size] = self._tables.device.recorded(self._go_on * size)
+        self._graphs[size]()
+        return size
+
+    def _stopped(self) -> int | None:
+        """Return the step whose end an out-of-date list of contacts has reached, or None."""
+        span = self._run.span
+        self._tables.fetch(span.halted)
+        if span.halted[0] == 0:
+            return None
+        self._tables.fetch(span.clock)
+        span.halted[:] = 0
+        self._tables.send(span.halted)
+        return int(span.clock[_STEP])
+
+    def _renew(self, step: int) -> bool:
+        """Renew the lists of contacts at a step; return False if a number is not finite."""
+        self._set_time(step)
+        self._fetch()
+        before = lists_of_contacts(composed(self._parts, "travel", *FORCES))
+        parts = [part if part.renewed is None else part.renewed() for part in self._parts]
+        self._parts = [part for part in parts if part is not None]
+        self._tables.forget(*before, *self._run.dropped(before))
+        if None in parts:
+            return False
+        self._compose()
+        self._tables.send(*walls_listed(composed(self._parts, "travel")))
+        return True
+
+    def _set_time(self, step: int) -> None:
+        self.state.step = step
+        self.state.time = self._scheme.origin + step * self._scheme.dt
 
     def _guard(self) -> tuple[int, int, int]:
         """Return bonds turned wide, bonds lost, and whether the run is sound, as `judge_energy` finds them."""
@@ -187,6 +246,9 @@ class DeviceLoop:
         self._tables.fetch(folded)
         sums = folded.sum(axis=0)
         wide, lost, kinetic, supplied = int(sums[_WIDE]), int(sums[_LOST]), sums[0] + sums[1], sums[_SUPPLIED]
+        if self._run.walls is not None:
+            self._tables.fetch(self._run.walls)
+            supplied += np.abs(self._run.walls[:, _WALL_WORK]).sum()
         if sums[_SICK] > 0.0 or not (kinetic < np.inf and supplied < np.inf):
             return wide, lost, NOT_FINITE
         self._budget[1] = max(self._budget[1], supplied)
@@ -216,7 +278,11 @@ class _Records:
 
     def __init__(self, loop: DeviceLoop, rows: HistoryRows) -> None:
         self._loop, self._rows = loop, rows
-        self.row = loop._tables.prepared(loop._recording(rows))
+        self.prepare()
+
+    def prepare(self) -> None:
+        """Prepare the launches of the present parts."""
+        self.row = self._loop._tables.prepared(self._loop._recording(self._rows))
 
     def finished(self, steps: Sequence[int]) -> np.ndarray:
         """Return the records of some steps in the form of the history, and free their memory."""
@@ -225,8 +291,8 @@ class _Records:
         if len(steps):
             loop._tables.fetch(found)
             whole[:, 0] = [loop._scheme.origin + step * loop._scheme.dt for step in steps]
-            for column, of_sums in _COLUMNS.items():
-                whole[:, column] = found[: len(steps), of_sums]
+            for column, of_sums in _COLUMNS:
+                whole[:, column] += found[: len(steps), of_sums]
             whole[:, FIXED_COLUMNS:] = found[: len(steps), loop._first_gauge :]
         loop._tables.forget(self._rows)
         return whole

@@ -18,7 +18,7 @@ def require_gpu(model: Model, plan: Plan) -> None:
         InputError: a feature runs on the CPU only, or there is no device.
         ImportError: a package is missing.
     """
-    if not device_has(model, plan):
+    if not device_has(model):
         _older().require_runnable(model, plan)
     reason = _cuda.lacks_gpu()
     if reason is not None:
@@ -27,7 +27,7 @@ def require_gpu(model: Model, plan: Plan) -> None:
 
 def loop_on_gpu(model: Model, plan: Plan, state: State, dt: float) -> Loop:
     """Make the loop of a run: that of the core where each of its passes has a counterpart on a device."""
-    if device_has(model, plan):
+    if device_has(model):
         return DeviceLoop(model, plan, state, dt, _cuda.CudaDevice())
     return _older().GpuLoop(model, plan, state, dt)
 

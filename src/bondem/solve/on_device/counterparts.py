@@ -12,6 +12,7 @@ from bondem.solve.on_device import (
     boundary_counterparts,
     breakage_counterparts,
     cell_counterparts,
+    contact_counterparts,
     motion_counterparts,
     record_counterparts,
 )
@@ -19,13 +20,14 @@ from bondem.solve.on_device.translation import Counterpart, Translation
 from bondem.solve.parts.part import Passes
 
 #: Passes that act on elements beside the loads of their bonds.
-FURTHER = {"add_dashpot_loads", "add_body_forces", "add_wall_loads"}
+FURTHER = {"add_dashpot_loads", "add_body_forces", "add_wall_loads", "add_contact_loads"}
 
 _ALL = {
     **boundary_counterparts.COUNTERPARTS,
     **beam_counterparts.COUNTERPARTS,
     **breakage_counterparts.COUNTERPARTS,
     **cell_counterparts.COUNTERPARTS,
+    **contact_counterparts.COUNTERPARTS,
     **motion_counterparts.COUNTERPARTS,
     **record_counterparts.COUNTERPARTS,
 }

@@ -12,6 +12,7 @@ class DeviceSpan(NamedTuple):
 
     clock: Ints  #: word by word: times and coefficients of the scheme (5), step, first, goes on, record; (9,)
     postponed: np.ndarray  #: not 0 for elements that do not open the next step with the others, uint8, (n,), or (0,)
+    halted: Ints  #: 1 where a list of contacts has to be made anew before the step goes on, (1,)
     n: int
     m: int
 
@@ -43,6 +44,13 @@ class BondsOfElements(NamedTuple):
     in_start: np.ndarray  #: bonds in_start[p] … in_start[p + 1] have j = p, int32, (n + 1,)
     out_start: np.ndarray  #: where the list of those with i = p begins, int32, (n + 1,)
     out_bond: np.ndarray  #: uint32, (m,)
+
+
+class EarlierPairs(NamedTuple):
+    """Pairs of contact whose earlier element each element is, ascending."""
+
+    start: np.ndarray  #: int32, (n + 1,)
+    pair: np.ndarray  #: uint32
 
 
 class RowOrder(NamedTuple):
@@ -90,7 +98,8 @@ SUM_COLUMNS = (
     "translation", "rotation", "damped", "rubbed", "normal", "shear", "bending", "twisting", "wide", "lost",
     "not_finite", "work", "supplied",
 )  # fmt: skip
-#: Columns behind them in a record: energies of contacts, of non-local stresses, of fracture, of plasticity.
-FURTHER_COLUMNS = ("contact", "non_local", "fracture", "plastic")
+#: Columns behind them in a record: energies of contacts, of non-local stresses, of fracture, of plasticity;
+#: work of walls.
+FURTHER_COLUMNS = ("contact", "non_local", "fracture", "plastic", "walls")
 #: Portions of a group, and works or walls of a portion.
 GROUP, WORKS = 64, 1024

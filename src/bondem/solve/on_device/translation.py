@@ -50,6 +50,7 @@ class Translation:
         dashed: loads of the dashpots of each bond.
         further: whether loads act beside those of bonds.
         held: number of elements that own rows.
+        walls: motion, forces and work of walls, (w, 14), or None.
         logs: events of the run, whose rows are copied as far as they are filled.
     """
 
@@ -59,7 +60,7 @@ class Translation:
         n, m = len(layout.order), len(layout.i)
         self.cut, self.further = cut, further
         self.held = n - int(cut.held[0])
-        self.span = DeviceSpan(np.zeros(9, dtype=np.int64), postponed, n, m)
+        self.span = DeviceSpan(np.zeros(9, dtype=np.int64), postponed, np.zeros(1, dtype=np.int64), n, m)
         self.bonds = BondsOfElements(
             layout.in_start.astype(np.int32), layout.out_start.astype(np.int32), np.ascontiguousarray(layout.out_bond)
         )
@@ -68,6 +69,7 @@ class Translation:
         most = max(-(-n // 1024), -(-m // 2048), len(self._works.works), 1)
         self.folded = FoldedPortions(np.zeros((-(-most // GROUP), len(SUM_COLUMNS))))
         self.logs: list[EventLog] = []
+        self.walls: np.ndarray | None = None
         self._rows = rows
         self._made: dict[int, tuple[Any, Any]] = {}
 
@@ -86,6 +88,10 @@ class Translation:
         if id(of) not in self._made:
             self._made[id(of)] = of, make()
         return self._made[id(of)][1]
+
+    def dropped(self, tables: Iterable[Any]) -> list[Any]:
+        """Return what was made of tables that are out of date, and forget it."""
+        return [self._made.pop(id(table))[1] for table in tables if id(table) in self._made]
 
     def order_of(self, row: np.ndarray) -> RowOrder:
         """Return the order of what acts on rows of the boundary."""
