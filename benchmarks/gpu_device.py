@@ -62,7 +62,7 @@ class Clock:
 def checked(device: Callable[[], Device]) -> dict[str, float]:
     """Return the deviation of each small run from that of the CPU."""
     sys.path.append(str(ROOT))
-    cases = importlib.import_module("tests.device_cases")
+    cases = importlib.import_module("tests.device_runs")
     found = {}
     for name, make in cases.CASES.items():
         model, start, steps, dt, options = make()

@@ -19,7 +19,7 @@ from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
-from tests.device_cases import CASES, deviation
+from tests.device_runs import CASES, deviation
 
 HERE = Path(__file__).parent
 SIMULATOR = {"NUMBA_ENABLE_CUDASIM": "1", "NUMBA_DISABLE_JIT": "1"}

@@ -16,8 +16,11 @@ from bondem.solve.loop_core import CoreLoop
 from bondem.solve.loop_device import DeviceLoop, device_has
 from bondem.solve.plan import ExplicitResult, Plan
 from tests.bits import assert_same_bits
-from tests.device_cases import CASES, CRITERIA, CUBE_DT, CUBE_STEPS, NUS, cell, cubes, deviation, moving, pressed_bar
+from tests.device_cases import CRITERIA, CUBE_DT, CUBE_STEPS, NUS, cell, cubes, moving, pressed_bar
+from tests.device_runs import CASES, deviation
 
+# Cases of contact are fast and soft, so that much happens in few steps.
+pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
 LAUNCHED: set[str] = set()
 
 
@@ -46,7 +49,7 @@ def outcomes(case: str) -> tuple[ExplicitResult, ExplicitResult]:
 def test_a_device_agrees_with_the_cpu(case: str) -> None:
     cpu, device = outcomes(case)
     assert deviation(cpu, device) < 1e-12
-    assert ("brittle" in case or case in CRITERIA) == (len(cpu.state.broken) > 3)
+    assert ("brittle" in case or "break" in case or case in CRITERIA) == (len(cpu.state.broken) > 3)
 
 
 def test_these_runs_have_all_that_acts_on_bodies() -> None:
@@ -64,7 +67,7 @@ def test_these_runs_have_all_that_acts_on_bodies() -> None:
     assert set(index_pass_names()) == LAUNCHED
 
 
-@pytest.mark.parametrize("case", ["bar", "held cells", "peripheral"])
+@pytest.mark.parametrize("case", ["bar", "held cells", "peripheral", "beams break, Hertzian"])
 def test_pausing_changes_no_bit(case: str) -> None:
     model, start, steps, dt, options = CASES[case]()
     options["every"] = 0

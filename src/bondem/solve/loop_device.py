@@ -53,7 +53,6 @@ def device_has(model: Model) -> bool:
         and (model.breaking is None or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES)))
         and model.beam_softening is None
         and model.softening is None
-        and (model.contacts is None or model.breaking is None)
         and model.non_local is None
         and model.formulation == "total"
         and len(held.strain_part) == 0
@@ -232,7 +231,7 @@ class DeviceLoop:
         if None in parts:
             return False
         self._compose()
-        self._tables.send(*walls_listed(composed(self._parts, "travel")))
+        self._tables.send(*(log.written for log in self._run.logs), *walls_listed(composed(self._parts, "travel")))
         return True
 
     def _set_time(self, step: int) -> None:

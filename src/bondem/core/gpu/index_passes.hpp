@@ -88,6 +88,7 @@
     X(add_contact_load)                 \
     X(load_wall)                        \
     X(kick_free_wall)                   \
+    X(begin_all_contacts)               \
     X(measure_overlaps)                 \
     X(sum_portion_of_pairs)             \
     X(sum_portion_at_walls)             \

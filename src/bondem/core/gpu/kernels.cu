@@ -4,6 +4,7 @@
 #include "../passes/boundary/couples.cpp"
 #include "../passes/cells/cell_report.cpp"
 #include "../passes/contacts/contact_loads.cpp"
+#include "../passes/contacts/handover.cpp"
 #include "../passes/contacts/walls.cpp"
 #include "../passes/damage/beam_failure.cpp"
 #include "../passes/motion/body_forces.cpp"

@@ -17,6 +17,7 @@ from bondem.solve.contact_tables import (
     WallContacts,
     WallMotions,
 )
+from bondem.solve.damage_tables import EventLog, Postponed
 from bondem.solve.on_device.device_tables import DeviceSpan, EarlierPairs, RowOrder
 from bondem.solve.on_device.translation import Counterpart, Translation
 from bondem.solve.parts.part import Passes
@@ -35,6 +36,9 @@ _press_walls = IndexPass(
 _add_contact_load = IndexPass("add_contact_load", DeviceSpan, Moving, StepCut, ContactSums)
 _load_wall = IndexPass("load_wall", DeviceSpan, WallContacts, RowOrder, Walls)
 _kick_free_wall = IndexPass("kick_free_wall", DeviceSpan, WallMotions, Walls)
+_begin_contacts = IndexPass(
+    "begin_all_contacts", DeviceSpan, Moving, ContactConstants, ContactPairs, NearPairs, EventLog, Postponed
+)
 _measure_overlaps = IndexPass(
     "measure_overlaps", DeviceSpan, Moving, ContactConstants, ContactPairs, WallContacts, Walls, Travel
 )
@@ -107,6 +111,10 @@ def _contact_loads(run: Translation, moving: Moving, cut: StepCut, sums: Contact
     return [(_add_contact_load, run.span.n, (run.span, moving, cut, sums))]
 
 
+def _begin(run: Translation, *tables: Any) -> list[Launch]:
+    return [(_begin_contacts, 1, (run.span, *tables))]
+
+
 def _pair_energies(
     run: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, energies: ContactEnergies
 ) -> list[Launch]:
@@ -146,6 +154,7 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "keep_measures": lambda *_: [],
     "load_walls": _load,
     "add_contact_loads": _contact_loads,
+    "begin_contacts": _begin,
     "sum_pair_energies": _pair_energies,
     "sum_wall_energies": _wall_energies,
     "write_contact_energy": _energy,
