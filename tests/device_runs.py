@@ -10,9 +10,9 @@ from bondem.model.state import State
 from bondem.solve.plan import ExplicitResult
 from tests.core import contact_cases
 from tests.device_cases import (
-    GAUGES,
     CELL_GAUGES,
     CRITERIA,
+    GAUGES,
     bar,
     body,
     breaking_bar,
@@ -43,6 +43,17 @@ def brittle_beams() -> bd.Model:
     """These beams, which break."""
     model, failure = held_beams(), bd.PeripheralStress(tension=5e4, shear=5e4)
     return bd.Model(model.lattice, model.bond, 1000.0, boundary=model.boundary, failure=failure)
+
+
+def warming_beams() -> bd.Model:
+    """The bar, which grows by two strains that change, and which is held at both ends."""
+    ends = bd.Face("x_min", depth=0.5), bd.Face("x_max", depth=0.5)
+    heat = [
+        bd.Eigenstrain(5e-3, schedule=bd.Ramp(0.0, 1.0, 0.05)),
+        bd.Eigenstrain(-8e-3, bd.Index(range(20)), schedule=bd.Ramp(0.0, 1.0, 0.2)),
+    ]
+    law = bd.Timoshenko(E=1e7, nu=0.2, radius_ratio=0.6)
+    return bd.Model(bar().lattice, law, 1000.0, boundary=[*(bd.Fix(face) for face in ends), *heat])
 
 
 def absorbing_bar() -> bd.Model:
@@ -92,6 +103,7 @@ CASES: dict[str, Callable[[], Case]] = {
         breaking_bar(CRITERIA["peripheral"]), moving, 60, 1e-3, {"every": 0, "damping": bd.BondDamping(eta=0.1)}
     ),
     "held and brittle": lambda: (brittle_beams(), moving, 60, 2e-3, {}),
+    "warming": lambda: (warming_beams(), moving, 150, 2e-3, {"every": 10}),
     "absorbing cells": lambda: (absorbing_bar(), moving, 150, 1e-3, {"gauges": CELL_GAUGES, "every": 10}),
 }  # fmt: skip
 
@@ -114,7 +126,7 @@ CASES |= {case: _touching(case) for case in contact_cases.CASES}
 
 
 def deviation(expected: ExplicitResult, found: ExplicitResult) -> float:
-    """Return the largest difference of two runs, each array over its largest value; inf where they end otherwise.
+    """Return the largest difference of two runs, over the largest value of each array; inf if they end otherwise.
 
     Energies are compared with the largest of a record, as they come and go, and works by their sum: on a device the
     work of walls and tractions belongs to the rows of their cells.

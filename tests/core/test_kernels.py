@@ -27,7 +27,7 @@ def has_nvrtc() -> bool:
 
 
 @pytest.mark.skipif(not has_nvrtc(), reason="needs NVRTC: pip install -e '.[gpu]'")
-@pytest.mark.parametrize("architecture", ["sm_80", "sm_90"])
+@pytest.mark.parametrize("architecture", [pytest.param("sm_80", marks=pytest.mark.validate), "sm_90"])
 def test_all_passes_over_an_index_compile_without_a_device(architecture: str) -> None:
     cubin, found = _cuda.compiled_passes(architecture)
     assert cubin[:4] == b"\x7fELF"

@@ -19,6 +19,7 @@ BONDEM_TABLE(BondsOfElements, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bon
 BONDEM_TABLE(EarlierPairs, F(start, "n+1"), F(pair, "pairs"))
 BONDEM_TABLE(RowOrder, F(start, "*"), F(load, "*"))
 BONDEM_TABLE(WorkPortions, F(works, "work_portions 2"))
+BONDEM_TABLE(StrainPortions, F(due, "2"), F(power, "* *"))
 BONDEM_TABLE(WallEnergy, F(energy, "wall_portions"))
 BONDEM_TABLE(FoldedPortions, F(sums, "folds 13"))
 BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
@@ -27,7 +28,7 @@ BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
 
 #define BONDEM_DEVICE_TABLES                                                                                          \
     described<DeviceSpan>(), described<Tick>(), described<BondMarks>(), described<LoadsOfBonds>(), described<BondsOfElements>(), described<EarlierPairs>(), described<RowOrder>(), \
-        described<WorkPortions>(), described<WallEnergy>(), described<FoldedPortions>(), described<GaugeParts>()
+        described<WorkPortions>(), described<StrainPortions>(), described<WallEnergy>(), described<FoldedPortions>(), described<GaugeParts>()
 
 // The loop of a pass over all its indices.
 template <auto pass> struct IndexPass;

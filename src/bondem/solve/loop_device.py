@@ -55,7 +55,7 @@ def device_has(model: Model) -> bool:
         and model.softening is None
         and model.non_local is None
         and model.formulation == "total"
-        and len(held.strain_part) == 0
+        and (model.cells is None or len(held.strain_part) == 0)
         and len(model.layout.i) < _MOST_BONDS
     )
 
@@ -115,7 +115,8 @@ class DeviceLoop:
         self._tables.device.compile(
             [one.name for one, *_ in (*begin, *travel, *forces, *opening, *guard, *written)]
         )
-        self._begin, self._look, self._open, self._guarding = map(self._tables.prepared, (begin, look, opening, guard))
+        others = map(self._tables.prepared, (begin, look, opening, guard))
+        self._begin, self._look, self._open, self._guarding = others
         halted = run.span.halted if self._listed else None
         steps = [*travel, *go_on], [*travel, *pause], go_on, pause
         self._go_on, self._pause, self._moved_on, self._moved_pause = (

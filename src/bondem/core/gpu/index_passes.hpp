@@ -7,6 +7,7 @@
 #include "contacts.hpp"
 #include "motion.hpp"
 #include "record.hpp"
+#include "strains.hpp"
 
 #define BONDEM_INDEX_PASSES(X)          \
     X(set_clock)                        \
@@ -94,4 +95,7 @@
     X(sum_portion_at_walls)             \
     X(write_energy_of_contacts)         \
     X(write_work_of_walls)              \
-    X(write_gauge_of_wall)
+    X(write_gauge_of_wall)              \
+    X(follow_strain_factors)            \
+    X(strain_portion)                   \
+    X(add_work_of_strains)

@@ -46,6 +46,11 @@ struct RowOrder {
 struct WorkPortions {
     Array<double, 2> works;  // (portions, 2)
 };
+// Strains that change: whether any does in this step, and whether ∂U/∂factor is needed; and portions of it [J].
+struct StrainPortions {
+    Array<Index, 1> due;  // (2,)
+    Array<double, 2> power;  // (portions, g)
+};
 // Energy of portions of walls that hold facets [J].
 struct WallEnergy {
     Array<double, 1> energy;

@@ -73,6 +73,13 @@ class WorkPortions(NamedTuple):
     works: Floats  #: work and its absolute value [J], (portions, 2)
 
 
+class StrainPortions(NamedTuple):
+    """Changes of strains in a step, and portions of what their work needs."""
+
+    due: Ints  #: whether any changes, and whether ∂U/∂factor is needed, (2,)
+    power: Floats  #: ∂U/∂factor [J], (portions, g)
+
+
 class WallEnergy(NamedTuple):
     """Energy of portions of walls that hold facets."""
 
