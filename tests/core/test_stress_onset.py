@@ -1,4 +1,4 @@
-"""Facets that begin to crack by a function of the stress: against the loops of Numba, bits, and errors of functions."""
+"""Facets that begin to crack by a function of the stress: against the loops of Numba, bits, errors of functions."""
 
 import numpy as np
 import pytest

@@ -11,8 +11,10 @@ constexpr int stress_column = 3;
 
 BONDEM_INLINE double widened(const int32_t *from, double) { return double(*from); }
 BONDEM_INLINE double widened(const float *from, double) { return double(*from); }
+#if defined(BONDEM_LANES)
 BONDEM_INLINE Lanes widened(const int32_t *from, Lanes) { return load(from); }
 BONDEM_INLINE Lanes widened(const float *from, Lanes) { return load(from); }
+#endif
 
 // Columns k … of a table with a row for each of three axes.
 template <class T, class Number> BONDEM_INLINE Vector3<T> three_rows(const Number *table, Index m, Index k) {
@@ -64,6 +66,8 @@ inline Vector normal_of(const ElasticFacets &facets, Index k) {
     return {facets.normal(0, k), facets.normal(1, k), facets.normal(2, k)};
 }
 
+#if defined(BONDEM_LANES)
+
 // Calls on(k, known, i, j, ends) for the groups of the facets first … last - 1, with the poses of their cells; rows that
 // are to come are asked for.
 template <class On>
@@ -82,5 +86,7 @@ BONDEM_INLINE void for_each_facets(Index first, const Index last, const double *
         on(k, group.known, a, b, ends);
     });
 }
+
+#endif
 
 }  // namespace bondem
