@@ -21,6 +21,12 @@ def assert_same_bits(first: bd.ExplicitResult, second: bd.ExplicitResult) -> Non
         np.testing.assert_array_equal(getattr(first.state, name), getattr(second.state, name), err_msg=name)
 
 
+def assert_same_fracture(one: State, other: State) -> None:
+    """Assert that two states agree to the bit in places, motions, damage and what has broken."""
+    for name in ("pose", "motion", "integrity", "cracks", "plastic", "broken"):
+        np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
+
+
 def flying_apart(model: bd.Model) -> Callable[..., bd.ExplicitResult]:
     """Runs of 1200 steps of a block of 14³ spheres that fly away from its middle: `run(threads, every, ...)`."""
     damping = bd.LocalDamping(0.05)
