@@ -48,10 +48,13 @@ def ball(count: int, radius: float) -> bd.Lattice:
     return cells(bd.Ball(radius), count)
 
 
-def notched(length: float, height: float, depth: float, width: float = 3e-3) -> bd.Shape:
-    """Bar of a square section with a notch of a depth and width from below (y = 0) in its middle."""
-    slot = bd.Box((width, depth, 2.0 * height)).moved((0.5 * (length - width), 0.0, -0.5 * height))
-    return bd.Box((length, height, height)).cut(slot, name="notch")
+@cache
+def uneven_bar(count: int) -> bd.Lattice:
+    """Bar of 16 x 8 x 8 mm of cells of unequal spheres: facets are not half-way between centres."""
+    box = bd.Box((16e-3, 8e-3, 8e-3))
+    even = bd.pack(box, count=count, method="even", seed=1)
+    radius = even.radius * np.random.default_rng(2).uniform(0.7, 1.0, count)
+    return bd.connect(bd.Particles(even.position, radius, shape=box), method="laguerre")
 
 
 @cache
@@ -66,10 +69,13 @@ def spheres(
 
 
 @cache
-def cubes(shape: tuple[int, int, int], edge: float = 1.0) -> bd.Lattice:
-    """Box of cubic cells with a corner at the origin; facet k of a row lies between cells k and k + 1."""
+def cubes(shape: tuple[int, int, int], edge: float = 1.0, *, angle: float = 0.0) -> bd.Lattice:
+    """Box of cubic cells with a corner at the origin, turned about z by an angle [rad]."""
     centres = edge * (np.indices(shape).reshape(3, -1).T + 0.5)
     box = bd.Box((edge * shape[0], edge * shape[1], edge * shape[2]))
+    if angle:
+        c, s = math.cos(angle), math.sin(angle)
+        box, centres = box.rotated("z", angle), centres @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
     return bd.connect(bd.Particles(centres, 0.5 * edge, shape=box), method="laguerre")
 
 
@@ -145,9 +151,22 @@ def chain(count: int, *, radius: float = 0.5e-3) -> bd.Lattice:
 
 
 @cache
-def grid(shape: tuple[int, int, int], spacing: float = 1e-3, *, start: float = 0.0) -> bd.Lattice:
-    """Equal spheres on a cubic grid, bonded to those that they touch; the first centre is at `start` on all axes."""
-    return bd.connect(bd.Particles(spacing * np.indices(shape).reshape(3, -1).T + start, 0.5 * spacing))
+def grid(
+    shape: tuple[int, int, int], spacing: float = 1e-3, *, walled: bool = False, periodic: bool = False
+) -> bd.Lattice:
+    """Equal spheres on a cubic grid, bonded to those that they touch.
+
+    Args:
+        shape: number of spheres along x, y and z.
+        spacing: distance of neighbours [m].
+        walled: whether the particles have the box that they touch for a shape; without it the first centre is the
+            origin.
+        periodic: whether they have that box without walls.
+    """
+    place = np.indices(shape).reshape(3, -1).T + (0.5 if walled or periodic else 0.0)
+    edges = (spacing * shape[0], spacing * shape[1], spacing * shape[2])
+    outline = bd.Cell(edges) if periodic else bd.Box(edges) if walled else None
+    return bd.connect(bd.Particles(spacing * place, 0.5 * spacing, shape=outline), tolerance=1e-9)
 
 
 @cache
