@@ -11,7 +11,6 @@ import bondem as bd
 from bondem import packing
 from bondem.io import packing_cache
 from bondem.io.packing_cache import PackingCache, key
-from bondem.packing.sizes import SizeLaw
 from bondem.packing.targets import Contacts, Fraction, Jammed
 
 CENTRE = np.array([[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [2.0, 0.0, 0.25], [3.0, -1.0 / 3.0, 0.0]])
@@ -96,7 +95,7 @@ def test_what_lies_in_a_periodic_cell_comes_back_to_the_bit(folder, packings):
 
 
 @dataclass(frozen=True)
-class MyLaw(SizeLaw):
+class MyLaw(bd.SizeLaw):
     most: float = 1.2
 
     def quantile(self, share):
