@@ -11,11 +11,9 @@ import bondem as bd
 from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, GAMMA, ONSET, RESTING, SLIP, STATUS
-from bondem.model.state import State
 from bondem.solve.loop_cpu import CpuLoop
-from bondem.solve.plan import Plan
 from tests.bits import assert_same_fracture
-from tests.models import time_step
+from tests.models import slowly_torn, torn_then_pressed
 from tests.specimens import bar, cubes, spheres, two_cubes
 
 E, RHO = 40e9, 2500.0
@@ -29,7 +27,7 @@ def model_of(lattice: bd.Lattice, nu: float, failure: bd.Criterion = SOFT, bound
     return bd.Model(lattice, law, density=RHO, failure=failure, boundary=boundary)
 
 
-def cracked(model: bd.Model, integrity: dict[int, float]) -> State:
+def cracked(model: bd.Model, integrity: dict[int, float]) -> bd.State:
     """A state with cracks of given integrity, by the kernels' number of their facet."""
     state = model.state()
     state.cracks = np.zeros((len(integrity), CRACK_COLUMNS))
@@ -39,12 +37,12 @@ def cracked(model: bd.Model, integrity: dict[int, float]) -> State:
     return state
 
 
-def look(model: bd.Model, state: State) -> tuple[float, np.ndarray, np.ndarray]:
+def look(model: bd.Model, state: bd.State) -> tuple[float, np.ndarray, np.ndarray]:
     """Elastic energy [J], and forces and torques [N, N·m], kernels' order."""
     state = state.copy()
     state.stale = True
     dt = 1e-9
-    plan = Plan(duration=1.0, dt=dt, every=1)
+    plan = bd.Plan(duration=1.0, dt=dt, every=1)
     record = bd.History(CpuLoop(model, plan, state, dt).look())
     energy = sum(float(record.energy[part][0]) for part in ELASTIC)
     force = state.acceleration[:, :3] / state.motion[:, 3:4]
@@ -180,9 +178,7 @@ def test_a_hinge_cracks_and_gives_back_its_energy(one_thread: None) -> None:
 
 def test_cracks_rest_where_the_bar_unloads() -> None:
     """Facets soften all over the bar at the peak; a third of the way down, all but those of the crack are at rest."""
-    pull = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), vx=0.1)]
-    model = model_of(bar(250), 0.2, bd.Rankine(tension=STRENGTH, fracture_energy=ENERGY), boundary=pull)
-    dt = time_step(model, 0.9)
+    model, dt = slowly_torn(SOFT)
     share = []
     state = None
     for far in (2e-6, 9e-6):  # the peak is at 1.6 µm, and nothing is left at 25 µm
@@ -197,10 +193,7 @@ def test_cracks_rest_where_the_bar_unloads() -> None:
 @functools.cache
 def torn(share: float = 0.9, energy: float | None = ENERGY) -> bd.ExplicitResult:
     """A bar that is pulled apart, slowly enough for its crack; without a fracture energy it breaks at once."""
-    lattice = bar(250)
-    pull = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), vx=0.1)]
-    model = model_of(lattice, 0.2, bd.Rankine(tension=STRENGTH, fracture_energy=energy), boundary=pull)
-    dt = time_step(model, share)
+    model, dt = slowly_torn(bd.Rankine(tension=STRENGTH, fracture_energy=energy), share)
     far = STRENGTH / E * 16e-3 + (1.2 * 2.0 * energy / STRENGTH if energy else 1e-6)
     return bd.solve_explicit(model, duration=far / 0.1, dt=dt, every=50)
 
@@ -220,24 +213,18 @@ def test_the_ledger_closes_and_is_of_second_order(energy: float | None, closes: 
     assert fine.residual < 0.35 * coarse.residual
 
 
-def impact(model: bd.Model, steps: int, dt: float, state: State | None = None, **options) -> bd.ExplicitResult:
+#: Cracks open, close and rub, and cells yield.
+MIXED = bd.MohrCoulomb(
+    tension=2e6, cohesion=4e6, friction_angle=0.6, fracture_energy=2.0, scatter=bd.Weibull(modulus=8.0, volume=1e-9),
+)  # fmt: skip
+
+
+def impact(model: bd.Model, steps: int, dt: float, state: bd.State | None = None, **options) -> bd.ExplicitResult:
     return bd.solve_explicit(model, duration=steps * dt, dt=dt, every=0, state=state, **options)
 
 
-def quick() -> tuple[bd.Model, float]:
-    """A body torn and then pressed: cracks that open, close, rub; cells that yield."""
-    failure = bd.MohrCoulomb(
-        tension=2e6, cohesion=4e6, friction_angle=0.6, fracture_energy=2.0,
-        scatter=bd.Weibull(modulus=8.0, volume=1e-9),
-    )  # fmt: skip
-    way = bd.Table([0.0, 1e-5, 1.2e-5, 4e-5], [1.0, 1.0, -2.0, -2.0])
-    pull = [bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), vx=way)]
-    model = bd.Model(bar(1200), bd.CellBond(E=E, nu=0.2), density=RHO, failure=failure, boundary=pull)
-    return model, time_step(model, 0.9)
-
-
 def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> None:
-    model, dt = quick()
+    model, dt = torn_then_pressed(MIXED)
     steps = 240
     with threads(1):
         one = impact(model, steps, dt).state
@@ -254,7 +241,7 @@ def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> Non
     kept = tmp_path / "run.h5"
     seen = []
 
-    def stop(state: State, _: bd.History) -> bool:
+    def stop(state: bd.State, _: bd.History) -> bool:
         seen.append(state.step)
         return state.step >= 150
 
@@ -267,7 +254,7 @@ def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> Non
 
 def test_the_first_record_of_a_run_that_goes_on_has_all_that_cells_dissipated() -> None:
     """The last increment of strain is booked by half when it comes, and by half with the stress a step later."""
-    model, dt = quick()
+    model, dt = torn_then_pressed(MIXED)
     start = impact(model, 150, dt).state
     went_on = bd.solve_explicit(model, duration=10 * dt, dt=dt, every=1, state=start).history.energy
     came = np.diff(went_on["plastic"])
