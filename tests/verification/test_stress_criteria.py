@@ -14,9 +14,8 @@ from bondem.errors import InputError, RunFileError
 from bondem.kernels.crack_tables import GAMMA
 from bondem.laws.failure.drucker_prager import cone_index
 from bondem.laws.plasticity import largest_pressure
-from bondem.model.state import State
 from tests.bits import assert_same_fracture
-from tests.models import time_step
+from tests.models import slowly_torn, time_step, torn_then_pressed
 from tests.specimens import bar
 
 E, RHO = 40e9, 2500.0
@@ -100,7 +99,7 @@ def strained(failure: bd.Criterion, stress: tuple[float, float, float], nu: floa
     state.set_motion(velocity=lattice.centre * rate)
     seen = []
 
-    def look(now: State, _: bd.History) -> bool:
+    def look(now: bd.State, _: bd.History) -> bool:
         yielded = int((now.plastic[:, GAMMA] > 0.0).sum()) if len(now.plastic) else 0
         seen.append((now.step / steps, len(now.cracks), yielded))
         return False
@@ -160,10 +159,7 @@ def torn(failure: bd.Criterion, share: float = 0.9) -> bd.ExplicitResult:
     """A bar that is pulled apart, slowly enough for its crack."""
     softening = failure.softening
     assert softening is not None
-    pull = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), vx=0.1)]
-    law = bd.CellBond(E=E, nu=0.2, facet_rotation="full")
-    model = bd.Model(bar(250), law, density=RHO, failure=failure, boundary=pull)
-    dt = time_step(model, share)
+    model, dt = slowly_torn(failure, share)
     opening = 1.2 * 2.0 * softening.fracture_energy / softening.tension or 1e-6
     return bd.solve_explicit(model, duration=(softening.tension / E * 16e-3 + opening) / 0.1, dt=dt, every=50)
 
@@ -195,12 +191,7 @@ def test_the_ledger_closes_and_is_of_second_order(failure: bd.Criterion) -> None
 
 def pulled(failure: bd.Criterion, steps: int = 240, **options) -> bd.ExplicitResult:
     """A body torn fast, and then pressed."""
-    way = bd.Table([0.0, 1e-5, 1.2e-5, 4e-5], [1.0, 1.0, -2.0, -2.0])
-    model = bd.Model(
-        bar(1200), bd.CellBond(E=E, nu=0.2), density=RHO, failure=failure,
-        boundary=[bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), vx=way)],
-    )  # fmt: skip
-    dt = time_step(model, 0.9)
+    model, dt = torn_then_pressed(failure)
     return bd.solve_explicit(model, duration=steps * dt, dt=dt, every=0, **options)
 
 
