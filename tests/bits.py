@@ -1,4 +1,4 @@
-"""Whether two runs have the same bits, and a run that is cut off and goes on."""
+"""Assertions that runs have the same bits, on any number of threads and where a run is cut off and resumed."""
 
 import hashlib
 from collections.abc import Callable
@@ -8,16 +8,28 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
+from bondem._compile import most_threads as most_threads
+from bondem._compile import threads as threads
 from tests.models import time_step
 
 
+def need_two_threads() -> None:
+    """Skip a test where one thread only may be used."""
+    if most_threads() < 2:
+        pytest.skip("one thread only may be used (NUMBA_NUM_THREADS)")
+
+
+def assert_same_state(one: bd.State, other: bd.State) -> None:
+    """Assert that two states agree to the bit in every array."""
+    for name in bd.State.ARRAYS:
+        np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
+
+
 def assert_same_bits(first: bd.ExplicitResult, second: bd.ExplicitResult) -> None:
-    """Of status, step and every array of the state."""
+    """Assert that two runs agree to the bit in status, step and every array of the state."""
     assert first.status is second.status
     assert first.state.step == second.state.step
-    for name in bd.State.ARRAYS:
-        np.testing.assert_array_equal(getattr(first.state, name), getattr(second.state, name), err_msg=name)
+    assert_same_state(first.state, second.state)
 
 
 def assert_same_run(first: bd.ExplicitResult, second: bd.ExplicitResult) -> None:
