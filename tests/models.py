@@ -4,7 +4,7 @@ import numpy as np
 
 import bondem as bd
 from bondem.solve.timestep import critical_step
-from tests.specimens import bar, loose, row, two_cubes
+from tests.specimens import bar, crooked_block, loose, row, two_cubes
 
 VERLET = bd.VelocityVerlet()
 STONE = bd.CellBond(E=1e9, nu=0.2)
@@ -48,6 +48,18 @@ def cantilever(
     schedule = bd.Constant(1.0) if ramp is None else bd.Ramp(0.0, 1.0, ramp)
     tip = bd.Load(bd.Index([len(lattice.particles) - 1]), schedule=schedule, **load)
     return bd.Model(lattice, law, density, boundary=[bd.Fix(bd.Index([0])), tip])
+
+
+def crooked_beams(
+    count: int, failure: bd.Criterion | None = None, *, E: float = 1e7, dense: bool = False, **options
+) -> bd.Model:
+    """Crooked block of count³ elements of 1000 kg/m³ with Timoshenko beams of a modulus E [Pa].
+
+    `dense` makes the spheres nearly touch, so that pieces collide.
+    """
+    sizes = {"radius": (0.4, 0.5), "reach": 1.5} if dense else {}
+    law = bd.Timoshenko(E=E, nu=0.2, radius_ratio=0.6)
+    return bd.Model(crooked_block((count,) * 3, **sizes), law, 1000.0, failure=failure, **options)
 
 
 def loaded_row(force: tuple[float, float, float], *, ramp: float | None = None, **law) -> bd.Model:
