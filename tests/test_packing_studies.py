@@ -14,7 +14,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, PackingError
-from tests.scripts import command
+from tests.scripts import command, files
 from validation.__main__ import main
 from validation.figures.packing_curves import LARGEST_POSSIBLE, PRINTED_THRESHOLD
 from validation.frame.failures import complain
@@ -35,10 +35,6 @@ HERE = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, (str(ROOT), os.e
 
 def validation(*arguments, cwd):
     return command(*arguments, cwd=cwd, package="validation", env=HERE)
-
-
-def files(folder):
-    return {path.relative_to(folder): path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()}
 
 
 def without_time(rows):
