@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from bondem._compile import threads
+from tests.bits import threads
 
 
 @pytest.fixture
