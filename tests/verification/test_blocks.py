@@ -1,17 +1,14 @@
 """The same bits over threads where a specimen has more than one block, which domains cut otherwise."""
 
 import hashlib
-import os
-import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.solve.loop_cpu import BLOCK
+from tests.bits import threads
+from tests.scripts import python
 from tests.specimens import crooked_block
 
 EDGES = (30, 20, 16)
@@ -50,9 +47,7 @@ def bits(*, contacts: bool, count: int) -> tuple[str, bd.Model, object]:
 
 
 CODE = """
-import sys
-sys.path.insert(0, sys.argv[1])
-from test_blocks import ON, bits
+from tests.verification.test_blocks import ON, bits
 
 for contacts in (False, True):
     print(*(bits(contacts=contacts, count=count)[0] for count in ON))
@@ -62,12 +57,8 @@ for contacts in (False, True):
 def test_blocks_and_domains_change_no_bit() -> None:
     """Elastic, and with contacts, on 1, 2 and 3 threads; in a process of its own, which may have that many."""
     assert np.prod(EDGES) > 2 * BLOCK
-    found = subprocess.run(
-        [sys.executable, "-c", CODE, str(Path(__file__).parent)],
-        env=os.environ | {"NUMBA_NUM_THREADS": str(max(ON))}, capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert found.returncode == 0, found.stderr
-    elastic, contacts = (line.split() for line in found.stdout.splitlines())
+    lines = python(CODE, threads=max(ON))
+    elastic, contacts = (line.split() for line in lines)
     assert len(elastic) == len(contacts) == len(ON)
     assert len(set(elastic)) == 1
     assert len(set(contacts)) == 1
