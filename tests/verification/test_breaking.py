@@ -4,22 +4,13 @@ import functools
 import math
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from tests.bits import assert_resumes_to, assert_same_bits, flying_apart
-from tests.models import momenta, moving, time_step
+from tests.bits import assert_resumes_to, assert_same_bits, flying_apart, need_two_threads
+from tests.models import crooked_beams, momenta, moving, time_step
 from tests.recording import Record
-from tests.specimens import crooked_block
-
-
-def block(count: int, failure: bd.Criterion | None, boundary=()) -> bd.Model:
-    """Crooked block of count³ elements."""
-    law = bd.Timoshenko(E=1e7, nu=0.2, radius_ratio=0.6)
-    return bd.Model(crooked_block((count,) * 3), law, density=1000.0, failure=failure, boundary=boundary)
-
 
 WEAK = bd.PeripheralStress(tension=2e5, shear=3e5, scatter=bd.Weibull(modulus=5.0, volume=0.1))
 PULL = (bd.Fix(bd.Face("x_min", depth=0.5)), bd.Drive(bd.Face("x_max", depth=0.5), vx=bd.Ramp(0.0, 5.0, 0.02)))
@@ -28,7 +19,7 @@ PULL = (bd.Fix(bd.Face("x_min", depth=0.5)), bd.Drive(bd.Face("x_max", depth=0.5
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # pieces without contact
 def test_the_ledger_is_second_order_through_breakage(one_thread: None, record: Record) -> None:
     """Halving the step quarters what the ledger misses, though a hundred bonds break."""
-    model = block(5, WEAK, PULL)
+    model = crooked_beams(5, WEAK, boundary=PULL)
     dt = time_step(model, 0.4)
     missed, broken = [], []
     for halvings in range(4):
@@ -45,7 +36,7 @@ def test_the_ledger_is_second_order_through_breakage(one_thread: None, record: R
 
 
 def test_momentum_is_kept_through_breakage(one_thread: None) -> None:
-    model = block(5, WEAK)
+    model = crooked_beams(5, WEAK)
     outwards = model.lattice.centre - model.lattice.centre.mean(axis=0)
     state = moving(model, 8.0 * outwards + np.cross((0.0, 0.0, 5.0), outwards))
     dt = time_step(model, 0.3)
@@ -59,11 +50,10 @@ def test_momentum_is_kept_through_breakage(one_thread: None) -> None:
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # pieces without contact
 def test_same_bits_after_thousands_of_breaks(tmp_path: Path, record: Record) -> None:
     """On one and two threads, recorded often or never, and saved and resumed, with damping and dashpots."""
-    if numba.config.NUMBA_NUM_THREADS < 2:
-        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    need_two_threads()
     failure = bd.PeripheralStress(tension=4e5, shear=6.4e5, scatter=bd.Weibull(modulus=5.0, volume=0.1))
     drive = bd.Drive(bd.Face("x_max", depth=0.5), vx=bd.Ramp(0.0, 20.0, 0.02), wx=2.0)
-    model = block(14, failure, (PULL[0], drive))
+    model = crooked_beams(14, failure, boundary=(PULL[0], drive))
     run = flying_apart(model)
     whole = run(1, 100)
     assert len(whole.events) > 2000
@@ -75,7 +65,7 @@ def test_same_bits_after_thousands_of_breaks(tmp_path: Path, record: Record) -> 
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # pieces without contact
 def test_events_name_what_broke(one_thread: None) -> None:
-    model = block(5, WEAK, PULL)
+    model = crooked_beams(5, WEAK, boundary=PULL)
     dt = time_step(model, 0.4)
     position = {}
 
