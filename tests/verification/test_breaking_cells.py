@@ -3,16 +3,14 @@
 import functools
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.observe.energy import elastic_energy
 from bondem.solve.loop_cpu import CpuLoop
-from tests.bits import assert_resumes_to, assert_same_bits
+from tests.bits import assert_resumes_to, assert_same_bits, need_two_threads, threads
 from tests.models import time_step
 from tests.recording import Record
 from tests.specimens import bar, cubes
@@ -96,8 +94,7 @@ def test_the_ledger_of_cells_is_second_order(one_thread: None, record: Record) -
 
 
 def test_same_bits_of_cells_after_a_thousand_breaks(tmp_path: Path, record: Record) -> None:
-    if numba.config.NUMBA_NUM_THREADS < 2:
-        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    need_two_threads()
     model = model_of(1200)
     dt = time_step(model, 0.4)
 
