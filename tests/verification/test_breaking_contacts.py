@@ -1,9 +1,6 @@
 """Pieces that touch: bonds that break under pressure hand it to a contact, with a ledger that closes, bit by bit."""
 
 import math
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +8,8 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from tests.models import momenta, moving, time_step
+from tests.models import crooked_beams, momenta, moving, time_step
+from tests.scripts import python
 from tests.specimens import NO_BONDS, crooked_block
 
 R, L, RADIUS = 0.5e-3, 1.05e-3, 0.35e-3
@@ -91,15 +89,6 @@ def test_measured_from_the_spheres_a_gap_stays_open(one_thread: None) -> None:
     assert energy["fracture"][-1] > 0.5 * KN * (2e-3 * L) ** 2
 
 
-def block(count: int, failure: bd.Criterion | None, contact: bd.ContactLaw | None, boundary=()) -> bd.Model:
-    """Crooked block of count³ elements that nearly touch."""
-    lattice, law = (
-        crooked_block((count,) * 3, radius=(0.4, 0.5), reach=1.5),
-        bd.Timoshenko(E=1e7, nu=0.2, radius_ratio=0.6),
-    )
-    return bd.Model(lattice, law, density=1000.0, failure=failure, contact=contact, boundary=boundary)
-
-
 WEAK = bd.PeripheralStress(tension=2e5, shear=3e5, scatter=bd.Weibull(modulus=5.0, volume=0.1))
 
 
@@ -120,7 +109,7 @@ def crushing(time: float) -> tuple[bd.Fix, bd.Drive]:
 )
 def test_the_ledger_is_second_order_through_crushing(contact: bd.ContactLaw, one_thread: None) -> None:
     """Halving the step quarters what the ledger misses, through a hundred breaks and the friction after them."""
-    model = block(5, WEAK, contact, boundary=crushing(0.02))
+    model = crooked_beams(5, WEAK, dense=True, contact=contact, boundary=crushing(0.02))
     dt = time_step(model, 0.4)
     steps, missed = round(0.08 / dt), []
     for halvings in range(4):
@@ -140,7 +129,7 @@ def test_the_ledger_is_second_order_through_crushing(contact: bd.ContactLaw, one
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # soft grains at high speed
 def test_momentum_is_kept_where_pieces_touch(one_thread: None) -> None:
-    model = block(5, WEAK, bd.LinearContact(E=1e7, friction=0.5, damping=0.05))
+    model = crooked_beams(5, WEAK, dense=True, contact=bd.LinearContact(E=1e7, friction=0.5, damping=0.05))
     inwards = 2.0 - model.lattice.centre
     state = moving(model, 8.0 * inwards + np.cross((0.0, 0.0, 5.0), inwards))
     dt = time_step(model, 0.3)
@@ -210,16 +199,16 @@ import hashlib, sys
 import numpy as np
 from pathlib import Path
 import bondem as bd
-from bondem._compile import threads
 from bondem.kernels.contact_pass import SERIAL_PAIRS
 from bondem.solve import neighbour_list as lists
-from tests.models import time_step
-from tests.verification.test_breaking_contacts import block, crushing
+from tests.bits import threads
+from tests.models import crooked_beams, time_step
+from tests.verification.test_breaking_contacts import crushing
 
 failure = bd.PeripheralStress(tension=4e5, shear=6.4e5, scatter=bd.Weibull(modulus=5.0, volume=0.1))
 contact = bd.LinearContact(E=1e7, friction=0.5, damping=0.05)
 walls = [bd.PlaneWall((0, -0.6, 0), (0, 1, 0), friction=0.3)]
-model = block(14, failure, contact, boundary=crushing(0.01))
+model = crooked_beams(14, failure, dense=True, contact=contact, boundary=crushing(0.01))
 model = bd.Model(model.lattice, model.bond, 1000.0, boundary=model.boundary, contact=contact, failure=failure,
                  walls=walls)
 damping = bd.LocalDamping(0.02)
@@ -271,12 +260,7 @@ print(bits(resumed.state), len(resumed.events), len(resumed.state.contacts))
 
 def test_same_bits_after_thousands_of_breaks_with_contact(tmp_path: Path) -> None:
     """On 1, 2 and 4 threads, recorded often or never, with another list, saved and resumed; in its own process."""
-    found = subprocess.run(
-        [sys.executable, "-c", MANY, str(tmp_path)], cwd=Path(__file__).parents[2],
-        env=os.environ | {"NUMBA_NUM_THREADS": "4"}, capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert found.returncode == 0, found.stderr
-    lines = found.stdout.splitlines()
+    lines = python(MANY, tmp_path)
     assert len(lines) == 6
     assert len(set(lines)) == 1, lines
     _, broken, touching = lines[0].split()
@@ -292,7 +276,7 @@ def test_the_step_is_made_for_friction_between_what_was_bonded() -> None:
     slender = bd.EulerBernoulli(E=1e7, nu=0.2, radius=0.1)
 
     def limit(contact: bd.ContactLaw | None, failure: bd.Criterion | None) -> float:
-        model = block(4, failure, contact)
+        model = crooked_beams(4, failure, dense=True, contact=contact)
         return time_step(bd.Model(model.lattice, slender, 1000.0, contact=contact, failure=failure), 1.0)
 
     soft = bd.LinearContact(E=1.0, friction=0.5, kappa=0.5)
@@ -303,8 +287,8 @@ def test_the_step_is_made_for_friction_between_what_was_bonded() -> None:
 def test_what_cannot_be_is_refused_in_a_line() -> None:
     contact = bd.LinearContact(E=1e7)
     with pytest.raises(InputError, match="Eigenstrain") as refused:
-        block(3, WEAK, contact, boundary=[bd.Eigenstrain(1e-4)])
+        crooked_beams(3, WEAK, dense=True, contact=contact, boundary=[bd.Eigenstrain(1e-4)])
     assert "\n" not in str(refused.value)
-    model = block(3, WEAK, contact)
+    model = crooked_beams(3, WEAK, dense=True, contact=contact)
     with pytest.raises(InputError, match="device='gpu' cannot run"):
         bd.solve_explicit(model, duration=1e-3, device="gpu")
