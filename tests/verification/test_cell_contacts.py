@@ -2,20 +2,17 @@
 
 import functools
 import math
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.kernels.crack_tables import FACET, PARTED, STATUS, TOP
-from tests.bits import assert_resumes_to, digest
+from tests.bits import assert_resumes_to, digest, threads
 from tests.models import moving, time_step
+from tests.scripts import python
 from tests.specimens import ball, bar, two_cubes
 
 E, NU, RHO = 30e9, 0.2, 2400.0
@@ -101,7 +98,7 @@ def shattered(failure: str, **more: object) -> bd.ExplicitResult:
 
 
 ON_FOUR = """
-from bondem._compile import threads
+from tests.bits import threads
 from tests.bits import digest
 from tests.verification.test_cell_contacts import FAILURES, shattered
 
@@ -123,12 +120,7 @@ def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> Non
             run = functools.partial(shattered, failure, every=40, save_every=40)
             assert_resumes_to(whole, run, tmp_path / f"{failure} cut.h5", share=0.5)
             expected += 2 * [digest(whole)]
-    found = subprocess.run(
-        [sys.executable, "-c", ON_FOUR], cwd=Path(__file__).parents[2],
-        env=os.environ | {"NUMBA_NUM_THREADS": "4"}, capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert found.returncode == 0, found.stderr
-    assert found.stdout.splitlines() == expected
+    assert python(ON_FOUR) == expected
 
 
 def test_cells_touch_where_they_parted_and_not_as_spheres() -> None:
