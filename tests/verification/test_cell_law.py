@@ -5,7 +5,6 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.kernels.cell_pass import facet_loads, stress_cells, swell
 from bondem.kernels.tables import lines
 from bondem.model.matrices import stiffness_matrix
@@ -15,6 +14,7 @@ from bondem.observe.facet_loads import loads_on_facets
 from bondem.observe.surface import surface_displacement
 from bondem.solve.cell_forces import cell_forces
 from bondem.solve.nonlinear import tangent_matrix
+from tests.bits import threads
 from tests.models import clamped, time_step
 from tests.specimens import crooked_cells
 
