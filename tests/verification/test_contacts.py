@@ -4,16 +4,15 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.kernels.contact_pass import SERIAL_PAIRS
 from bondem.solve import neighbour_list as lists
 from bondem.solve.cracks import joints
 from bondem.solve.explicit import integrate
+from tests.bits import assert_same_bits, assert_same_run, need_two_threads, threads
 from tests.models import cloud, grains, momenta, moving, time_step, walls_of_box
 from tests.specimens import spheres, two_spheres
 
@@ -160,8 +159,7 @@ def test_energy_closes_to_second_order() -> None:
 
 
 def test_the_bits_depend_on_neither_threads_nor_lists(monkeypatch: pytest.MonkeyPatch) -> None:
-    if numba.config.NUMBA_NUM_THREADS < 2:
-        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    need_two_threads()
     edge = 12
     law = bd.LinearContact(E=E, friction=0.4, damping=0.1)
     walls = walls_of_box(2.3 * edge, motion=bd.Servo(1e6, speed=4.0, mass=1e6))
@@ -176,8 +174,7 @@ def test_the_bits_depend_on_neither_threads_nor_lists(monkeypatch: pytest.Monkey
             runs.append(bd.solve_explicit(model, duration=0.12, every=10, state=state))
     assert len(runs[0].state.contacts) > 50
     for other in runs[1:]:
-        for name in bd.State.ARRAYS:
-            np.testing.assert_array_equal(getattr(runs[0].state, name), getattr(other.state, name), err_msg=name)
+        assert_same_bits(runs[0], other)
         np.testing.assert_array_equal(runs[0].history.energy["friction"], other.history.energy["friction"])
 
 
@@ -198,9 +195,7 @@ def test_going_on_from_a_run_file_changes_no_bit(tmp_path: Path) -> None:
     assert kept.model.walls == model.walls
     assert len(kept.state.touching) > 3
     resumed = integrate(kept.model, replace(kept.plan, duration=200 * dt), state=kept.state, history=kept.history)
-    for name in bd.State.ARRAYS:
-        np.testing.assert_array_equal(getattr(whole.state, name), getattr(resumed.state, name), err_msg=name)
-    np.testing.assert_array_equal(whole.history.records, resumed.history.records)
+    assert_same_run(whole, resumed)
     assert np.abs(whole.history["piston"]).max() > 1e4
 
 
