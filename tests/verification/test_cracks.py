@@ -3,16 +3,14 @@
 import functools
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, GAMMA, ONSET, RESTING, SLIP, STATUS
 from bondem.solve.loop_cpu import CpuLoop
-from tests.bits import assert_same_fracture
+from tests.bits import assert_same_fracture, most_threads, threads
 from tests.models import slowly_torn, torn_then_pressed
 from tests.specimens import bar, cubes, spheres, two_cubes
 
@@ -232,7 +230,7 @@ def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> Non
     assert len(one.broken) > 20
     assert (one.plastic[:, GAMMA] > 0.0).sum() > 20
     for count in (2, 4):
-        if count <= numba.config.NUMBA_NUM_THREADS:
+        if count <= most_threads():
             with threads(count):
                 other = impact(model, steps, dt).state
             assert_same_fracture(one, other)
