@@ -1,23 +1,18 @@
 """The same bits whatever the number of threads, and wherever a run pauses."""
 
 import math
-import os
-import subprocess
-import sys
-from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.kernels.advance import SERIAL_BONDS
 from bondem.solve.explicit import integrate
 from bondem.solve.timestep import critical_step
-from tests.bits import assert_same_bits
+from tests.bits import assert_same_bits, need_two_threads, threads
 from tests.models import stirred, time_step
 from tests.recording import Record
+from tests.scripts import python
 from tests.specimens import crooked_block
 
 GAUGES = {
@@ -47,8 +42,7 @@ def state_of(model: bd.Model) -> bd.State:
 
 
 def test_one_and_two_threads_agree_to_the_bit(record: Record) -> None:
-    if numba.config.NUMBA_NUM_THREADS < 2:
-        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    need_two_threads()
     model = bar((12, 10, 10))
     assert len(model.lattice.pairs) > 2 * SERIAL_BONDS
     dt = time_step(model, 0.9)
@@ -138,12 +132,7 @@ for count in (1, 2, 3, 4):
 
 def test_ten_thousand_steps_on_more_threads_than_cores(record: Record) -> None:
     """Damped, held, driven and loaded, on 1 to 4 threads; in a process of its own, which may have that many."""
-    found = subprocess.run(
-        [sys.executable, "-c", MANY_THREADS], cwd=Path(__file__).parents[2],
-        env=os.environ | {"NUMBA_NUM_THREADS": "4"}, capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert found.returncode == 0, found.stderr
-    bits = found.stdout.split()
+    bits = python(MANY_THREADS)
     assert len(bits) == 4
     assert len(set(bits)) == 1
     record("same bits", True)
