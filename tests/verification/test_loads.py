@@ -4,17 +4,15 @@ import math
 import runpy
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.kernels.advance import SERIAL_BONDS
 from bondem.solve.explicit import integrate
 from bondem.specimen.patches import face_patches
-from tests.bits import assert_same_run
+from tests.bits import assert_same_bits, assert_same_run, need_two_threads, threads
 from tests.models import time_step, total_energy
 from tests.recording import Record
 from tests.specimens import NO_BONDS, crooked_block, rod, spheres
@@ -283,8 +281,7 @@ DAMPING = (bd.BondDamping(0.05), bd.MassDamping(3.0), bd.LocalDamping(0.02))
 
 
 def test_threads_change_no_bit(record: Record) -> None:
-    if numba.config.NUMBA_NUM_THREADS < 2:
-        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    need_two_threads()
     model = everything((12, 9, 9))
     assert len(model.lattice.pairs) > SERIAL_BONDS
     dt = time_step(model, 0.5, DAMPING)
@@ -305,8 +302,7 @@ def test_pauses_and_a_restart_change_no_bit(tmp_path, record: Record) -> None:
     cut = integrate(model, bd.Plan(duration=110 * dt, dt=dt, damping=DAMPING, every=25))
     assert_same_run(whole, integrate(model, plan, state=cut.state.copy(), history=cut.history))
     often = integrate(model, bd.Plan(duration=300 * dt, dt=dt, damping=DAMPING, every=1))
-    for name in bd.State.ARRAYS:
-        np.testing.assert_array_equal(getattr(whole.state, name), getattr(often.state, name), err_msg=name)
+    assert_same_bits(whole, often)
     out = tmp_path / "run.h5"
     stop = (bd.AtRest(speed=1e9, after=100 * dt),)
     bd.solve_explicit(model, duration=300 * dt, dt=dt, damping=DAMPING, every=25, until=stop, out=out)
