@@ -5,16 +5,15 @@ import math
 from pathlib import Path
 
 import h5py
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
 from bondem.errors import InputError
 from bondem.solve.loop_cpu import CpuLoop
-from tests.bits import assert_resumes_to, assert_same_bits, flying_apart
-from tests.models import time_step
-from tests.specimens import crooked_block, two_spheres
+from tests.bits import assert_resumes_to, assert_same_bits, flying_apart, need_two_threads
+from tests.models import crooked_beams, time_step
+from tests.specimens import two_spheres
 
 R, L, RADIUS = 0.5e-3, 1.05e-3, 0.35e-3
 E, NU = 1e9, 0.3
@@ -73,12 +72,6 @@ def test_a_bond_that_snaps_back_is_refused() -> None:
             PAIR, LAW, density=1000.0,
             failure=bd.PeripheralStress(tension=1e8, shear=1e8, fracture_energy=G_F),
         )  # fmt: skip
-
-
-def block(failure: bd.Criterion, boundary=(), contact: bd.LinearContact | None = None, count: int = 5) -> bd.Model:
-    """Crooked block of count³ elements."""
-    lattice, law = crooked_block((count,) * 3), bd.Timoshenko(E=1e8, nu=0.2, radius_ratio=0.6)
-    return bd.Model(lattice, law, density=1000.0, failure=failure, boundary=boundary, contact=contact)
 
 
 #: 2 E G_f / f_t² is 3, the bonds are 1 to 2 long.
@@ -145,7 +138,7 @@ def test_torn_and_pressed_together_it_bears_as_whole(contact: bd.LinearContact |
 @pytest.mark.parametrize("contact", [None, bd.LinearContact(E=1e8, friction=0.3)])
 def test_forces_are_the_gradient_of_one_energy(contact: bd.LinearContact | None, one_thread: None) -> None:
     """Of beams of any integrity, opened or pressed, turned and slid; beside a contact none is broken."""
-    model = block(WEAK, contact=contact, count=3)
+    model = crooked_beams(3, WEAK, E=1e8, contact=contact)
     rng = np.random.default_rng(2)
     state, n, m = model.state(), 27, len(model.lattice.pairs)
     state.integrity[:] = rng.uniform(0.2, 1.0, m) if contact else rng.choice([0.0, 0.5, 0.9, 1.0], m)
@@ -175,7 +168,7 @@ def test_forces_are_the_gradient_of_one_energy(contact: bd.LinearContact | None,
 @pytest.mark.parametrize("scheme", [bd.VelocityVerlet(), bd.TchamwaWielgosz()])
 def test_the_ledger_is_second_order(scheme: bd.Scheme, one_thread: None) -> None:
     """A block that is torn: a hundred beams soften, some part."""
-    model = block(WEAK, PULL)
+    model = crooked_beams(5, WEAK, E=1e8, boundary=PULL)
     dt = time_step(model, 0.4)
     missed = []
     for count in (1, 2, 4):
@@ -190,10 +183,9 @@ def test_the_ledger_is_second_order(scheme: bd.Scheme, one_thread: None) -> None
 
 def test_the_same_bits_however_it_is_run(tmp_path: Path) -> None:
     """On one and two threads, with pauses, resumed from a file, with contacts between what has parted."""
-    if numba.config.NUMBA_NUM_THREADS < 2:
-        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    need_two_threads()
     drive = bd.Drive(bd.Face("x_max", depth=0.5), vx=bd.Ramp(0.0, 20.0, 0.02), wx=2.0)
-    model = block(WEAK, (PULL[0], drive), bd.LinearContact(E=1e8, friction=0.3), count=14)
+    model = crooked_beams(14, WEAK, E=1e8, boundary=(PULL[0], drive), contact=bd.LinearContact(E=1e8, friction=0.3))
     run = flying_apart(model)
     whole = run(1, 100)
     assert len(whole.state.softened) > 2000
