@@ -4,17 +4,15 @@ import functools
 import math
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError, RunFileError
 from bondem.kernels.crack_tables import GAMMA
 from bondem.laws.failure.drucker_prager import cone_index
 from bondem.laws.plasticity import largest_pressure
-from tests.bits import assert_same_fracture
+from tests.bits import assert_same_fracture, most_threads, threads
 from tests.models import slowly_torn, time_step, torn_then_pressed
 from tests.specimens import bar
 
@@ -216,7 +214,7 @@ def test_bits_do_not_depend_on_threads_or_restarts(tmp_path: Path) -> None:
     assert len(one.cracks) > 500
     assert len(one.broken) > 20
     assert (one.plastic[:, GAMMA] > 0.0).sum() > 20
-    if numba.config.NUMBA_NUM_THREADS > 1:
+    if most_threads() > 1:
         with threads(2):
             assert_same_fracture(one, pulled(MIXED).state)
     pulled(MIXED, out=tmp_path / "run.h5", save_every=100)
