@@ -1,5 +1,8 @@
 """Models, states and time steps that tests of several subjects share; their specimens are in `tests.specimens`."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 import bondem as bd
@@ -50,16 +53,10 @@ def cantilever(
     return bd.Model(lattice, law, density, boundary=[bd.Fix(bd.Index([0])), tip])
 
 
-def crooked_beams(
-    count: int, failure: bd.Criterion | None = None, *, E: float = 1e7, dense: bool = False, **options
-) -> bd.Model:
-    """Crooked block of count³ elements of 1000 kg/m³ with Timoshenko beams of a modulus E [Pa].
-
-    `dense` makes the spheres nearly touch, so that pieces collide.
-    """
-    sizes = {"radius": (0.4, 0.5), "reach": 1.5} if dense else {}
+def crooked_beams(count: int, failure: bd.Criterion | None = None, *, E: float = 1e7, **options) -> bd.Model:
+    """Crooked block of count³ elements of 1000 kg/m³ with Timoshenko beams of a modulus E [Pa]."""
     law = bd.Timoshenko(E=E, nu=0.2, radius_ratio=0.6)
-    return bd.Model(crooked_block((count,) * 3, **sizes), law, 1000.0, failure=failure, **options)
+    return bd.Model(crooked_block((count,) * 3), law, 1000.0, failure=failure, **options)
 
 
 def loaded_row(force: tuple[float, float, float], *, ramp: float | None = None, **law) -> bd.Model:
@@ -80,9 +77,8 @@ def turned_cubes() -> tuple[bd.Model, bd.State]:
     walls = [bd.PlaneWall((0, 0, 0), (1, 0, 0)), bd.SphereWall(0.2, (3.0, 0.5, 0.5))]
     model = bd.Model(two_cubes(), STONE, 1e3, contact=bd.LinearContact(E=1e9), walls=walls)
     state, half = model.state(), np.sqrt(0.5)
-    state.set_pose(
-        position=[[0.5, 0.5, 0.5], [1.9, 0.5, 0.5]], orientation=[[1.0, 0.0, 0.0, 0.0], [half, half, 0.0, 0.0]]
-    )
+    place = np.array([[0.5, 0.5, 0.5], [1.9, 0.5, 0.5]])
+    state.set_pose(position=place, orientation=np.array([[1.0, 0.0, 0.0, 0.0], [half, half, 0.0, 0.0]]))
     state.walls[1, :3] = -0.4, 0.0, 0.0
     return model, state
 
@@ -95,15 +91,17 @@ def parted(body: bd.Lattice, side: np.ndarray, law: bd.CellBond | bd.BondLaw = S
     return state
 
 
-def grains(position, radius=1.0, *, law: bd.ContactLaw | None, period=None, **options) -> bd.Model:
+def grains(
+    position, radius: float | Sequence | np.ndarray = 1.0, *, law: bd.ContactLaw | None, period=None, **options
+) -> bd.Model:
     """Model of spheres without bonds of 1000 kg/m³, which touch by a contact law."""
     return bd.Model(loose(position, radius, period=period), None, 1000.0, contact=law, **options)
 
 
 def walls_of_box(edge: float, **of_last) -> list[bd.PlaneWall]:
     """The six plane walls of a cube with a corner at the origin; options of the one at x = edge."""
-    walls = [bd.PlaneWall(np.zeros(3), axis) for axis in np.eye(3)]
-    walls += [bd.PlaneWall(edge * axis, -axis) for axis in np.eye(3)[1:]]
+    walls = [bd.PlaneWall((0, 0, 0), axis) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    walls += [bd.PlaneWall((0, edge, 0), (0, -1, 0)), bd.PlaneWall((0, 0, edge), (0, 0, -1))]
     return [*walls, bd.PlaneWall((edge, 0, 0), (-1, 0, 0), **of_last)]
 
 
@@ -123,7 +121,7 @@ CONCRETE = bd.Rankine(tension=4e6, fracture_energy=50.0)
 PULL = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), vx=0.1)]
 
 
-def pulled(body: bd.Lattice, way: float = 1e-6, nu: float = 0.2, **given: float) -> bd.Model:
+def pulled(body: bd.Lattice, way: float = 1e-6, nu: float = 0.2, **given: Any) -> bd.Model:
     """Concrete pulled along x by `way` [m] between platens that leave its sides free; strengths by name."""
     failure = bd.Rankine(**{"tension": CONCRETE.tension, "fracture_energy": CONCRETE.fracture_energy} | given)
     ends = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), x=way)]
@@ -131,7 +129,7 @@ def pulled(body: bd.Lattice, way: float = 1e-6, nu: float = 0.2, **given: float)
     return bd.Model(body, law, density=2500.0, failure=failure, boundary=ends)
 
 
-def follow(model: bd.Model, **given: float) -> bd.QuasistaticResult:
+def follow(model: bd.Model, **given: Any) -> bd.QuasistaticResult:
     """Path of load factors, one event at a time."""
     return bd.solve_quasistatic(model, bd.Face("x_max"), together=0.0, **given)
 
