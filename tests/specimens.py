@@ -28,8 +28,8 @@ def cells(shape: bd.Shape, count: int, *, seed: int = 1, spread: float | None = 
         spread: spread of the radii of a dense random packing, whose Laguerre cells are taken; None for cells of about
             equal size.
     """
-    packed = {"method": "even"} if spread is None else {"spread": spread}
-    return bd.connect(bd.pack(shape, count=count, seed=seed, **packed), method="laguerre")
+    method = "even" if spread is None else "quench"
+    return bd.connect(bd.pack(shape, count=count, spread=spread, method=method, seed=seed), method="laguerre")
 
 
 def bar(count: int, length: float = 16e-3, width: float | None = None, *, seed: int = 1) -> bd.Lattice:
@@ -100,7 +100,8 @@ def crooked_cells(
     grid = np.indices(shape).reshape(3, -1).T
     moved = np.random.default_rng(seed).uniform(-jitter, jitter, grid.shape) * (np.array(shape) > 1)
     radius = 0.3 * (1.0 + spread * np.random.default_rng(seed + 1).uniform(-1.0, 1.0, len(grid)))
-    outline = (bd.Cell if periodic else bd.Box)(tuple(map(float, shape)))
+    edges = (float(shape[0]), float(shape[1]), float(shape[2]))
+    outline = bd.Cell(edges) if periodic else bd.Box(edges)
     return bd.connect(bd.Particles(grid + 0.5 + moved, radius, shape=outline), method="laguerre")
 
 
