@@ -15,6 +15,7 @@ from bondem.kernels.tables import lines
 from bondem.kernels.turn_guard import rotation_guard
 from bondem.laws.rotations import rotate, turn
 from bondem.model.matrices import stiffness_matrix
+from tests.beam_theory import beam_stiffness
 from tests.recording import Record
 
 E, NU = 3.0e6, 0.27
@@ -202,26 +203,6 @@ def test_hessian_at_rest_is_the_stiffness_matrix(law: bd.BondLaw, record: Record
     record("hessian", np.abs(measured - K).max() / np.abs(K).max())
 
 
-def textbook_beam(L: float, EA: float, EI: float, GJ: float, Phi: float) -> np.ndarray:
-    """Przemieniecki's 12×12 stiffness of a beam along x with shear deformation Φ."""
-    K = np.zeros((12, 12))
-    for u, k in ((0, EA / L), (3, GJ / L)):
-        K[np.ix_([u, u + 6], [u, u + 6])] = k * np.array([[1, -1], [-1, 1]])
-    s = EI / (L**3 * (1 + Phi))
-    block = s * np.array(
-        [
-            [12, 6 * L, -12, 6 * L],
-            [6 * L, (4 + Phi) * L**2, -6 * L, (2 - Phi) * L**2],
-            [-12, -6 * L, 12, -6 * L],
-            [6 * L, (2 - Phi) * L**2, -6 * L, (4 + Phi) * L**2],
-        ]
-    )
-    K[np.ix_([1, 5, 7, 11], [1, 5, 7, 11])] = block
-    flip = np.diag([1, -1, 1, -1])  # about y, a positive rotation moves the axis to -z
-    K[np.ix_([2, 4, 8, 10], [2, 4, 8, 10])] = flip @ block @ flip
-    return K
-
-
 @pytest.mark.parametrize("shear", [False, True])
 @pytest.mark.parametrize("direction", [(1.0, 0.0, 0.0), (0.2, -0.7, 0.4)])
 def test_hessian_at_rest_is_the_textbook_beam(
@@ -234,7 +215,7 @@ def test_hessian_at_rest_is_the_textbook_beam(
     model = bd.Model(pair, bond=law, density=1000.0)
     G, I = E / (2 * (1 + NU)), math.pi * r**4 / 4
     Phi = 12 * E * I * (10 / 9) / (G * math.pi * r**2 * L**2) if shear else 0.0
-    local = textbook_beam(L, E * math.pi * r**2, E * I, G * 2 * I, Phi)
+    local = beam_stiffness(L, E * math.pi * r**2, E * I, G * 2 * I, Phi)
     frame = np.linalg.qr(np.column_stack([X, np.eye(3)[2], np.eye(3)[1]]))[0].T
     frame[0], frame[2] = X, np.cross(X, frame[1])
     T = np.kron(np.eye(4), frame)
@@ -253,7 +234,8 @@ def test_parallel_bond_is_that_of_chen_tables_1_and_2() -> None:
     X = np.array([0.6, 0.0, -0.8])
     model = bd.Model(
         bd.Lattice(bd.Particles(np.array([0 * X, L * X]), np.array([Ra, Rb])), [(0, 1)]),
-        bond=bd.ParallelBond(E=E, nu=NU, radius=rb), density=1000.0,
+        bond=bd.ParallelBond(E=E, nu=NU, radius=rb),
+        density=1000.0,
     )
     kn = E * math.pi * rb**2 / L
     ks = kn / (2 * (1 + NU))
@@ -313,7 +295,8 @@ def test_guard_counts_wide_and_lost_bonds(bend: float, twist: float, wide: int, 
     # c < 0.7 beyond 45.6° of bending, w² < 0.75 beyond 60° of twist; c = 0 at 90°, w² = ¼ at 120°
     model = bd.Model(
         bd.Lattice(bd.Particles(np.array([[0.0, 0, 0], [2, 0, 0], [0, 2, 0]]), np.ones(3)), [(0, 1), (2, 0)]),
-        bond=LAWS["Timoshenko"], density=1000.0,
+        bond=LAWS["Timoshenko"],
+        density=1000.0,
     )
     turn = Rotation.from_euler("zx", [bend, twist], degrees=True)
     orientation = np.tile([1.0, 0.0, 0.0, 0.0], (3, 1))
