@@ -8,7 +8,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from tests.models import crooked_beams, momenta, moving, time_step
+from tests.models import momenta, moving, time_step
 from tests.scripts import python
 from tests.specimens import NO_BONDS, crooked_block
 
@@ -89,6 +89,15 @@ def test_measured_from_the_spheres_a_gap_stays_open(one_thread: None) -> None:
     assert energy["fracture"][-1] > 0.5 * KN * (2e-3 * L) ** 2
 
 
+def block(count: int, failure: bd.Criterion | None, contact: bd.ContactLaw | None, boundary=()) -> bd.Model:
+    """Block of count³ elements that nearly touch, off a grid; crushed, its pieces rub."""
+    rng = np.random.default_rng(1)
+    grid = np.indices((count, count, count)).reshape(3, -1).T.astype(float)
+    particles = bd.Particles(grid + rng.uniform(-0.1, 0.1, grid.shape), rng.uniform(0.4, 0.5, len(grid)))
+    lattice, law = bd.connect(particles, reach=1.5), bd.Timoshenko(E=1e7, nu=0.2, radius_ratio=0.6)
+    return bd.Model(lattice, law, density=1000.0, failure=failure, contact=contact, boundary=boundary)
+
+
 WEAK = bd.PeripheralStress(tension=2e5, shear=3e5, scatter=bd.Weibull(modulus=5.0, volume=0.1))
 
 
@@ -109,7 +118,7 @@ def crushing(time: float) -> tuple[bd.Fix, bd.Drive]:
 )
 def test_the_ledger_is_second_order_through_crushing(contact: bd.ContactLaw, one_thread: None) -> None:
     """Halving the step quarters what the ledger misses, through a hundred breaks and the friction after them."""
-    model = crooked_beams(5, WEAK, dense=True, contact=contact, boundary=crushing(0.02))
+    model = block(5, WEAK, contact=contact, boundary=crushing(0.02))
     dt = time_step(model, 0.4)
     steps, missed = round(0.08 / dt), []
     for halvings in range(4):
@@ -129,7 +138,7 @@ def test_the_ledger_is_second_order_through_crushing(contact: bd.ContactLaw, one
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # soft grains at high speed
 def test_momentum_is_kept_where_pieces_touch(one_thread: None) -> None:
-    model = crooked_beams(5, WEAK, dense=True, contact=bd.LinearContact(E=1e7, friction=0.5, damping=0.05))
+    model = block(5, WEAK, contact=bd.LinearContact(E=1e7, friction=0.5, damping=0.05))
     inwards = 2.0 - model.lattice.centre
     state = moving(model, 8.0 * inwards + np.cross((0.0, 0.0, 5.0), inwards))
     dt = time_step(model, 0.3)
@@ -202,13 +211,13 @@ import bondem as bd
 from bondem.kernels.contact_pass import SERIAL_PAIRS
 from bondem.solve import neighbour_list as lists
 from tests.bits import threads
-from tests.models import crooked_beams, time_step
-from tests.verification.test_breaking_contacts import crushing
+from tests.models import time_step
+from tests.verification.test_breaking_contacts import block, crushing
 
 failure = bd.PeripheralStress(tension=4e5, shear=6.4e5, scatter=bd.Weibull(modulus=5.0, volume=0.1))
 contact = bd.LinearContact(E=1e7, friction=0.5, damping=0.05)
 walls = [bd.PlaneWall((0, -0.6, 0), (0, 1, 0), friction=0.3)]
-model = crooked_beams(14, failure, dense=True, contact=contact, boundary=crushing(0.01))
+model = block(14, failure, contact=contact, boundary=crushing(0.01))
 model = bd.Model(model.lattice, model.bond, 1000.0, boundary=model.boundary, contact=contact, failure=failure,
                  walls=walls)
 damping = bd.LocalDamping(0.02)
@@ -276,7 +285,7 @@ def test_the_step_is_made_for_friction_between_what_was_bonded() -> None:
     slender = bd.EulerBernoulli(E=1e7, nu=0.2, radius=0.1)
 
     def limit(contact: bd.ContactLaw | None, failure: bd.Criterion | None) -> float:
-        model = crooked_beams(4, failure, dense=True, contact=contact)
+        model = block(4, failure, contact=contact)
         return time_step(bd.Model(model.lattice, slender, 1000.0, contact=contact, failure=failure), 1.0)
 
     soft = bd.LinearContact(E=1.0, friction=0.5, kappa=0.5)
@@ -287,8 +296,8 @@ def test_the_step_is_made_for_friction_between_what_was_bonded() -> None:
 def test_what_cannot_be_is_refused_in_a_line() -> None:
     contact = bd.LinearContact(E=1e7)
     with pytest.raises(InputError, match="Eigenstrain") as refused:
-        crooked_beams(3, WEAK, dense=True, contact=contact, boundary=[bd.Eigenstrain(1e-4)])
+        block(3, WEAK, contact=contact, boundary=[bd.Eigenstrain(1e-4)])
     assert "\n" not in str(refused.value)
-    model = crooked_beams(3, WEAK, dense=True, contact=contact)
+    model = block(3, WEAK, contact=contact)
     with pytest.raises(InputError, match="device='gpu' cannot run"):
         bd.solve_explicit(model, duration=1e-3, device="gpu")
