@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.solve.explicit import integrate
 from tests.scripts import scripts
 from tests.specimens import row, two_spheres
 
@@ -120,7 +119,7 @@ def test_local_damping_acts_on_each_component_by_its_own_velocity() -> None:
     model = bd.Model(two_spheres(), weak, 1200.0, boundary=[bd.Fix(bd.Index([0])), load])
     state = model.state()
     state.set_motion(velocity=np.array([[0.0] * 3, velocity]), angular_velocity=np.array([[0.0] * 3, spin]))
-    run = integrate(model, bd.Plan(duration=100 * dt, dt=dt, damping=bd.LocalDamping(gamma)), state=state)
+    run = bd.solve_explicit(model, duration=100 * dt, dt=dt, damping=bd.LocalDamping(gamma), state=state)
     gained = (run.state.velocity[1] - velocity) * model.mass[1] / (100 * dt)
     turned = (run.state.angular_velocity[1] - spin) * model.inertia[1] / (100 * dt)
     np.testing.assert_allclose(gained, force - gamma * np.abs(force) * np.sign(velocity), atol=1e-3)
