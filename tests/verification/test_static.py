@@ -11,6 +11,7 @@ from bondem.model.matrices import stiffness_matrix
 from bondem.observe.energy import linear_energy
 from bondem.solve.linear import Elimination, Iteration, System
 from bondem.solve.threads import one_blas_thread
+from tests.beam_theory import beam_stiffness
 from tests.specimens import crooked_block, two_spheres
 
 E, NU, RADIUS = 200e9, 0.3, 1.5e-3
@@ -38,33 +39,12 @@ def shear_flexibility(law: str) -> float:
     return 0.0 if law == "EulerBernoulli" else 20.0 * RADIUS**2 * (1.0 + NU) / (3.0 * 8e-3**2)
 
 
-def beam_matrix(length: float, phi: float) -> np.ndarray:
-    """12×12 stiffness along x of the textbooks (Przemieniecki 1968), (u, θ) at each end."""
-    K = np.zeros((12, 12))
-    k = E * INERTIA / (length**3 * (1.0 + phi))
-    for axis, stiffness in ((0, E * AREA / length), (3, G * 2.0 * INERTIA / length)):
-        K[np.ix_([axis, axis + 6], [axis, axis + 6])] = stiffness * np.array([[1, -1], [-1, 1]])
-    for u, turn, sign in ((1, 5, 1.0), (2, 4, -1.0)):
-        L = sign * length
-        block = k * np.array(
-            [
-                [12, 6 * L, -12, 6 * L],
-                [6 * L, (4 + phi) * L**2, -6 * L, (2 - phi) * L**2],
-                [-12, -6 * L, 12, -6 * L],
-                [6 * L, (2 - phi) * L**2, -6 * L, (4 + phi) * L**2],
-            ]
-        )
-        dofs = [u, turn, u + 6, turn + 6]
-        K[np.ix_(dofs, dofs)] = block
-    return K
-
-
 @pytest.mark.parametrize("law", ["EulerBernoulli", "Timoshenko"])
 def test_bond_matrix_is_the_textbook_beam(law):
     lattice = two_spheres(8e-3)
     model = bd.Model(lattice, getattr(bd, law)(E=E, nu=NU, radius=RADIUS), 1000.0)
     K = stiffness_matrix(model).tocsc().toarray()
-    expected = beam_matrix(8e-3, shear_flexibility(law))
+    expected = beam_stiffness(8e-3, E * AREA, E * INERTIA, 2.0 * G * INERTIA, shear_flexibility(law))
     assert np.abs(K - expected).max() <= 1e-12 * np.abs(expected).max()
 
 
