@@ -11,6 +11,7 @@ import bondem as bd
 from bondem._compile import most_threads as most_threads
 from bondem._compile import threads as threads
 from tests.models import time_step
+from tests.specimens import FOUR_CENTRES, FOUR_RADII
 
 
 def need_two_threads() -> None:
@@ -42,6 +43,13 @@ def assert_same_fracture(one: bd.State, other: bd.State) -> None:
     """Assert that two states agree to the bit in places, motions, damage and what has broken."""
     for name in ("pose", "motion", "integrity", "cracks", "plastic", "broken"):
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
+
+
+def same_spheres(particles: bd.Particles, centre=FOUR_CENTRES, radius=FOUR_RADII) -> bool:
+    """Assert that particles are the four of `tests.specimens`, or others, to the bit."""
+    np.testing.assert_array_equal(particles.position, centre)
+    np.testing.assert_array_equal(particles.radius, radius)
+    return True
 
 
 def flying_apart(model: bd.Model) -> Callable[..., bd.ExplicitResult]:
