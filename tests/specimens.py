@@ -13,6 +13,9 @@ import numpy as np
 import bondem as bd
 
 NO_BONDS = np.zeros((0, 2), dtype=int)
+#: Four unequal spheres of about a metre in a crooked row, for files of particles.
+FOUR_CENTRES = np.array([[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [2.0, 0.0, 0.25], [3.0, -1.0 / 3.0, 0.0]])
+FOUR_RADII = np.array([0.5, 0.4, 0.5, 0.45])
 
 # ---- bodies of cells and packings of spheres
 
