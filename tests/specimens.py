@@ -72,11 +72,11 @@ def spheres(
 
 
 @cache
-def cubes(shape: tuple[int, int, int], edge: float = 1.0, *, angle: float = 0.0) -> bd.Lattice:
+def cubes(shape: tuple[int, int, int], edge: float = 1.0, *, angle: float | None = None) -> bd.Lattice:
     """Box of cubic cells with a corner at the origin, turned about z by an angle [rad]."""
     centres = edge * (np.indices(shape).reshape(3, -1).T + 0.5)
     box = bd.Box((edge * shape[0], edge * shape[1], edge * shape[2]))
-    if angle:
+    if angle is not None:
         c, s = math.cos(angle), math.sin(angle)
         box, centres = box.rotated("z", angle), centres @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
     return bd.connect(bd.Particles(centres, 0.5 * edge, shape=box), method="laguerre")
