@@ -14,7 +14,7 @@ from bondem.campaign.sweep import is_campaign
 from bondem.errors import BondemError, DisconnectedError, EmptyRegionError, InputError, StudyError, UnstableStepError
 from bondem.study.study import parse_study, read_study
 from tests.scripts import command
-from tests.specimens import row
+from tests.specimens import chain, row
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "silica.toml"
 LAW = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
@@ -27,7 +27,7 @@ def with_nan():
 
 
 def model_of(boundary=()):
-    return bd.Model(row(12), LAW, 1000.0, boundary=boundary)
+    return bd.Model(chain(12), LAW, 1000.0, boundary=boundary)
 
 
 PARTICLES = row(3).particles
