@@ -221,10 +221,9 @@ def test_walls_that_go_on_stay_where_they_are_and_new_ones_are_where_they_are_de
 
 
 def test_a_state_without_contacts_forgets_them():
-    apart = bd.Model(
-        loose([[0.0, 0, 0], [1.99, 0, 0]]), None, 1000.0, contact=bd.LinearContact(E=1e6, stress_free=False)
-    )
-    state = bd.solve_explicit(apart, duration=1e-3, dt=1e-4, every=0).state
+    apart = loose([[0.0, 0, 0], [1.99, 0, 0]])
+    touching = bd.Model(apart, None, 1000.0, contact=bd.LinearContact(E=1e6, stress_free=False))
+    state = bd.solve_explicit(touching, duration=1e-3, dt=1e-4, every=0).state
     assert len(state.contacts) == 1
     begun = state.copy()
     begun.begin(bd.Model(apart, None, 1000.0))
