@@ -19,8 +19,8 @@ from bondem.kernels.tables import FIXED_COLUMNS, TRANSLATION, WORK
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan
+from bondem.solve.timestep import critical_step
 from tests.cuda_cases import CUBE_DT, CUBE_STEPS, NUS
-from tests.models import time_step
 from tests.recording import Record
 
 HERE = Path(__file__).parent
@@ -296,7 +296,7 @@ def test_device_agrees_with_cpu_after_a_thousand_steps(monkeypatch, law: str) ->
         pytest.skip(reason)
     loop_of = importlib.import_module("bondem.solve.loop_cuda").GpuLoop
     model = cylinder(law)
-    dt = time_step(model, 0.9)
+    dt = 0.9 * critical_step(model, bd.VelocityVerlet())
     plan = Plan(duration=1000 * dt, dt=dt, every=100, gauges={"end": bd.Gauge(bd.Face("x_max"), "displacement")})
 
     def result(loop):
