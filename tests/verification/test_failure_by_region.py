@@ -14,6 +14,7 @@ from bondem.model.softening_table import SofteningTable
 from tests.specimens import bar, row
 
 LENGTH, WIDTH = 24e-3, 6e-3
+BAR = 250, LENGTH, WIDTH
 E, RHO = 30e9, 2400.0
 STRONG = bd.Rankine(tension=4e6, fracture_energy=60.0)
 WEAK = bd.Rankine(tension=2e6, fracture_energy=30.0, friction=0.3)
@@ -22,7 +23,7 @@ MIDDLE = bd.Within(bd.Box((6e-3, 2 * WIDTH, 2 * WIDTH)).moved((9e-3, -0.5 * WIDT
 
 
 def model(failure: object, **others) -> bd.Model:
-    return bd.Model(bar(250, LENGTH, WIDTH), bd.CellBond(E=E, nu=0.0), density=RHO, failure=failure, **others)
+    return bd.Model(bar(*BAR), bd.CellBond(E=E, nu=0.0), density=RHO, failure=failure, **others)
 
 
 def ends(speed: float) -> list[bd.BoundaryCondition]:
@@ -65,10 +66,8 @@ def test_facets_have_the_strength_of_their_region_and_of_its_border() -> None:
     border = bd.Rankine(tension=1e6, fracture_energy=30.0)
     rest = bd.Everything() - MIDDLE
     one = model({rest: STRONG, MIDDLE: WEAK, (rest, MIDDLE): border})
-    table, inside = (
-        softening(one),
-        MIDDLE.mask(bar(250, LENGTH, WIDTH))[bar(250, LENGTH, WIDTH).pairs].sum(axis=1)[one.layout.bond_order],
-    )
+    table, body = softening(one), one.lattice
+    inside = MIDDLE.mask(body)[body.pairs].sum(axis=1)[one.layout.bond_order]
     assert table.strength.tolist() == np.array([4e6, 1e6, 2e6])[inside].tolist()
     assert table.friction.tolist() == np.array([0.0, 0.0, 0.3])[inside].tolist()
     # the opening where nothing is left is 2 G_f / f_t, of a whole facet the traction k u / A
@@ -83,7 +82,7 @@ def test_a_bar_bears_what_its_weakest_part_does() -> None:
     assert peak == pytest.approx(2e6, rel=0.01)
     hurt = run.state.bond_integrity < 1.0
     assert hurt.any()
-    assert MIDDLE.mask(bar(250, LENGTH, WIDTH))[bar(250, LENGTH, WIDTH).pairs[hurt]].any(axis=1).all()
+    assert MIDDLE.mask(bar(*BAR))[bar(*BAR).pairs[hurt]].any(axis=1).all()
     # overruled by a later entry it is as strong as the rest
     whole, run = peak_of({MIDDLE: WEAK, bd.Everything(): STRONG}, 1e-3)
     assert whole == pytest.approx(4e6, rel=0.01)
@@ -97,7 +96,7 @@ def test_cells_yield_by_the_cohesion_and_the_friction_of_their_region() -> None:
                        fracture_energy_shear=math.inf)
         for one, phi in ((other, steep), (c, angle))
     )  # fmt: skip
-    slip, inside = softening(model({bd.Everything(): hard, MIDDLE: soft})).slip, MIDDLE.mask(bar(250, LENGTH, WIDTH))
+    slip, inside = softening(model({bd.Everything(): hard, MIDDLE: soft})).slip, MIDDLE.mask(bar(*BAR))
     assert slip is not None
     own = inside[model(STRONG).layout.order]
     assert slip.strength == pytest.approx(np.where(own, c * math.cos(angle), other * math.cos(steep)))
@@ -121,9 +120,9 @@ def test_cells_by_rankine_do_not_yield_beside_those_that_do() -> None:
     one = model({bd.Everything(): STRONG, MIDDLE: soft})
     slip = softening(one).slip
     assert slip is not None
-    assert (np.isinf(slip.strength) == ~MIDDLE.mask(bar(250, LENGTH, WIDTH))[one.layout.order]).all()
+    assert (np.isinf(slip.strength) == ~MIDDLE.mask(bar(*BAR))[one.layout.order]).all()
     run = bd.solve_explicit(
-        bd.Model(bar(250, LENGTH, WIDTH), bd.CellBond(E=E, nu=0.2), RHO, boundary=ends(-0.02), failure=one.failure),
+        bd.Model(bar(*BAR), bd.CellBond(E=E, nu=0.2), RHO, boundary=ends(-0.02), failure=one.failure),
         duration=2e-5,
     )
     assert np.isfinite(run.state.position).all()
