@@ -1,4 +1,4 @@
-"""Facets that begin to crack by a function of the stress: against the loops of Numba, bits, and errors of functions."""
+"""Facets that begin to crack by a function of the stress: against the loops of Numba, bits, errors of functions."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,7 @@ import bondem as bd
 from bondem._compile import threads
 from bondem.solve import loop_core
 from bondem.solve.explicit import ExplicitResult, integrate
-from bondem.solve.loop_core import CoreLoop, core_has
+from bondem.solve.loop_core import CoreLoop
 from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
@@ -34,7 +34,6 @@ def torn(failure: bd.Criterion, kind: type, *, count: int = 250, steps: int = 11
     boundary = [bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), vx=0.6)]
     law = bd.CellBond(E=50e9, nu=0.2)
     model = bd.Model(bd.connect(particles, method="laguerre"), law, density=2e3, failure=failure, boundary=boundary)
-    assert core_has(model)
     dt = 0.9 * critical_step(model, bd.VelocityVerlet())
     return integrate(model, Plan(duration=steps * dt, dt=dt, every=every, gauges={}), loop_of=kind)
 
@@ -50,7 +49,9 @@ def test_cracks_are_those_of_the_loops_of_numba(name):
     for x, y in ((new.state.position, old.state.position), (new.state.released, old.state.released)):
         np.testing.assert_allclose(x, y, rtol=0.0, atol=1e-10 * np.abs(y).max())
     energies = np.abs(old.history.records[:, 1:14]).max()
-    np.testing.assert_allclose(new.history.records[:, 1:], old.history.records[:, 1:], rtol=0.0, atol=1e-10 * energies)
+    np.testing.assert_allclose(
+        new.history.records[:, 1:], old.history.records[:, 1:], rtol=0.0, atol=1e-10 * energies
+    )
 
 
 @pytest.mark.parametrize("name", ["cone", "function"])

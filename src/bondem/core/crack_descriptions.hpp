@@ -9,6 +9,7 @@
 #include "passes/cracks/opening.hpp"
 #include "passes/cracks/stress_onset.hpp"
 #include "passes/cracks/crack_strains.hpp"
+#include "passes/cracks/parted_faces.hpp"
 #include "passes/cracks/stress_state.hpp"
 
 namespace bondem {
@@ -35,11 +36,12 @@ BONDEM_TABLE(CohesiveCracks, F(shape, "facets 8"), F(face, "facets 8"), F(state,
              F(integrity, "facets"), F(size, "2"))
 BONDEM_TABLE(CellSlack, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(slack_i, "m"), F(slack_j, "m"),
              F(weight, "n"))
-BONDEM_TABLE(CrackLists, F(size, "3"), F(treated, "places"), F(resting, "places"), F(treated_i, "places"),
-             F(treated_j, "places"), F(resting_i, "places"), F(resting_j, "places"), F(cell, "*"), F(head, "n"),
+BONDEM_TABLE(CrackLists, F(size, "4"), F(treated, "places"), F(resting, "places"), F(treated_i, "places"),
+             F(treated_j, "places"), F(resting_i, "places"), F(resting_j, "places"), F(parted, "places"), F(cell, "*"), F(head, "n"),
              F(node, "halves 4"), F(flag, "places"), F(waking, "places"), F(flagged, "crack_portions"),
              F(woken, "crack_portions"), F(stale, "n"), F(base, "n"), F(half, "halves 8"), F(output, "halves 8"),
              F(lost, "crack_portions 2"))
+BONDEM_TABLE(PartedReach, F(apart, "*"))
 BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_portions"), F(cracked, "3"))
 
 #undef F
@@ -48,8 +50,8 @@ BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_
 #define BONDEM_CRACK_TABLES                                                                                   \
     described<SofteningSamples>(), described<CrackSamples>(), described<YieldSamples>(),                      \
         described<StressesOfCells>(), described<YieldingCells>(), described<FacetStrengths>(),                   \
-        described<CrackOnset>(), described<CandidateFacets>(), described<CohesiveCracks>(), described<CellSlack>(), described<CrackLists>(),        \
-        described<CrackEnergies>()
+        described<CrackOnset>(), described<CandidateFacets>(), described<CohesiveCracks>(), described<CellSlack>(),      \
+        described<CrackLists>(), described<CrackEnergies>(), described<PartedReach>()
 #define BONDEM_CRACK_PASSES P(evaluate_softening, ""), P(evaluate_cracks, ""), P(evaluate_yielding, "")
 #define BONDEM_STRESS_ONSET_PASSES                                                                            \
     S(of_elements, judge_cells_by_mean_stress), S(of_elements, judge_cells_by_cone),                          \
@@ -67,6 +69,6 @@ BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_
         S(serial, watch_resting_cracks), S(serial, wake_cracks), S(serial, soften_cracks),                    \
         S(serial, leave_cracks), S(serial, relax_stale_cells), S(serial, load_cracks), S(serial, log_cracks), \
         S(elements_of_blocks, add_crack_loads), S(of_elements, sum_stressed_dilatation),                      \
-        S(of_elements, sum_heat), S(serial, sum_crack_energies), S(serial, add_crack_energies), S(serial, write_heat)
+        S(of_elements, sum_heat), S(serial, sum_crack_energies), S(serial, add_crack_energies), S(serial, write_heat), S(serial, touch_parted_faces)
 
 }  // namespace bondem

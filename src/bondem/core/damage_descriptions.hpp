@@ -37,7 +37,7 @@ BONDEM_TABLE(StressFunction, F(address, ""), F(parameter, "parameters"))
         S(bonds_of_blocks, judge_beams_by_ellipse), S(serial, withdraw_dashpots), S(serial, break_beams), \
         S(serial, index_candidates_by_mean_stress), S(serial, index_candidates_by_cone), \
         S(serial, index_candidates_by_function), S(of_bonds, soften_beams), \
-        S(serial, log_softened_beams), S(serial, release_pressed_beams), S(bonds_of_blocks, find_softening_by_peripheral_stress), \
+        S(serial, log_softened_beams), S(bonds_of_blocks, find_softening_by_peripheral_stress), \
         S(bonds_of_blocks, find_softening_by_mohr_coulomb), S(serial, begin_softening), S(of_bonds, sum_pressed_energies), \
         S(bonds_of_blocks, add_softening_beam_loads), S(bonds_of_blocks, add_softening_alike_beam_loads)
 #define BONDEM_DAMAGE_INDICES \

@@ -12,8 +12,8 @@ void sum_powers(const Moving &all, const CellStrains &strains, const ElasticFace
     const Index count = strains.schedule.size();
     const FacetColumns columns(facets);
     for (Index g = 0; g < count; g++) strains.cracked(g) = 0.0;
-    for (Index e = 0; e < cracks.size(0); e++) {
-        const Index k = cracks.order(e);
+    for (Index c = 0; c < cracks.size(0); c++) {
+        const Index k = cracks.order(c);
         if (history_of(cracks, k).status != crack::active) continue;
         const OpenFacet<double> open = opened(ends_of(all.pose.data, facets, k), columns.shape<double>(k));
         const Vector f = {cracks.pull(k, 0), cracks.pull(k, 1), cracks.pull(k, 2)};

@@ -108,10 +108,6 @@ void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams,
     }
 }
 
-void release_pressed_beams(const Turn &, const EventLog &log, const SofteningBounds &bounds) {
-    for_each_event(log, [&](Index k, Index) { bounds.press(k) = 0.0; });
-}
-
 void find_softening_by_peripheral_stress(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,
                                          const Candidates &candidates, const SofteningBeams &soft) {
     find_softening<PeripheralStress>(turn, all, beams, strengths, candidates, soft);

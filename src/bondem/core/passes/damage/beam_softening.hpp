@@ -10,8 +10,6 @@ void soften_beams(const Turn &turn, const Moving &all, const Beams &beams, const
 // Adds up what all portions have dissipated, and logs beams that have broken.
 void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBeams &soft,
                         const EventLog &log);
-// Ends the pressure on beams that have broken in this step, which contacts carry from then on.
-void release_pressed_beams(const Turn &turn, const EventLog &log, const SofteningBounds &bounds);
 // Finds which of the marked beams of a block begin to soften, and keeps their energies.
 void find_softening_by_peripheral_stress(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,
                                          const Candidates &candidates, const SofteningBeams &soft);
