@@ -264,7 +264,7 @@ def test_contacts_count_in_the_stress_of_an_element():
 @pytest.mark.parametrize("touching", [False, True], ids=["alone", "with contact"])
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
 def test_stresses_after_a_failure_are_those_of_the_state(touching):
-    """Found again from the poses: stresses without the bonds, and with the contacts (without dashpots) behind them."""
+    """Stresses without the bonds, and with contacts without dashpots behind them, are found again from the poses."""
     model = touching_spheres(WEAK, weight=400.0, damping=0.0) if touching else non_local_cells(SHEARED)
     plan, state = plan_and_state(model, None, every=0)
     assert plan.dt is not None
