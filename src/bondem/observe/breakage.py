@@ -100,7 +100,6 @@ def failure_index(model: Model, state: State) -> PerBond:
         raise InputError("failure_index: the model has no criterion; give it failure=bd.PeripheralStress(...)")
     layout = model.layout
     constants = model.bonds.stretched(state.rest_strain)
-    bonds = constants.rows(layout, model.period, state.integrity)
     if model.non_local is not None:
         found = indices_of_pairs(model, state, table)
     elif model.cells is None:

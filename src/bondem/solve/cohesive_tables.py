@@ -4,7 +4,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bondem._core import core_lanes
 from bondem._types import Floats, Ints
 from bondem.kernels.crack_tables import (
     ACTIVE,
@@ -27,8 +26,8 @@ from bondem.model.model import Model
 from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
 
-# Places of a portion of a list, as in the core.
-_PORTION = 256
+# Places of a portion of a list, as in the core, and places behind a list that lanes and prefetching read.
+_PORTION, _BEHIND = 256, 64
 
 
 class StressesOfCells(NamedTuple):
@@ -155,6 +154,7 @@ class CrackLists(NamedTuple):
     treated_j: np.ndarray
     resting_i: np.ndarray
     resting_j: np.ndarray
+    parted: Ints
     cell: np.ndarray
     head: np.ndarray
     node: np.ndarray
@@ -171,15 +171,22 @@ class CrackLists(NamedTuple):
     @classmethod
     def of(cls, n: int, m: int) -> "CrackLists":
         """Room for lists of m facets of n cells; memory is taken as facets crack."""
-        places = m + 2 * core_lanes()
+        places = m + _BEHIND
         portions, halves = places // _PORTION + 1, 2 * places + 2
         numbers, shorts, flags = (np.zeros(places, kind) for kind in (np.int64, np.uint32, np.uint8))
         return cls(
-            np.zeros(3, np.int64), numbers, numbers.copy(), shorts, shorts.copy(), shorts.copy(), shorts.copy(),
-            np.zeros(n + 2 * core_lanes(), np.uint32), np.zeros(n, np.int32), np.zeros((halves, 4), np.int32), flags,
+            np.zeros(4, np.int64), numbers, numbers.copy(), shorts, shorts.copy(), shorts.copy(), shorts.copy(),
+            numbers.copy(),
+            np.zeros(n + _BEHIND, np.uint32), np.zeros(n, np.int32), np.zeros((halves, 4), np.int32), flags,
             flags.copy(), np.zeros(portions, np.int64), np.zeros(portions, np.int64), np.zeros(n, np.uint8),
             np.zeros(n), lines(halves), lines(halves), np.zeros((portions, 2)),
         )  # fmt: skip
+
+
+class PartedReach(NamedTuple):
+    """Distances at which elements touch that facets do not join any more."""
+
+    apart: Floats  #: by facet [m]
 
 
 class CrackEnergies(NamedTuple):

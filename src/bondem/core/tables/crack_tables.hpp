@@ -68,9 +68,10 @@ struct CellSlack {
 // Lists of a step, and what is known of the cracks on them. A half is a side of a crack: that of place e on cell i has the
 // number 2 e + 1, that on cell j the number 2 e + 2; number 0 is none.
 struct CrackLists {
-    Array<Index, 1> size;  // cracks treated one by one, those that rest, and cells of the first, (3,)
+    Array<Index, 1> size;  // cracks treated one by one, those that rest, cells of the first, cracks that have parted in this step, (4,)
     Array<Index, 1> treated, resting;  // cracks; lanes behind the last one repeat it
     Array<Short, 1> treated_i, treated_j, resting_i, resting_j;  // their cells
+    Array<Index, 1> parted;  // facets whose faces have parted in this step
     Array<Short, 1> cell;  // cells of cracks that are treated one by one
     Array<int32_t, 1> head;  // first half of each cell, (n,)
     Array<int32_t, 2> node;  // next half of its cell, and the lever of this one in the reference [pitch], (halves, 4)
@@ -81,6 +82,10 @@ struct CrackLists {
     Array<double, 2> half;  // `SwellingHalf` by number of the half, (halves, 8)
     Array<double, 2> output;  // force, energy rubbed away, torque, 0 on the cell of a half, (halves, 8)
     Array<double, 2> lost;  // energy of portions dissipated, and that of cracks that part [J], (portions, 2)
+};
+// Where elements touch that a facet does not join any more.
+struct PartedReach {
+    Array<double, 1> apart;  // distance of the centres, by facet [m]
 };
 // Energies of cells with cracks.
 struct CrackEnergies {

@@ -5,6 +5,7 @@ from bondem.laws.damping import DampingTerms
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added
+from bondem.solve.cracks import joints
 from bondem.solve.parts.beams import beams
 from bondem.solve.parts.body_forces import body_forces
 from bondem.solve.parts.boundary import boundary
@@ -51,8 +52,9 @@ def _bonds(
 ) -> BondParts:
     """Return the parts of the bonds."""
     if model.softening is not None:
-        parts = CrackingBody(model, state, shared, dt).parts(model, dashpots)
-        return BondParts(parts, Joints.of(model, state, state.integrity, None))
+        body = CrackingBody(model, state, shared, dt)
+        joined, apart = joints(model, state, state.integrity)
+        return BondParts(body.parts(model, dashpots), Joints(joined, apart, None, cracks=(body.cracks, body.lists)))
     if model.cells is not None:
         return body_of_cells(model, state, shared, dashpots)
     if model.non_local is not None:

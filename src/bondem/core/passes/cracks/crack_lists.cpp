@@ -29,6 +29,7 @@ void fill_treated(const CrackLists &lists) {
 }
 
 void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists) {
+    lists.size(3) = 0;
     if (cracks.size(1) == 0) return;
     cracks.size(1) = 0;
     for (Index q = 0; q < lists.size(2); q++) lists.head(lists.cell(q)) = 0;

@@ -15,6 +15,7 @@ constexpr Index rubbed_loss = 2;  // column of the losses of an element
 // Energy dissipated by the cracks of a group.
 double load_group(const CrackGroup &group, const Moving &all, const double *period, const CohesiveCracks &cracks,
                   const CrackLists &lists, Index portion, bool changes) {
+    group.prefetch(cracks.state);
     const Lanes zero = {};
     const CrackPlace at = place_of(group, all.pose, period, cracks);
     Row<Lanes> row = group.lines(cracks.state);
@@ -101,6 +102,9 @@ void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells 
                      const CrackLists &lists, const StepCut &cut) {
     for (Index at = turn.first; at < turn.last; at++) {
         const Short p = turn.element[at];
+        const Index later = lists.head(turn.element[least(at + 4, turn.last - 1)]);
+        __builtin_prefetch(lists.node.data + 4 * later);
+        __builtin_prefetch(lists.output.data + 8 * later);
         if (lists.head(p) == 0) continue;
         double sum[8] = {};
         Carried carried = {};

@@ -20,6 +20,7 @@ constexpr double asleep = 0.9, calm = 0.98, grazing = 0.1;
 
 void watch_group(const CrackGroup &group, const Moving &all, const double *period, const FacetStrengths &strengths,
                  const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index portion) {
+    group.prefetch(cracks.shape);
     const Lanes zero = {}, endless = bondem::all<Lanes>(infinity);
     const Row<Lanes> a = gather(all.pose.data, group.i), b = gather(all.pose.data, group.j);
     const Ends<Lanes> ends = ends_of(a, b, period);
@@ -33,6 +34,7 @@ void watch_group(const CrackGroup &group, const Moving &all, const double *perio
     const Mask<Lanes> may_soften = top < endless;
     Mask<Lanes> wakes = opposite(open & (top > zero));
     if (any(may_soften)) {
+        group.prefetch(cracks.face);
         const CrackJudgement of = judgement_of(group, cracks);
         const Row<Lanes> face = group.lines(cracks.face);
         const Lanes area = face.column[4], s = face.column[5];
@@ -136,6 +138,7 @@ BONDEM_INLINE Softened softened_group(const CrackGroup &group, const CrackPlace 
 void soften_group(const CrackGroup &group, const Moving &all, const FacetStrengths &strengths,
                   const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
                   const double *period, Index portion) {
+    group.prefetch(cracks.state);
     const Lanes zero = {};
     const CrackPlace at = place_of(group, all.pose, period, cracks);
     const CrackFaces<Lanes> &faces = at.now.faces;
@@ -245,6 +248,7 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
             if (one.s == 0.0 && turned_away(one.now, one.area)) {
                 treat(facets, cracks, k, crack::parted);
                 shape_of(cracks, k).top = infinity;
+                lists.parted(lists.size(3)++) = k;
                 continue;
             }
             wake(one, facets, cracks, lists, k);
@@ -283,6 +287,7 @@ void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
             if (flag == crack::parts) {
                 lists.lost(q, 1) += energy_of_parting(one, all, cells, facets, cracks, lists, e);
                 leave(facets, cracks, lists, e, crack::parted);
+                lists.parted(lists.size(3)++) = k;
             } else {
                 leave(facets, cracks, lists, e, crack::resting);
             }
