@@ -9,6 +9,7 @@ import pytest
 import bondem as bd
 from bondem._compile import threads
 from bondem.kernels.non_local import TAKEN
+from bondem.kernels.tables import BROKEN_GAP
 from bondem.model.state import State
 from bondem.solve import loop_core
 from bondem.solve.explicit import integrate
@@ -20,6 +21,7 @@ from tests.core.lagged_cases import (
     CASES,
     PULLED,
     SHEARED,
+    WEAK,
     non_local_cells,
     non_local_spheres,
     plan_and_state,
@@ -257,6 +259,30 @@ def test_contacts_count_in_the_stress_of_an_element():
         np.testing.assert_allclose(np.linalg.eigvalsh(stress), expected, rtol=0, atol=1e-10 * np.abs(expected).max())
         found += 1
     assert found > 0
+
+
+@pytest.mark.parametrize("touching", [False, True], ids=["alone", "with contact"])
+@pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
+def test_stresses_after_a_failure_are_those_of_the_state(touching):
+    """Stresses without the bonds, and with contacts without dashpots behind them, are found again from the poses."""
+    model = touching_spheres(WEAK, weight=400.0, damping=0.0) if touching else non_local_cells(SHEARED)
+    plan, state = plan_and_state(model, None, every=0)
+    assert plan.dt is not None
+    loop, found = CoreLoop(model, plan, state, plan.dt), 0
+    for _ in range(120):
+        before = len(state.broken)
+        loop.run(1)
+        if len(state.broken) == before:
+            continue
+        again = state.copy()
+        again.stale = True
+        CoreLoop(model, plan, again, plan.dt).look()
+        size = np.abs(state.stress).max()
+        np.testing.assert_allclose(again.stress, state.stress, rtol=0, atol=1e-10 * size)
+        assert len(again.broken) == len(state.broken)
+        found += 1
+    assert found > 5
+    assert not touching or (len(state.touching) > 3 and (state.broken[:, BROKEN_GAP] < 0.0).any())
 
 
 def test_a_failure_releases_the_energy_of_the_springs_between_two_steps():
