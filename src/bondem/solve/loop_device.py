@@ -47,7 +47,6 @@ _STEP = 5
 
 def device_has(model: Model) -> bool:
     """Return whether all passes of a run have counterparts on a device."""
-    held = model.constraints
     return (
         core_has(model)
         and (model.breaking is None or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES)))
@@ -55,7 +54,6 @@ def device_has(model: Model) -> bool:
         and model.softening is None
         and model.non_local is None
         and model.formulation == "total"
-        and (model.cells is None or len(held.strain_part) == 0)
         and len(model.layout.i) < _MOST_BONDS
     )
 
