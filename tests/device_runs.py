@@ -156,4 +156,6 @@ def deviation(expected: ExplicitResult, found: ExplicitResult) -> float:
     return max(float(np.abs(b - a).max(initial=0.0) / (np.abs(a).max(initial=0.0) or 1.0)) for a, b in pairs)
 
 
-_FIELDS = "stretch", "wall_stretch", "walls", "pose", "motion", "acceleration", "loss", "reaction", "integrity", "broken"
+_FIELDS = (
+    "stretch", "wall_stretch", "walls", "pose", "motion", "acceleration", "loss", "reaction", "integrity", "broken",
+)  # fmt: skip

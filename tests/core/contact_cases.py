@@ -40,7 +40,7 @@ def all_walls(size: float) -> list:
         bd.PlaneWall((size, 0, 0), (-1, 0, 0), motion=bd.Free(2e5, velocity=(-3.0, 0, 0), force=(-1e5, 0, 0))),
         bd.PlaneWall((0, size, 0), (0, -1, 0), motion=bd.Driven(y=bd.Ramp(0.0, -0.3, 0.1), vx=0.5)),
         bd.CylinderWall(0.6 * size, (0, middle, middle), (1, 0, 0), motion=bd.Driven(vgrowth=-0.4)),
-        bd.CylinderWall(0.12, (1.15, 1.0, 2.3), (0, 1, 0), outside=True, motion=bd.Driven(growth=bd.Ramp(0, 0.2, 0.1))),
+        bd.CylinderWall(0.12, (1.15, 1, 2.3), (0, 1, 0), outside=True, motion=bd.Driven(growth=bd.Ramp(0, 0.2, 0.1))),
         bd.SphereWall(size, (middle, middle, middle), inside=True, motion=bd.Servo(3e5, speed=20.0)),
         bd.SphereWall(0.15, (middle, middle, middle), motion=bd.Free(1e5, velocity=(3.0, 1.0, 0.0))),
     ]
@@ -86,11 +86,13 @@ def plan_of(model: bd.Model, steps: int, *, share: float = 0.5, **options) -> Pl
     """Return a plan of some steps of a share of the critical step, with gauges of all walls."""
     dt = share * critical_step(model, bd.VelocityVerlet())
     quantities = ("force", "displacement", "velocity", "growth")
-    gauges = {f"{quantity} {w}": bd.WallGauge(w, quantity) for w in range(len(model.walls)) for quantity in quantities}
+    walls = range(len(model.walls))
+    gauges = {f"{quantity} {w}": bd.WallGauge(w, quantity) for w in walls for quantity in quantities}
     return Plan(duration=steps * dt, dt=dt, gauges=gauges, **options)
 
 
 WEAK = bd.PeripheralStress(tension=1.2e6, shear=1.2e6)
+SOFT = bd.PeripheralStress(tension=2e5, shear=2e5, fracture_energy=3e3)
 PARALLEL = bd.LinearContact(E=E / 10, friction=0.3, damping=0.2, parallel=True)
 STRESSED = bd.LinearContact(E=E / 20, friction=0.2, stress_free=False)
 #: Models, their states, and the damping of their runs.
@@ -105,5 +107,6 @@ CASES: dict[str, tuple[Callable[[], tuple[bd.Model, State]], object]] = {
     "beams break, Hertzian": (lambda: moving_beams(HERTZIAN, failure=WEAK), None),
     "beams break, parallel": (lambda: moving_beams(PARALLEL, failure=WEAK), None),
     "beams break, stressed": (lambda: moving_beams(STRESSED, failure=WEAK), None),
+    "beams soften, Hertzian": (lambda: moving_beams(HERTZIAN, failure=SOFT), None),
 }
 STEPS = 400

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 import bondem as bd
+from bondem.laws.damping import AnyDamping
 from bondem.model.state import State
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import highest_frequency
@@ -13,6 +14,11 @@ from tests.core.test_steps import GAUGES, HELD, LAWS, crooked
 
 X_MIN, X_MAX = bd.Face("x_min", depth=0.5), bd.Face("x_max", depth=0.5)
 GRAVITY = [bd.Fix(X_MIN), bd.BodyForce(acceleration=(0.0, 0.0, -9.81))]
+
+
+SHEARED = bd.MohrCoulomb(tension=3e5, cohesion=1e5, friction_angle=0.6)
+PULLED = bd.Rankine(tension=5e4)
+WEAK = bd.MohrCoulomb(tension=1e5, cohesion=4e4, friction_angle=0.6)
 
 
 def stored(name: str) -> bd.Model:
@@ -29,17 +35,33 @@ def periodic_beams() -> bd.Model:
     return bd.Model(lattice, law, density=1e3)
 
 
-def non_local_cells(**options) -> bd.Model:
+def non_local_cells(failure: bd.Criterion | None = None) -> bd.Model:
     """A box of Laguerre cells with the non-local law, held and loaded."""
     particles = bd.pack(bd.Box((4.0, 3.0, 3.0)), count=200, spread=0.25, seed=1)
     body = bd.connect(particles, method="laguerre")
-    return bd.Model(body, bd.NonLocal(E=1e7, nu=0.2, **options), density=1e3, boundary=HELD)
+    return bd.Model(body, bd.NonLocal(E=1e7, nu=0.2), density=1e3, boundary=HELD, failure=failure)
 
 
-def non_local_spheres(**options) -> bd.Model:
+def non_local_spheres(failure: bd.Criterion | None = None) -> bd.Model:
     """A lattice of spheres with weighted areas, under its weight."""
-    law = bd.NonLocal(E=1e7, nu=0.25, areas="weighted", **options)
-    return bd.Model(crooked((6, 5, 5)), law, density=1e3, boundary=GRAVITY)
+    law = bd.NonLocal(E=1e7, nu=0.25, areas="weighted")
+    return bd.Model(crooked((6, 5, 5)), law, density=1e3, boundary=GRAVITY, failure=failure)
+
+
+def touching_spheres(failure: bd.Criterion | None = None, weight: float = 100.0) -> bd.Model:
+    """A lattice of spheres on a plane and below a cylinder, and loose spheres that fall onto it."""
+    own = crooked((4, 4, 3)).particles
+    loose = np.array([[0.5, 0.5, 2.6], [2.5, 1.5, 2.6], [1.5, 2.5, 2.6]])
+    radius = np.concatenate([own.radius, np.full(3, 0.3)])
+    lattice = bd.connect(bd.Particles(np.concatenate([own.position, loose]), radius), reach=2.0)
+    i, j = lattice.pairs.T
+    lattice = bd.Lattice(lattice.particles, lattice.pairs[np.maximum(i, j) < len(own.radius)])
+    return bd.Model(
+        lattice, bd.NonLocal(E=1e7, nu=0.2, areas="weighted"), density=1e3,
+        contact=bd.LinearContact(E=1e7, friction=0.4, damping=0.1),
+        boundary=[bd.BodyForce(acceleration=(5.0, 0.0, -weight))], failure=failure,
+        walls=[bd.PlaneWall((0, 0, -0.35), (0, 0, 1)), bd.CylinderWall(0.5, (2, 1, 3.2), (0, 1, 0), outside=True)],
+    )  # fmt: skip
 
 
 def non_local_period(**options) -> bd.Model:
@@ -48,7 +70,7 @@ def non_local_period(**options) -> bd.Model:
     return bd.Model(body, bd.NonLocal(E=40e9, nu=0.2, **options), density=2400.0)
 
 
-CASES: dict[str, tuple[Callable[[], bd.Model], object]] = {
+CASES: dict[str, tuple[Callable[[], bd.Model], AnyDamping | None]] = {
     "stored, Timoshenko": (lambda: stored("Timoshenko"), None),
     "stored, Euler–Bernoulli, local damping": (lambda: stored("Euler–Bernoulli"), bd.LocalDamping(0.1)),
     "stored, parallel, bond damping": (lambda: stored("parallel"), bd.BondDamping(eta=0.1)),
@@ -59,11 +81,15 @@ CASES: dict[str, tuple[Callable[[], bd.Model], object]] = {
     ),
     "non-local, spheres": (non_local_spheres, bd.BondDamping(eta=0.2)),
     "non-local, periodic": (non_local_period, None),
+    "non-local, spheres that touch": (touching_spheres, bd.BondDamping(eta=0.1)),
+    "non-local, spheres that break and touch": (lambda: touching_spheres(WEAK, 400.0), bd.BondDamping(eta=0.1)),
+    "non-local, cells that break": (lambda: non_local_cells(SHEARED), bd.BondDamping(eta=0.1)),
+    "non-local, spheres that break": (lambda: non_local_spheres(PULLED), bd.LocalDamping(0.1)),
 }  # fmt: skip
 
 
 def plan_and_state(
-    model: bd.Model, damping: object, *, steps: int = 240, every: int = 20, share: float = 0.3
+    model: bd.Model, damping: AnyDamping | None, *, steps: int = 240, every: int = 20, share: float = 0.3
 ) -> tuple[Plan, State]:
     """How a model runs, at a share of the critical step of its springs, and where it begins: in motion."""
     dt = share * 2.0 / highest_frequency(model)

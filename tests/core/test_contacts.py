@@ -9,12 +9,12 @@ import pytest
 
 import bondem as bd
 from bondem.model.contact_search import PairSources, Walls, WallSources, found_pairs, found_walls
-from bondem.model.contacts import near
+from bondem.model.contacts import grid_of
 from bondem.model.state import State
 from bondem.solve import loop_core
 from bondem.solve import neighbour_list as lists
 from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop, core_has
+from bondem.solve.loop_core import CoreLoop
 from tests.bits import assert_same_bits
 from tests.core.contact_cases import BEAM, CASES, HERTZIAN, LINEAR, STEPS, E, all_walls, cloud, moving_beams, plan_of
 
@@ -31,7 +31,6 @@ NUMBERS = json.loads((Path(__file__).parent / "contact_numbers.json").read_text(
 def test_the_numbers_are_those_of_the_former_loop(case):
     make, damping = CASES[case]
     model, state = make()
-    assert core_has(model)
     result = integrate(model, plan_of(model, STEPS, every=100, damping=damping), state=state, loop_of=CoreLoop)
     numbers, some = NUMBERS[case], [0, len(state.pose) // 2, len(state.pose) - 1]
     found = result.state
@@ -204,31 +203,27 @@ def test_the_list_has_all_pairs_that_no_bond_joins_and_their_memory():
 
     rest = gap[later, earlier] < 0.0
     memory = rng.random((touching.sum(), 6))
-    found = found_pairs(PairSources(
-        *near(position, radius, None, skin), starts(bonded), first(bonded), wanted.astype(np.uint8), starts(rest),
+    found = found_pairs(grid_of(position, radius, None, skin), PairSources(
+        starts(bonded), first(bonded), wanted.astype(np.uint8), starts(rest),
         first(rest), gap[later, earlier][rest], starts(touching), first(touching), memory,
     ))  # fmt: skip
     listed = ~bonded
     listed[np.flatnonzero(bonded)[wanted]] = True
-    np.testing.assert_array_equal(np.column_stack([found.second, found.first]), np.argwhere(gap_table(later, earlier, listed, n)))
+    expected = np.column_stack([later[listed], earlier[listed]])  # np.nonzero sorts by the later element
+    np.testing.assert_array_equal(np.column_stack([found.second, found.first]), expected)
     np.testing.assert_array_equal(found.touch, touching[listed])
     np.testing.assert_array_equal(found.memory[found.touch == 1, :6], memory[listed[touching]])
     np.testing.assert_allclose(found.gap, np.minimum(gap[later, earlier][listed], 0.0), atol=0)
-    np.testing.assert_array_equal(np.flatnonzero(bonded)[found.bond[found.bond >= 0]], np.flatnonzero(bonded & listed))
-
-
-def gap_table(later: np.ndarray, earlier: np.ndarray, listed: np.ndarray, n: int) -> np.ndarray:
-    """Return a mask of listed pairs, (n, n)."""
-    table = np.zeros((n, n), dtype=bool)
-    table[later[listed], earlier[listed]] = True
-    return table
+    of_bond = np.flatnonzero(bonded)[found.bond[found.bond >= 0]]
+    np.testing.assert_array_equal(of_bond, np.flatnonzero(bonded & listed))
 
 
 def test_the_list_has_all_walls_in_reach():
     rng, walls = np.random.default_rng(4), all_walls(9.2)
     model, state = cloud(4, LINEAR, walls=walls)
-    table = model.contacts.walls
-    pose, radius, skin = state.pose, model.contacts.radius, 0.5
+    contacts = model.contacts
+    assert contacts is not None
+    pose, table, radius, skin = state.pose, contacts.walls, contacts.radius, 0.5
     sources = WallSources.without_memory(radius, skin)
     state.walls[:, :4] = rng.uniform(-0.2, 0.2, (len(walls), 4))
     found = found_walls(pose, Walls(table.shape, state.walls, table.friction, np.zeros((len(walls), 4))), sources)

@@ -34,7 +34,8 @@ BONDEM_TABLE(FacetTractions, F(value, "tractions n"), F(schedule, "tractions"), 
              F(came, "tractions"))
 BONDEM_TABLE(CellStrains, F(schedule, "strains"), F(base_i, "3 strained"), F(base_j, "3 strained"), F(still, "strained"),
              F(part, "strains strained"), F(wall_base, "held 3"), F(wall_still, "held"), F(wall_part, "strains held"),
-             F(place, ""), F(factor, "4 strains"), F(power, "bond_portions strains"), F(due, "1"))
+             F(place, ""), F(factor, "4 strains"), F(power, "bond_portions strains"), F(cracked, "strains"),
+             F(due, "2"))
 BONDEM_TABLE(WallTime, F(time, ""))
 BONDEM_TABLE(TurnedVectors, F(quaternion, "vectors 4"), F(vector, "vectors 3"), F(turned, "vectors 3"))
 BONDEM_TABLE(MomentsOfForces, F(moment, "* 6"), F(owner, "vectors"), F(arm, "vectors 3"), F(force, "vectors 3"), F(sign, ""))

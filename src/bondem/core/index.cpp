@@ -164,6 +164,7 @@ const StepPassDescription step_passes[] = {
     BONDEM_CELL_STEP_PASSES,
     BONDEM_CONTACT_PASSES,
     BONDEM_CRACK_STEP_PASSES,
+    BONDEM_STRESS_ONSET_PASSES,
 };
 #undef S
 

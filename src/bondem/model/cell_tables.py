@@ -143,7 +143,8 @@ class CellStrains(NamedTuple):
     place: int  #: of their work in the list of works
     factor: Floats  #: of each strain: now, its increment, ∂U/∂factor before and now [J], (4, g)
     power: Floats  #: ∂U/∂factor of portions of facets [J], (portions, g)
-    due: np.ndarray  #: 1 where ∂U/∂factor is needed, uint8, (1,)
+    cracked: Floats  #: ∂U/∂factor of cracks, where there are any [J], (g,)
+    due: np.ndarray  #: 1 where ∂U/∂factor is needed, and where levers have changed, uint8, (2,)
 
 
 class WallTime(NamedTuple):

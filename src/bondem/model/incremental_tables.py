@@ -16,7 +16,7 @@ from bondem.model.state import State
 
 
 class StoredLoads(NamedTuple):
-    """What m beams store from step to step."""
+    """Data that m beams store from step to step."""
 
     kb: Floats  #: bending stiffness [N·m], (m,)
     history: Floats  #: force [N] and moment [N·m] on i at the contact point, (6, m)

@@ -8,10 +8,12 @@ from typing import NamedTuple
 import numpy as np
 
 from bondem._core import Pass
-from bondem._types import Floats
+from bondem._types import Floats, PerBond
 from bondem.kernels.tables import lines
 from bondem.model.beam_tables import Beams, Poses, beam_tables
 from bondem.model.bond_table import with_twins, with_zeros
+from bondem.model.failure_passes import FailureIndices, Strengths, strengths_of
+from bondem.model.failure_table import FailureTable
 from bondem.model.model import Model
 from bondem.model.non_local_constants import NonLocalConstants
 from bondem.model.state import State
@@ -43,7 +45,7 @@ class LaggedStresses(NamedTuple):
 
 
 class NonLocalWork(NamedTuple):
-    """Work that extra forces have taken up."""
+    """Work of extra forces."""
 
     taken: Floats  #: in each portion of bonds [J]
 
@@ -69,6 +71,8 @@ class ExtraForces(NamedTuple):
 
 _find_small_extra_forces = Pass("find_small_extra_forces", SmallPairs, ExtraForces)
 _load_non_local_bonds = Pass("load_non_local_bonds", Poses, Beams, NonLocalBonds)
+_turn_all_stresses = Pass("turn_all_stresses", Poses, LaggedStresses)
+_index_pairs = Pass("index_pairs", Beams, LaggedStresses, Strengths, FailureIndices)
 
 
 def non_local_tables(model: Model, state: State) -> tuple[Beams, NonLocalBonds]:
@@ -96,7 +100,7 @@ def lagged_stresses(model: Model, state: State, to_i: np.ndarray, more: int) -> 
 
     Args:
         model: model of the non-local law.
-        state: its state.
+        state: state of the model.
         to_i: row of the moment that each bond adds to for its element i, uint32, (m,).
         more: number of rows of moments behind those of the elements.
     """
@@ -105,8 +109,8 @@ def lagged_stresses(model: Model, state: State, to_i: np.ndarray, more: int) -> 
     return LaggedStresses(1.0 / constants.volume, state.stress, lines(n), lines(n + more), with_twins(to_i))
 
 
-def small_extra_forces(pairs: np.ndarray, constants: NonLocalConstants, stress: Floats, gap: Floats) -> Floats:
-    """Return extra forces at small strain from the stresses (n, 6) and gaps (m, 3) of the iteration before, (m, 3)."""
+def lagged_extra_forces(pairs: np.ndarray, constants: NonLocalConstants, stress: Floats, gap: Floats) -> Floats:
+    """Return extra forces (m, 3) at small strain, from stresses (n, 6) and gaps (m, 3) of the iteration before."""
     c, extra = constants, ExtraForces(np.empty_like(gap))
     _find_small_extra_forces(
         SmallPairs(pairs, c.area, c.kt, c.nu, c.limited, np.ascontiguousarray(c.normal), stress, gap), extra
@@ -120,6 +124,16 @@ def loads_of_non_local(model: Model, state: State) -> Floats:
     _load_non_local_bonds(Poses(state.pose), beams, bonds)
     own = bonds.output[:, : len(state.integrity)].T
     return np.hstack([-own[:, :3], own[:, 3:6], -own[:, 6:]])
+
+
+def indices_of_pairs(model: Model, state: State, table: FailureTable) -> PerBond:
+    """Return the index of each bond by the stresses of a state [-], 0 where broken, internal order, (m,)."""
+    beams, _ = non_local_tables(model, state)
+    stresses = lagged_stresses(model, state, model.layout.i, 0)
+    _turn_all_stresses(Poses(state.pose), stresses)
+    found = FailureIndices(np.zeros(len(beams.i)))
+    _index_pairs(beams, stresses, strengths_of(table), found)
+    return found.index[: len(state.integrity)]
 
 
 # Rows of the present loads of bonds.

@@ -7,7 +7,6 @@ import numpy as np
 from bondem._checks import instance
 from bondem._types import Floats, Ints, PerBond
 from bondem.errors import InputError
-from bondem.kernels.pair_breaking import pair_indices
 from bondem.kernels.soft_tables import SOFT_BOND
 from bondem.kernels.tables import (
     BROKEN_BOND,
@@ -23,6 +22,7 @@ from bondem.model.beam_tables import beam_tables
 from bondem.model.cell_tables import STRESS, cell_tables
 from bondem.model.failure_passes import beam_indices, indices_of_facets
 from bondem.model.model import Model
+from bondem.model.non_local_tables import indices_of_pairs
 from bondem.model.origin import difference
 from bondem.model.state import State
 from bondem.observe.cell_forces import CellForces
@@ -100,12 +100,8 @@ def failure_index(model: Model, state: State) -> PerBond:
         raise InputError("failure_index: the model has no criterion; give it failure=bd.PeripheralStress(...)")
     layout = model.layout
     constants = model.bonds.stretched(state.rest_strain)
-    bonds = constants.rows(layout, model.period, state.integrity)
     if model.non_local is not None:
-        found = np.empty(bonds.m)
-        lagged = model.non_local.rows(state.history, state.stress, layout.i)
-        pair_indices(state.pose, bonds, lagged, table.coefficient, found)
-        found = found[: len(layout.i)]
+        found = indices_of_pairs(model, state, table)
     elif model.cells is None:
         beams, _ = beam_tables(constants, layout, model.period, state.integrity, may_share=False)
         found = beam_indices(state.pose, beams, table)

@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._types import Floats, PerBond3, PerElement6
 from bondem.model.non_local_constants import NonLocalConstants
-from bondem.model.non_local_tables import small_extra_forces
+from bondem.model.non_local_tables import lagged_extra_forces
 from bondem.observe.energy import EnergyParts
 from bondem.specimen.lattice import Lattice
 
@@ -52,7 +52,7 @@ class NonLocalStrain:
     def lagged(self) -> "NonLocalStrain":
         """Return the same gaps with the extra forces that follow from the present stresses and gaps."""
         c = self.constants
-        extra = small_extra_forces(self.lattice.pairs, c, self.stress, self.gap)
+        extra = lagged_extra_forces(self.lattice.pairs, c, self.stress, self.gap)
         return NonLocalStrain(self.lattice, c, self.gap, extra)
 
     @property

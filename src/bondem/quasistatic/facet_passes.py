@@ -79,7 +79,7 @@ _find = Pass("find_stress_factors", LoadedFacets, OnsetSearch)
 class OpenedFacets:
     """Facets of any integrity in small motions of their cells: gaps, dilatations and loads.
 
-    The tables are made once. The integrity of the facets and their closed halves are those of the arrays at each call.
+    The tables are made once. The integrity of the facets and their closed halves are read at each call.
 
     Attributes:
         motions: motions to evaluate, gaps and dilatations.
@@ -89,10 +89,10 @@ class OpenedFacets:
     def __init__(self, facets: WeakenedFacets, n: int) -> None:
         """Make the tables of facets between n cells."""
         m = len(facets.k)
-        self.motions = SmallMotions(*np.zeros((2, n, 3)), np.zeros((m, 3)), np.zeros(n))
+        self.motions = SmallMotions(np.zeros((n, 3)), np.zeros((n, 3)), np.zeros((m, 3)), np.zeros(n))
         self.loading = FacetLoading(
-            np.zeros(n), np.zeros((m, 3)), np.zeros(m), np.zeros((m, 3)), np.zeros(m), np.zeros((m, 2), dtype=np.uint8),
-            np.zeros((n, 6)),
+            np.zeros(n), np.zeros((m, 3)), np.zeros(m), np.zeros((m, 3)), np.zeros(m),
+            np.zeros((m, 2), dtype=np.uint8), np.zeros((n, 6)),
         )  # fmt: skip
         self._open = _open.bound(facets, self.motions)
         self._load = _load.bound(facets, self.motions, self.loading)

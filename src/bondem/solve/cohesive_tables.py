@@ -4,7 +4,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bondem._core import core_lanes
 from bondem._types import Floats, Ints
 from bondem.kernels.crack_tables import (
     ACTIVE,
@@ -27,8 +26,8 @@ from bondem.model.model import Model
 from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
 
-# Places of a portion of a list, as in the core.
-_PORTION = 256
+# Places of a portion of a list, as in the core, and places behind a list that lanes and prefetching read.
+_PORTION, _BEHIND = 256, 64
 
 
 class StressesOfCells(NamedTuple):
@@ -84,54 +83,54 @@ class CrackOnset(NamedTuple):
 
 
 class CohesiveCracks(NamedTuple):
-    """Cracked facets in the order in which they began, with room for all facets; rows as in `crack_rows.hpp`."""
+    """Cracked facets, by the number of their facet; rows as in `core/passes/cracks/crack_rows.hpp`."""
 
-    shape: Floats  #: (room, 8), and so on
+    shape: Floats  #: (m, 8), and so on
     face: Floats
     state: Floats
     softening: Floats
     history: Floats
-    pull: Floats  #: force on cell i [N], (room, 4)
+    pull: Floats  #: force on cell i [N], (m, 4)
     pitch: Floats  #: unit of levers [m], (3,)
-    facet: Ints
-    i: np.ndarray  #: uint32
-    j: np.ndarray
+    order: Ints  #: cracked facets in the order in which they began
     listed: np.ndarray  #: 0 for whole facets, else 1 and the status of the crack, uint8, (m,)
     integrity: Floats  #: that of a state, (m,)
     size: Ints  #: number of cracks, and 1 where lists are out of date, (2,)
 
     @classmethod
     def of(cls, state: State, listed: np.ndarray) -> "CohesiveCracks":
-        """Return the cracks of a state, with room for those to come."""
+        """Return the cracks of a state; memory is taken as facets crack."""
         m, count = len(state.integrity), len(state.cracks)
         cracks = cls(
             lines(m), lines(m), lines(m), lines(m), lines(m), np.zeros((m, 4)), np.zeros(3), np.zeros(m, np.int64),
-            np.zeros(m, np.uint32), np.zeros(m, np.uint32), listed, state.integrity,
-            np.array([count, 1], dtype=np.int64),
+            listed, state.integrity, np.array([count, 1], dtype=np.int64),
         )  # fmt: skip
-        for column, rows in cracks.columns(count):
-            rows[...] = state.cracks[:, column]
-        cracks.pull[:count, :3] = state.facet_force[:, state.cracks[:, FACET].astype(np.int64)].T
+        facet = state.cracks[:, FACET].astype(np.int64)
+        cracks.order[:count] = facet
+        for column, table, of_row in cracks._columns():
+            table[facet, of_row] = state.cracks[:, column]
+        cracks.pull[facet, :3] = state.facet_force[:, facet].T
         return cracks
 
-    def columns(self, count: int) -> list[tuple[int | slice, Floats]]:
-        """Return columns of the cracks of a state, and the same columns of these rows, as views."""
-        state, history = self.state[:count], self.history[:count]
+    def _columns(self) -> list[tuple[int | slice, Floats, int | slice]]:
+        """Return columns of the cracks of a state, with the table and the columns that have them here."""
+        three = slice(0, 3)
         return [
-            (FACET, history[:, 0]), (ONSET, self.softening[:count, 7]), (slice(SLIP, SLIP + 3), state[:, :3]),
-            (RATE, state[:, 7]), (STATUS, history[:, 1]), (BEFORE, state[:, 6]), (slice(RUB, RUB + 3), state[:, 3:6]),
-            (SPENT, history[:, 2]), (TOP, self.shape[:count, 7]),
+            (ONSET, self.softening, 7), (slice(SLIP, SLIP + 3), self.state, three), (RATE, self.state, 7),
+            (STATUS, self.history, 0), (BEFORE, self.state, 6), (slice(RUB, RUB + 3), self.state, slice(3, 6)),
+            (SPENT, self.history, 1), (TOP, self.shape, 7),
         ]  # fmt: skip
 
     def keep(self, kept: FacetForces, state: State) -> None:
         """Write the cracks and the forces of facets into a state."""
-        count = int(self.size[0])
-        state.cracks = np.empty((count, CRACK_COLUMNS))
-        for column, rows in self.columns(count):
-            state.cracks[:, column] = rows
+        facet = self.order[: self.size[0]]
+        state.cracks = np.empty((len(facet), CRACK_COLUMNS))
+        state.cracks[:, FACET] = facet
+        for column, table, of_row in self._columns():
+            state.cracks[:, column] = table[facet, of_row]
         state.facet_force[:] = kept.force[:, : state.facet_force.shape[1]]
-        one_by_one = np.flatnonzero(state.cracks[:, STATUS] == ACTIVE)
-        state.facet_force[:, state.cracks[one_by_one, FACET].astype(np.int64)] = self.pull[one_by_one, :3].T
+        active = facet[state.cracks[:, STATUS] == ACTIVE]
+        state.facet_force[:, active] = self.pull[active, :3].T
 
 
 class CellSlack(NamedTuple):
@@ -155,6 +154,7 @@ class CrackLists(NamedTuple):
     treated_j: np.ndarray
     resting_i: np.ndarray
     resting_j: np.ndarray
+    parted: Ints
     cell: np.ndarray
     head: np.ndarray
     node: np.ndarray
@@ -171,15 +171,22 @@ class CrackLists(NamedTuple):
     @classmethod
     def of(cls, n: int, m: int) -> "CrackLists":
         """Room for lists of m facets of n cells; memory is taken as facets crack."""
-        places = m + 2 * core_lanes()
+        places = m + _BEHIND
         portions, halves = places // _PORTION + 1, 2 * places + 2
         numbers, shorts, flags = (np.zeros(places, kind) for kind in (np.int64, np.uint32, np.uint8))
         return cls(
             np.zeros(4, np.int64), numbers, numbers.copy(), shorts, shorts.copy(), shorts.copy(), shorts.copy(),
-            np.zeros(n + 2 * core_lanes(), np.uint32), np.zeros(n, np.int32), np.zeros((halves, 4), np.int32), flags,
+            numbers.copy(),
+            np.zeros(n + _BEHIND, np.uint32), np.zeros(n, np.int32), np.zeros((halves, 4), np.int32), flags,
             flags.copy(), np.zeros(portions, np.int64), np.zeros(portions, np.int64), np.zeros(n, np.uint8),
             np.zeros(n), lines(halves), lines(halves), np.zeros((portions, 2)),
         )  # fmt: skip
+
+
+class PartedReach(NamedTuple):
+    """Distances at which elements touch that facets do not join any more."""
+
+    apart: Floats  #: by facet [m]
 
 
 class CrackEnergies(NamedTuple):

@@ -43,7 +43,7 @@ class NearPairs(NamedTuple):
     near: np.ndarray  #: pairs that may touch, uint32, (c + 1,)
     close: np.ndarray  #: pairs that touch or have just parted, uint32, (c + 1,)
     output: Floats  #: force on the later element, damped [J], torque over the radius, rubbed [J], (c, 8)
-    count: Ints  #: of near and of close pairs of each portion of elements, (portions, 2)
+    counts: Ints  #: of near and of close pairs of each portion of elements, (portions, 2)
     width: float  #: motion of an element after which distances are measured again [m]
 
 
@@ -82,7 +82,7 @@ class WallContacts(NamedTuple):
 
 
 class WallMotions(NamedTuple):
-    """What moves walls: schedules, servos, and forces on free walls."""
+    """Prescribed motions of walls, servos, and free walls."""
 
     times: Floats  #: schedules, as those of `Timeline`
     values: Floats

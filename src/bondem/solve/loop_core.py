@@ -24,20 +24,6 @@ _take_steps = Pass("take_steps", StepPasses, StepCut, StepScheme, StepSpan, Port
 _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 
 
-def core_has(model: Model) -> bool:
-    """Return whether the core has all passes of a model.
-
-    It has those of beams of both formulations, which may break or soften, and of the non-local law without
-    breakage; of bodies of cells whose facets break or soften by the largest principal stress, and whose cells yield;
-    and of contacts and walls where nothing softens, except with the non-local law.
-    """
-    return (
-        (model.softening is None or model.softening.judge is None)
-        and (model.non_local is None or model.breaking is None)
-        and (model.contacts is None or model.non_local is model.beam_softening is model.softening is None)
-    )
-
-
 class CoreLoop:
     """The lists of passes of one run, and the calls that go on with it."""
 
@@ -86,7 +72,7 @@ class CoreLoop:
         lists = StepPasses(*[nothing] * len(StepPasses._fields))
         lists = lists._replace(present=self._compose([*composed(self._parts, "present"), *first]))
         done = np.zeros(4, dtype=np.int64)
-        span = StepSpan(self.state.step, 0, 0, True, False, self._n, self._m, done)
+        span = StepSpan(self.state.step, 0, 0, True, False, False, self._n, self._m, done)
         _take_steps(lists, self._tables.cut, self._scheme, span, self._tables.portions, threads=self._threads)
 
     def _list(self, *stages: str) -> np.ndarray:

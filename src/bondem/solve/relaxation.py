@@ -107,8 +107,9 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     fastest = max(np.abs(motion[:, :3]).max() / bonds.length.min(initial=np.inf), np.abs(motion[:, 3:]).max())
     relaxation = DynamicRelaxation(
         pose=state.pose, velocity=np.zeros((n, 6)), before=np.zeros((n, 6)), load=load, inverse=inverse,
-        free=free.astype(np.uint8), motion=motion, memory=np.zeros(2), ramp=max(1, int(np.ceil(fastest / _PACE))), length=length,
-        tolerance=tolerance, noise=1e-14 * float((bonds.kn * bonds.length).max(initial=0.0)) * np.sqrt(n),
+        free=free.astype(np.uint8), motion=motion, memory=np.zeros(2), ramp=max(1, int(np.ceil(fastest / _PACE))),
+        length=length, tolerance=tolerance,
+        noise=1e-14 * float((bonds.kn * bonds.length).max(initial=0.0)) * np.sqrt(n),
     )  # fmt: skip
     done, ratio, finished = 0, np.inf, False
     turning = bool(constraints.couples)

@@ -198,7 +198,7 @@ BONDEM_INLINE CrackEnergy<T> crack_energy(const FacetCompliance<T> &facet, const
                                           const CrackHalves<T> &half, Vector3<T> rub) {
     const T k = facet.k;
     CrackEnergy<T> sum = {};
-    const auto add = [&](T w, Vector3<T> opening) {
+    const auto add = [&](T w, Vector3<T> opening) __attribute__((always_inline)) {
         const Vector3<T> e = minus(w * at.gap, T((1.0 - s) * w / k), opening);
         const T normal = dot(e, at.normal), across = normal * normal, stiff = 0.5 * k / w;
         sum.across = sum.across + stiff * across + 0.5 * s * (1.0 - s) * w / k * dot(opening, opening);

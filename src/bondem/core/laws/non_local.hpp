@@ -1,15 +1,15 @@
 // The non-local law of Celigueta, Oñate et al. (2020): a bond follows the mean stress of its two elements.
 //
-// A bond of area A between centres L apart has two faces, at the levers b_i and b_j that turn with its elements; their
-// gap is δ, with the parts δ_n along the normal n and δ_t across it. σ is the mean stress of both elements, found by the
-// forces of the step before. With kn = A E / L and kt = A G / L, tension positive,
+// A bond of area A between centres L apart has two faces, at the levers b_i and b_j that turn with its elements;
+// their gap is δ, with the parts δ_n along the normal n and δ_t across it. σ is the mean stress of both elements,
+// found by the forces of the step before. With kn = A E / L and kt = A G / L, tension positive,
 //
 //     F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
 //     e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻      t = A (σ n - (n·σ n) n)
 //
-// where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t changes by kt (δ_t - δ_t⁻) from A τ: what
-// kt δ_t lacks is the other half of the engineering shear strain. F acts on i, and -F on j, both at the middle of the
-// gap, so that they make no moment together. The stress of an element of volume V is the symmetric part of
+// where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t changes by kt (δ_t - δ_t⁻) from A τ:
+// what kt δ_t lacks is the other half of the engineering shear strain. F acts on i, and -F on j, both at the middle
+// of the gap, so that they make no moment together. The stress of an element of volume V is the symmetric part of
 //
 //     σ = (1/V) Σ b ⊗ F                                                     eq (1)
 //
@@ -19,9 +19,9 @@
 // Energy: ½ kn δ_n² + ½ kt δ_t² in the springs. The law has no potential: the work of e is an entry of its own in the
 // ledger, by the trapezoidal rule in the frame of i.
 //
-// Limits: the stress lags a step behind, which adds energy where nothing damps; ω_max of the springs is no bound for the
-// time step. With `limited`, the length of t - kt δ_t⁻ is at most |t|; the text of the paper does not print a limiter,
-// but without it nothing except its own lag holds the rotation of an element.
+// Limits: the stress lags a step behind, which adds energy where nothing damps; ω_max of the springs is no bound for
+// the time step. With `limited`, the length of t - kt δ_t⁻ is at most |t|; the text of the paper does not print a
+// limiter, but without it nothing except its own lag holds the rotation of an element.
 #pragma once
 #include "stress.hpp"
 
@@ -49,10 +49,10 @@ template <class T> struct PairPose {
 // What a bond stores, in the frame of its element i.
 template <class T> struct PairStore {
     Vector3<T> gap, extra;  // δ [m], e [N]
-    T taken;  // work that e has taken up [J]
+    T taken;  // work of e [J]
 };
 // What a bond does to its elements.
-template <class T> struct PairLoads {
+template <class T> struct NonLocalLoads {
     Vector3<T> force;  // on i; its opposite on j [N]
     Vector3<T> on_i, on_j;  // torque on i, and minus the torque on j [N·m]
 };
@@ -62,8 +62,8 @@ constexpr double nothing = 1e-200;
 
 template <class T>
 BONDEM_INLINE PairPose<T> pair_pose(Vector3<T> branch, Quaternion<T> i, Quaternion<T> j, const PairShape<T> &shape) {
-    const Vector3<T> both = rotate(i, shape.normal) + rotate(j, shape.normal);
-    const Vector3<T> a = rotate(i, shape.lever_i), b = rotate(j, shape.lever_j);
+    const Vector3<T> both = turned_by(i, shape.normal) + turned_by(j, shape.normal);
+    const Vector3<T> a = turned_by(i, shape.lever_i), b = turned_by(j, shape.lever_j);
     return {1.0 / root(dot(both, both) + nothing) * both, a, b, branch + b - a};
 }
 template <class T> BONDEM_INLINE Vector3<T> across(Vector3<T> a, Vector3<T> n) { return minus(a, dot(a, n), n); }
@@ -88,28 +88,29 @@ template <class T> BONDEM_INLINE Vector3<T> spring_force(const PairPose<T> &now,
     return plus(k.kt * now.gap, along, now.normal);
 }
 
-// What a bond of integrity s stores after a step, from what it stored, and from the mean stress of its elements before.
+// What a bond of integrity s stores after a step, from what it stored, and from the mean stress of its elements
+// before.
 template <class T>
 BONDEM_INLINE PairStore<T> after_step(const PairStore<T> &before, const Stress<T> &mean, const PairPose<T> &now,
                                       Quaternion<T> i, T s, const PairStiffness<T> &k, const PairLaw &law) {
-    const Vector3<T> slip = k.kt * across(rotate(i, before.gap), now.normal);
-    const Vector3<T> gap = rotate(inverse(i), now.gap);
-    const Vector3<T> extra = rotate(inverse(i), extra_force(mean, now.normal, k.area, slip, law));
+    const Vector3<T> slip = k.kt * across(turned_by(i, before.gap), now.normal);
+    const Vector3<T> gap = turned_by(inverse(i), now.gap);
+    const Vector3<T> extra = turned_by(inverse(i), extra_force(mean, now.normal, k.area, slip, law));
     return {gap, extra, before.taken + 0.5 * s * dot(before.extra + extra, gap - before.gap)};
 }
 
 template <class T>
-BONDEM_INLINE PairLoads<T> pair_loads(const PairPose<T> &now, Vector3<T> extra, const PairStiffness<T> &k) {
+BONDEM_INLINE NonLocalLoads<T> non_local_loads(const PairPose<T> &now, Vector3<T> extra, const PairStiffness<T> &k) {
     const T middle = T{} + 0.5;
     const Vector3<T> force = spring_force(now, k) + extra, half = middle * now.gap;
     return {force, cross(now.lever_i + half, force), cross(now.lever_j - half, force)};
 }
 
 // Energy of the springs [J].
-template <class T> struct PairEnergy {
+template <class T> struct SpringEnergy {
     T normal, shear;
 };
-template <class T> BONDEM_INLINE PairEnergy<T> pair_energy(const PairPose<T> &now, const PairStiffness<T> &k) {
+template <class T> BONDEM_INLINE SpringEnergy<T> spring_energy(const PairPose<T> &now, const PairStiffness<T> &k) {
     const T along = dot(now.gap, now.normal);
     return {0.5 * k.kn * along * along, 0.5 * k.kt * (dot(now.gap, now.gap) - along * along)};
 }

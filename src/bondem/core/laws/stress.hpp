@@ -3,10 +3,11 @@
 //     σ1 = p + 2 √(J2 / 3) cos(arccos(r) / 3)      r = ½ det(s) / (√(J2 / 3))³
 //     σ3 = p - 2 √(J2 / 3) cos(arccos(-r) / 3)
 //
-// with the mean p, the deviator s = σ - p 1, and J2 = ½ s : s. 2 cos(arccos(r) / 3) is a polynomial of √((1 + r) / 2), to
-// 4e-7 (interpolated at Chebyshev's points). A margin for that and for rounding is added, so that a criterion that is not
-// reached by the bounds is not reached.
+// with the mean p, the deviator s = σ - p 1, and J2 = ½ s : s. 2 cos(arccos(r) / 3) is a polynomial of √((1 + r) /
+// 2), to 4e-7 (interpolated at Chebyshev's points). A margin for that and for rounding is added, so that a criterion
+// that is not reached by the bounds is not reached.
 #pragma once
+#include "../select.hpp"
 #include "../symmetric3.hpp"
 #include "rotations.hpp"
 
@@ -21,10 +22,12 @@ template <class T> BONDEM_INLINE Stress<T> mean_of(const Stress<T> &a, const Str
 }
 template <class T> BONDEM_INLINE Quaternion<T> inverse(Quaternion<T> q) { return {q.w, -q.x, -q.y, -q.z}; }
 // R σ Rᵀ, by R on the columns and then on the rows.
-template <class T> BONDEM_INLINE Stress<T> rotate(Quaternion<T> q, const Stress<T> &s) {
+template <class T> BONDEM_INLINE Stress<T> turned_by(Quaternion<T> q, const Stress<T> &s) {
     using V = Vector3<T>;
-    const V x = rotate(q, V{s.xx, s.xy, s.xz}), y = rotate(q, V{s.xy, s.yy, s.yz}), z = rotate(q, V{s.xz, s.yz, s.zz});
-    const V a = rotate(q, V{x.x, y.x, z.x}), b = rotate(q, V{x.y, y.y, z.y}), c = rotate(q, V{x.z, y.z, z.z});
+    const V x = turned_by(q, V{s.xx, s.xy, s.xz}), y = turned_by(q, V{s.xy, s.yy, s.yz});
+    const V z = turned_by(q, V{s.xz, s.yz, s.zz});
+    const V a = turned_by(q, V{x.x, y.x, z.x}), b = turned_by(q, V{x.y, y.y, z.y});
+    const V c = turned_by(q, V{x.z, y.z, z.z});
     return {a.x, b.y, c.z, a.y, a.z, b.z};
 }
 
@@ -34,7 +37,7 @@ template <class T> struct PrincipalBounds {
 
 // 2 cos(arccos(r) / 3), within 4e-7.
 template <class T> BONDEM_INLINE T trisected(T r) {
-    const T one = T{} + 1.0, c = r < -one ? -one : r > one ? one : r;
+    const T one = T{} + 1.0, c = select(r < -one, -one, select(r > one, one, r));
     const T x = root(0.5 * (1.0 + c));
     return 1.0000003719387707 +
            x * (1.1546638041491451 +

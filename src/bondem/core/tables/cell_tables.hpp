@@ -111,7 +111,8 @@ struct CellStrains {
     Index place;  // of their work in the list of works
     Array<double, 2> factor;  // of each strain: now, by how much it came, ∂U/∂factor before and now [J], (4, g)
     Array<double, 2> power;  // ∂U/∂factor of portions of facets [J], (portions, g)
-    Array<Byte, 1> due;  // whether ∂U/∂factor is needed, (1,)
+    Array<double, 1> cracked;  // ∂U/∂factor of cracks, where there are any [J], (g,)
+    Array<Byte, 1> due;  // whether ∂U/∂factor is needed, and whether levers have changed, (2,)
 };
 // The time that walls are placed at.
 struct WallTime {

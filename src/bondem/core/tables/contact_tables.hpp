@@ -4,6 +4,7 @@
 // (`steps.hpp`) owns the pairs whose later element is in it.
 #pragma once
 #include "damage_tables.hpp"
+#include "packing_tables.hpp"
 #include "step_tables.hpp"
 
 namespace bondem {
@@ -37,7 +38,7 @@ struct NearPairs {
     Array<Short, 1> close;  // those of them that touch or have just parted, (c,)
     // of these: force on the later element [N], lost to dashpots [J], torque over the radius [N], lost to friction [J]
     Array<double, 2> output;  // (c, 8)
-    Array<Index, 2> count;  // of near and of close pairs of each portion, (portions, 2)
+    Array<Index, 2> counts;  // of near and of close pairs of each portion, (portions, 2)
     double width;  // motion of an element after which distances are measured anew [m]
 };
 // How far elements have moved since their distances were measured, and since the list was made.
@@ -77,7 +78,7 @@ struct Walls {
     Array<const double, 1> friction;  // μ, (w,)
     Array<double, 2> listed;  // displacement and growth when the list was made [m], (w, 4)
 };
-// What moves walls.
+// Prescribed motions of walls, servos, and free walls.
 struct WallMotions {
     Array<const double, 1> times, values;  // schedules, as those of `Timeline`
     Array<const Index, 1> start;
@@ -94,8 +95,6 @@ struct WallMotions {
 
 // Bonds and memories that the list of pairs is made of; partners of each element are the earlier ones, ascending.
 struct PairSources {
-    Array<const Index, 1> start;  // neighbours of each element, (n + 1,)
-    Array<const Short, 1> neighbour;
     Array<const Index, 1> bond_start;  // bonds whose later element is p, (n + 1,)
     Array<const Short, 1> bond_first;
     Array<const Byte, 1> wanted;  // whether the pair of a bond is listed, however far apart

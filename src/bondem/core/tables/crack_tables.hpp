@@ -20,8 +20,8 @@ struct YieldingCells {
     Array<const double, 1> slope, dilation, stiffness;  // (n,)
     Array<const double, 1> fade;  // share of the cohesion lost by Δγ of 1, (n,)
     Array<double, 2> plastic;  // P - 1 by rows, Σ Δγ, last increment of strain in space, energy dissipated [J], (n, 17)
-    Array<const int32_t, 2> base_i, base_j;  // levers of facets without plastic strain [pitch], (3, m)
-    Array<const double, 2> base_wall;  // those of walls [m], (g, 3)
+    Array<int32_t, 2> base_i, base_j;  // levers of facets without plastic strain [pitch], (3, m)
+    Array<double, 2> base_wall;  // those of walls [m], (g, 3)
 };
 
 // m facets as softening has them (`laws/softening.hpp`).
@@ -47,16 +47,15 @@ struct CrackOnset {
     Array<Index, 1> found;  // how many of a portion of facets are marked, and at the end of the planes
 };
 
-// Cracked facets, in the order in which they began; room for all facets. Rows are lines of the cache, each for some passes
-// (`passes/cracks/crack_rows.hpp`).
+// Cracked facets, by the number of their facet. Rows are lines of the cache, each for some passes
+// (`passes/cracks/crack_rows.hpp`); those of whole facets are not used, and take no memory.
 struct CohesiveCracks {
-    Array<double, 2> shape, face, state, softening, history;  // (room, 8)
-    Array<double, 2> pull;  // force on cell i [N], (room, 4)
+    Array<double, 2> shape, face, state, softening, history;  // (facets, 8)
+    Array<double, 2> pull;  // force on cell i [N], (facets, 4)
     Array<double, 1> pitch;  // unit of levers [m], (3,)
-    Array<Index, 1> facet;
-    Array<Short, 1> i, j;  // cells
+    Array<Index, 1> order;  // cracked facets in the order in which they began
     Array<Byte, 1> listed;  // of each facet: 0 whole, else 1 and how its crack is treated, (m,)
-    Array<double, 1> integrity;  // of each facet, (m,)
+    Array<double, 1> integrity;  // of each facet, (facets,)
     Array<Index, 1> size;  // number of cracks, and whether lists are out of date, (2,)
 };
 // What cells lose with facets that are treated as facets of less integrity.
@@ -69,9 +68,10 @@ struct CellSlack {
 // Lists of a step, and what is known of the cracks on them. A half is a side of a crack: that of place e on cell i has the
 // number 2 e + 1, that on cell j the number 2 e + 2; number 0 is none.
 struct CrackLists {
-    Array<Index, 1> size;  // cracks treated one by one, those that rest, cells of the first, resting cracks not broken, (4,)
+    Array<Index, 1> size;  // cracks treated one by one, those that rest, cells of the first, cracks that have parted in this step, (4,)
     Array<Index, 1> treated, resting;  // cracks; lanes behind the last one repeat it
     Array<Short, 1> treated_i, treated_j, resting_i, resting_j;  // their cells
+    Array<Index, 1> parted;  // facets whose faces have parted in this step
     Array<Short, 1> cell;  // cells of cracks that are treated one by one
     Array<int32_t, 1> head;  // first half of each cell, (n,)
     Array<int32_t, 2> node;  // next half of its cell, and the lever of this one in the reference [pitch], (halves, 4)
@@ -82,6 +82,10 @@ struct CrackLists {
     Array<double, 2> half;  // `SwellingHalf` by number of the half, (halves, 8)
     Array<double, 2> output;  // force, energy rubbed away, torque, 0 on the cell of a half, (halves, 8)
     Array<double, 2> lost;  // energy of portions dissipated, and that of cracks that part [J], (portions, 2)
+};
+// Where elements touch that a facet does not join any more.
+struct PartedReach {
+    Array<double, 1> apart;  // distance of the centres, by facet [m]
 };
 // Energies of cells with cracks.
 struct CrackEnergies {

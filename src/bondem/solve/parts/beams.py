@@ -11,7 +11,7 @@ from bondem.model.state import State
 from bondem.solve.added import changing_strain
 from bondem.solve.damage_tables import Candidates, FailureBounds, SofteningBounds
 from bondem.solve.parts.breakage import breakage
-from bondem.solve.parts.damage import DamageTables, Joints, damage_of
+from bondem.solve.parts.damage import BondParts, DamageTables, Joints, damage_of
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.parts.softening import SofteningTables, softening
@@ -35,14 +35,8 @@ _check_beams = StepPass("check_beams", Moving, Beams, Portions)
 _sum_beam_energies = StepPass("sum_beam_energies", Moving, Beams, Portions)
 
 
-def beams(
-    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None
-) -> tuple[list[Part], Joints]:
-    """Return the parts of beams, with dashpots beside them or without: their forces, and their breakage.
-
-    Returns:
-        The parts, and the beams as joints of their elements.
-    """
+def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> BondParts:
+    """Return the parts of beams, with dashpots beside them or without: their forces, and their breakage."""
     moving, cut, portions = shared.moving, shared.cut, shared.portions
     strain = changing_strain(model, state)
     bonds = model.bonds.stretched(state.eigenstrain)
@@ -52,7 +46,7 @@ def beams(
     damage = damage_of(model, state, cut, len(table.i))
     soft, failure = None, []
     if damage is not None and model.beam_softening is not None:
-        soft = SofteningTables.of(model.beam_softening, damage, state, table, alike)
+        soft = SofteningTables.of(model.beam_softening, damage, state, table, alike, handed=model.hands_over)
         failure = [softening(soft, damage, state, shared, table)]
     elif damage is not None:
         failure = [breakage(damage, state, shared, table, alike, dashpots)]
@@ -64,7 +58,8 @@ def beams(
         {"present": present, "loads": loads, "guard": [(_check_beams, moving, table, portions)]},
         record=lambda _: [(_sum_beam_energies, moving, table, portions)],
     )
-    return [forces, *failure], Joints.of(model, state, table.integrity, damage)
+    pressed = None if soft is None else soft.bounds
+    return BondParts([forces, *failure], Joints.of(model, state, table.integrity, damage, pressed))
 
 
 def _loads(

@@ -1,6 +1,7 @@
 """Bodies of cells: dilatation, forces of facets, walls that hold facets, tractions, and strains that change."""
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -64,19 +65,23 @@ class BodyOfCells(NamedTuple):
     cells: CellDilatation
     walls: WallConstraints
     tractions: FacetTractions | None
+    strains: CellStrains | None
 
     @classmethod
-    def of(cls, model: Model, state: State, cut: StepCut) -> "BodyOfCells":
+    def of(cls, model: Model, state: State, shared: SharedTables) -> "BodyOfCells":
         """Return the tables of a run from a state, whose arrays they share."""
         layout, constants = model.layout, constants_of(model, state)
         bonds = model.bonds.stretched(state.eigenstrain)
         beams, _ = beam_tables(bonds, layout, model.period, state.integrity, may_share=False)
-        to_i = _places(cut, layout.i, len(layout.order))
+        to_i = _places(shared.cut, layout.i, len(layout.order))
         facets, cells = cell_tables(constants, layout, model.period, state.integrity, to_i)
         held = model.constraints
         walls = constants.grips.table(layout, held.row_of, held.works[2], state.grips)
         integrity = beams.integrity if model.softening is None else beams.integrity.copy()
-        return cls(beams, facets._replace(integrity=integrity), cells, wall_constraints(walls), _tractions(model))
+        return cls(
+            beams, facets._replace(integrity=integrity), cells, wall_constraints(walls), _tractions(model),
+            _strains(model, state, shared.portions),
+        )  # fmt: skip
 
 
 def cells(
@@ -87,6 +92,8 @@ def cells(
     dashpots: Dashpots | None,
     kept: FacetForces | None = None,
     damage: DamageTables | None = None,
+    stretch: Sequence[tuple[Any, ...]] = (),
+    powers: Sequence[tuple[Any, ...]] = (),
 ) -> Part:
     """Return the part of a body of cells, with dashpots beside its facets or without.
 
@@ -99,6 +106,8 @@ def cells(
         kept: forces of facets and moments of cells where cracks need them, or None. Then the energies of dilatation
             are those of another part, which knows the stresses of cells with cracks.
         damage: tables of facets that break at once, or None.
+        stretch: passes that follow where stress-free strains have changed levers.
+        powers: passes that find the powers of these strains at cracks, where a run begins.
     """
     moving, cut, rows, portions = shared.moving, shared.cut, shared.rows, shared.portions
     walls, held = body.walls, len(body.walls.cell) > 0
@@ -115,7 +124,7 @@ def cells(
         gather = [(_collect_facet_moments, cut, kept), (_take_moments, kept)]
     if dashpots is not None:
         loads.append((_add_dashpot_loads, moving, body.beams, dashpots, cut))
-    present, beside, behind = _changing(shared, body, _strains(model, state, portions))
+    present, beside, behind = _changing(shared, body, stretch, powers)
     constrain: Passes = [*beside, (_apply_walls, moving, walls, rows)] if held else [*beside]
     energy = DilatationEnergy(np.zeros(len(portions.elements)))
     energies: Passes = [
@@ -134,10 +143,10 @@ def cells(
 
 
 def _changing(
-    shared: SharedTables, body: BodyOfCells, strains: CellStrains | None
+    shared: SharedTables, body: BodyOfCells, stretch: Sequence[tuple[Any, ...]], powers: Sequence[tuple[Any, ...]]
 ) -> tuple[Passes, Passes, Passes]:
     """Return passes of conditions that change: of the present, around the pass of stresses, and behind it."""
-    moving, timeline, rows, walls = shared.moving, shared.timeline, shared.rows, body.walls
+    moving, timeline, rows, walls, strains = shared.moving, shared.timeline, shared.rows, body.walls, body.strains
     present: Passes = []
     beside: Passes = []
     behind: Passes = []
@@ -145,13 +154,13 @@ def _changing(
         present.append((_follow_tractions, timeline, body.tractions, body.cells))
         beside.append((_add_traction_work, moving, body.tractions, rows))
     if strains is not None:
-        present.append((_follow_cell_strains, timeline, strains, body.facets, walls))
+        present += [(_follow_cell_strains, timeline, strains, body.facets, walls), *stretch]
         behind.append((_sum_strain_powers, moving, strains, body.facets))
         behind.append((_add_strain_work, moving, strains, walls, rows))
     if len(walls.cell):
         present.append((_follow_walls, moving, walls, rows))
     if strains is not None:
-        present.append((_begin_strain_work, moving, strains, body.facets, walls))
+        present += [*powers, (_begin_strain_work, moving, strains, body.facets, walls)]
     return present, beside, behind
 
 
@@ -184,5 +193,6 @@ def _strains(model: Model, state: State, portions: Portions) -> CellStrains | No
     strained = changing_cells(model, state)
     if strained is None:
         return None
-    power = np.zeros((len(portions.bonds), len(strained.schedule)))
-    return CellStrains(*strained._replace(power=power))
+    count, columns = len(strained.schedule), strained._asdict()
+    columns["power"], columns["due"] = np.zeros((len(portions.bonds), count)), np.zeros(2, dtype=np.uint8)
+    return CellStrains(**columns, cracked=np.zeros(count))

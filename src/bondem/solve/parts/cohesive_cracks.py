@@ -8,6 +8,7 @@ from bondem.kernels.tables import BROKEN_COLUMNS, Rows, StepCut, lines
 from bondem.model.bond_table import with_zeros
 from bondem.model.cell_tables import (
     CellDilatation,
+    CellStrains,
     ElasticFacets,
     FacetForces,
     FacetsOfCells,
@@ -35,6 +36,7 @@ from bondem.solve.parts.cells import BodyOfCells, cells, constants_of
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, HistoryRows, Moving, Portions
+from bondem.solve.stress_onset import OnsetByStress
 
 _find_cell_stresses = StepPass("find_cell_stresses", Moving, FacetForces, StressesOfCells)
 _add_surface_stresses = StepPass(
@@ -51,6 +53,11 @@ _stretch_all_cells = StepPass("stretch_all_cells", ElasticFacets, FacetsOfCells,
 _stretch_walls_and_cracks = StepPass(
     "stretch_walls_and_cracks", ElasticFacets, WallConstraints, YieldingCells, CohesiveCracks
 )
+_stretch_anew = StepPass(
+    "stretch_anew", CellStrains, ElasticFacets, FacetsOfCells, WallConstraints, YieldingCells
+)  # fmt: skip
+_sum_crack_powers = StepPass("sum_crack_powers", Moving, CellStrains, ElasticFacets, CohesiveCracks)
+_begin_crack_powers = StepPass("begin_crack_powers", Moving, CellStrains, ElasticFacets, CohesiveCracks)
 _add_yielding_work = StepPass("add_yielding_work", FacetTractions, StressesOfCells, YieldingCells, Rows)
 _mark_cracking_facets = StepPass(
     "mark_cracking_facets", Moving, ElasticFacets, FacetForces, FacetStrengths, StressesOfCells, CrackOnset
@@ -60,9 +67,9 @@ _mark_cracking_planes = StepPass(
 )  # fmt: skip
 _begin_cracks = StepPass("begin_cracks", ElasticFacets, FacetForces, FacetStrengths, CrackOnset, CohesiveCracks)
 _link_cracks = StepPass("link_cracks", ElasticFacets, FacetForces, FacetStrengths, CohesiveCracks, CrackLists)
-_weigh_cracked_cells = StepPass("weigh_cracked_cells", CellDilatation, CellSlack, CohesiveCracks)
+_weigh_cracked_cells = StepPass("weigh_cracked_cells", ElasticFacets, CellDilatation, CellSlack, CohesiveCracks)
 _follow_levers = StepPass("follow_levers", ElasticFacets, CohesiveCracks)
-_list_cracks = StepPass("list_cracks", CohesiveCracks, CrackLists)
+_list_cracks = StepPass("list_cracks", ElasticFacets, CohesiveCracks, CrackLists)
 _carry_cracks = StepPass("carry_cracks", StressesOfCells, CohesiveCracks, CrackLists)
 _sum_moments = StepPass("sum_moments", Moving, ElasticFacets, FacetsOfCells, FacetForces)
 _begin_bases = StepPass("begin_bases", Moving, CellDilatation, CrackLists)
@@ -97,12 +104,13 @@ class CrackingBody:
         n, m = len(state.pose), len(state.integrity)
         constants, adjacency, layout = constants_of(model, state), model.layout.adjacency, model.layout
         self.shared, self.state = shared, state
-        self.body = body = BodyOfCells.of(model, state, shared.cut)
+        self.body = body = BodyOfCells.of(model, state, shared)
         self.kept = facet_forces(state, body.facets, table.area, len(shared.cut.sums))
         swing = np.sqrt(constants.k * (state.motion[layout.i, 3] + state.motion[layout.j, 3]))
         self.strengths = strengths_of(table, LOSS * np.minimum(dt * swing, 1.0))
         listed = np.zeros(len(body.facets.k), dtype=np.uint8)
         listed[m:] = 1  # no facets: they fill a group of lanes
+        self.by_stress = OnsetByStress.of(model, self.strengths, len(shared.portions.bonds))
         self.cracks = CohesiveCracks.of(state, listed)
         cracked, facet = np.zeros(n, dtype=np.uint8), state.cracks[:, FACET].astype(np.int64)
         cracked[layout.i[facet]] = cracked[layout.j[facet]] = 1
@@ -126,9 +134,22 @@ class CrackingBody:
 
     def parts(self, model: Model, dashpots: Dashpots | None) -> list[Part]:
         """Return the parts of the body: what its stresses lead to, the elastic body, and its cracks."""
-        elastic = cells(self.shared, model, self.state, self.body, dashpots, self.kept)
-        changing = len(model.constraints.strain_part) > 0
-        return [Part({"prepare": self._onset()}), elastic, self._cracks(changing)]
+        stretch, begin, behind = self._straining()
+        elastic = cells(
+            self.shared, model, self.state, self.body, dashpots, self.kept, stretch=stretch, powers=begin
+        )  # fmt: skip
+        return [Part({"prepare": self._onset()}), elastic, self._cracks(behind)]
+
+    def _straining(self) -> tuple[Passes, Passes, Passes]:
+        """Return passes of strains that change: of levers, and of powers at cracks as a run begins and in a step."""
+        strains, body = self.body.strains, self.body
+        if strains is None:
+            return [], [], []
+        powers = self.shared.moving, strains, body.facets, self.cracks
+        stretch: Passes = []
+        if self.yielding is not None:
+            stretch.append((_stretch_anew, strains, body.facets, self.of_cells, body.walls, self.yielding))
+        return stretch, [(_begin_crack_powers, *powers)], [(_sum_crack_powers, *powers)]
 
     def _begin(self) -> Passes:
         """A run begins: levers, lists, weights and stresses from what the state has."""
@@ -138,7 +159,7 @@ class CrackingBody:
             passes.append((_stretch_all_cells, body.facets, self.of_cells, self.yielding))
         passes += [
             (_link_cracks, body.facets, self.kept, self.strengths, cracks, self.lists),
-            (_weigh_cracked_cells, body.cells, self.slack, cracks),
+            (_weigh_cracked_cells, body.facets, body.cells, self.slack, cracks),
         ]
         if self.yielding is not None:
             passes.append((_stretch_walls_and_cracks, body.facets, body.walls, self.yielding, cracks))
@@ -152,10 +173,11 @@ class CrackingBody:
     def _onset(self) -> Passes:
         """A step begins: cells yield, and facets begin to crack, by the forces of the step before."""
         moving, body, onset, stresses = self.shared.moving, self.body, self.onset, self.stresses
+        by, strengths = self.by_stress, self.strengths
         passes: Passes = [
             (_find_cell_stresses, moving, self.kept, stresses),
             (_add_surface_stresses, moving, body.walls, self.tractions, stresses),
-            (_judge_cells, self.strengths, stresses, onset),
+            (_judge_cells, self.strengths, stresses, onset) if by is None else by.judge(stresses, onset),
         ]
         if self.yielding is not None:
             passes += [
@@ -164,18 +186,22 @@ class CrackingBody:
                 (_add_yielding_work, self.tractions, stresses, self.yielding, self.shared.rows),
                 (_stretch_walls_and_cracks, body.facets, body.walls, self.yielding, self.cracks),
             ]
-        passes.append((_mark_cracking_facets, moving, body.facets, self.kept, self.strengths, stresses, onset))
+        if by is None:
+            passes.append((_mark_cracking_facets, moving, body.facets, self.kept, strengths, stresses, onset))
+        else:
+            passes += by.mark(moving, body.facets, self.kept, stresses, onset)
+            strengths = by.strengths
         if len(self.strengths.planes):
             passes.append((_mark_cracking_planes, moving, body.facets, self.kept, self.strengths, onset))
-        return [*passes, (_begin_cracks, body.facets, self.kept, self.strengths, onset, self.cracks)]
+        return [*passes, (_begin_cracks, body.facets, self.kept, strengths, onset, self.cracks)]
 
-    def _cracks(self, changing: bool) -> Part:
+    def _cracks(self, powers: Passes) -> Part:
         """Cracks open, close, soften, rest and part, and bear forces."""
         moving, body, cracks, lists = self.shared.moving, self.body, self.cracks, self.lists
         strengths, stresses = self.strengths, self.stresses
         again = (_relax_stale_cells, moving, body.cells, lists)
         crack: Passes = [
-            (_list_cracks, cracks, lists),
+            (_list_cracks, body.facets, cracks, lists),
             (_begin_bases, moving, body.cells, lists),
             (_measure_cracks, moving, body.facets, cracks, lists),
             (_relax_cracked_cells, moving, body.cells, lists),
@@ -187,6 +213,7 @@ class CrackingBody:
             again,
             (_load_cracks, moving, body.facets, cracks, lists),
             (_log_cracks, moving, body.facets, cracks, lists, self.log),
+            *powers,
         ]
         still: Passes = []
         if self.yielding is not None:  # what cells dissipate is found by their stresses
@@ -197,7 +224,7 @@ class CrackingBody:
         return Part(
             {
                 "begin": self._begin(),
-                "present": [(_follow_levers, body.facets, cracks)] if changing else [],
+                "present": [(_follow_levers, body.facets, cracks)] if body.strains is not None else [],
                 "prepare": crack,
                 "add": [(_add_crack_loads, moving, stresses, cracks, lists, self.shared.cut)],
                 "settle": still,
@@ -219,6 +246,8 @@ class CrackingBody:
 
     def keep(self) -> None:
         """Write cracks, forces and events of the last call into the state."""
+        if self.by_stress is not None:
+            self.by_stress.passes.check()
         self.cracks.keep(self.kept, self.state)
         count = int(self.log.written[0])
         if count:

@@ -9,7 +9,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.damage_tables import Candidates, EventLog, Postponed
 from bondem.solve.parts.cells import BodyOfCells, cells
-from bondem.solve.parts.damage import DamageTables, Joints, damage_of
+from bondem.solve.parts.damage import BondParts, DamageTables, Joints, damage_of
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, Moving
@@ -26,15 +26,13 @@ _renew_wall_rows = StepPass("renew_wall_rows", WallConstraints, Rows, Candidates
 _withdraw_dashpots = StepPass("withdraw_dashpots", Moving, Beams, Dashpots, Candidates, Postponed)
 
 
-def body_of_cells(
-    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None
-) -> tuple[list[Part], Joints]:
-    """Return the parts of a body of cells whose facets are elastic or break at once, and the facets as joints."""
-    body = BodyOfCells.of(model, state, shared.cut)
+def body_of_cells(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> BondParts:
+    """Return the parts of a body of cells whose facets are elastic or break at once."""
+    body = BodyOfCells.of(model, state, shared)
     damage = damage_of(model, state, shared.cut, len(body.facets.i))
     forces = cells(shared, model, state, body, dashpots, damage=damage)
     parts = [forces] if damage is None else [forces, _breakage(model, damage, state, shared, body, dashpots)]
-    return parts, Joints.of(model, state, body.facets.integrity, damage)
+    return BondParts(parts, Joints.of(model, state, body.facets.integrity, damage))
 
 
 def _breakage(

@@ -5,6 +5,7 @@ import numpy as np
 from bondem._core_steps import StepPass
 from bondem.kernels.tables import StepCut
 from bondem.model.beam_tables import Beams
+from bondem.model.failure_passes import Strengths, strengths_of
 from bondem.model.model import Model
 from bondem.model.non_local_tables import (
     LaggedStresses,
@@ -14,6 +15,8 @@ from bondem.model.non_local_tables import (
     non_local_tables,
 )
 from bondem.model.state import State
+from bondem.solve.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
+from bondem.solve.parts.damage import BondParts, DamageTables, Joints, damage_of
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, HistoryRows, Moving, Portions
@@ -26,10 +29,15 @@ _add_non_local_loads = StepPass("add_non_local_loads", NonLocalBonds, StepCut)
 _add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)
 _check_beams = StepPass("check_beams", Moving, Beams, Portions)
 _sum_non_local_energies = StepPass("sum_non_local_energies", Moving, Beams, NonLocalBonds, Portions, NonLocalWork)
+_mark_pairs = StepPass("mark_pairs", Beams, LaggedStresses, Strengths, Candidates)
+_judge_pairs = StepPass("judge_pairs", Beams, LaggedStresses, Strengths, Candidates, Postponed)
+_withdraw_dashpots = StepPass("withdraw_dashpots", Moving, Beams, Dashpots, Candidates, Postponed)
+_break_pairs = StepPass("break_pairs", Moving, Beams, NonLocalBonds, Candidates, Postponed, EventLog)
+_relieve_pairs = StepPass("relieve_pairs", Moving, Beams, NonLocalBonds, LaggedStresses, BeamIntegrity, Candidates)
 _write_non_local_work = StepPass("write_non_local_work", NonLocalWork, HistoryRows)
 
 
-def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> list[Part]:
+def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> BondParts:
     """Return the parts of bonds of the non-local law, with dashpots beside them or without."""
     moving, cut, portions = shared.moving, shared.cut, shared.portions
     beams, bonds = non_local_tables(model, state)
@@ -39,7 +47,6 @@ def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpo
         (_turn_stresses, moving, stresses),
         (_find_non_local_forces, moving, beams, bonds, stresses),
         (_collect_moments, cut, stresses),
-        (_find_stresses, moving, stresses),
     ]
     loads: Passes = [(_add_non_local_loads, bonds, cut)]
     if dashpots is not None:
@@ -54,8 +61,38 @@ def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpo
             (_sum_non_local_energies, moving, beams, bonds, portions, work), (_write_non_local_work, work, history)
         ]  # fmt: skip
 
-    stages = {"prepare": prepare, "loads": loads, "guard": [(_check_beams, moving, beams, portions)]}
-    return [Part(stages, record, keep)]
+    guard: Passes = [(_check_beams, moving, beams, portions)]
+    find: Passes = [(_find_stresses, moving, stresses)]
+    parts = [Part({"prepare": prepare, "stress": find, "loads": loads, "guard": guard}, record, keep)]
+    damage = damage_of(model, state, cut, len(beams.i))
+    if damage is not None:
+        parts.append(_breakage(damage, state, shared, beams, bonds, stresses, dashpots))
+    return BondParts(parts, Joints.of(model, state, beams.integrity, damage), stresses)
+
+
+def _breakage(
+    damage: DamageTables,
+    state: State,
+    shared: SharedTables,
+    beams: Beams,
+    bonds: NonLocalBonds,
+    stresses: LaggedStresses,
+    dashpots: Dashpots | None,
+) -> Part:
+    """Return the part of bonds that break."""
+    moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
+    strengths, integrity = strengths_of(damage.table), BeamIntegrity(beams.integrity, np.zeros(0))
+    judge: Passes = [(_judge_pairs, beams, stresses, strengths, candidates, postponed)]
+    remove: Passes = []
+    if dashpots is not None:
+        remove.append((_withdraw_dashpots, moving, beams, dashpots, candidates, postponed))
+    remove += [
+        (_break_pairs, moving, beams, bonds, candidates, postponed, damage.log),
+        (_relieve_pairs, moving, beams, bonds, stresses, integrity, candidates),
+    ]
+    part = damage.part(shared, judge, remove, dashpots)
+    stages = {**part.stages, "loads": [(_mark_pairs, beams, stresses, strengths, candidates)]}
+    return Part(stages, part.record, lambda: damage.keep(beams.integrity, state))
 
 
 def _rows_of_moments(model: Model, cut: StepCut) -> np.ndarray:

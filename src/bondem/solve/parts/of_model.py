@@ -5,12 +5,13 @@ from bondem.laws.damping import DampingTerms
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.added import added
+from bondem.solve.cracks import joints
 from bondem.solve.parts.beams import beams
 from bondem.solve.parts.body_forces import body_forces
 from bondem.solve.parts.boundary import boundary
 from bondem.solve.parts.cohesive_cracks import CrackingBody
 from bondem.solve.parts.contacts import ContactTables
-from bondem.solve.parts.damage import Joints
+from bondem.solve.parts.damage import BondParts, Joints
 from bondem.solve.parts.facet_breakage import body_of_cells
 from bondem.solve.parts.history import history
 from bondem.solve.parts.motion import dashpots_of, motion, resistance_of
@@ -28,14 +29,17 @@ def parts_of(
     shared = SharedTables.of(model, state, cut)
     more = added(model, terms, state, len(cut.sums))
     dashpots = dashpots_of(more)
-    bonds, joints = _bonds(model, state, shared, dashpots, dt)
-    contacts: list[Part] = []
+    bonds = _bonds(model, state, shared, dashpots, dt)
+    contacts, moments = [], []
     if model.contacts is not None:
-        contacts.append(ContactTables(model, model.contacts, state, shared, gauges, joints, dt).part())
+        touching = ContactTables(model, model.contacts, state, shared, gauges, bonds.joints, dt)
+        contacts = [touching.part()]
+        moments = [] if bonds.stresses is None else [touching.moments(bonds.stresses)]
     parts = [
         boundary(shared),
         *contacts,
-        *bonds,
+        *bonds.parts,
+        *moments,
         motion(shared, dashpots, resistance_of(terms, more)),
     ]
     if more is not None and len(more.group):
@@ -45,17 +49,17 @@ def parts_of(
 
 def _bonds(
     model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
-) -> tuple[list[Part], Joints]:
-    """Return the parts of the bonds, and the bonds as joints of their elements."""
+) -> BondParts:
+    """Return the parts of the bonds."""
     if model.softening is not None:
-        parts = CrackingBody(model, state, shared, dt).parts(model, dashpots)
-        return parts, Joints.of(model, state, state.integrity, None)
+        body = CrackingBody(model, state, shared, dt)
+        joined, apart = joints(model, state, state.integrity)
+        return BondParts(body.parts(model, dashpots), Joints(joined, apart, None, cracks=(body.cracks, body.lists)))
     if model.cells is not None:
         return body_of_cells(model, state, shared, dashpots)
-    if model.non_local is None and model.formulation == "total":
-        return beams(model, state, shared, dashpots)
     if model.non_local is not None:
-        parts = non_local(model, state, shared, dashpots)
-    else:
+        return non_local(model, state, shared, dashpots)
+    if model.formulation == "incremental":
         parts = [stored_beams(model, state, shared, dashpots)]
-    return parts, Joints.of(model, state, state.integrity, None)
+        return BondParts(parts, Joints.of(model, state, state.integrity, None))
+    return beams(model, state, shared, dashpots)

@@ -17,6 +17,7 @@ Passes = list[tuple[Any, ...]]
 FORCES = (
     "contacts",  # forces of contacts and walls
     "prepare",  # quantities of elements that bonds need
+    "stress",  # stresses of elements, from all that "prepare" has added
     "constrain",  # walls and conditions that depend on these
     "loads",  # forces of bonds; marks bonds near to failure
     "judge",  # finds which marked bonds fail

@@ -37,6 +37,7 @@ void follow_cell_strains(const Turn &turn, const Timeline &timeline, const CellS
     }
     if (changed) stretch(strains, facets, walls);
     strains.due(0) = changed || needed;
+    strains.due(1) = changed;
 }
 
 void sum_strain_powers(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets) {

@@ -1,24 +1,9 @@
 // Facets and walls of cells whose stress-free strains change: their levers, and what the strains work against.
 #pragma once
+#include "strain_growth.hpp"
 #include "walls.hpp"
 
 namespace bondem {
-
-// Rows of the factors.
-namespace strain_factor {
-enum : Index { now, came, before, after };
-}
-
-inline double growth_of(const CellStrains &strains, Index k) {
-    double sum = strains.still(k);
-    for (Index g = 0; g < strains.schedule.size(); g++) sum += strains.factor(strain_factor::now, g) * strains.part(g, k);
-    return sum;
-}
-inline double growth_at_wall(const CellStrains &strains, Index w) {
-    double sum = strains.wall_still(w);
-    for (Index g = 0; g < strains.schedule.size(); g++) sum += strains.factor(strain_factor::now, g) * strains.wall_part(g, w);
-    return sum;
-}
 
 // Levers of facet k, and of wall w, at the present factors.
 inline void stretch_facet(const CellStrains &strains, const ElasticFacets &facets, Index k) {
@@ -29,7 +14,7 @@ inline void stretch_facet(const CellStrains &strains, const ElasticFacets &facet
     }
 }
 inline void stretch_wall(const CellStrains &strains, const WallConstraints &walls, Index w) {
-    const double grown = growth_at_wall(strains, w);
+    const double grown = wall_growth(strains, w);
     for (Index axis = 0; axis < 3; axis++) walls.arm(w, axis) = grown * strains.wall_base(w, axis);
 }
 
@@ -55,7 +40,7 @@ inline void sum_powers(Index first, Index last, const double *pose, const CellSt
 // Adds up the portions, and what walls add to them.
 inline void sum_all_powers(const Moving &all, const CellStrains &strains, const WallConstraints &walls) {
     for (Index g = 0; g < strains.schedule.size(); g++) {
-        double sum = 0.0;
+        double sum = strains.cracked(g);
         for (Index q = 0; q < strains.power.size(); q++) sum += strains.power(q, g);
         strains.factor(strain_factor::after, g) = sum;
     }
@@ -63,8 +48,9 @@ inline void sum_all_powers(const Moving &all, const CellStrains &strains, const 
         const Quaternion<double> q = orientation(gather(all.pose.data, Short(walls.cell(w))));
         const Vector arm = turned_by(q, walls.arm.row<const Vector>(w));
         const Vector f = {walls.load(w, 0), walls.load(w, 1), walls.load(w, 2)};
-        const double each = dot(f, arm) / growth_at_wall(strains, w);
-        for (Index g = 0; g < strains.schedule.size(); g++) strains.factor(strain_factor::after, g) -= each * strains.wall_part(g, w);
+        const double each = dot(f, arm) / wall_growth(strains, w);
+        for (Index g = 0; g < strains.schedule.size(); g++)
+            strains.factor(strain_factor::after, g) -= each * strains.wall_part(g, w);
     }
 }
 

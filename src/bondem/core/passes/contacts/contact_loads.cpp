@@ -33,7 +33,7 @@ void list_near(const Turn &turn, const Moving &all, const ContactConstants &c, c
             deepest = most(deepest, (reach - root(square)) / smaller);
         }
     }
-    near.count(turn.block, 0) = count;
+    near.counts(turn.block, 0) = count;
     double farthest = 0.0;
     for (Index p = turn.first; p < turn.last; p++) {
         const Vector x = centre(all.pose.data, Short(p)), moved = x - travel.listed.row<const Vector>(p);
@@ -46,7 +46,7 @@ void list_near(const Turn &turn, const Moving &all, const ContactConstants &c, c
 
 // Finds the near pairs that touch, or did a step ago; the rest is far enough.
 Index find_close(const Turn &turn, const Moving &all, const ContactPairs &pairs, const NearPairs &near) {
-    const Index begin = pairs.start(turn.first), count = near.count(turn.block, 0);
+    const Index begin = pairs.start(turn.first), count = near.counts(turn.block, 0);
     Index found = 0;
     for (Index e = begin; e < begin + count; e++) {
         const Short k = near.near(e);
@@ -57,7 +57,7 @@ Index find_close(const Turn &turn, const Moving &all, const ContactPairs &pairs,
         near.close(begin + found) = k;
         found += !off;
     }
-    near.count(turn.block, 1) = found;
+    near.counts(turn.block, 1) = found;
     return found;
 }
 
@@ -124,8 +124,8 @@ void add_pair_loads(const Turn &turn, const ContactConstants &c, const ContactPa
         sum[0] = sum[0] + signs * force;
         sum[1] = sum[1] + arms * torque;
     };
-    for (Index q = turn.first / elements_of_portion; q < near.count.size(); q++) {
-        const Index begin = pairs.start(elements_of_portion * q), end = begin + near.count(q, 1);
+    for (Index q = turn.first / elements_of_portion; q < near.counts.size(); q++) {
+        const Index begin = pairs.start(elements_of_portion * q), end = begin + near.counts(q, 1);
         for (Index e = begin; e < end; e++) {
             const Short k = near.close(e), a = pairs.first(k), b = pairs.second(k);
             const FourInMemory *const out = &near.output.row<FourInMemory>(e);

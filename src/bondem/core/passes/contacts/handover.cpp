@@ -6,13 +6,13 @@ namespace bondem {
 
 void examine(const ContactPairs &pairs, const NearPairs &near, Index k) {
     const Index portion = pairs.second(k) / elements_of_portion, begin = pairs.start(portion * elements_of_portion);
-    Index e = begin + near.count(portion, 0);
+    Index e = begin + near.counts(portion, 0);
     const Index end = e;
     while (e > begin && near.near(e - 1) > k) e--;
     if (e > begin && near.near(e - 1) == k) return;
     for (Index q = end; q > e; q--) near.near(q) = near.near(q - 1);
     near.near(e) = Short(k);
-    near.count(portion, 0)++;
+    near.counts(portion, 0)++;
 }
 
 BegunContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index k) {
@@ -64,6 +64,15 @@ void begin_contacts(const Turn &, const Moving &all, const ContactConstants &c, 
     for_each_event(log, [&](Index bond, Index event) {
         take_over(log, event, hand_over(all, c, pairs, near, bond, postponed.kept.data));
     });
+}
+
+void release_pressure(const Turn &, const EventLog &log, const SofteningBounds &bounds) {
+    for_each_event(log, [&](Index bond, Index) { bounds.press(bond) = 0.0; });
+}
+
+void begin_softened_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                             const NearPairs &near, const EventLog &log, const ContactSums &to) {
+    for_each_event(log, [&](Index bond, Index) { hand_over(all, c, pairs, near, bond, to.sums.data); });
 }
 
 }  // namespace bondem

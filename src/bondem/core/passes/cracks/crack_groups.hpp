@@ -90,9 +90,10 @@ struct CrackGroup {
     BONDEM_INLINE void put(const Array<double, 2> &table, int column, Lanes all) const {
         for (int n = 0; n < known; n++) table.data[8 * crack[n] + column] = all[n];
     }
-    // Asks for lines that are to come.
+    // Asks for the lines of a table that the crack some places later has.
     BONDEM_INLINE void prefetch(const Array<double, 2> &table) const {
-        for (int n = 0; n < lanes; n++) __builtin_prefetch(table.data + 8 * crack[n]);
+        constexpr Index ahead = 24;
+        for (int n = 0; n < known; n++) __builtin_prefetch(table.data + 8 * crack[known == lanes ? ahead + n : 0]);
     }
 };
 
@@ -121,6 +122,8 @@ struct CrackPlace {
 };
 BONDEM_INLINE CrackPlace place_of(const CrackGroup &group, const Array<double, 2> &pose, const double *period,
                                   const CohesiveCracks &cracks) {
+    group.prefetch(cracks.shape);
+    group.prefetch(cracks.face);
     const Row<Lanes> a = gather(pose.data, group.i), b = gather(pose.data, group.j);
     const Ends<Lanes> ends = ends_of(a, b, period);
     const Row<Lanes> face = group.lines(cracks.face);
@@ -144,6 +147,7 @@ BONDEM_INLINE Symmetric3<Lanes> resistances_of(const CrackGroup &group, const Co
     return {h.column[0], h.column[1], h.column[2], h.column[3], k.column[0], k.column[1]};
 }
 BONDEM_INLINE CrackJudgement judgement_of(const CrackGroup &group, const CohesiveCracks &cracks) {
+    group.prefetch(cracks.softening);
     Lanes plane;
     const Symmetric3<Lanes> H = resistances_of(group, cracks, &plane);
     const auto column = [&](int c) { return group.number(cracks.softening, c); };
@@ -151,7 +155,7 @@ BONDEM_INLINE CrackJudgement judgement_of(const CrackGroup &group, const Cohesiv
     PlaneStrength<Lanes> more = {all<Lanes>(infinity), Lanes{}, Lanes{}};
     if (any(on_plane)) {
         const Row<Lanes> rows = group.lines(cracks.history);
-        more = {rows.column[3], rows.column[4], rows.column[5]};
+        more = {rows.column[2], rows.column[3], rows.column[4]};
     }
     return {H, column(4), column(6), {{column(7), column(5)}, more, on_plane}};
 }

@@ -15,6 +15,7 @@ constexpr Index rubbed_loss = 2;  // column of the losses of an element
 // Energy dissipated by the cracks of a group.
 double load_group(const CrackGroup &group, const Moving &all, const double *period, const CohesiveCracks &cracks,
                   const CrackLists &lists, Index portion, bool changes) {
+    group.prefetch(cracks.state);
     const Lanes zero = {};
     const CrackPlace at = place_of(group, all.pose, period, cracks);
     Row<Lanes> row = group.lines(cracks.state);
@@ -43,7 +44,7 @@ double load_group(const CrackGroup &group, const Moving &all, const double *peri
         const Vector3<Lanes> own_kept = select<Lanes>(treated, own, none), rub_kept = select<Lanes>(treated, rub, none);
         group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, s_before, rate}});
         if (any(lost.cracked != zero))
-            group.put(cracks.history, 2, group.number(cracks.history, 2) + lost.cracked);
+            group.put(cracks.history, 1, group.number(cracks.history, 1) + lost.cracked);
         const Mask<Lanes> breaks = treated & (s == zero) & (s_before > zero);
         if (any(breaks)) {
             for (int n = 0; n < group.known; n++)
@@ -85,13 +86,13 @@ void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets
         if (lists.flagged(q) != 2) continue;
         for (Index e = q * crack::of_portion; e < least(count, (q + 1) * crack::of_portion); e++) {
             if (lists.flag(e) != crack::fell) continue;
-            const Index c = lists.treated(e);
-            const SingleCrack one(all.pose, facets.period.data, cracks, c);
+            const Index k = lists.treated(e);
+            const SingleCrack one(all.pose, facets, cracks, k);
             const CrackFaces<double> &at = one.now.faces;
-            const Vector centre = {all.pose(cracks.i(c), 0), all.pose(cracks.i(c), 1), all.pose(cracks.i(c), 2)};
+            const Vector centre = {all.pose(facets.i(k), 0), all.pose(facets.i(k), 1), all.pose(facets.i(k), 2)};
             const double gap = dot(at.gap, at.normal);
-            const Removal removal = {history_of(cracks, c).spent, gap, centre + at.arm_i};
-            log_event(turn.clock, log, one.facet, gap > 0.0 ? tension_mode : shear_mode, removal);
+            const Removal removal = {history_of(cracks, k).spent, gap, centre + at.arm_i};
+            log_event(turn.clock, log, k, gap > 0.0 ? tension_mode : shear_mode, removal);
         }
     }
     log.released(0) += lost;
@@ -101,6 +102,9 @@ void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells 
                      const CrackLists &lists, const StepCut &cut) {
     for (Index at = turn.first; at < turn.last; at++) {
         const Short p = turn.element[at];
+        const Index later = lists.head(turn.element[least(at + 4, turn.last - 1)]);
+        __builtin_prefetch(lists.node.data + 4 * later);
+        __builtin_prefetch(lists.output.data + 8 * later);
         if (lists.head(p) == 0) continue;
         double sum[8] = {};
         Carried carried = {};
@@ -143,10 +147,11 @@ void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &fa
                         const CrackEnergies &found) {
     double normal = 0.0, along = 0.0, bend = 0.0;
     for (Index c = 0; c < cracks.size(0); c++) {
-        if (history_of(cracks, c).status != crack::active) continue;
-        const SingleCrack one(all.pose, facets.period.data, cracks, c);
-        const double *const q = state_of(cracks, c).rub;
-        const float *const h = softening_of(cracks, c).H;
+        const Index k = cracks.order(c);
+        if (history_of(cracks, k).status != crack::active) continue;
+        const SingleCrack one(all.pose, facets, cracks, k);
+        const double *const q = state_of(cracks, k).rub;
+        const float *const h = softening_of(cracks, k).H;
         const CrackHalves<double> half = crack_halves(one.stiffness, one.now.faces, one.stress);
         const CrackEnergy<double> energy = crack_energy(one.stiffness, one.now.faces, one.s, half, Vector{q[0], q[1], q[2]});
         normal += energy.across;

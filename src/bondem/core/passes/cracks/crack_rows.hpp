@@ -30,9 +30,9 @@ struct CrackSofteningRow {
     double strength;  // [Pa], 0 where a cell had no cohesion
 };
 struct CrackHistoryRow {
-    double facet, status, spent;  // spent: energy dissipated [J]
+    double status, spent;  // how it is treated, energy dissipated [J]
     double cohesion, slip_brittleness, friction;  // of facets of material planes
-    double unused[2];
+    double unused[3];
 };
 static_assert(sizeof(CrackShapeRow) == 64 && sizeof(CrackFaceRow) == 64 && sizeof(CrackStateRow) == 64 &&
               sizeof(CrackSofteningRow) == 64 && sizeof(CrackHistoryRow) == 64);

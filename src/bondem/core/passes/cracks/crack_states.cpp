@@ -20,6 +20,7 @@ constexpr double asleep = 0.9, calm = 0.98, grazing = 0.1;
 
 void watch_group(const CrackGroup &group, const Moving &all, const double *period, const FacetStrengths &strengths,
                  const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index portion) {
+    group.prefetch(cracks.shape);
     const Lanes zero = {}, endless = bondem::all<Lanes>(infinity);
     const Row<Lanes> a = gather(all.pose.data, group.i), b = gather(all.pose.data, group.j);
     const Ends<Lanes> ends = ends_of(a, b, period);
@@ -33,6 +34,7 @@ void watch_group(const CrackGroup &group, const Moving &all, const double *perio
     const Mask<Lanes> may_soften = top < endless;
     Mask<Lanes> wakes = opposite(open & (top > zero));
     if (any(may_soften)) {
+        group.prefetch(cracks.face);
         const CrackJudgement of = judgement_of(group, cracks);
         const Row<Lanes> face = group.lines(cracks.face);
         const Lanes area = face.column[4], s = face.column[5];
@@ -50,22 +52,24 @@ void watch_group(const CrackGroup &group, const Moving &all, const double *perio
     put_flags(lists.waking, lists.woken, group, portion, wakes, crack::wakes);
 }
 
-// Adds what a crack that is not treated one by one does to V θ of its cells to their bases, or takes it off.
-void hand_over(const SingleCrack &one, const CellDilatation &cells, const CellSlack &slack, const CohesiveCracks &cracks,
-               const CrackLists &lists, Index c, double sign) {
-    const double s = sign * cracks.integrity(one.facet);
+// Adds what the crack of facet k, which is not treated one by one, does to V θ of its cells to their bases, or takes it off.
+void hand_over(const SingleCrack &one, const ElasticFacets &facets, const CellDilatation &cells, const CellSlack &slack,
+               const CohesiveCracks &cracks, const CrackLists &lists, Index k, double sign) {
+    const Short i = facets.i(k), j = facets.j(k);
+    const double s = sign * cracks.integrity(k);
     const CrackFaces<double> &at = one.now.faces;
-    lists.base(cracks.i(c)) += s * dot(at.share_i, at.gap);
-    lists.base(cracks.j(c)) += s * dot(at.share_j, at.gap);
-    weigh_cracked(cells, slack, cracks, cracks.i(c));
-    weigh_cracked(cells, slack, cracks, cracks.j(c));
+    lists.base(i) += s * dot(at.share_i, at.gap);
+    lists.base(j) += s * dot(at.share_j, at.gap);
+    weigh_cracked(cells, slack, cracks, i);
+    weigh_cracked(cells, slack, cracks, j);
+    lists.stale(i) = lists.stale(j) = 1;
 }
 
-// Puts half `number` of crack c on the list of its cell, where its order belongs.
-void insert_half(const CrackLists &lists, Short p, Index number, Index c, const int32_t *lever) {
+// Puts half `number` of the crack of facet k on the list of its cell, where its order belongs.
+void insert_half(const CrackLists &lists, Short p, Index number, Index k, const int32_t *lever) {
     if (lists.head(p) == 0) lists.cell(lists.size(2)++) = p;
     Index before = 0, next = lists.head(p);
-    while (next > 0 && lists.treated((next - 1) >> 1) > c) {
+    while (next > 0 && lists.treated((next - 1) >> 1) > k) {
         before = next;
         next = lists.node(next, 0);
     }
@@ -75,21 +79,21 @@ void insert_half(const CrackLists &lists, Short p, Index number, Index c, const 
 
 // Treats a resting crack one by one: at the end of the list in this step, in order in the next.
 void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists,
-          Index c) {
-    treat(facets, cracks, c, crack::active);
+          Index k) {
+    treat(facets, cracks, k, crack::active);
     const Index e = lists.size(0)++;
-    lists.treated(e) = c;
-    lists.treated_i(e) = cracks.i(c);
-    lists.treated_j(e) = cracks.j(c);
+    lists.treated(e) = k;
+    lists.treated_i(e) = facets.i(k);
+    lists.treated_j(e) = facets.j(k);
     lists.flag(e) = crack::unchanged;
     if (e % crack::of_portion == 0) lists.flagged(e / crack::of_portion) = 0;
     const CrackFaces<double> &at = one.now.faces;
     const SwellingHalves<double> half = swelling_halves(one.stiffness, one.s, at);
     lists.half.row<Row<double>>(2 * e + 1) = row_of(half.i);
     lists.half.row<Row<double>>(2 * e + 2) = row_of(half.j);
-    insert_half(lists, cracks.i(c), 2 * e + 1, c, shape_of(cracks, c).lever_i);
-    insert_half(lists, cracks.j(c), 2 * e + 2, c, shape_of(cracks, c).lever_j);
-    CrackStateRow &state = state_of(cracks, c);
+    insert_half(lists, facets.i(k), 2 * e + 1, k, shape_of(cracks, k).lever_i);
+    insert_half(lists, facets.j(k), 2 * e + 2, k, shape_of(cracks, k).lever_j);
+    CrackStateRow &state = state_of(cracks, k);
     state.before = crack::fresh;
     const Vector slip = turned_by(inverse(one.ends.i), minus(at.gap, dot(at.gap, at.normal), at.normal));
     for (int d = 0; d < 3; d++) state.slip[d] = slip[d];
@@ -134,6 +138,7 @@ BONDEM_INLINE Softened softened_group(const CrackGroup &group, const CrackPlace 
 void soften_group(const CrackGroup &group, const Moving &all, const FacetStrengths &strengths,
                   const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
                   const double *period, Index portion) {
+    group.prefetch(cracks.state);
     const Lanes zero = {};
     const CrackPlace at = place_of(group, all.pose, period, cracks);
     const CrackFaces<Lanes> &faces = at.now.faces;
@@ -155,7 +160,7 @@ void soften_group(const CrackGroup &group, const Moving &all, const FacetStrengt
         group.put(cracks.face, 5, left);
         for (int n = 0; n < group.known; n++) {
             if (fell[n] == 0) continue;
-            cracks.integrity(cracks.facet(group.crack[n])) = left[n];
+            cracks.integrity(group.crack[n]) = left[n];
             for (Index side = 1; side <= 2; side++)
                 lists.half(2 * (group.e + n) + side, 6) = (1.0 - left[n]) / at.facet.k[n];
         }
@@ -186,10 +191,10 @@ double stiffness_without(const Moving &all, const CellDilatation &cells, const C
 
 // Energy of a broken facet whose faces no longer bear on each other: of each half that of the force that presses, less what
 // its cell takes up as its stress changes by it; and that of friction [J].
-double energy_of_parting(const SingleCrack &one, const Moving &all, const CellDilatation &cells, const CohesiveCracks &cracks,
-                         const CrackLists &lists, Index e) {
-    const Index c = lists.treated(e);
-    const double *const rub = state_of(cracks, c).rub;
+double energy_of_parting(const SingleCrack &one, const Moving &all, const CellDilatation &cells, const ElasticFacets &facets,
+                         const CohesiveCracks &cracks, const CrackLists &lists, Index e) {
+    const Index at = lists.treated(e);
+    const double *const rub = state_of(cracks, at).rub;
     const double k = one.stiffness.k, w = one.stiffness.part;
     const CrackHalves<double> half = crack_halves(one.stiffness, one.now.faces, one.stress);
     double lost = friction_energy(k, 0.0, Vector{rub[0], rub[1], rub[2]});
@@ -198,19 +203,19 @@ double energy_of_parting(const SingleCrack &one, const Moving &all, const CellDi
         const double more = press / k * lists.half(number, 3);
         lost += 0.5 * (part * press * press / k - more * more * stiffness_without(all, cells, lists, p, number));
     };
-    add(cracks.i(c), w, half.i.press, 2 * e + 1);
-    add(cracks.j(c), 1.0 - w, half.j.press, 2 * e + 2);
+    add(facets.i(at), w, half.i.press, 2 * e + 1);
+    add(facets.j(at), 1.0 - w, half.j.press, 2 * e + 2);
     return lost;
 }
 
 // A crack is no longer treated one by one.
 void leave(const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists, Index e, int status) {
-    const Index c = lists.treated(e);
-    treat(facets, cracks, c, status);
-    if (face_of(cracks, c).integrity == 0.0) shape_of(cracks, c).top = infinity;
-    CrackStateRow &state = state_of(cracks, c);
+    const Index k = lists.treated(e);
+    treat(facets, cracks, k, status);
+    if (face_of(cracks, k).integrity == 0.0) shape_of(cracks, k).top = infinity;
+    CrackStateRow &state = state_of(cracks, k);
     for (int d = 0; d < 3; d++) state.slip[d] = state.rub[d] = 0.0;
-    for (Index d = 0; d < 4; d++) cracks.pull(c, d) = 0.0;
+    for (Index d = 0; d < 4; d++) cracks.pull(k, d) = 0.0;
     clear_half(lists, 2 * e + 1);
     clear_half(lists, 2 * e + 2);
 }
@@ -238,16 +243,16 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
         if (lists.woken(q) == 0) continue;
         for (Index e = q * crack::of_portion; e < least(count, (q + 1) * crack::of_portion); e++) {
             if (lists.waking(e) != crack::wakes) continue;
-            const Index c = lists.resting(e);
-            const SingleCrack one(all.pose, facets.period.data, cracks, c);
+            const Index k = lists.resting(e);
+            const SingleCrack one(all.pose, facets, cracks, k);
             if (one.s == 0.0 && turned_away(one.now, one.area)) {
-                treat(facets, cracks, c, crack::parted);
-                shape_of(cracks, c).top = infinity;
+                treat(facets, cracks, k, crack::parted);
+                shape_of(cracks, k).top = infinity;
+                lists.parted(lists.size(3)++) = k;
                 continue;
             }
-            wake(one, facets, cracks, lists, c);
-            hand_over(one, cells, slack, cracks, lists, c, -1.0);
-            lists.stale(cracks.i(c)) = lists.stale(cracks.j(c)) = 1;
+            wake(one, facets, cracks, lists, k);
+            hand_over(one, facets, cells, slack, cracks, lists, k, -1.0);
         }
     }
     if (lists.size(0) > before) fill_treated(lists);
@@ -272,20 +277,21 @@ void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
         for (Index e = q * crack::of_portion; e < least(count, (q + 1) * crack::of_portion); e++) {
             const Byte flag = lists.flag(e);
             if (flag == crack::unchanged) continue;
-            const Index c = lists.treated(e);
-            lists.stale(cracks.i(c)) = lists.stale(cracks.j(c)) = 1;
+            const Index k = lists.treated(e);
             if (flag == crack::fell) {
+                lists.stale(facets.i(k)) = lists.stale(facets.j(k)) = 1;
                 lists.flag(e) = crack::unchanged;
                 continue;
             }
-            const SingleCrack one(all.pose, facets.period.data, cracks, c);
+            const SingleCrack one(all.pose, facets, cracks, k);
             if (flag == crack::parts) {
-                lists.lost(q, 1) += energy_of_parting(one, all, cells, cracks, lists, e);
+                lists.lost(q, 1) += energy_of_parting(one, all, cells, facets, cracks, lists, e);
                 leave(facets, cracks, lists, e, crack::parted);
+                lists.parted(lists.size(3)++) = k;
             } else {
                 leave(facets, cracks, lists, e, crack::resting);
             }
-            hand_over(one, cells, slack, cracks, lists, c, 1.0);
+            hand_over(one, facets, cells, slack, cracks, lists, k, 1.0);
         }
     }
 }

@@ -8,6 +8,7 @@
 // Most facets bear far less: σ1(σ*) is at most (1 + √2) |σ| + √2 (|t| + T_b).
 #include "onset.hpp"
 
+#include "../../laws/agreed_stress.hpp"
 #include "single_cracks.hpp"
 
 namespace bondem {
@@ -17,13 +18,6 @@ constexpr double root_two = 1.4142135623730951;
 // Share of the strength that the bound has to reach; T_b in it is that of the last step.
 constexpr double near_strength = 0.8;
 
-template <class T> BONDEM_INLINE Symmetric3<T> agreed_stress(const Symmetric3<T> &s, Vector3<T> n, Vector3<T> t) {
-    const Vector3<T> r = t - s * n;
-    const T along = dot(r, n);
-    return {s.xx + 2.0 * r.x * n.x - along * n.x * n.x, s.yy + 2.0 * r.y * n.y - along * n.y * n.y,
-            s.zz + 2.0 * r.z * n.z - along * n.z * n.z, s.xy + r.x * n.y + r.y * n.x - along * n.x * n.y,
-            s.xz + r.x * n.z + r.z * n.x - along * n.x * n.z, s.yz + r.y * n.z + r.z * n.y - along * n.y * n.z};
-}
 // Whether a facet of traction t begins, `bent` being what bending opens of it.
 template <class T>
 BONDEM_INLINE Mask<T> begins(Vector3<T> t, Vector3<T> n, const Symmetric3<T> &mean, T bent, T strength) {
@@ -132,16 +126,15 @@ void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForc
     if (!(turn.clock.dt > 0.0)) return;
     const Index portions = onset.found.size() - 1;
     const auto begin = [&](Index k) {
-        const Index c = cracks.size(0)++;
-        state_of(cracks, c) = {};
-        state_of(cracks, c).before = crack::fresh;
-        history_of(cracks, c) = {};
-        softening_of(cracks, c).strength = onset.marked(k) == 1 ? strengths.strength(k) : 0.0;
-        shape_of(cracks, c).top = 0.0;
-        cracks.facet(c) = k;
-        write_constants(facets, kept, strengths, cracks, c);
-        for (Index d = 0; d < 3; d++) cracks.pull(c, d) = kept.force(d, k);
-        treat(facets, cracks, c, crack::active);
+        cracks.order(cracks.size(0)++) = k;
+        state_of(cracks, k) = {};
+        state_of(cracks, k).before = crack::fresh;
+        history_of(cracks, k) = {};
+        softening_of(cracks, k).strength = onset.marked(k) == 1 ? strengths.strength(k) : 0.0;
+        shape_of(cracks, k).top = 0.0;
+        write_constants(facets, kept, strengths, cracks, k);
+        for (Index d = 0; d < 3; d++) cracks.pull(k, d) = kept.force(d, k);
+        treat(facets, cracks, k, crack::active);
         onset.cracked(facets.i(k)) = onset.cracked(facets.j(k)) = 1;
         onset.marked(k) = 0;
     };

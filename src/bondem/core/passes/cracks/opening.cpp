@@ -32,6 +32,8 @@ void relax(Index q, const Moving &all, const CellDilatation &cells, const CrackL
         weight[n] = cells.weight(p);
         stress[n] = all.pose(p, stress_column);
         base[n] = lists.base(p);
+        const Index later = lists.head(cell[2 * lanes + n]);
+        __builtin_prefetch(lists.half.data + 8 * later);
         work[n] = !only_stale || lists.stale(p) != 0 ? 1.0 : 0.0;
     }
     for (int n = 0; n < lanes; n++) lists.stale(cell[n]) = 0;

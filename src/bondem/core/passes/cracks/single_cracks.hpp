@@ -4,20 +4,19 @@
 
 namespace bondem {
 
-// A crack in space, from the poses of its cells.
+// The crack of facet k in space, from the poses of its cells.
 struct SingleCrack {
-    Index facet;
     Ends<double> ends;
     OfCells<double> stress;
     FacetCompliance<double> stiffness;
     double area, s;
     FacedFaces<double> now;
 
-    SingleCrack(const Array<double, 2> &pose, const double *period, const CohesiveCracks &cracks, Index c)
-        : facet(cracks.facet(c)), ends(ends_of(gather(pose.data, cracks.i(c)), gather(pose.data, cracks.j(c)), period)),
-          stress{pose(cracks.i(c), stress_column), pose(cracks.j(c), stress_column)} {
-        const CrackShapeRow &of = shape_of(cracks, c);
-        const CrackFaceRow &face = face_of(cracks, c);
+    SingleCrack(const Array<double, 2> &pose, const ElasticFacets &facets, const CohesiveCracks &cracks, Index k)
+        : ends(ends_of(pose.data, facets, k)),
+          stress{pose(facets.i(k), stress_column), pose(facets.j(k), stress_column)} {
+        const CrackShapeRow &of = shape_of(cracks, k);
+        const CrackFaceRow &face = face_of(cracks, k);
         const double *const pitch = cracks.pitch.data;
         stiffness = {face.k, face.part};
         area = face.area;
@@ -43,10 +42,9 @@ inline void clear_half(const CrackLists &lists, Index number) {
     for (Index c = 0; c < 8; c++) lists.output(number, c) = 0.0;
 }
 
-// Treats a crack one by one from now on, or as a facet of its integrity among the others, or not at all.
-inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Index c, int status) {
-    const Index k = cracks.facet(c);
-    history_of(cracks, c).status = status;
+// Treats the crack of facet k one by one from now on, or as a facet of its integrity among the others, or not at all.
+inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Index k, int status) {
+    history_of(cracks, k).status = status;
     cracks.listed(k) = Byte(1 + status);
     facets.integrity(k) = status == crack::active ? 0.0 : cracks.integrity(k);
     cracks.size(1) = 1;
@@ -64,9 +62,8 @@ inline void weigh_cracked(const CellDilatation &cells, const CellSlack &of, cons
     cells.weight(p) = of.weight(p) / (1.0 + of.weight(p) * slack);
 }
 
-inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &cracks, Index c) {
-    const Index k = cracks.facet(c);
-    CrackShapeRow &of = shape_of(cracks, c);
+inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &cracks, Index k) {
+    CrackShapeRow &of = shape_of(cracks, k);
     for (Index d = 0; d < 3; d++) {
         of.lever_i[d] = facets.lever_i(d, k);
         of.lever_j[d] = facets.lever_j(d, k);
@@ -76,14 +73,11 @@ inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &crac
 
 // Writes down what is constant of a facet as it becomes a crack.
 inline void write_constants(const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
-                            const CohesiveCracks &cracks, Index c) {
-    const Index k = cracks.facet(c);
-    cracks.i(c) = facets.i(k);
-    cracks.j(c) = facets.j(k);
-    write_levers(facets, cracks, c);
-    CrackShapeRow &shape = shape_of(cracks, c);
-    CrackFaceRow &face = face_of(cracks, c);
-    CrackSofteningRow &softening = softening_of(cracks, c);
+                            const CohesiveCracks &cracks, Index k) {
+    write_levers(facets, cracks, k);
+    CrackShapeRow &shape = shape_of(cracks, k);
+    CrackFaceRow &face = face_of(cracks, k);
+    CrackSofteningRow &softening = softening_of(cracks, k);
     for (Index d = 0; d < 3; d++) {
         shape.share_i[d] = facets.share_i(d, k);
         shape.share_j[d] = facets.share_j(d, k);
@@ -99,8 +93,7 @@ inline void write_constants(const ElasticFacets &facets, const FacetForces &kept
     softening.bends = kept.bends(k);
     softening.brittleness = strengths.brittleness(k);
     softening.fastest = strengths.fastest(k);
-    CrackHistoryRow &history = history_of(cracks, c);
-    history.facet = double(k);
+    CrackHistoryRow &history = history_of(cracks, k);
     history.cohesion = strengths.cohesion(k);
     history.slip_brittleness = strengths.slip_brittleness(k);
     history.friction = strengths.friction(k);

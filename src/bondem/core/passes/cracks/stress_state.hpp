@@ -24,6 +24,9 @@ void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, con
                               const YieldingCells &cells, const CohesiveCracks &cracks);
 void stretch_all_cells(const Turn &turn, const ElasticFacets &facets, const FacetsOfCells &of_cells,
                        const YieldingCells &cells);
+// The same where stress-free strains have set the levers without plastic strain anew.
+void stretch_anew(const Turn &turn, const CellStrains &strains, const ElasticFacets &facets, const FacetsOfCells &of_cells,
+                  const WallConstraints &walls, const YieldingCells &cells);
 // Adds the work of loads on free facets that move as their cells yield.
 void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const StressesOfCells &stresses,
                        const YieldingCells &cells, const Rows &rows);

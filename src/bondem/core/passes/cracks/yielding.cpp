@@ -34,7 +34,7 @@ void flow(const Moving &all, const StressesOfCells &stresses, const YieldingCell
           const Symmetric3<double> &strain) {
     double *const row = &cells.plastic(p, 0);
     auto &P = *reinterpret_cast<PlasticDeformation<double> *>(row + deformation);
-    P = deformed(P, rotate(inverse(orientation(gather(all.pose.data, Short(p)))), strain));
+    P = deformed(P, turned_by(inverse(orientation(gather(all.pose.data, Short(p)))), strain));
     const double parts[6] = {strain.xx, strain.yy, strain.zz, strain.xy, strain.xz, strain.yz};
     for (Index d = 0; d < 6; d++) row[increment + d] += parts[d];
     row[gamma] += g;
@@ -131,8 +131,25 @@ void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, con
         const Vector b = stretched(deformation_of(cells, walls.cell(g)), cells.base_wall.row<const Vector>(g));
         for (Index d = 0; d < 3; d++) walls.arm(g, d) = b[d];
     }
-    for (Index c = 0; c < cracks.size(0); c++)
-        if (grows(cells, cracks.i(c)) || grows(cells, cracks.j(c))) write_levers(facets, cracks, c);
+    for (Index c = 0; c < cracks.size(0); c++) {
+        const Index k = cracks.order(c);
+        if (grows(cells, facets.i(k)) || grows(cells, facets.j(k))) write_levers(facets, cracks, k);
+    }
+}
+
+void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets &facets, const FacetsOfCells &of_cells,
+                  const WallConstraints &walls, const YieldingCells &cells) {
+    if (!strains.due(1)) return;
+    for (Index e = 0; e < cells.base_i.all(); e++) {
+        cells.base_i.data[e] = facets.lever_i.data[e];
+        cells.base_j.data[e] = facets.lever_j.data[e];
+    }
+    for (Index p = 0; p < cells.plastic.size(); p++)
+        if (cells.plastic(p, gamma) != 0.0) stretch_cell(facets, of_cells, cells, p);
+    for (Index g = 0; g < walls.cell.size(); g++) {
+        cells.base_wall.row<Vector>(g) = walls.arm.row<Vector>(g);
+        walls.arm.row<Vector>(g) = stretched(deformation_of(cells, walls.cell(g)), cells.base_wall.row<Vector>(g));
+    }
 }
 
 void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const StressesOfCells &stresses,

@@ -4,7 +4,7 @@
 // where bonds take the mean of both ends. Forces of dashpots of bonds do not count.
 #include "element_stresses.hpp"
 
-#include "pairs.hpp"
+#include "bond_columns.hpp"
 
 namespace bondem {
 namespace {
@@ -27,7 +27,7 @@ void turn(Index first, Index last, const double *pose, const LaggedStresses &str
     const Lanes zero = {};
     for (Index e = first; e < last; e += lanes) {
         const Elements p(e, last);
-        const Stress<Lanes> s = rotate(orientation(gather(pose, p.place)), own_stress(stresses, p));
+        const Stress<Lanes> s = turned_by(orientation(gather(pose, p.place)), own_stress(stresses, p));
         scatter(stresses.space.data, p.place, {{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, zero, zero}});
     }
 }
@@ -61,7 +61,7 @@ void find_stresses(const Turn &turn, const Moving &all, const LaggedStresses &st
         const Stress<Lanes> s = one * m;
         const PrincipalBounds<Lanes> bounds = principal_bounds(s);
         scatter(stresses.space.data, p.place, {{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, bounds.largest, bounds.least}});
-        const Stress<Lanes> own = rotate(inverse(orientation(gather(all.pose.data, p.place))), s);
+        const Stress<Lanes> own = turned_by(inverse(orientation(gather(all.pose.data, p.place))), s);
         const Lanes all_of_it[6] = {own.xx, own.yy, own.zz, own.xy, own.xz, own.yz};
         for (Index c = 0; c < 6; c++) put_number(stresses.stress.data, 6, c, p.place, all_of_it[c]);
     }

@@ -1,24 +1,21 @@
-// Bonds of the non-local law: extra forces by the stresses of a step before, then what they add to the stresses of now.
+// Bonds of the non-local law: extra forces by the stresses of a step before, then what they add to the stresses of
+// now.
 //
 // A step finds the forces of all bonds, and then the stresses of all elements, before the blocks add the forces up as
 // those of other bonds. A step of 0 finds the forces of a state again: extra forces stay what they are, and gaps and
 // stresses do not change.
 #include "non_local_bonds.hpp"
 
+#include "../../select.hpp"
 #include "../record/columns.hpp"
-#include "pairs.hpp"
+#include "bond_columns.hpp"
 
 namespace bondem {
 namespace {
 
-// First columns of what a bond stores, and of what it does.
-enum Stored : Index { gap_column, extra_column = 3, taken_column = 6 };
-enum Output : Index { force_column, on_i_column = 3, on_j_column = 6 };
+// Bonds ahead of the loop whose first elements are asked for.
+constexpr Index ahead = 32;
 
-BONDEM_INLINE Vector3<Lanes> where_positive(Lanes s, Vector3<Lanes> a, Vector3<Lanes> b) {
-    const Lanes zero = {};
-    return {s > zero ? a.x : b.x, s > zero ? a.y : b.y, s > zero ? a.z : b.z};
-}
 BONDEM_INLINE Row<Lanes> moment_row(const Stress<Lanes> &s) {
     const Lanes zero = {};
     return {{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, zero, zero}};
@@ -35,11 +32,12 @@ BONDEM_INLINE void keep(const NonLocalBonds &bonds, Group group, Lanes s, const 
                         const PairStore<Lanes> &before) {
     double *const data = bonds.history.data;
     const Index m = bonds.history.shape[1];
-    keep_vector(data, m, gap_column, group, where_positive(s, now.gap, before.gap));
-    keep_vector(data, m, extra_column, group, where_positive(s, now.extra, before.extra));
+    const Mask<Lanes> unbroken = s > Lanes{};
+    keep_vector(data, m, gap_column, group, select(unbroken, now.gap, before.gap));
+    keep_vector(data, m, extra_column, group, select(unbroken, now.extra, before.extra));
     store_behind(data + taken_column * m + group.first, now.taken, group.known);
 }
-BONDEM_INLINE void put_output(const NonLocalBonds &bonds, Group group, Lanes s, const PairLoads<Lanes> &loads) {
+BONDEM_INLINE void put_output(const NonLocalBonds &bonds, Group group, Lanes s, const NonLocalLoads<Lanes> &loads) {
     double *const data = bonds.output.data;
     const Index m = bonds.output.shape[1];
     keep_vector(data, m, force_column, group, s * loads.force);
@@ -54,22 +52,24 @@ BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams
     const PairLaw law = pair_law(bonds);
     for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
+        prefetch(pose, i + least(k + ahead, turn.last - lanes));
         const Ends<Lanes> ends = ends_of(gather(pose, i + k), gather(pose, j + k), beams.period.data);
         const Lanes s = load(beams.integrity.data + k);
         const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
         const PairStiffness<Lanes> stiffness = pair_stiffness<Lanes>(bonds, k);
         const PairStore<Lanes> before = stored_at(bonds, k);
-        PairStore<Lanes> after = {rotate(inverse(ends.i), now.gap), before.extra, before.taken};
+        PairStore<Lanes> after = {turned_by(inverse(ends.i), now.gap), before.extra, before.taken};
         if constexpr (steps) {
             const double *const space = stresses.space.data;
             const Stress<Lanes> mean = mean_of(stress_of(gather(space, i + k)), stress_of(gather(space, j + k)));
             after = after_step(before, mean, now, ends.i, s, stiffness, law);
         }
         keep(bonds, group, s, after, before);
-        const PairLoads<Lanes> loads = pair_loads(now, rotate(ends.i, after.extra), stiffness);
+        const NonLocalLoads<Lanes> loads = non_local_loads(now, turned_by(ends.i, after.extra), stiffness);
         const Vector3<Lanes> force = s * loads.force;
-        add_rows(stresses.moment.data, stresses.to_i.data + k, j + k, moment_row(symmetric_product(now.lever_i, force)),
-                 moment_row(symmetric_product(-now.lever_j, force)), group.known);
+        add_rows(stresses.moment.data, stresses.to_i.data + k, j + k,
+                 moment_row(symmetric_product(now.lever_i, force)), moment_row(symmetric_product(-now.lever_j, force)),
+                 group.known);
         put_output(bonds, group, s, loads);
     });
 }
@@ -90,7 +90,8 @@ void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const Ste
     for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
         const Lanes zero = {};
-        const Vector3<Lanes> f = vector_at<Lanes>(data, m, force_column, k), t = vector_at<Lanes>(data, m, on_i_column, k);
+        const Vector3<Lanes> f = vector_at<Lanes>(data, m, force_column, k);
+        const Vector3<Lanes> t = vector_at<Lanes>(data, m, on_i_column, k);
         const Vector3<Lanes> u = vector_at<Lanes>(data, m, on_j_column, k);
         add_rows(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k, {{f.x, f.y, f.z, zero, t.x, t.y, t.z, zero}},
                  {{-f.x, -f.y, -f.z, zero, -u.x, -u.y, -u.z, zero}}, group.known);
@@ -109,8 +110,8 @@ void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &be
     for (Index k = turn.first; k < turn.last; k++) {
         const double s = beams.integrity(k);
         if (s > 0.0) {
-            const PairEnergy<double> energy =
-                pair_energy(pair_pose(all.pose.data, beams, bonds, k), pair_stiffness<double>(bonds, k));
+            const SpringEnergy<double> energy =
+                spring_energy(pair_pose(all.pose.data, beams, bonds, k), pair_stiffness<double>(bonds, k));
             normal += s * energy.normal;
             shear += s * energy.shear;
         }
@@ -125,7 +126,8 @@ Index find_small_extra_forces(Index, const SmallPairs &pairs, const ExtraForces 
     const PairLaw law = {pairs.nu, pairs.limited != 0};
     for (Index k = 0; k < pairs.area.size(); k++) {
         const auto stress = [&](Index end) { return pairs.stress.row<const Stress<double>>(pairs.pairs(k, end)); };
-        const Vector n = pairs.normal.row<const Vector>(k), slip = pairs.kt(k) * across(pairs.gap.row<const Vector>(k), n);
+        const Vector n = pairs.normal.row<const Vector>(k);
+        const Vector slip = pairs.kt(k) * across(pairs.gap.row<const Vector>(k), n);
         extra.force.row<Vector>(k) = extra_force(mean_of(stress(0), stress(1)), n, pairs.area(k), slip, law);
     }
     return 0;
@@ -134,11 +136,12 @@ Index find_small_extra_forces(Index, const SmallPairs &pairs, const ExtraForces 
 Index load_non_local_bonds(Index, const Poses &all, const Beams &beams, const NonLocalBonds &bonds) {
     for_each_group(0, beams.i.size(), [&](Group group) {
         const Index k = group.first;
-        const Ends<Lanes> ends = ends_of(gather(all.pose.data, beams.i.data + k), gather(all.pose.data, beams.j.data + k),
-                                         beams.period.data);
+        const Row<Lanes> i = gather(all.pose.data, beams.i.data + k), j = gather(all.pose.data, beams.j.data + k);
+        const Ends<Lanes> ends = ends_of(i, j, beams.period.data);
         const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
-        const Vector3<Lanes> extra = rotate(ends.i, stored_at(bonds, k).extra);
-        put_output(bonds, group, load(beams.integrity.data + k), pair_loads(now, extra, pair_stiffness<Lanes>(bonds, k)));
+        const Vector3<Lanes> extra = turned_by(ends.i, stored_at(bonds, k).extra);
+        const NonLocalLoads<Lanes> loads = non_local_loads(now, extra, pair_stiffness<Lanes>(bonds, k));
+        put_output(bonds, group, load(beams.integrity.data + k), loads);
     });
     return 0;
 }

@@ -4,13 +4,13 @@
 
 namespace bondem {
 
-// Finds forces and torques of the bonds of a block, integrates what they store over the step, and adds what they do to
-// the stresses of their elements.
+// Finds forces and torques of the bonds of a block, integrates what they store over the step, and adds what they do
+// to the stresses of their elements.
 void find_non_local_forces(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                            const LaggedStresses &stresses);
 // Adds those forces and torques to the sums of the elements, in the order of the bonds.
 void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const StepCut &cut);
-// Sums normal and shear energy of the springs of a portion, and the work that extra forces have taken up [J].
+// Sums normal and shear energy of the springs of a portion, and the work of extra forces [J].
 void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                             const Portions &portions, const NonLocalWork &work);
 // Writes that work to the ledger.

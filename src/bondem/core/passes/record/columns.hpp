@@ -1,10 +1,10 @@
-// Columns of a record before the gauges: time [s], and the energy ledger [J].
+// Columns of a record of the history before the gauges.
 #pragma once
 #include "../../scalars.hpp"
 
 namespace bondem::column {
 
-enum Name : Index {
+enum : Index {
     time, translation, rotation, normal, shear, bending, twisting, contact, work, loss, friction, non_local, fracture, plastic,
     fixed_columns
 };

@@ -4,7 +4,7 @@
 // against the force of the elements; its speed is limited. A free wall moves by the force of the elements and one of its
 // own: half a kick before it moves, half when the forces on it are known. The work of a wall on the elements is the
 // trapezoid of its power.
-#include "walls.hpp"
+#include "rigid_walls.hpp"
 
 #include "../boundary/timeline.hpp"
 #include "../record/columns.hpp"

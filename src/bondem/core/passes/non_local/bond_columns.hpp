@@ -6,6 +6,10 @@
 
 namespace bondem {
 
+// First columns of what a bond stores, and of what it does.
+enum Stored : Index { gap_column, extra_column = 3, taken_column = 6 };
+enum Output : Index { force_column, on_i_column = 3, on_j_column = 6 };
+
 // Three columns of numbers of a table (…, m), from column `first` on.
 template <class T> BONDEM_INLINE Vector3<T> vector_at(const double *table, Index m, Index first, Index k) {
     const double *column = table + first * m + k;

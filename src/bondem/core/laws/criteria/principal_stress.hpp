@@ -1,0 +1,23 @@
+// Criteria on the largest and the least principal stress, σ1 ≥ σ3, tension positive:
+//
+//     max(a σ1, b σ1 - c σ3) ≥ 1
+//
+// Rankine has a = 1 / f_t alone, with the tensile strength f_t. Mohr and Coulomb have b, c = (1 ± sin φ) / (2 C cos
+// φ) with the cohesion C and the angle of friction φ. Index and mode are those of the larger part: tension or shear.
+//
+// Bonds of the non-local law are judged by the mean stress of their two elements: Celigueta et al. (2020), eqs (5),
+// (8) and (9).
+#pragma once
+#include "loads.hpp"
+
+namespace bondem {
+
+struct PrincipalStressCriterion {
+    template <class T> static BONDEM_INLINE Verdict<T> verdict(T largest, T least, const Coefficients<T> &s) {
+        const T pulled = s.a * largest, sheared = s.b * largest - s.c * least;
+        const T tension = constant<T>(tension_mode), shear = constant<T>(shear_mode);
+        return {pulled >= sheared ? pulled : sheared, pulled >= sheared ? tension : shear};
+    }
+};
+
+}  // namespace bondem

@@ -1,0 +1,24 @@
+// How much longer levers are by the present stress-free strains: 1 + ε*.
+#pragma once
+#include "../../tables/cell_tables.hpp"
+
+namespace bondem {
+
+// Rows of the factors.
+namespace strain_factor {
+enum : Index { now, came, before, after };
+}
+
+inline double growth_of(const CellStrains &strains, Index k) {
+    double sum = strains.still(k);
+    for (Index g = 0; g < strains.schedule.size(); g++) sum += strains.factor(strain_factor::now, g) * strains.part(g, k);
+    return sum;
+}
+inline double wall_growth(const CellStrains &strains, Index w) {
+    double sum = strains.wall_still(w);
+    for (Index g = 0; g < strains.schedule.size(); g++)
+        sum += strains.factor(strain_factor::now, g) * strains.wall_part(g, w);
+    return sum;
+}
+
+}  // namespace bondem
