@@ -7,7 +7,7 @@
 #include "../passes/contacts/handover.hpp"
 #include "../passes/contacts/pairs.hpp"
 #include "../passes/contacts/wall_shapes.hpp"
-#include "../passes/contacts/walls.hpp"
+#include "../passes/contacts/rigid_walls.hpp"
 #include "record.hpp"
 
 namespace bondem {

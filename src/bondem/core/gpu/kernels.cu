@@ -6,7 +6,7 @@
 #include "../passes/cells/cell_strains.cpp"
 #include "../passes/contacts/contact_loads.cpp"
 #include "../passes/contacts/handover.cpp"
-#include "../passes/contacts/walls.cpp"
+#include "../passes/contacts/rigid_walls.cpp"
 #include "../passes/damage/beam_failure.cpp"
 #include "../passes/motion/body_forces.cpp"
 #include "../passes/record/record.cpp"
