@@ -18,7 +18,6 @@ from bondem.model.blocks import Blocks
 from bondem.model.failure_passes import CRITERION_NAMES
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.loop_core import core_has
 from bondem.solve.loop_cpu import gauge_tables, noticeable
 from bondem.solve.on_device.breakage_counterparts import Postponement, end, resuming
 from bondem.solve.on_device.contact_counterparts import deepest_overlaps, lists_of_contacts, walls_listed
@@ -48,8 +47,7 @@ _STEP = 5
 def device_has(model: Model) -> bool:
     """Return whether all passes of a run have counterparts on a device."""
     return (
-        core_has(model)
-        and (model.breaking is None or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES)))
+        (model.breaking is None or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES)))
         and model.beam_softening is None
         and model.softening is None
         and model.non_local is None
