@@ -113,7 +113,6 @@ def model_and_plan(**options) -> tuple[bd.Model, Plan]:
 
 def test_what_the_device_cannot_do_is_refused() -> None:
     pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
-    heat = bd.Eigenstrain(1e-3, schedule=bd.Ramp(0.0, 1.0, 1e-3))
     for options, what in (
         ({"formulation": "incremental"}, "the incremental formulation"),
     ):
@@ -122,7 +121,6 @@ def test_what_the_device_cannot_do_is_refused() -> None:
     pair = bd.Particles([[0.4, 0.5, 0.5], [1.5, 0.5, 0.5]], 0.3, shape=bd.Box((2, 1, 1)))
     body = bd.connect(pair, method="laguerre")
     for bond, options, what in (
-        (bd.CellBond(E=1e7, nu=0.2), {"boundary": heat}, "strains that change"),
         (bd.NonLocal(E=1e7, nu=0.2), {}, "the non-local law"),
     ):
         with pytest.raises(InputError, match=rf"cannot run {what}.* yet; use device='cpu'"):

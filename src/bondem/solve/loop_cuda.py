@@ -39,7 +39,7 @@ from bondem.model.state import State
 from bondem.solve.beam_softening_cuda import SoftBeamForces
 from bondem.solve.breakage_cuda import BeamBreakage, DeviceBreakage, FacetBreakage
 from bondem.solve.cracks_cuda import CrackForces
-from bondem.solve.forces_cuda import BeamForces, DeviceForces, DeviceRun, FacetForces, starts
+from bondem.solve.forces_cuda import BeamForces, DeviceFacetForces, DeviceForces, DeviceRun, starts
 from bondem.solve.loop_cpu import gauge_tables, noticeable
 from bondem.solve.plan import Plan
 
@@ -96,7 +96,7 @@ class GpuLoop:
             return beams, None if table is None else BeamBreakage(table, model, state, run, self._bodies, beams)
         if model.softening is not None:
             return CrackForces(model, state, run, dt), None
-        facets = FacetForces(model, state, run)
+        facets = DeviceFacetForces(model, state, run)
         return facets, None if table is None else FacetBreakage(table, model, state, run, self._bodies, facets)
 
     def look(self) -> np.ndarray:

@@ -46,14 +46,12 @@ _STEP = 5
 
 def device_has(model: Model) -> bool:
     """Return whether all passes of a run have counterparts on a device."""
-    held = model.constraints
     return (
         (model.breaking is None or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES)))
         and model.beam_softening is None
         and model.softening is None
         and model.non_local is None
         and model.formulation == "total"
-        and (model.cells is None or len(held.strain_part) == 0)
         and len(model.layout.i) < _MOST_BONDS
     )
 

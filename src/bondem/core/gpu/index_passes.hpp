@@ -98,4 +98,10 @@
     X(write_gauge_of_wall)              \
     X(follow_strain_factors)            \
     X(strain_portion)                   \
-    X(add_work_of_strains)
+    X(add_work_of_strains)              \
+    X(follow_cell_factors)              \
+    X(stretch_facet_of_step)            \
+    X(stretch_wall_of_step)             \
+    X(sum_strain_portion)               \
+    X(begin_cell_strains)               \
+    X(add_work_of_cell_strains)

@@ -1,8 +1,10 @@
-// Strains of beams that change, on a device: one thread follows their factors, one each computes a portion of the beams, and
-// one adds up their work (`passes/boundary/strains.cpp`).
+// Strains that change, on a device: one thread follows their factors, one each stretches a facet or computes a portion, and
+// one adds up their work (`passes/boundary/strains.cpp`, `passes/cells/cell_strains.cpp`).
 #pragma once
 #include "../passes/boundary/strained_beam.hpp"
 #include "../passes/boundary/timeline.hpp"
+#include "../passes/cells/cell_strains.hpp"
+#include "../passes/cells/strained_cells.hpp"
 #include "turns.hpp"
 
 namespace bondem {
@@ -44,6 +46,48 @@ inline void add_work_of_strains(Index, const DeviceSpan &span, const Strain &str
         factor(0, g) = factor(1, g);
         factor(2, g) = power;
     }
+}
+
+// ---- of cells
+
+inline void follow_cell_factors(Index, const DeviceSpan &span, const Timeline &timeline, const CellStrains &strains,
+                                const StrainPortions &portions) {
+    using namespace strain_factor;
+    const Clock &clock = clock_of(span);
+    const auto &factor = strains.factor;
+    bool changed = clock.first, needed = clock.first;
+    for (Index g = 0; g < strains.schedule.size(); g++) {
+        const double present = value_at(timeline, strains.schedule(g), clock.time), step = present - factor(now, g);
+        factor(came, g) = clock.first ? 0.0 : step;
+        factor(now, g) = present;
+        changed |= step != 0.0;
+        needed |= value_at(timeline, strains.schedule(g), clock.time + clock.dt) != present;
+    }
+    portions.due(0) = changed;
+    strains.due(0) = changed || needed;
+}
+inline void stretch_facet_of_step(Index k, const CellStrains &strains, const ElasticFacets &facets,
+                                  const StrainPortions &portions) {
+    if (portions.due(0)) stretch_facet(strains, facets, k);
+}
+inline void stretch_wall_of_step(Index w, const CellStrains &strains, const WallConstraints &walls,
+                                 const StrainPortions &portions) {
+    if (portions.due(0)) stretch_wall(strains, walls, w);
+}
+inline void sum_strain_portion(Index b, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
+                               const ElasticFacets &facets) {
+    sum_strain_powers(portion_of(span, b, bonds_of_portion, span.m), all, strains, facets);
+}
+inline void begin_cell_strains(Index, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
+                               const WallConstraints &walls) {
+    using namespace strain_factor;
+    if (!clock_of(span).first) return;
+    sum_all_powers(all, strains, walls);
+    for (Index g = 0; g < strains.schedule.size(); g++) strains.factor(before, g) = strains.factor(after, g);
+}
+inline void add_work_of_cell_strains(Index, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
+                                     const WallConstraints &walls, const Rows &rows) {
+    add_strain_work(turn_of(span, 0), all, strains, walls, rows);
 }
 
 }  // namespace bondem

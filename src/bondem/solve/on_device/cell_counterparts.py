@@ -5,13 +5,21 @@ import numpy as np
 from bondem._device import IndexPass, Launch
 from bondem.kernels.tables import Rows, StepCut
 from bondem.model.beam_tables import Beams
-from bondem.model.cell_tables import CellDilatation, DilatationEnergy, ElasticFacets, FacetTractions, WallConstraints
+from bondem.model.cell_tables import (
+    CellDilatation,
+    CellStrains,
+    DilatationEnergy,
+    ElasticFacets,
+    FacetTractions,
+    WallConstraints,
+)
 from bondem.solve.on_device.device_tables import (
     WORKS,
     BondsOfElements,
     DeviceSpan,
     LoadsOfBonds,
     RowOrder,
+    StrainPortions,
     WallEnergy,
 )
 from bondem.solve.on_device.translation import Counterpart, Translation
@@ -34,6 +42,14 @@ _sum_portion_of_facets = IndexPass("sum_portion_of_facets", DeviceSpan, Moving, 
 _sum_portion_of_cells = IndexPass("sum_portion_of_cells", DeviceSpan, CellDilatation, DilatationEnergy)
 _sum_portion_of_walls = IndexPass("sum_portion_of_walls", Moving, WallConstraints, WallEnergy)
 _add_energies = IndexPass("add_energies", DilatationEnergy, WallEnergy, Portions)
+
+
+_follow_factors = IndexPass("follow_cell_factors", DeviceSpan, Timeline, CellStrains, StrainPortions)
+_stretch_facet = IndexPass("stretch_facet_of_step", CellStrains, ElasticFacets, StrainPortions)
+_stretch_wall = IndexPass("stretch_wall_of_step", CellStrains, WallConstraints, StrainPortions)
+_sum_strain_portion = IndexPass("sum_strain_portion", DeviceSpan, Moving, CellStrains, ElasticFacets)
+_begin_cell_strains = IndexPass("begin_cell_strains", DeviceSpan, Moving, CellStrains, WallConstraints)
+_add_work = IndexPass("add_work_of_cell_strains", DeviceSpan, Moving, CellStrains, WallConstraints, Rows)
 
 
 # ---- dilatation and forces
@@ -89,6 +105,43 @@ def _add_traction_work(run: Translation, moving: Moving, tractions: FacetTractio
     return [(_add_traction_work_of_row, run.held, (moving, run.cut, tractions, rows))]
 
 
+# ---- strains that change
+
+
+def _changes(run: Translation, strains: CellStrains) -> StrainPortions:
+    def make() -> StrainPortions:
+        return StrainPortions(np.zeros(2, dtype=np.int64), np.zeros((0, len(strains.schedule))))
+
+    return run.once(strains, make)
+
+
+def _follow_strains(
+    run: Translation, timeline: Timeline, strains: CellStrains, facets: ElasticFacets, walls: WallConstraints
+) -> list[Launch]:
+    changes = _changes(run, strains)
+    return [
+        (_follow_factors, 1, (run.span, timeline, strains, changes)),
+        (_stretch_facet, run.span.m, (strains, facets, changes)),
+        (_stretch_wall, len(strains.wall_still), (strains, walls, changes)),
+    ]
+
+
+def _powers(run: Translation, moving: Moving, strains: CellStrains, facets: ElasticFacets) -> list[Launch]:
+    return [(_sum_strain_portion, len(strains.power), (run.span, moving, strains, facets))]
+
+
+def _begin_strains(
+    run: Translation, moving: Moving, strains: CellStrains, facets: ElasticFacets, walls: WallConstraints
+) -> list[Launch]:
+    return [*_powers(run, moving, strains, facets), (_begin_cell_strains, 1, (run.span, moving, strains, walls))]
+
+
+def _add_strain_work(
+    run: Translation, moving: Moving, strains: CellStrains, walls: WallConstraints, rows: Rows
+) -> list[Launch]:
+    return [(_add_work, 1, (run.span, moving, strains, walls, rows))]
+
+
 # ---- guard and record
 
 
@@ -125,6 +178,10 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "add_wall_loads": _add_wall_loads,
     "follow_tractions": _follow_tractions,
     "add_traction_work": _add_traction_work,
+    "follow_cell_strains": _follow_strains,
+    "begin_strain_work": _begin_strains,
+    "sum_strain_powers": _powers,
+    "add_strain_work": _add_strain_work,
     "check_facets": _check,
     "sum_facet_energies": _facet_energies,
     "sum_dilatation_energies": _cell_energies,

@@ -9,8 +9,7 @@
 #include "cell_strains.hpp"
 
 #include "../boundary/timeline.hpp"
-#include "strain_growth.hpp"
-#include "walls.hpp"
+#include "strained_cells.hpp"
 
 namespace bondem {
 namespace {
@@ -18,52 +17,8 @@ namespace {
 using namespace strain_factor;
 
 void stretch(const CellStrains &strains, const ElasticFacets &facets, const WallConstraints &walls) {
-    for (Index k = 0; k < strains.still.size(); k++) {
-        const double grown = growth(strains, k);
-        for (Index axis = 0; axis < 3; axis++) {
-            facets.lever_i(axis, k) = int32_t(nearest(grown * strains.base_i(axis, k) / facets.pitch(axis)));
-            facets.lever_j(axis, k) = int32_t(nearest(grown * strains.base_j(axis, k) / facets.pitch(axis)));
-        }
-    }
-    for (Index w = 0; w < strains.wall_still.size(); w++) {
-        const double grown = wall_growth(strains, w);
-        for (Index axis = 0; axis < 3; axis++) walls.arm(w, axis) = grown * strains.wall_base(w, axis);
-    }
-}
-
-// ∂U/∂factor of the facets first … last - 1, by the stresses in the poses.
-void sum_powers(Index first, Index last, const double *pose, const CellStrains &strains, const ElasticFacets &facets,
-                double *power) {
-    const Index count = strains.schedule.size();
-    const FacetColumns columns(facets);
-    for (Index g = 0; g < count; g++) power[g] = 0.0;
-    for (Index k = first; k < last; k++) {
-        const double s = facets.integrity(k);
-        if (s <= 0.0) continue;
-        const Row<double> i = gather(pose, facets.i(k)), j = gather(pose, facets.j(k));
-        const Ends<double> ends = ends_of(i, j, facets.period.data);
-        const FacetShape<double> shape = columns.shape<double>(k);
-        const OpenFacet<double> open = opened(ends, shape);
-        const Vector f = facet_pull(ends, shape, s * facets.k(k), stresses_of(i, j, s));
-        const double each = dot(f, open.arm_j - open.arm_i) / growth(strains, k);
-        for (Index g = 0; g < count; g++) power[g] += each * strains.part(g, k);
-    }
-}
-
-// Adds up the portions, and what walls add to them.
-void sum_all_powers(const Moving &all, const CellStrains &strains, const WallConstraints &walls) {
-    for (Index g = 0; g < strains.schedule.size(); g++) {
-        double sum = strains.cracked(g);
-        for (Index q = 0; q < strains.power.size(); q++) sum += strains.power(q, g);
-        strains.factor(after, g) = sum;
-    }
-    for (Index w = 0; w < strains.wall_still.size(); w++) {
-        const Quaternion<double> q = orientation(gather(all.pose.data, Short(walls.cell(w))));
-        const Vector arm = turned_by(q, walls.arm.row<const Vector>(w));
-        const Vector f = {walls.load(w, 0), walls.load(w, 1), walls.load(w, 2)};
-        const double each = dot(f, arm) / wall_growth(strains, w);
-        for (Index g = 0; g < strains.schedule.size(); g++) strains.factor(after, g) -= each * strains.wall_part(g, w);
-    }
+    for (Index k = 0; k < strains.still.size(); k++) stretch_facet(strains, facets, k);
+    for (Index w = 0; w < strains.wall_still.size(); w++) stretch_wall(strains, walls, w);
 }
 
 }  // namespace

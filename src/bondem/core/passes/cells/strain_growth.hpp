@@ -9,7 +9,7 @@ namespace strain_factor {
 enum : Index { now, came, before, after };
 }
 
-inline double growth(const CellStrains &strains, Index k) {
+inline double growth_of(const CellStrains &strains, Index k) {
     double sum = strains.still(k);
     for (Index g = 0; g < strains.schedule.size(); g++) sum += strains.factor(strain_factor::now, g) * strains.part(g, k);
     return sum;

@@ -17,7 +17,7 @@ void sum_powers(const Moving &all, const CellStrains &strains, const ElasticFace
         if (history_of(cracks, k).status != crack::active) continue;
         const OpenFacet<double> open = opened(ends_of(all.pose.data, facets, k), columns.shape<double>(k));
         const Vector f = {cracks.pull(k, 0), cracks.pull(k, 1), cracks.pull(k, 2)};
-        const double each = dot(f, open.arm_j - open.arm_i) / growth(strains, k);
+        const double each = dot(f, open.arm_j - open.arm_i) / growth_of(strains, k);
         for (Index g = 0; g < count; g++) strains.cracked(g) += each * strains.part(g, k);
     }
 }

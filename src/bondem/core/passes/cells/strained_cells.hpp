@@ -1,0 +1,57 @@
+// Facets and walls of cells whose stress-free strains change: their levers, and what the strains work against.
+#pragma once
+#include "strain_growth.hpp"
+#include "walls.hpp"
+
+namespace bondem {
+
+// Levers of facet k, and of wall w, at the present factors.
+inline void stretch_facet(const CellStrains &strains, const ElasticFacets &facets, Index k) {
+    const double grown = growth_of(strains, k);
+    for (Index axis = 0; axis < 3; axis++) {
+        facets.lever_i(axis, k) = int32_t(nearest(grown * strains.base_i(axis, k) / facets.pitch(axis)));
+        facets.lever_j(axis, k) = int32_t(nearest(grown * strains.base_j(axis, k) / facets.pitch(axis)));
+    }
+}
+inline void stretch_wall(const CellStrains &strains, const WallConstraints &walls, Index w) {
+    const double grown = wall_growth(strains, w);
+    for (Index axis = 0; axis < 3; axis++) walls.arm(w, axis) = grown * strains.wall_base(w, axis);
+}
+
+// ∂U/∂factor of the facets first … last - 1, by the stresses in the poses.
+inline void sum_powers(Index first, Index last, const double *pose, const CellStrains &strains, const ElasticFacets &facets,
+                double *power) {
+    const Index count = strains.schedule.size();
+    const FacetColumns columns(facets);
+    for (Index g = 0; g < count; g++) power[g] = 0.0;
+    for (Index k = first; k < last; k++) {
+        const double s = facets.integrity(k);
+        if (s <= 0.0) continue;
+        const Row<double> i = gather(pose, facets.i(k)), j = gather(pose, facets.j(k));
+        const Ends<double> ends = ends_of(i, j, facets.period.data);
+        const FacetShape<double> shape = columns.shape<double>(k);
+        const OpenFacet<double> open = opened(ends, shape);
+        const Vector f = facet_pull(ends, shape, s * facets.k(k), stresses_of(i, j, s));
+        const double each = dot(f, open.arm_j - open.arm_i) / growth_of(strains, k);
+        for (Index g = 0; g < count; g++) power[g] += each * strains.part(g, k);
+    }
+}
+
+// Adds up the portions, and what walls add to them.
+inline void sum_all_powers(const Moving &all, const CellStrains &strains, const WallConstraints &walls) {
+    for (Index g = 0; g < strains.schedule.size(); g++) {
+        double sum = strains.cracked(g);
+        for (Index q = 0; q < strains.power.size(); q++) sum += strains.power(q, g);
+        strains.factor(strain_factor::after, g) = sum;
+    }
+    for (Index w = 0; w < strains.wall_still.size(); w++) {
+        const Quaternion<double> q = orientation(gather(all.pose.data, Short(walls.cell(w))));
+        const Vector arm = turned_by(q, walls.arm.row<const Vector>(w));
+        const Vector f = {walls.load(w, 0), walls.load(w, 1), walls.load(w, 2)};
+        const double each = dot(f, arm) / wall_growth(strains, w);
+        for (Index g = 0; g < strains.schedule.size(); g++)
+            strains.factor(strain_factor::after, g) -= each * strains.wall_part(g, w);
+    }
+}
+
+}  // namespace bondem
