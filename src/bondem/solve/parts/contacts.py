@@ -147,7 +147,10 @@ class ContactTables:
             cracks, lists = self._joints.cracks
             reach = PartedReach(self._joints.apart)
             parted.append((_touch_parted_faces, s.moving, self._pairs, self._near, cracks, lists, reach))
-        stages = {"hand_over": hand_over, "constrain": parted, "travel": travel, "contacts": contacts, "add": add, "guard": guard}
+        stages = {
+            "hand_over": hand_over, "constrain": parted, "travel": travel, "contacts": contacts, "add": add,
+            "guard": guard,
+        }  # fmt: skip
         return Part(stages, record=self._record, keep=self._keep, renewed=self._renewed)
 
     def moments(self, stresses: LaggedStresses) -> Part:
