@@ -7,7 +7,7 @@ import pytest
 
 import bondem as bd
 from bondem._compile import threads
-from bondem.kernels.crack_tables import ACTIVE, RESTING, STATUS
+from bondem.kernels.crack_tables import ACTIVE, FACET, PARTED, RESTING, STATUS, TOP
 from bondem.model.state import State
 from bondem.solve.loop_core import CoreLoop, core_has
 from bondem.solve.loop_cpu import CpuLoop
@@ -111,10 +111,35 @@ def test_energy_is_stored_or_released_and_momentum_kept(kind):
     np.testing.assert_allclose(momentum, at_first, atol=1e-12 * np.abs(first.motion[:, :3] * mass).sum())
 
 
+def test_cells_touch_where_faces_have_parted():
+    """Contact begins at the distance of the centres, without a force; lists of contacts and pauses change no bit."""
+    lattice = body()
+    contact = bd.LinearContact(E=40e9, friction=0.4)
+    model = bd.Model(lattice, bd.CellBond(E=40e9, nu=0.2), 2500.0, failure=COULOMB, contact=contact)
+    x = lattice.centre - lattice.centre.mean(axis=0)
+    velocity = -2e3 * x * [1.0, 0.3, 0.3] + 10.0 * np.random.default_rng(0).standard_normal(x.shape)
+    dt = 0.25 * critical_step(model, bd.VelocityVerlet())
+    ends = []
+    for pieces in (1, 3):
+        state = model.state()
+        state.set_motion(velocity=velocity)
+        with threads(1):
+            loop = CoreLoop(model, Plan(duration=2400 * dt, dt=dt, every=100), state, dt)
+            records = [loop.look(), *(loop.run(2400 // pieces)[0] for _ in range(pieces))]
+        ends.append(state)
+        assert bd.History(np.concatenate(records)).imbalance < 1e-3
+    for name in KEPT:
+        np.testing.assert_array_equal(getattr(ends[0], name), getattr(ends[1], name), err_msg=name)
+    parted = ends[0].cracks[ends[0].cracks[:, STATUS] == PARTED]
+    assert len(parted) >= 3
+    apart = model.bonds.length[parted[:, FACET].astype(int)]
+    assert ((parted[:, TOP] > 0.0) & (parted[:, TOP] <= apart)).all()
+
+
 def test_what_the_core_takes():
     lattice, law = body(), bd.CellBond(E=40e9, nu=0.2)
     cone = bd.DruckerPrager(tension=4e6, compression=40e6, fracture_energy=50.0)
     contact = bd.LinearContact(E=70e9, friction=0.4)
     assert core_has(bd.Model(lattice, law, 2500.0, failure=COULOMB))
     assert not core_has(bd.Model(lattice, law, 2500.0, failure=cone))
-    assert not core_has(bd.Model(lattice, law, 2500.0, failure=COULOMB, contact=contact))
+    assert core_has(bd.Model(lattice, law, 2500.0, failure=COULOMB, contact=contact))
