@@ -1,4 +1,4 @@
-"""Whether two runs have the same bits, and a run that is cut off and goes on."""
+"""Assertions that runs have the same bits, on any number of threads and where a run is cut off and resumed."""
 
 import hashlib
 from collections.abc import Callable
@@ -8,17 +8,48 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
-from bondem.model.state import State
-from bondem.solve.timestep import critical_step
+from bondem._compile import most_threads as most_threads
+from bondem._compile import threads as threads
+from tests.models import time_step
+from tests.specimens import FOUR_CENTRES, FOUR_RADII
+
+
+def need_two_threads() -> None:
+    """Skip a test where one thread only may be used."""
+    if most_threads() < 2:
+        pytest.skip("one thread only may be used (NUMBA_NUM_THREADS)")
+
+
+def assert_same_state(one: bd.State, other: bd.State) -> None:
+    """Assert that two states agree to the bit in every array."""
+    for name in bd.State.ARRAYS:
+        np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
 
 
 def assert_same_bits(first: bd.ExplicitResult, second: bd.ExplicitResult) -> None:
-    """Of status, step and every array of the state."""
+    """Assert that two runs agree to the bit in status, step and every array of the state."""
     assert first.status is second.status
     assert first.state.step == second.state.step
-    for name in State.ARRAYS:
-        np.testing.assert_array_equal(getattr(first.state, name), getattr(second.state, name), err_msg=name)
+    assert_same_state(first.state, second.state)
+
+
+def assert_same_run(first: bd.ExplicitResult, second: bd.ExplicitResult) -> None:
+    """Assert that two runs agree to the bit in status, step, state and records."""
+    assert_same_bits(first, second)
+    np.testing.assert_array_equal(first.history.records, second.history.records)
+
+
+def assert_same_fracture(one: bd.State, other: bd.State) -> None:
+    """Assert that two states agree to the bit in places, motions, damage and what has broken."""
+    for name in ("pose", "motion", "integrity", "cracks", "plastic", "broken"):
+        np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
+
+
+def same_spheres(particles: bd.Particles, centre=FOUR_CENTRES, radius=FOUR_RADII) -> bool:
+    """Assert that particles are the four of `tests.specimens`, or others, to the bit."""
+    np.testing.assert_array_equal(particles.position, centre)
+    np.testing.assert_array_equal(particles.radius, radius)
+    return True
 
 
 def flying_apart(model: bd.Model) -> Callable[..., bd.ExplicitResult]:
@@ -26,7 +57,7 @@ def flying_apart(model: bd.Model) -> Callable[..., bd.ExplicitResult]:
     damping = bd.LocalDamping(0.05)
     state = model.state()
     state.set_motion(velocity=1.0 * (model.lattice.particles.position - 6.5))
-    dt = 0.5 * critical_step(model, bd.VelocityVerlet(), damping)
+    dt = time_step(model, 0.5, damping)
 
     def run(count: int, every: int, **options) -> bd.ExplicitResult:
         with threads(count):
@@ -39,7 +70,7 @@ def flying_apart(model: bd.Model) -> Callable[..., bd.ExplicitResult]:
 
 def digest(run: bd.ExplicitResult) -> str:
     """Status, step and every array of the state, as one hash."""
-    parts = (getattr(run.state, name).tobytes() for name in State.ARRAYS)
+    parts = (getattr(run.state, name).tobytes() for name in bd.State.ARRAYS)
     return f"{run.status.value} {run.state.step} {hashlib.sha256(b''.join(parts)).hexdigest()}"
 
 

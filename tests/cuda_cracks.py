@@ -1,6 +1,6 @@
 """Small runs in which facets crack: python tests/cuda_cracks.py gpu|cpu OUT.npz BODIES IN HANDED.
 
-As `cuda_cases.py` and `cuda_breaking.py`: the device takes the bodies that the CPU has cut, and both sides leave the
+The device takes the bodies that the CPU has cut, and both sides leave the
 states of half a run in HANDED and go on with those in IN, if it is there.
 """
 
@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import bondem as bd
-import cuda_cases
+import device_cases
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
 from cuda_halves import kept, leave_cells, start
@@ -33,14 +33,15 @@ def torn(failure: Any) -> bd.Model:
         bd.Load(bd.Face("y_max"), force=(0.0, 3e4, 1e4), schedule=bd.Ramp(0.0, 1.0, 0.02)),
         bd.Pressure(bd.Face("z_max"), 2e4, schedule=bd.Ramp(1.0, 0.0, 0.03)),
     ]  # fmt: skip
-    return bd.Model(cuda_cases.body(3, 2, 2), bd.CellBond(E=1e7, nu=0.3), 1000.0, boundary=boundary, failure=failure)
+    body = device_cases.body(3, 2, 2)
+    return bd.Model(body, bd.CellBond(E=1e7, nu=0.3), 1000.0, boundary=boundary, failure=failure)
 
 
 def flying(failure: Any) -> tuple[bd.Model, bd.State]:
     """A periodic body whose cells fly apart and against each other."""
-    body = cuda_cases.body(3, 3, 3, periodic=True)
+    body = device_cases.body(3, 3, 3, periodic=True)
     model = bd.Model(body, bd.CellBond(E=1e7, nu=0.2), 1000.0, failure=failure)
-    return model, cuda_cases.moving(model, speed=8.0)
+    return model, device_cases.moving(model, speed=8.0)
 
 
 def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Iterator[tuple[str, ExplicitResult]]:
@@ -50,23 +51,23 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     def go(model: bd.Model, state: bd.State, steps: int, dt: float = DT, **options: Any) -> ExplicitResult:
         return integrate(model, Plan(duration=steps * dt, dt=dt, **options), state=state, loop_of=loop_of)
 
-    common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": cuda_cases.CELL_GAUGES}
+    common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": device_cases.CELL_GAUGES}
     scatter = bd.Weibull(modulus=8.0, volume=0.5, seed=3)
     model = torn(bd.Rankine(**SOFT, scatter=scatter))
-    yield "soft", go(model, cuda_cases.moving(model), STEPS, every=HALF, **common)
-    if cuda_cases.EVERY:
-        yield "paused", go(model, cuda_cases.moving(model), STEPS, every=0, save_every=17, **common)
-    half = go(model, cuda_cases.moving(model), HALF, every=0, **common).state
+    yield "soft", go(model, device_cases.moving(model), STEPS, every=HALF, **common)
+    if device_cases.EVERY:
+        yield "paused", go(model, device_cases.moving(model), STEPS, every=0, save_every=17, **common)
+    half = go(model, device_cases.moving(model), HALF, every=0, **common).state
     handed["soft"] = kept(half.copy(), FIELDS)
     yield "resumed", go(model, half.copy(), STEPS, every=HALF, **common)
     if given:
         yield "handed", go(model, start(model, given["soft"]), STEPS, every=HALF, **common)
     half.set_motion(velocity=half.velocity[::-1].copy())
-    if cuda_cases.EVERY:
+    if device_cases.EVERY:
         yield "stale", go(model, half, HALF + 5, every=1, **common)
     brittle = torn(bd.Rankine(tension=6e5, friction=0.3))
     scheme = bd.TchamwaWielgosz(1.2)
-    yield "brittle", go(brittle, cuda_cases.moving(brittle), 60, 2e-3, every=10, scheme=scheme)
+    yield "brittle", go(brittle, device_cases.moving(brittle), 60, 2e-3, every=10, scheme=scheme)
     yield "flying", go(*flying(bd.Rankine(tension=2.5e5, fracture_energy=8e3, friction=0.4)), 30, 1.6e-3, every=5)
 
 

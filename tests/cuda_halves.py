@@ -9,17 +9,19 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
-import cuda_cases
+import device_cases
 from bondem.kernels.cell_pass import STRESS
 from bondem.solve.plan import ExplicitResult
 
+#: Arrays of the states of bodies that break.
+FIELDS = "pose", "motion", "acceleration", "loss", "work", "reaction", "integrity", "released", "broken"
 #: Carries out the cases on a device, "gpu" or "cpu", from states that were handed over, and hands its own over.
 Results = Callable[[str, dict[str, Any], dict[str, Any]], Iterator[tuple[str, ExplicitResult]]]
 
 
 def start(model: bd.Model, kept: dict[str, Any]) -> bd.State:
     """A state with the arrays and numbers that were kept of another one."""
-    state = cuda_cases.moving(model)
+    state = device_cases.moving(model)
     for name, value in kept.items():
         setattr(state, name, value)
     return state
@@ -39,7 +41,7 @@ def leave_cells(results: Results, fields: tuple[str, ...]) -> None:
     """
     device, out, bodies, source, target = sys.argv[1:]
     if Path(bodies).is_file():
-        cuda_cases.BODIES.update(pickle.loads(Path(bodies).read_bytes()))
+        device_cases.BODIES.update(pickle.loads(Path(bodies).read_bytes()))
     given = pickle.loads(Path(source).read_bytes()) if Path(source).is_file() else {}
     arrays: dict[str, np.ndarray] = {}
     handed: dict[str, Any] = {}
@@ -54,7 +56,7 @@ def leave_cells(results: Results, fields: tuple[str, ...]) -> None:
         if "cracks" in half:
             arrays[f"{name}/half_cracks"] = half["cracks"]
     np.savez(out, **arrays)
-    Path(bodies).write_bytes(pickle.dumps(cuda_cases.BODIES))
+    Path(bodies).write_bytes(pickle.dumps(device_cases.BODIES))
     Path(target).write_bytes(pickle.dumps(handed))
 
 

@@ -17,11 +17,10 @@ import numpy as np
 from numba.cuda import dispatcher
 
 import bondem as bd
-import cuda_breaking
-import cuda_cases
 import cuda_facets
 import cuda_soft_beams
 import cuda_yielding
+import device_cases
 from bondem.solve import beam_softening_cuda, breakage_cuda, cracks_cuda, forces_cuda, loop_cuda
 from bondem.solve.plan import Plan
 
@@ -71,16 +70,19 @@ def main() -> None:
     loop_cuda.missing = lambda: None
     sizes: dict[str, dict[str, float]] = {}
     for name, model, gauges in (
-        ("bonds", cuda_cases.bar(), cuda_cases.GAUGES), ("alike", cuda_cases.cell(), cuda_cases.INNER_GAUGES),
-        ("breaking", cuda_breaking.breaking_bar(cuda_breaking.CRITERIA["peripheral"]), cuda_cases.GAUGES),
-        ("cells", cuda_cases.held_bar(), cuda_cases.CELL_GAUGES),
-        ("breaking cells", cuda_facets.held_bar(), cuda_cases.CELL_GAUGES),
-        ("softening", cuda_soft_beams.softening_bar(cuda_soft_beams.CRITERIA["peripheral"]), cuda_cases.GAUGES),
-        ("yielding cells", cuda_facets.breaking(cuda_cases.held_bar(), cuda_yielding.CONE), cuda_cases.CELL_GAUGES),
-        ("cracking cells", cuda_facets.breaking(cuda_cases.held_bar(), RANKINE), cuda_cases.CELL_GAUGES),
+        ("bonds", device_cases.bar(), device_cases.GAUGES), ("alike", device_cases.cell(), device_cases.INNER_GAUGES),
+        ("breaking", device_cases.breaking_bar(device_cases.CRITERIA["peripheral"]), device_cases.GAUGES),
+        ("cells", device_cases.held_bar(), device_cases.CELL_GAUGES),
+        ("breaking cells", cuda_facets.held_bar(), device_cases.CELL_GAUGES),
+        ("softening", cuda_soft_beams.softening_bar(cuda_soft_beams.CRITERIA["peripheral"]), device_cases.GAUGES),
+        (
+            "yielding cells", cuda_facets.breaking(device_cases.held_bar(), cuda_yielding.CONE),
+            device_cases.CELL_GAUGES,
+        ),
+        ("cracking cells", cuda_facets.breaking(device_cases.held_bar(), RANKINE), device_cases.CELL_GAUGES),
     ):  # fmt: skip
         uploaded.clear()
-        loop_cuda.GpuLoop(model, Plan(duration=1.0), cuda_cases.moving(model), 1e-3)
+        loop_cuda.GpuLoop(model, Plan(duration=1.0), device_cases.moving(model), 1e-3)
         n, m = len(model.mass), len(model.lattice.pairs)
         sizes[name] = {
             "element": bytes_of_each(uploaded, n, n + 1),
@@ -89,7 +91,7 @@ def main() -> None:
         if model.cells is not None:
             sizes[name]["held facet"] = bytes_of_each(uploaded, len(model.cells.grips.cell))
         plan = Plan(duration=1.0, gauges=gauges, damping=bd.LocalDamping(0.1), every=3)
-        loop = loop_cuda.GpuLoop(model, plan, cuda_cases.moving(model), 1e-3)
+        loop = loop_cuda.GpuLoop(model, plan, device_cases.moving(model), 1e-3)
         loop.look()
         loop.look()  # now the acceleration is known
         loop.run(10)

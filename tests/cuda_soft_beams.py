@@ -1,6 +1,6 @@
 """Small runs in which beams soften: python tests/cuda_soft_beams.py gpu|cpu OUT.npz IN HANDED.
 
-As `cuda_breaking.py`.
+See `cuda_halves.py`.
 """
 
 import importlib
@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from typing import Any
 
 import bondem as bd
-import cuda_cases
+import device_cases
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
-from cuda_breaking import FIELDS as BROKEN_FIELDS
+from cuda_halves import FIELDS as BROKEN_FIELDS
 from cuda_halves import kept, leave, start
 
 DT, STEPS, HALF = 2.5e-3, 36, 19
@@ -26,14 +26,14 @@ CRITERIA: dict[str, Any] = {
 
 
 def softening_bar(criterion: Any) -> bd.Model:
-    """The bar of `cuda_cases`, whose bonds soften."""
-    model = cuda_cases.bar()
+    """The bar of `device_cases`, whose bonds soften."""
+    model = device_cases.bar()
     return bd.Model(model.lattice, model.bond, model.density, boundary=model.boundary, failure=criterion)
 
 
 def softening_cell() -> bd.Model:
     """The periodic cell, whose bonds are alike but for their length."""
-    model, failure = cuda_cases.cell(), bd.PeripheralStress(tension=3e5, shear=2e5, fracture_energy=8e3)
+    model, failure = device_cases.cell(), bd.PeripheralStress(tension=3e5, shear=2e5, fracture_energy=8e3)
     return bd.Model(model.lattice, model.bond, model.density, failure=failure)
 
 
@@ -44,23 +44,23 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     def go(model: bd.Model, state: bd.State, steps: int = STEPS, **options: Any) -> ExplicitResult:
         return integrate(model, Plan(duration=steps * DT, dt=DT, **options), state=state, loop_of=loop_of)
 
-    common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": cuda_cases.GAUGES}
+    common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": device_cases.GAUGES}
     for name, criterion in CRITERIA.items():
         model = softening_bar(criterion)
-        yield name, go(model, cuda_cases.moving(model, speed=3.0), every=HALF, **common)
+        yield name, go(model, device_cases.moving(model, speed=3.0), every=HALF, **common)
     model = softening_bar(CRITERIA["peripheral"])
-    if cuda_cases.EVERY:
-        yield "paused", go(model, cuda_cases.moving(model, speed=3.0), every=0, save_every=7, **common)
-    half = go(model, cuda_cases.moving(model, speed=3.0), HALF, every=0, **common).state
+    if device_cases.EVERY:
+        yield "paused", go(model, device_cases.moving(model, speed=3.0), every=0, save_every=7, **common)
+    half = go(model, device_cases.moving(model, speed=3.0), HALF, every=0, **common).state
     handed["soft"] = kept(half.copy(), FIELDS)
     yield "resumed", go(model, half.copy(), every=HALF, **common)
     if given:
         yield "handed", go(model, start(model, given["soft"]), every=HALF, **common)
     half.set_motion(velocity=half.velocity[::-1].copy())
-    if cuda_cases.EVERY:
+    if device_cases.EVERY:
         yield "stale", go(model, half, HALF + 5, every=1, **common)
     model = softening_cell()
-    yield "alike", go(model, cuda_cases.moving(model, speed=5.0), every=6)
+    yield "alike", go(model, device_cases.moving(model, speed=5.0), every=6)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import bondem as bd
-import cuda_cases
+import device_cases
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import ExplicitResult, Plan
 from cuda_cracks import FIELDS, SOFT, torn
@@ -33,7 +33,8 @@ def squeezed(failure: Any) -> bd.Model:
         bd.Load(bd.Face("y_max"), force=(0.0, 6e4, 2e4), schedule=bd.Ramp(0.0, 1.0, 0.02)),
         bd.Pressure(bd.Face("z_max"), 4e4, schedule=bd.Ramp(1.0, 0.0, 0.03)),
     ]  # fmt: skip
-    return bd.Model(cuda_cases.body(3, 2, 2), bd.CellBond(E=1e7, nu=0.3), 1000.0, boundary=boundary, failure=failure)
+    body = device_cases.body(3, 2, 2)
+    return bd.Model(body, bd.CellBond(E=1e7, nu=0.3), 1000.0, boundary=boundary, failure=failure)
 
 
 def largest_sum(stress: Any, tension: float, share: float) -> float:
@@ -48,26 +49,26 @@ def results(device: str, given: dict[str, Any], handed: dict[str, Any]) -> Itera
     def go(model: bd.Model, state: bd.State, steps: int = STEPS, dt: float = DT, **options: Any) -> ExplicitResult:
         return integrate(model, Plan(duration=steps * dt, dt=dt, **options), state=state, loop_of=loop_of)
 
-    common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": cuda_cases.CELL_GAUGES}
+    common: dict[str, Any] = {"damping": bd.LocalDamping(0.1), "gauges": device_cases.CELL_GAUGES}
     fields = (*FIELDS, "plastic")
     for name, failure in (("coulomb", COULOMB), ("cone", CONE)):
         model = squeezed(failure)
-        yield name, go(model, cuda_cases.moving(model), every=HALF, **common)
+        yield name, go(model, device_cases.moving(model), every=HALF, **common)
     model = squeezed(COULOMB)
-    half = go(model, cuda_cases.moving(model), HALF, every=0, **common).state
+    half = go(model, device_cases.moving(model), HALF, every=0, **common).state
     handed["coulomb"] = kept(half.copy(), fields)
     yield "resumed", go(model, half, every=HALF, **common)
     if given:
         yield "handed", go(model, start(model, given["coulomb"]), every=HALF, **common)
-    if cuda_cases.EVERY:
-        yield "paused", go(model, cuda_cases.moving(model), every=0, save_every=9, **common)
+    if device_cases.EVERY:
+        yield "paused", go(model, device_cases.moving(model), every=0, save_every=9, **common)
     own = bd.StressCriterion(largest_sum, tension=2.5e5, share=0.7, fracture_energy=SOFT["fracture_energy"])
     model = squeezed(own)
-    yield "own", go(model, cuda_cases.moving(model), every=8)
+    yield "own", go(model, device_cases.moving(model), every=8)
     model = squeezed(bd.DruckerPrager(tension=1e5, compression=4e5))
-    yield "pressed cone", go(model, cuda_cases.moving(model), steps=14, every=0)
+    yield "pressed cone", go(model, device_cases.moving(model), steps=14, every=0)
     model = torn(bd.DruckerPrager(tension=1e5, compression=4e5))
-    yield "brittle cone", go(model, cuda_cases.moving(model), steps=40, dt=2.2e-3, every=8)
+    yield "brittle cone", go(model, device_cases.moving(model), steps=40, dt=2.2e-3, every=8)
 
 
 if __name__ == "__main__":

@@ -4,13 +4,27 @@ from pathlib import Path
 
 import numpy as np
 
-from bondem.kernels.tables import FRACTURE
+from bondem.kernels.tables import BROKEN_BOND, BROKEN_MODE, BROKEN_STEP, BROKEN_TIME, FRACTURE
 from tests.test_gpu import SIMULATOR, run
-from tests.test_gpu_failure import apart, same_breaks
 
 Arrays = dict[str, np.ndarray]
 # Of the largest value: what sums in another order leave.
 _CLOSE = 1e-12
+
+
+def apart(expected: np.ndarray, found: np.ndarray) -> float:
+    """The largest difference over the largest value."""
+    assert expected.shape == found.shape
+    largest = np.abs(expected).max(initial=0.0)
+    return float(np.abs(found - expected).max(initial=0.0) / (largest or 1.0))
+
+
+def same_breaks(log: np.ndarray, other: np.ndarray) -> list[float]:
+    """Assert that the same has broken at the same time; how far each column is apart."""
+    assert len(log) >= 2
+    for column in (BROKEN_STEP, BROKEN_BOND, BROKEN_MODE, BROKEN_TIME):
+        np.testing.assert_array_equal(log[:, column], other[:, column])
+    return [apart(log[:, c], other[:, c]) for c in range(log.shape[1])]
 
 
 def three_sides(script: str, folder: Path) -> tuple[Arrays, Arrays, Arrays]:

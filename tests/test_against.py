@@ -1,12 +1,11 @@
 """The comparison with older revisions: its cases can be run, its differences are found, its turns are taken."""
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
 
-FOLDER = Path(__file__).parent.parent / "benchmarks"
+from tests.models import time_step
+from tests.scripts import scripts
+
 SIZE = 60
 pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.StepWarning")
 
@@ -14,17 +13,8 @@ pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.StepWarning")
 @pytest.fixture(scope="module")
 def benchmarks():
     """The modules beside the scripts."""
-    sys.path.insert(0, str(FOLDER))
-    try:
-        import paired
-        import plain_step
-        import tiled
-        from bits import cases, compare, runs
-    finally:
-        sys.path.remove(str(FOLDER))
-    return {
-        "cases": cases, "compare": compare, "paired": paired, "plain_step": plain_step, "runs": runs, "tiled": tiled
-    }  # fmt: skip
+    names = {"cases": "bits.cases", "compare": "bits.compare", "runs": "bits.runs"}
+    return scripts("benchmarks", paired="paired", plain_step="plain_step", tiled="tiled", **names)
 
 
 @pytest.mark.validate
@@ -103,13 +93,12 @@ def test_gain_is_the_median_of_quiet_pairs(benchmarks) -> None:
 
 def test_the_plain_step_moves_as_bondem_does(benchmarks) -> None:
     import bondem as bd
-    from bondem.solve.timestep import critical_step
 
     model = bd.Model(
         benchmarks["tiled"].specimen(500), bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71), density=2500.0
     )
     velocity = np.random.default_rng(0).standard_normal((len(model.lattice.particles), 3))
-    dt = 0.9 * critical_step(model, bd.VelocityVerlet())
+    dt = time_step(model, 0.9)
     plain = benchmarks["plain_step"]
     assert plain.apart(model, velocity, dt) < plain.SAME
     other = bd.Model(model.lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.7101), density=2500.0)

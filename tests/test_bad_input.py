@@ -2,8 +2,6 @@
 
 import math
 import os
-import subprocess
-import sys
 import tomllib
 from dataclasses import replace
 from pathlib import Path
@@ -15,37 +13,25 @@ import bondem as bd
 from bondem.campaign.sweep import is_campaign
 from bondem.errors import BondemError, DisconnectedError, EmptyRegionError, InputError, StudyError, UnstableStepError
 from bondem.study.study import parse_study, read_study
+from tests.scripts import command
+from tests.specimens import chain, row
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "silica.toml"
 LAW = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
 
 
-def row(count, x0=1e-3):
-    position = np.zeros((count, 3))
-    position[:, 0] = x0 + 1e-3 * np.arange(count)
-    return position
-
-
-def bar():
-    return bd.connect(bd.Particles(row(12), 0.5e-3))
-
-
-def two_pieces():
-    particles = bd.Particles(np.concatenate([row(12), row(12, x0=1.0)]), 0.5e-3)
-    return bd.connect(particles)
-
-
 def with_nan():
-    position = row(3)
+    position = row(3).centre.copy()
     position[1, 2] = math.nan
     return position
 
 
 def model_of(boundary=()):
-    return bd.Model(bar(), LAW, 1000.0, boundary=boundary)
+    return bd.Model(chain(12), LAW, 1000.0, boundary=boundary)
 
 
-PARTICLES = bd.Particles(row(3), 0.5e-3)
+PARTICLES = row(3).particles
+TWO_ROWS = np.concatenate([row(12).centre, row(12).centre + 1.0])
 NOWHERE = bd.Within(bd.Ball(1e-9))
 
 CASES = {
@@ -55,11 +41,12 @@ CASES = {
         lambda: bd.Particles([[0, 0, 0], [1.3e-3, 0, 0]], [1e-3, 1e-3]),
     ),
     "NaN position": (InputError, r"position\[1\]\[2\] is nan", lambda: bd.Particles(with_nan(), 0.5e-3)),
-    "NaN radius": (InputError, r"radius\[0\] is nan", lambda: bd.Particles(row(2), [math.nan, 1e-3])),
+    "NaN radius": (InputError, r"radius\[0\] is nan", lambda: bd.Particles(row(2).centre, [math.nan, 1e-3])),
     "infinite position": (InputError, "finite", lambda: bd.Particles([[math.inf, 0, 0]], 1e-3)),
-    "zero radius": (InputError, "must be positive", lambda: bd.Particles(row(2), [0.5e-3, 0.0])),
-    "negative radius": (InputError, r"radius\[1\] = -0.0005", lambda: bd.Particles(row(2), [0.5e-3, -0.5e-3])),
-    "a second large piece": (DisconnectedError, "pieces of 12 and 12 elements", two_pieces),
+    "zero radius": (InputError, "must be positive", lambda: bd.Particles(row(2).centre, [0.5e-3, 0.0])),
+    "negative radius": (InputError, r"radius\[1\] = -0.0005", lambda: bd.Particles(row(2).centre, [0.5e-3, -0.5e-3])),
+    "a second large piece": (DisconnectedError, "pieces of 12 and 12 elements",
+                             lambda: bd.connect(bd.Particles(TWO_ROWS, 0.5e-3))),
     "a region that selects nothing": (
         EmptyRegionError, "selects no connected element",
         lambda: model_of([bd.Fix(NOWHERE)]),
@@ -93,7 +80,7 @@ CASES = {
     "NaN E": (InputError, "E = nan", lambda: bd.Timoshenko(E=math.nan, nu=0.2, radius_ratio=0.5)),
     "nu too large": (InputError, r"\(-1, 0.5\)", lambda: bd.Material("m", E=1.0, nu=0.5, rho=1.0)),
     "nu too small": (InputError, r"\(-1, 0.5\)", lambda: bd.EulerBernoulli(E=1.0, nu=-1.0, radius_ratio=0.5)),
-    "density": (InputError, "density", lambda: bd.Model(bar(), LAW, density=-1.0)),
+    "density": (InputError, "density", lambda: bd.Model(row(12), LAW, density=-1.0)),
     "no radius of the bond": (InputError, "radius_ratio", lambda: bd.EulerBernoulli(E=1.0, nu=0.2)),
 }  # fmt: skip
 
@@ -151,7 +138,7 @@ def test_a_bad_study_names_the_key(tmp_path, old, new, key, advice):
 @pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
 @pytest.mark.parametrize("end", ["\r\n", "\r"])
 def test_studies_of_other_editors_read_alike(tmp_path, encoding, end):
-    text = EXAMPLE.read_text().replace("name = \"fused silica\"", "name = \"Glas, geprüft\"")
+    text = EXAMPLE.read_text().replace('name = "fused silica"', 'name = "Glas, geprüft"')
     (tmp_path / "plain.toml").write_text(text, encoding="utf-8")
     (tmp_path / "other.toml").write_bytes(text.replace("\n", end).encode(encoding))
     other, plain = (read_study(tmp_path / name) for name in ("other.toml", "plain.toml"))
@@ -170,12 +157,6 @@ def test_a_study_that_is_no_text_says_what_to_do(tmp_path, text, encoding, words
     (tmp_path / "bad.toml").write_bytes(text.encode(encoding))
     with pytest.raises(StudyError, match=words):
         read_study(tmp_path / "bad.toml")
-
-
-def command(*arguments, cwd):
-    return subprocess.run(
-        [sys.executable, "-m", "bondem", *map(str, arguments)], cwd=cwd, capture_output=True, text=True, timeout=120
-    )
 
 
 @pytest.mark.parametrize("name", ["unknown key", "E < 0", "nu = 0.5", "not TOML"])

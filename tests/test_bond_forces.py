@@ -8,13 +8,14 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError
 from bondem.solve.explicit import integrate
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
+from tests.models import time_step
+from tests.specimens import bar, row, spheres, two_spheres
 
 E, NU, RHO = 1e9, 0.25, 1000.0
 SOFT = bd.MohrCoulomb(
     tension=1.2e6, cohesion=2.4e6, friction_angle=0.5, fracture_energy=5e3, fracture_energy_shear=2e4
 )
+BOX = bd.Box((3.0, 2.0, 2.0))
 LAWS = {
     "total": (bd.Timoshenko(E=E, nu=NU, radius_ratio=0.7), None),
     "incremental": (bd.ParallelBond(E=E, nu=NU, radius_ratio=0.7), None),
@@ -24,21 +25,16 @@ LAWS = {
 }
 
 
-def spheres() -> bd.Lattice:
-    particles = bd.pack(bd.Box((3.0, 2.0, 2.0)), count=120, spread=0.2, seed=3)
-    return bd.connect(particles, reach=1.1)
-
-
 @pytest.mark.parametrize("name", LAWS)
 def test_forces_and_moments_are_what_moves_the_elements(name: str) -> None:
     """Summed up over the bonds of an element they are mass times acceleration, to rounding."""
     law, failure = LAWS[name]
-    model = bd.Model(spheres(), law, RHO, failure=failure)
+    model = bd.Model(spheres(BOX, 120, spread=0.2, seed=3, reach=1.1), law, RHO, failure=failure)
     state = model.state()
     rng, n = np.random.default_rng(5), len(model.lattice.particles)
     state.set_motion(velocity=rng.standard_normal((n, 3)), angular_velocity=rng.standard_normal((n, 3)))
-    dt = 0.2 * critical_step(model, bd.VelocityVerlet())
-    state = integrate(model, Plan(duration=60 * dt, dt=dt, every=0), state=state).state
+    dt = time_step(model, 0.2)
+    state = integrate(model, bd.Plan(duration=60 * dt, dt=dt, every=0), state=state).state
     found = bd.bond_forces(model, state)
     i, j = model.lattice.pairs.T
     load, turn = np.zeros((n, 3)), np.zeros((n, 3))
@@ -63,11 +59,11 @@ def test_forces_and_moments_are_what_moves_the_elements(name: str) -> None:
 def test_a_cantilever_of_one_bond_has_its_closed_forms() -> None:
     """Pulled by P, pushed aside by Q, twisted by T: N = P, V = Q, M = Q L where it is held, twist T."""
     length, P, Q, T = 1.0, 50.0, 20.0, 3.0
-    lattice = bd.Lattice(bd.Particles([[0.0, 0.0, 0.0], [length, 0.0, 0.0]], 0.5), [(1, 0)])
+    lattice = two_spheres(length, 0.5, swapped=True)
     end = bd.Load(bd.Index([1]), (P, Q, 0.0), moment=(T, 0.0, 0.0))
     model = bd.Model(lattice, bd.EulerBernoulli(E=E, nu=NU, radius=0.1), RHO, boundary=[bd.Fix(bd.Index([0])), end])
-    dt = 0.5 * critical_step(model, bd.VelocityVerlet())
-    plan = Plan(duration=4000 * dt, dt=dt, every=0, damping=bd.LocalDamping(0.7))
+    dt = time_step(model, 0.5)
+    plan = bd.Plan(duration=4000 * dt, dt=dt, every=0, damping=bd.LocalDamping(0.7))
     found = bd.bond_forces(model, integrate(model, plan).state)
     assert found.normal == pytest.approx([P], rel=1e-3)
     assert found.shear == pytest.approx([Q], rel=1e-3)
@@ -79,18 +75,23 @@ def test_a_cantilever_of_one_bond_has_its_closed_forms() -> None:
 
 
 def test_cells_and_other_states_are_refused() -> None:
-    body = bd.connect(bd.pack(bd.Box((2.0, 1.0, 1.0)), count=60, method="even", seed=1), method="laguerre")
+    body = bar(60, 2.0)
     model = bd.Model(body, bd.CellBond(E=E, nu=NU), RHO)
     with pytest.raises(InputError, match="cell_stress"):
         bd.bond_forces(model, model.state())
-    other = bd.Model(spheres(), LAWS["total"][0], RHO)
+    other = bd.Model(spheres(BOX, 120, spread=0.2, seed=3, reach=1.1), LAWS["total"][0], RHO)
     with pytest.raises(InputError, match="belongs to another"):
         bd.bond_forces(other, model.state())
 
 
 def pulled(load: bd.Load, law: bd.BondLaw = LAWS["total"][0]) -> bd.Model:
     """Spheres held at one end, with a load at the other."""
-    return bd.Model(spheres(), law, RHO, boundary=[bd.Fix(bd.Face("x_min", depth=0.2)), load])
+    return bd.Model(
+        spheres(BOX, 120, spread=0.2, seed=3, reach=1.1),
+        law,
+        RHO,
+        boundary=[bd.Fix(bd.Face("x_min", depth=0.2)), load],
+    )
 
 
 FAR = bd.Face("x_max", depth=0.2)
@@ -124,8 +125,7 @@ def test_a_static_solution_has_the_forces_of_its_pose(law: bd.BondLaw) -> None:
 
 def test_bonds_of_a_static_solution_carry_their_stress_free_strain() -> None:
     """A chain between two walls that would grow by ε*: -kn L ε* in each of its equal bonds."""
-    row = bd.Particles([[float(k), 0.0, 0.0] for k in range(4)], 0.5)
-    chain = bd.Lattice(row, [(0, 1), (2, 1), (2, 3)])
+    chain = bd.Lattice(row(4, 1.0).particles, [(0, 1), (2, 1), (2, 3)])
     heat = bd.Eigenstrain(lambda centre: np.full(len(centre), 1e-3))
     model = bd.Model(chain, LAWS["total"][0], RHO, boundary=[bd.Fix(bd.Index([0, 3])), heat])
     found = bd.bond_forces(model, bd.solve_static(model))
@@ -162,9 +162,8 @@ def test_the_couple_stress_of_a_bar_is_its_moment_over_its_section() -> None:
 
 def test_a_bent_chain_has_nothing_but_couple_stress() -> None:
     """M L over the volume of the elements between the ends: no force, no stress."""
-    row = bd.Particles([[float(k), 0.0, 0.0] for k in range(5)], 0.5)
     end = bd.Load(bd.Index([4]), moment=(0.0, 0.0, 3.0))
-    chain = bd.Lattice(row, [(0, 1), (2, 1), (2, 3), (3, 4)])
+    chain = bd.Lattice(row(5, 1.0).particles, [(0, 1), (2, 1), (2, 3), (3, 4)])
     model = bd.Model(chain, bd.EulerBernoulli(E=E, nu=NU, radius=0.1), RHO, boundary=[bd.Fix(bd.Index([0])), end])
     found = bd.element_stress(model, bd.solve_static(model))
     assert np.abs(found.stress).max() < 1e-6
@@ -178,7 +177,6 @@ def test_results_of_other_kinds_are_refused() -> None:
     model = pulled(bd.Load(FAR, (1e-2, 0.0, 0.0)))
     with pytest.raises(InputError, match="give what bd"):
         bd.bond_forces(model, 3.0)
-    chain = bd.Lattice(bd.Particles([[float(k), 0.0, 0.0] for k in range(5)], 0.5), [(0, 1), (1, 2), (2, 3), (3, 4)])
-    other = bd.solve_static(bd.Model(chain, LAWS["total"][0], RHO, boundary=bd.Fix(bd.Index([0]))))
+    other = bd.solve_static(bd.Model(row(5, 1.0), LAWS["total"][0], RHO, boundary=bd.Fix(bd.Index([0]))))
     with pytest.raises(InputError, match="the result has 5 elements"):
         bd.element_stress(model, other)

@@ -1,25 +1,18 @@
 """`bondem calibrate` and the study of coverage: what they print, write and refuse."""
 
 import json
-import subprocess
-import sys
 
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.calibration.uncertainty import Sample
 from bondem.cli import bondem as group
 from bondem.errors import InputError
 from bondem.study.calibration import CalibrationPlan, run_calibration
+from tests.scripts import command
+from tests.specimens import spheres
 from validation.frame.runner import run
 from validation.studies.coverage import Coverage
-
-
-def command(*arguments, cwd):
-    return subprocess.run(
-        [sys.executable, "-m", "bondem", *map(str, arguments)], cwd=cwd, capture_output=True, text=True, timeout=300
-    )
 
 
 def test_from_three_numbers_to_bonds(tmp_path):
@@ -34,12 +27,12 @@ def test_from_three_numbers_to_bonds(tmp_path):
     law = bd.EulerBernoulli(
         E=found["micro"]["E_mu"], nu=found["micro"]["nu_mu"], radius_ratio=found["micro"]["radius_ratio"]
     )
-    cells = [bd.connect(bd.pack(bd.Cell((10e-3,) * 3), count=500, spread=0.25, seed=seed)) for seed in (1, 2, 3)]
+    cells = [spheres(bd.Cell((10e-3,) * 3), 500, seed=seed) for seed in (1, 2, 3)]
     moduli = [bd.bulk_moduli(cell, law) for cell in cells]
     assert np.mean([one.E for one in moduli]) == pytest.approx(72.5e9, rel=1e-8)
     assert np.mean([one.nu for one in moduli]) == pytest.approx(0.17, abs=1e-5)
     assert found["quantities"]["E"]["prediction_95"] == pytest.approx(
-        Sample(np.array([one.E for one in moduli])).interval(kind="prediction"), rel=1e-8
+        bd.Sample(np.array([one.E for one in moduli])).interval(kind="prediction"), rel=1e-8
     )
     assert found["micro"]["rho_mu"] == pytest.approx(
         2201.0 * 3e-6 / sum(cell.particles.volume[cell.connected].sum() for cell in cells)
@@ -88,13 +81,13 @@ def test_coverage_counts_what_lies_in_the_interval(tmp_path):
     for name in ("E", "nu"):
         found = results["quantities"][name]
         values = np.array(found["values"])
-        low, high = Sample(values[:4]).interval(kind="prediction")
+        low, high = bd.Sample(values[:4]).interval(kind="prediction")
         assert found["prediction"] == pytest.approx([low, high], rel=1e-4)
         assert found["covered"] == sum(low <= value <= high for value in values[4:])
         assert found["coverage"]["2"]["mean"] == pytest.approx(0.95, abs=0.05)
     # the calibrating packings have fused silica's moduli, and an unseen one is computed anew
     assert np.mean(results["quantities"]["E"]["values"][:4]) == pytest.approx(72.5e9, rel=1e-5)
-    unseen = bd.connect(bd.pack(bd.Cell((10e-3,) * 3), count=500, spread=0.25, seed=7))
+    unseen = spheres(bd.Cell((10e-3,) * 3), 500, seed=7)
     law = bd.EulerBernoulli(E=results["E_mu"], nu=0.3, radius_ratio=results["value"])
     assert results["quantities"]["nu"]["values"][6] == pytest.approx(bd.bulk_moduli(unseen, law).nu, rel=1e-4)
     assert {path.name for path in tmp_path.iterdir()} >= {"results.json", "table.md", "report.html", "figures"}

@@ -9,11 +9,10 @@ from scipy.stats import t as student
 
 import bondem as bd
 from bondem.calibration.reach import reach, recommend
-from bondem.calibration.response import Response
 from bondem.calibration.search import Search
 from bondem.calibration.surface_correction import SurfaceCorrection
-from bondem.calibration.uncertainty import Sample
 from bondem.errors import InputError, UnreachableTargetError
+from tests.specimens import spheres
 
 SILICA = bd.Material("fused silica", E=72.5e9, nu=0.17, rho=2201.0)
 SHAPE = bd.Cylinder(radius=2.5e-3, length=15e-3)
@@ -21,7 +20,7 @@ SHAPE = bd.Cylinder(radius=2.5e-3, length=15e-3)
 
 @pytest.fixture(scope="module")
 def lattices() -> list[bd.Lattice]:
-    return [bd.connect(bd.pack(SHAPE, count=1200, spread=0.25, seed=seed)) for seed in (1, 2)]
+    return [spheres(SHAPE, 1200, seed=seed) for seed in (1, 2)]
 
 
 @pytest.fixture(scope="module")
@@ -123,7 +122,7 @@ def test_bonds_of_obermayr_are_calibrated_by_alpha_s(lattices):
 
 
 def test_a_periodic_cell_is_calibrated_by_its_bulk_moduli():
-    cell = bd.connect(bd.pack(bd.Cell((1e-2, 1e-2, 1e-2)), count=600, spread=0.25, seed=1))
+    cell = spheres(bd.Cell((1e-2, 1e-2, 1e-2)), 600, seed=1)
     fit = bd.calibrate(cell, SILICA, law=bd.EulerBernoulli)
     moduli = bd.bulk_moduli(cell, fit.law)
     assert pytest.approx(72.5e9, rel=1e-9) == moduli.E
@@ -164,12 +163,12 @@ LAWS = {
 def test_slopes_of_the_adjoint_are_those_of_differences(lattices, parameter, periodic):
     lattice = lattices[0]
     if periodic:
-        lattice = bd.connect(bd.pack(bd.Cell((1e-2, 1e-2, 1e-2)), count=400, spread=0.25, seed=1))
+        lattice = spheres(bd.Cell((1e-2, 1e-2, 1e-2)), 400, seed=1)
     law = LAWS[parameter]
     value = getattr(law, parameter)
     step = 1e-4 * value
-    above, below = (Response(lattice, replace(law, **{parameter: value + s * step})) for s in (1.0, -1.0))
-    slope = Response(lattice, law).slope(parameter)
+    above, below = (bd.Response(lattice, replace(law, **{parameter: value + s * step})) for s in (1.0, -1.0))
+    slope = bd.Response(lattice, law).slope(parameter)
     # differences are right to the square of the step and to the solver's 1e-10 over it
     assert slope.log_E == pytest.approx(math.log(above.E / below.E) / (2.0 * step), rel=1e-6)
     assert slope.nu == pytest.approx((above.nu - below.nu) / (2.0 * step), rel=1e-6)
@@ -190,8 +189,8 @@ def test_each_packing_would_have_these_bonds_by_itself(lattices):
 
 @pytest.mark.parametrize("material", [bd.materials.fused_silica, bd.materials.steel])
 def test_a_law_from_the_bulk_is_carried_to_a_body(material):
-    cell = bd.connect(bd.pack(bd.Cell((1e-2, 1e-2, 1e-2)), count=2000, spread=0.25, seed=1))
-    body = bd.connect(bd.pack(bd.Cylinder(5e-3, 40e-3), count=2000, spread=0.25, seed=2))
+    cell = spheres(bd.Cell((1e-2, 1e-2, 1e-2)), 2000, seed=1)
+    body = spheres(bd.Cylinder(5e-3, 40e-3), 2000, seed=2)
     fit = bd.calibrate(cell, material, law=bd.EulerBernoulli)
     raw = bd.labtests.static_tension(body, fit.law)
     law = fit.law_for(body)
@@ -212,9 +211,7 @@ def test_a_law_from_the_bulk_is_carried_to_a_body(material):
 
 
 def test_what_a_body_has_too_much_its_bonds_get_less(monkeypatch):
-    cells = [
-        bd.connect(bd.pack(bd.Cell((1e-2, 1e-2, 1e-2)), count=400, spread=0.25, seed=seed)) for seed in (1, 2)
-    ]
+    cells = [spheres(bd.Cell((1e-2, 1e-2, 1e-2)), 400, seed=seed) for seed in (1, 2)]
     fit = bd.calibrate(cells[0], SILICA, law=bd.EulerBernoulli)
     monkeypatch.setattr(SurfaceCorrection, "E", lambda _, where: 1.10 if where is cells[1] else 1.0)
     monkeypatch.setattr(SurfaceCorrection, "nu", lambda _, where: 0.96 if where is cells[1] else 1.0)
@@ -226,7 +223,7 @@ def test_what_a_body_has_too_much_its_bonds_get_less(monkeypatch):
 
 def test_intervals_are_those_of_student():
     # n = 4, mean 10, s = 2; t(0.975, 3) = 3.182446
-    sample = Sample(np.array([10.0 - 2.0, 10.0 - 2.0 / math.sqrt(2.0), 10.0 + 2.0 / math.sqrt(2.0), 12.0]))
+    sample = bd.Sample(np.array([10.0 - 2.0, 10.0 - 2.0 / math.sqrt(2.0), 10.0 + 2.0 / math.sqrt(2.0), 12.0]))
     assert sample.std == pytest.approx(2.0)
     assert sample.interval() == pytest.approx((10.0 - 3.182446, 10.0 + 3.182446), rel=1e-6)
     half = 3.182446 * 2.0 * math.sqrt(1.25)
@@ -239,7 +236,7 @@ def test_intervals_cover_what_they_say(kind):
     draws = 4000
     hits = 0
     for _ in range(draws):
-        low, high = Sample(rng.normal(3.0, 0.5, 4)).interval(kind=kind, level=0.9)
+        low, high = bd.Sample(rng.normal(3.0, 0.5, 4)).interval(kind=kind, level=0.9)
         hits += low <= (3.0 if kind == "confidence" else rng.normal(3.0, 0.5)) <= high
     # binomial: three standard deviations
     assert hits / draws == pytest.approx(0.9, abs=3.0 * math.sqrt(0.9 * 0.1 / draws))
@@ -248,7 +245,7 @@ def test_intervals_cover_what_they_say(kind):
 def test_packings_for_a_precision_are_as_few_as_can_be():
     rng = np.random.default_rng(1)
     values = rng.normal(0.0, 1.0, 6)
-    sample = Sample(100.0 + (values - values.mean()) / values.std(ddof=1))  # 1 %
+    sample = bd.Sample(100.0 + (values - values.mean()) / values.std(ddof=1))  # 1 %
     n = sample.packings_for(0.01)
 
     def half(count: int) -> float:
@@ -274,7 +271,7 @@ def test_one_packing_has_no_interval(fit):
     with pytest.raises(InputError, match="quantity = 'G'"):
         fit.interval("G")
     with pytest.raises(InputError, match="kind = 'sure'"):
-        Sample(np.array([1.0, 2.0])).interval(kind="sure")
+        bd.Sample(np.array([1.0, 2.0])).interval(kind="sure")
 
 
 def test_bad_input_says_what_to_do(lattices):
@@ -301,7 +298,7 @@ def test_bad_input_says_what_to_do(lattices):
 )
 def test_a_specimen_that_a_tension_test_does_not_measure_is_refused_in_one_line(shape, words):
     """Its ν is 10 % off at a length of 0.8 widths, and the bonds many times too stiff."""
-    short = bd.connect(bd.pack(shape, count=300, seed=1))
+    short = spheres(shape, 300)
     with pytest.raises(InputError, match=words) as caught:
         bd.calibrate(short, SILICA)
     assert "bd.Cell" in str(caught.value)

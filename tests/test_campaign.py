@@ -18,8 +18,7 @@ from click.testing import CliRunner
 import bondem as bd
 from bondem._extras import needed
 from bondem.campaign.cluster import _require_protected, connected, slurm_cluster
-from bondem.campaign.coordinator import run_campaign
-from bondem.campaign.sweep import Campaign, Slurm, parse_campaign, read_campaign
+from bondem.campaign.sweep import parse_campaign
 from bondem.campaign.work import carry_out, scalars
 from bondem.cli.campaign import command
 from bondem.cli.check import command as check
@@ -37,12 +36,12 @@ PACKED: dict[str, Any] = {
 }  # fmt: skip
 
 
-def campaign(**changed: Any) -> Campaign:
+def campaign(**changed: Any) -> bd.Campaign:
     return parse_campaign(PACKED | {"campaign": PACKED["campaign"] | changed})
 
 
 def test_every_value_goes_with_every_other_and_every_seed() -> None:
-    asked = read_campaign(EXAMPLE)
+    asked = bd.read_campaign(EXAMPLE)
     assert asked.keys == ("specimen.count", "failure.tension", "seed")
     assert len({one.name for one in asked.specimens}) == 2 * 2 * 5
     one = asked.specimens[7]
@@ -111,7 +110,7 @@ def test_a_worker_dies_and_all_arrive_once(tmp_path: Path) -> None:
             killed.append(int(json.loads(record.read_text())["worker"].rpartition(":")[2]))
             os.kill(killed[0], signal.SIGKILL)
 
-    found = run_campaign(campaign(seeds=3), tmp_path, workers=1, progress=kill)
+    found = bd.run_campaign(campaign(seeds=3), tmp_path, workers=1, progress=kill)
     assert len(killed) == 1
     assert (found["specimens"], found["finished"], found["failed"]) == (6, 6, [])
     folders = sorted(path.name for path in (tmp_path / "specimens").iterdir())
@@ -120,13 +119,13 @@ def test_a_worker_dies_and_all_arrive_once(tmp_path: Path) -> None:
     more = campaign(seeds=[4, 5], vary={"specimen.coordination_number": [6.0, 11.95]})
     table = bd.campaign_table(tmp_path)
     assert list(table["seed"]) == [3, 4, 5, 3, 4, 5]
-    again = run_campaign(campaign(seeds=4), tmp_path, workers=1)
+    again = bd.run_campaign(campaign(seeds=4), tmp_path, workers=1)
     assert (again["finished"], again["before"]) == (8, 6)
     data = bd.campaign_dataset(tmp_path)
     assert data["specimen.coordination_number"].dims == ("count", "seed")
     assert data.sizes == {"count": 2, "seed": 4}
     np.testing.assert_array_equal(data["specimen.elements"].sel(count=120), 120)
-    failed = run_campaign(more, tmp_path / "more", workers=1)
+    failed = bd.run_campaign(more, tmp_path / "more", workers=1)
     assert failed["finished"] == 2
     assert [row["varied"] for row in failed["failed"]] == [
         {"specimen.coordination_number": 11.95, "seed": seed} for seed in (4, 5)
@@ -175,7 +174,7 @@ def test_jobs_of_slurm_speak_tls_with_credentials_of_their_own(tmp_path: Path) -
     """The command of a job, started here, joins the cluster; a client without its credentials does not."""
     pytest.importorskip("cryptography")
     distributed = needed("dask.distributed", "campaign")
-    asked = Slurm("long", "glass", cores=1, memory="1GB", walltime="00:10:00")
+    asked = bd.Slurm("long", "glass", cores=1, memory="1GB", walltime="00:10:00")
     before = listening()
     with slurm_cluster(asked, tmp_path) as cluster:
         assert cluster.scheduler_address.startswith("tls://")
@@ -209,7 +208,7 @@ def test_schedulers_elsewhere_without_tls_are_doubted(address: str, unprotected:
 
 def test_a_job_of_slurm_is_what_the_file_asks_for(tmp_path: Path) -> None:
     pytest.importorskip("cryptography")
-    asked = Slurm("long", "glass", cores=16, memory="32GB", walltime="04:00:00", directives=("--exclusive",))
+    asked = bd.Slurm("long", "glass", cores=16, memory="32GB", walltime="04:00:00", directives=("--exclusive",))
     with slurm_cluster(asked, tmp_path) as cluster:
         script = cluster.job_script()
     for line in ("#SBATCH -p long", "#SBATCH -A glass", "#SBATCH --cpus-per-task=16", "#SBATCH --mem=30G",
@@ -221,7 +220,7 @@ def test_a_job_of_slurm_is_what_the_file_asks_for(tmp_path: Path) -> None:
 
 def test_no_scheduler_no_table_and_two_clusters_are_one_line_each(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="there is no Dask scheduler at 'nonsense://x'"):
-        run_campaign(campaign(), tmp_path, address="nonsense://x")
+        bd.run_campaign(campaign(), tmp_path, address="nonsense://x")
     with pytest.raises(InputError, match="give the folder of a campaign"):
         bd.campaign_table(tmp_path / "none")
     for wrong in (3, None, "a\0b"):

@@ -11,18 +11,17 @@ from scipy.spatial.transform import Rotation
 
 import bondem as bd
 from bondem.errors import InputError, StudyError
-from bondem.io.importing import read_lattice
 from bondem.labtests.faces import face_motion
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.tension import tension_model
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.cell_stress import dilatation
 from bondem.report.cell_pictures import section_through
-from bondem.specimen.cells.polyhedra import polyhedra
 from bondem.study.beginnings import TEMPLATES, template
 from bondem.study.pipeline import run_study
 from bondem.study.programme import Programme, read
 from bondem.study.study import TESTS, parse_study, read_study
+from tests.specimens import cells
 
 E, NU, RHO = 70e9, 0.3, 2500.0
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -38,7 +37,7 @@ STUDY = {
 
 @pytest.fixture(scope="module")
 def body():
-    return bd.connect(bd.pack(bd.Cylinder(radius=5e-3, length=30e-3), count=500, seed=1), method="laguerre")
+    return cells(bd.Cylinder(radius=5e-3, length=30e-3), 500, spread=0.25)
 
 
 @pytest.fixture(scope="module")
@@ -190,10 +189,10 @@ def test_a_run_of_cells_goes_on_to_the_bit(body, law, tmp_path):
 
 def test_a_body_in_a_packing_file_comes_back_to_the_bit(body, tmp_path):
     bd.save_particles(tmp_path / "body.h5", body)
-    _same_body(read_lattice(tmp_path / "body.h5"), body)
+    _same_body(bd.read_lattice(tmp_path / "body.h5"), body)
     assert len(bd.load_particles(tmp_path / "body.h5")) == 500
     with pytest.raises(InputError, match="leave out shape="):
-        read_lattice(tmp_path / "body.h5", shape=bd.Box((1.0, 1.0, 1.0)))
+        bd.read_lattice(tmp_path / "body.h5", shape=bd.Box((1.0, 1.0, 1.0)))
 
 
 def _same_body(found, wanted):
@@ -221,7 +220,7 @@ def test_cells_are_polyhedra_for_paraview(finished, body, tmp_path):
 
 
 def test_a_section_through_cells_has_the_area_of_the_shape(body):
-    section = section_through(polyhedra(body), 0, 13e-3)
+    section = section_through(bd.polyhedra(body), 0, 13e-3)
     area = 0.0
     for x, y in (one.T for one in section.outline):
         area += 0.5 * abs(x @ np.roll(y, -1) - y @ np.roll(x, -1))

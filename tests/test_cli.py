@@ -13,27 +13,13 @@ import pytest
 import bondem as bd
 from bondem.cli import main
 from bondem.errors import UnstableRunError
-from bondem.io.runfile import RunFile, read_run
-from bondem.model.state import State
-from bondem.solve.history import History
-from bondem.solve.plan import Plan, settled
+from bondem.io.runfile import RunFile
+from bondem.solve.plan import settled
+from tests.models import loaded_row
+from tests.scripts import command
+from tests.specimens import spheres
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "silica.toml"
-
-
-def command(*arguments, cwd):
-    return subprocess.run(
-        [sys.executable, "-m", "bondem", *map(str, arguments)], cwd=cwd, capture_output=True, text=True, timeout=300
-    )
-
-
-def model(force=1.0):
-    position = np.zeros((12, 3))
-    position[:, 0] = 1e-3 * np.arange(12)
-    lattice = bd.connect(bd.Particles(position, 0.5e-3))
-    law = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
-    load = bd.Load(bd.Index([11]), force=(0.0, -force, 0.0))
-    return bd.Model(lattice, law, density=2500.0, boundary=[bd.Fix(bd.Index([0])), load])
 
 
 @pytest.fixture(scope="module")
@@ -98,22 +84,23 @@ def test_the_report_holds_everything_it_shows(finished):
 
 def test_resume_goes_on_to_the_end(tmp_path):
     # a checkpoint at rest, as a run killed at once leaves it
-    beam = model()
-    plan = settled(beam, Plan(duration=2e-5, gauges={"end": bd.Gauge(bd.Index([11]), "displacement")}, every=10))
-    RunFile(tmp_path / "run.h5", beam, plan).checkpoint(State(beam), History.empty(("end",)))
+    beam = loaded_row((0.0, -1.0, 0.0))
+    plan = settled(beam, bd.Plan(duration=2e-5, gauges={"end": bd.Gauge(bd.Index([11]), "displacement")}, every=10))
+    RunFile(tmp_path / "run.h5", beam, plan).checkpoint(beam.state(), bd.History.empty(("end",)))
     whole = bd.solve_explicit(beam, duration=2e-5, gauges=dict(plan.gauges), every=10)
     done = command("resume", "run.h5", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
     assert f"step {whole.steps}" in done.stdout
-    kept = read_run(tmp_path / "run.h5")
+    kept = bd.read_run(tmp_path / "run.h5")
     np.testing.assert_array_equal(kept.state.pose, whole.state.pose)
     np.testing.assert_array_equal(kept.history.records, whole.history.records)
 
 
 def test_an_unstable_run_returns_three(tmp_path):
-    beam = model(force=1e6)
-    RunFile(tmp_path / "run.h5", beam, settled(beam, Plan(duration=1e-3))).checkpoint(State(beam), History.empty(()))
+    beam = loaded_row((0.0, -1e6, 0.0))
+    plan = settled(beam, bd.Plan(duration=1e-3))
+    RunFile(tmp_path / "run.h5", beam, plan).checkpoint(beam.state(), bd.History.empty(()))
     before = (tmp_path / "run.h5").read_bytes()
     done = command("resume", "run.h5", cwd=tmp_path)
     assert done.returncode == 3
@@ -156,7 +143,7 @@ def test_a_study_that_becomes_unstable_returns_three(monkeypatch, capsys):
 
 def test_a_test_of_a_specimen_refuses_an_unstable_run():
     # so fast a push turns bonds beyond what a bond can bear
-    lattice = bd.connect(bd.pack(bd.Cylinder(5e-3, 30e-3), count=400, spread=0.25, seed=1))
+    lattice = spheres(bd.Cylinder(5e-3, 30e-3), 400)
     law = bd.EulerBernoulli(E=200e9, nu=0.3, radius_ratio=0.7)
     with pytest.raises(UnstableRunError, match="turned beyond 90 degrees"):
         bd.labtests.impact(lattice, law, density=3500.0, E=60e9, nu=0.17, rho=2200.0, velocity=2e4)

@@ -8,12 +8,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, RunFileError
-from bondem.model.state import State
-
-
-def grains(position, *, law, walls=()) -> bd.Model:
-    lattice = bd.Lattice(bd.Particles(position, np.ones(len(position))), np.zeros((0, 2), dtype=int))
-    return bd.Model(lattice, None, 1000.0, contact=law, walls=walls)
+from tests.models import grains, moving
 
 
 @pytest.mark.parametrize(
@@ -64,8 +59,7 @@ def test_walls_and_gauges_that_do_not_fit() -> None:
 
 def test_numbers_that_are_none_stop_a_run() -> None:
     model = grains([[0, 0, 0], [3, 0, 0]], law=bd.LinearContact(E=1e7))
-    state = State(model)
-    state.set_motion(velocity=[[0, 0, 0], [1.0, 0, 0]])
+    state = moving(model, [[0, 0, 0], [1.0, 0, 0]])
     state.motion[0, 0] = np.nan
     run = bd.solve_explicit(model, duration=1.0, dt=1e-3, every=10, state=state)
     assert run.status.name == "UNSTABLE"

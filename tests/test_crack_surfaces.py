@@ -1,6 +1,5 @@
 """Crack surfaces: areas by the divergence theorem, planes and roughness where both are known, and what is refused."""
 
-import functools
 import math
 from collections.abc import Callable
 from pathlib import Path
@@ -10,37 +9,11 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
+from tests.models import parted
+from tests.specimens import cells, cubes, grid
 
 LAW = bd.CellBond(E=1e9, nu=0.2)
 BEAMS = bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.5)
-
-
-def centres(shape: tuple[int, int, int]) -> np.ndarray:
-    return np.stack(np.meshgrid(*(np.arange(n) + 0.5 for n in shape), indexing="ij"), axis=-1).reshape(-1, 3)
-
-
-@functools.cache
-def grid(shape: tuple[int, int, int], angle: float = 0.0) -> bd.Lattice:
-    """Cubic cells of edge 1, turned about z."""
-    c, s = math.cos(angle), math.sin(angle)
-    turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-    box = bd.Box(size=tuple(map(float, shape))).rotated("z", angle)
-    return bd.connect(bd.Particles(centres(shape) @ turn.T, 0.5, shape=box), method="laguerre")
-
-
-@functools.cache
-def packed(shape: bd.Shape, count: int = 300) -> bd.Lattice:
-    return bd.connect(bd.pack(shape, count=count, method="even", seed=1), method="laguerre")
-
-
-def parted(
-    body: bd.Lattice, side: np.ndarray, law: bd.CellBond | bd.EulerBernoulli = LAW, to: float = 0.0
-) -> bd.State:
-    """A state in which all facets between two sides have an integrity."""
-    state = bd.Model(body, law, 1e3).state()
-    between = side[body.pairs[:, 0]] != side[body.pairs[:, 1]]
-    state.integrity[between[state.layout.bond_order]] = to
-    return state
 
 
 @pytest.mark.parametrize(
@@ -48,7 +21,7 @@ def parted(
 )
 def test_a_crack_through_a_body_has_the_section_as_projected_area(shape: bd.Shape, section: float) -> None:
     """Σ A n·e over what separates two ends of a prism is its section; here every n·e has the same sign."""
-    body = packed(shape)
+    body = cells(shape, 300)
     side = body.particles.position[:, 0] > 0.5
     found = bd.cracks(body, parted(body, side))
     between = np.flatnonzero(side[body.pairs[:, 0]] != side[body.pairs[:, 1]])
@@ -67,7 +40,7 @@ def test_a_crack_through_a_body_has_the_section_as_projected_area(shape: bd.Shap
 
 
 def test_polygons_are_the_facets() -> None:
-    body = packed(bd.Cylinder(0.5, 1.0))
+    body = cells(bd.Cylinder(0.5, 1.0), 300)
     found = bd.cracks(body, parted(body, body.centre[:, 0] > 0.5))
     outline, after = found.polygons, np.arange(1, len(found.polygons.vertex) + 1)
     after[outline.start[1:] - 1] = outline.start[:-1]
@@ -79,8 +52,8 @@ def test_polygons_are_the_facets() -> None:
 
 def test_an_even_crack_is_flat_and_a_tilted_one_has_its_normal() -> None:
     for angle in (0.0, 0.4):
-        body = grid((4, 3, 2), angle)
-        found = bd.cracks(body, parted(body, centres((4, 3, 2))[:, 0] > 2.0))
+        body = cubes((4, 3, 2), angle=angle)
+        found = bd.cracks(body, parted(body, cubes((4, 3, 2)).centre[:, 0] > 2.0))
         normal = np.array([math.cos(angle), math.sin(angle), 0.0])
         plane = found.surfaces
         assert (len(found), len(plane)) == (6, 1)
@@ -94,7 +67,7 @@ def test_an_even_crack_is_flat_and_a_tilted_one_has_its_normal() -> None:
 
 def test_a_stair_is_as_rough_as_it_is() -> None:
     """One step of height 1 in a crack of 4 × 1 and 2 × 1 cells: 6 facets across x, 1 across z between them."""
-    body, x = grid((4, 1, 6)), centres((4, 1, 6))
+    body, x = cubes((4, 1, 6)), cubes((4, 1, 6)).centre
     found = bd.cracks(body, parted(body, np.where(x[:, 2] < 4.0, x[:, 0] > 2.0, x[:, 0] > 1.0)))
     assert found.area == 7.0
     surface = found.surfaces
@@ -108,7 +81,7 @@ def test_a_stair_is_as_rough_as_it_is() -> None:
 
 
 def test_surfaces_that_do_not_touch_are_apart_the_largest_first() -> None:
-    body, x = grid((6, 3, 2)), centres((6, 3, 2))
+    body, x = cubes((6, 3, 2), angle=0.0), cubes((6, 3, 2)).centre
     side = (x[:, 0] > 4.0).astype(int) + 2 * (np.abs(x - [0.5, 0.5, 0.5]).max(axis=1) < 0.1)
     found = bd.cracks(body, parted(body, side))
     assert found.surfaces.area.tolist() == [6.0, 3.0]
@@ -117,8 +90,8 @@ def test_surfaces_that_do_not_touch_are_apart_the_largest_first() -> None:
 
 
 def test_softened_facets_count_where_asked() -> None:
-    body = grid((4, 3, 2))
-    state = parted(body, centres((4, 3, 2))[:, 0] > 2.0, to=0.3)
+    body = cubes((4, 3, 2))
+    state = parted(body, cubes((4, 3, 2)).centre[:, 0] > 2.0, to=0.3)
     assert len(bd.cracks(body, state)) == len(bd.cracks(body, state).surfaces) == 0
     assert bd.cracks(body, state).area == 0.0
     assert bd.cracks(body, state, integrity=0.29).area == 0.0
@@ -128,7 +101,7 @@ def test_softened_facets_count_where_asked() -> None:
 @pytest.mark.parametrize("law", [LAW, BEAMS])
 def test_cracks_go_and_turn_with_what_they_part(law: bd.CellBond | bd.EulerBernoulli) -> None:
     """All turns by 90° about z, then one side goes away by 0.2 along the crack's normal and slides by 0.1."""
-    body, x = grid((4, 3, 2)), centres((4, 3, 2))
+    body, x = cubes((4, 3, 2)), cubes((4, 3, 2)).centre
     if law is BEAMS:
         body = bd.Lattice(body.particles, body.pairs)
     side = x[:, 0] > 2.0
@@ -147,8 +120,8 @@ def test_cracks_go_and_turn_with_what_they_part(law: bd.CellBond | bd.EulerBerno
 
 
 def test_beams_crack_as_discs_of_their_sections() -> None:
-    body = bd.connect(bd.Particles(centres((4, 3, 2)), 0.5), reach=1.1)
-    found = bd.cracks(body, parted(body, centres((4, 3, 2))[:, 0] > 2.0, BEAMS))
+    body = grid((4, 3, 2), 1.0, walled=True)
+    found = bd.cracks(body, parted(body, cubes((4, 3, 2)).centre[:, 0] > 2.0, BEAMS))
     np.testing.assert_allclose(found.areas, math.pi * 0.25**2)
     np.testing.assert_allclose(found.centroid[:, 0], 2.0)
     assert found.polygons.start.tolist() == [24 * k for k in range(7)]
@@ -162,7 +135,7 @@ def test_beams_crack_as_discs_of_their_sections() -> None:
 
 def test_a_crack_across_the_edge_of_a_periodic_cell_is_one_plane() -> None:
     """Two walls part a slab from the rest; each goes on through the edges of the cell, as does the one at x = 0."""
-    body = packed(bd.Cell((1.0, 1.0, 1.0)), 400)
+    body = cells(bd.Cell((1.0, 1.0, 1.0)), 400)
     inside = body.particles.position[:, 0] < 0.4
     found = bd.cracks(body, parted(body, inside))
     assert found.projected_area((1.0, 0.0, 0.0)) == pytest.approx(2.0, rel=1e-9)
@@ -178,7 +151,7 @@ def test_a_crack_across_the_edge_of_a_periodic_cell_is_one_plane() -> None:
 
 def test_paraview_reads_the_surfaces(tmp_path: Path) -> None:
     pyvista = pytest.importorskip("pyvista")
-    body = packed(bd.Cylinder(0.5, 1.0))
+    body = cells(bd.Cylinder(0.5, 1.0), 300)
     found = bd.cracks(body, parted(body, body.centre[:, 0] > 0.5))
     found.write_vtkhdf(tmp_path / "cracks.vtkhdf")
     mesh = pyvista.read(tmp_path / "cracks.vtkhdf")
@@ -193,18 +166,18 @@ def test_paraview_reads_the_surfaces(tmp_path: Path) -> None:
 
 
 REFUSED: dict[str, tuple[str, Callable[[], object]]] = {
-    "another state": ("its own lattice", lambda: bd.cracks(grid((4, 3, 2)), parted(grid((4, 1, 6)), np.zeros(24)))),
+    "another state": ("its own lattice", lambda: bd.cracks(cubes((4, 3, 2)), parted(cubes((4, 1, 6)), np.zeros(24)))),
     "no lattice": ("the lattice of the model", lambda: bd.cracks(None, None)),
-    "no state": ("the state of a run", lambda: bd.cracks(grid((4, 3, 2)), None)),
+    "no state": ("the state of a run", lambda: bd.cracks(cubes((4, 3, 2)), None)),
     "whole facets": (
-        "integrity = 1.0", lambda: bd.cracks(grid((4, 3, 2)), parted(grid((4, 3, 2)), np.zeros(24)), integrity=1.0)
+        "integrity = 1.0", lambda: bd.cracks(cubes((4, 3, 2)), parted(cubes((4, 3, 2)), np.zeros(24)), integrity=1.0)
     ),
     "no file": (
-        "give a path", lambda: bd.cracks(grid((4, 3, 2)), parted(grid((4, 3, 2)), np.zeros(24))).write_vtkhdf(3)
+        "give a path", lambda: bd.cracks(cubes((4, 3, 2)), parted(cubes((4, 3, 2)), np.zeros(24))).write_vtkhdf(3)
     ),
     "no direction": (
         "direction has no length",
-        lambda: bd.cracks(grid((4, 3, 2)), parted(grid((4, 3, 2)), np.zeros(24))).projected_area((0.0, 0.0, 0.0)),
+        lambda: bd.cracks(cubes((4, 3, 2)), parted(cubes((4, 3, 2)), np.zeros(24))).projected_area((0.0, 0.0, 0.0)),
     ),
 }  # fmt: skip
 

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 import bondem as bd
 from bondem.errors import RunFileError, StudyError
 from bondem.study.programme import read
+from tests.specimens import spheres
 
 EXAMPLES = sorted(Path("examples").glob("*.toml"))
 QUIET = settings(
@@ -52,7 +53,7 @@ def test_a_damaged_study_is_read_or_refused_in_one_line(tmp_path: Path, example:
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    body = bd.connect(bd.pack(bd.Box((4e-3, 2e-3, 2e-3)), count=100, seed=1))
+    body = spheres(bd.Box((4e-3, 2e-3, 2e-3)), 100)
     model = bd.Model(body, bd.Timoshenko(E=1e9, nu=0.3, radius_ratio=0.5), density=2000.0)
     path = tmp_path_factory.mktemp("run") / "run.h5"
     bd.solve_explicit(model, duration=0.0, out=path)

@@ -5,7 +5,8 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from tests.test_particles_io import CENTRE, RADIUS, same
+from tests.bits import same_spheres
+from tests.specimens import FOUR_CENTRES, FOUR_RADII
 
 # The files hold a handful of spheres of about a metre.
 pytestmark = [
@@ -18,10 +19,8 @@ def dump(columns="id type x y z radius", borders="ff ff ff", scale=1.0):
     box = "-1 5\n-2 4\n-3 3\n"
     frames = []
     for step, moved in ((0, 7.0), (10, 0.0)):
-        rows = "".join(
-            f"{10 + k} 1 {' '.join(repr(float(v)) for v in CENTRE[k] + moved)} {float(RADIUS[k] * scale)!r}\n"
-            for k in (2, 0, 3, 1)
-        )
+        places = [" ".join(repr(float(v)) for v in centre + moved) for centre in FOUR_CENTRES]
+        rows = "".join(f"{10 + k} 1 {places[k]} {float(FOUR_RADII[k] * scale)!r}\n" for k in (2, 0, 3, 1))
         head = f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n4\nITEM: BOX BOUNDS {borders}\n{box}"
         frames.append(f"{head}ITEM: ATOMS {columns}\n{rows}")
     return "".join(frames)
@@ -29,20 +28,22 @@ def dump(columns="id type x y z radius", borders="ff ff ff", scale=1.0):
 
 def test_lammps_dumps(write):
     path = write("dump.beam", dump())
-    assert same(bd.read_particles(path))
-    assert same(bd.read_particles(path, frame=0), CENTRE + 7.0)
-    assert same(bd.read_particles(path, frame=-2), CENTRE + 7.0)
-    assert same(bd.read_particles(write("d.dump", dump("id type xu yu zu diameter", scale=2.0))))
-    assert same(bd.read_particles(write("n.dump", dump("id type x y z c_size")), radius="c_size"))
-    assert same(bd.read_particles(write("o.lammpstrj", dump("id type x y z q")), radius=0.3), radius=np.full(4, 0.3))
+    assert same_spheres(bd.read_particles(path))
+    assert same_spheres(bd.read_particles(path, frame=0), FOUR_CENTRES + 7.0)
+    assert same_spheres(bd.read_particles(path, frame=-2), FOUR_CENTRES + 7.0)
+    assert same_spheres(bd.read_particles(write("d.dump", dump("id type xu yu zu diameter", scale=2.0))))
+    assert same_spheres(bd.read_particles(write("n.dump", dump("id type x y z c_size")), radius="c_size"))
+    assert same_spheres(
+        bd.read_particles(write("o.lammpstrj", dump("id type x y z q")), radius=0.3), radius=np.full(4, 0.3)
+    )
     cell = bd.read_particles(write("p.dump", dump(borders="pp pp pp")))
     np.testing.assert_array_equal(cell.period, [6.0, 6.0, 6.0])
-    np.testing.assert_allclose(cell.position, CENTRE + np.array([1.0, 2.0, 3.0]))
+    np.testing.assert_allclose(cell.position, FOUR_CENTRES + np.array([1.0, 2.0, 3.0]))
     assert bd.read_particles(write("p.dump", dump(borders="pp pp pp")), periodic=False).period is None
     units = bd.read_particles(write("u.dump", "ITEM: UNITS\nmicro\n" + dump()))
-    np.testing.assert_allclose(units.position, 1e-6 * CENTRE)
+    np.testing.assert_allclose(units.position, 1e-6 * FOUR_CENTRES)
     scaled = dump("id type xs ys zs radius").replace("-1 5\n-2 4\n-3 3", "0 2\n0 2\n0 2")
-    np.testing.assert_allclose(bd.read_particles(write("s.dump", scaled)).position, 2.0 * CENTRE)
+    np.testing.assert_allclose(bd.read_particles(write("s.dump", scaled)).position, 2.0 * FOUR_CENTRES)
 
 
 @pytest.mark.parametrize(
@@ -63,18 +64,20 @@ def test_lammps_dumps_that_do_not_fit(write, text, options, message):
 
 
 def xyz(comment="", scale=1.0):
-    sized = zip(CENTRE, RADIUS * scale, strict=True)
+    sized = zip(FOUR_CENTRES, FOUR_RADII * scale, strict=True)
     rows = "".join(f"Si {' '.join(repr(float(v)) for v in x)} {float(r)!r}\n" for x, r in sized)
     return f"4\n{comment}\n{rows}"
 
 
 def test_xyz_plain_and_extended(write):
-    assert same(bd.read_particles(write("p.xyz", xyz()), columns=(1, 2, 3, 4)))
-    assert same(bd.read_particles(write("d.xyz", xyz(scale=2.0)), columns=(1, 2, 3, 4), diameters=True))
-    assert same(bd.read_particles(write("o.xyz", xyz("Atoms. Timestep: 0")), radius=0.3), radius=np.full(4, 0.3))
+    assert same_spheres(bd.read_particles(write("p.xyz", xyz()), columns=(1, 2, 3, 4)))
+    assert same_spheres(bd.read_particles(write("d.xyz", xyz(scale=2.0)), columns=(1, 2, 3, 4), diameters=True))
+    assert same_spheres(
+        bd.read_particles(write("o.xyz", xyz("Atoms. Timestep: 0")), radius=0.3), radius=np.full(4, 0.3)
+    )
     said = "Properties=species:S:1:pos:R:3:radius:R:1"
-    assert same(bd.read_particles(write("e.xyz", xyz(said))))
-    assert same(bd.read_particles(write("f.extxyz", xyz(said.replace("radius", "diameter"), 2.0))))
+    assert same_spheres(bd.read_particles(write("e.xyz", xyz(said))))
+    assert same_spheres(bd.read_particles(write("f.extxyz", xyz(said.replace("radius", "diameter"), 2.0))))
     two = bd.read_particles(write("t.xyz", xyz(said).replace("Si 0.0", "Si 0.25") + xyz(said)), frame=0)
     assert two.position[0, 0] == 0.25
     cell = write("c.xyz", xyz(f'Lattice="6 0 0 0 6 0 0 0 6" {said} pbc="T T T"'))

@@ -13,8 +13,7 @@ from bondem.labtests.beams import Bar, CrossSection
 from bondem.labtests.cantilever import mass_gyration
 from bondem.labtests.vibration import ramped_vibration
 from bondem.labtests.wave import first_passage, strike
-from bondem.model.model import Model
-from tests.chains import R, chain
+from tests.specimens import chain, loose, spheres
 from validation.__main__ import validation
 from validation.frame.files import plain, thinned
 from validation.measures.effective_section import SectionRadii, implied_radius, section_profile
@@ -22,6 +21,8 @@ from validation.measures.explicit_tension import ExplicitTension, explicit_tensi
 from validation.measures.inertia import inertia_excess, stiffness_effect
 from validation.studies.section import PAPER, carried_over
 from validation.studies.wave import WaveStudy
+
+R = 0.5e-3  # m, of the spheres of chains
 
 E, NU, RHO = 70e9, 0.2, 2200.0
 LAW = bd.EulerBernoulli(E=E, nu=NU, radius_ratio=1.0)
@@ -31,7 +32,7 @@ DENSITY = 1.5 * RHO
 
 @pytest.fixture(scope="module")
 def specimen() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Cylinder(radius=2.5e-3, length=15e-3), count=900, spread=0.25, seed=3))
+    return spheres(bd.Cylinder(radius=2.5e-3, length=15e-3), 900, seed=3)
 
 
 # --- slow tension -----------------------------------------------------------------------------------------
@@ -125,7 +126,7 @@ def test_moments_of_a_chain():
     assert found.lateral_excess == pytest.approx(lateral / ((3.0 * R * R + length**2) / 12.0) - 1.0)
     # and in the mode of bending to second order in the step
     assert abs(found.frequency["bending"]) < 2e-3
-    lone = bd.Lattice(bd.Particles(np.zeros((1, 3)), R), np.zeros((0, 2), dtype=int))
+    lone = loose(np.zeros((1, 3)), R)
     with pytest.raises(InputError, match="Cylinder"):
         inertia_excess(lone, density=1.0, rho=1.0)
 
@@ -169,7 +170,7 @@ def test_a_face_that_is_held_keeps_its_velocity_and_first_passage_is_between_sam
 def test_the_profile_of_stress_holds_the_whole_force_and_its_gyration(specimen):
     law = bd.EulerBernoulli(E=E, nu=0.3, radius_ratio=0.7)
     tension = bd.labtests.static_tension(specimen, law)
-    profile = section_profile(Model(specimen, law, 1000.0), tension.solution, annuli=50)
+    profile = section_profile(bd.Model(specimen, law, 1000.0), tension.solution, annuli=50)
     assert profile.carried[-1] == pytest.approx(1.0)
     area = np.diff(profile.edge**2)
     second = (profile.stress * area * profile.middle**2).sum() / area.sum()
@@ -185,7 +186,7 @@ def test_the_profile_of_stress_holds_the_whole_force_and_its_gyration(specimen):
 def test_a_chain_carries_everything_on_its_axis():
     lattice = chain(40)
     tension = bd.labtests.static_tension(lattice, LAW)
-    profile = section_profile(Model(lattice, LAW, 1000.0), tension.solution, annuli=10)
+    profile = section_profile(bd.Model(lattice, LAW, 1000.0), tension.solution, annuli=10)
     np.testing.assert_allclose(profile.carried[1:], 1.0)
     assert profile.stress[0] == pytest.approx(100.0)
 

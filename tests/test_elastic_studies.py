@@ -11,6 +11,7 @@ import pytest
 import bondem as bd
 from bondem.calibration.abacus import Curve, curve
 from bondem.errors import InputError, PackingError
+from tests.scripts import files
 from validation.__main__ import main
 from validation.frame.page import write_page
 from validation.frame.request import kept_row, made_row
@@ -30,10 +31,6 @@ def abacus(tmp_path_factory):
     out = tmp_path_factory.mktemp("abacus")
     study = Abacus(count=200, packings=2, bars=1, laws=("ParallelBond",))
     return study, out, run(study, out, processes=1)
-
-
-def files(folder):
-    return {path.relative_to(folder): path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()}
 
 
 @pytest.mark.parametrize("law", LAWS)

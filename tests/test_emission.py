@@ -9,6 +9,7 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError
 from bondem.fracture.magnitudes import b_value_of, magnitude_of
+from tests.specimens import cells, cubes
 
 
 def broken(time, position, energy=1.0, mode="tension") -> bd.BrokenBonds:
@@ -100,9 +101,7 @@ def test_magnitudes_are_those_of_gutenberg_and_richter() -> None:
 
 
 def test_links_go_through_the_edges_of_a_periodic_cell() -> None:
-    particles = bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=200, method="even", seed=1)
-    body = bd.connect(particles, method="laguerre")
-    model = bd.Model(body, bd.CellBond(E=1e9, nu=0.2), 1000.0)
+    model = bd.Model(cells(bd.Cell((1.0, 1.0, 1.0)), 200), bd.CellBond(E=1e9, nu=0.2), 1000.0)
     events = broken([0.0, 0.0, 0.0], [[0.02, 0.5, 0.5], [0.98, 0.5, 0.5], [0.5, 0.5, 0.5]], energy=[1.0, 3.0, 1.0])
     found = bd.acoustic_emission(events, model=model, distance=0.1)
     assert found.label.tolist() == [0, 0, 1]
@@ -113,13 +112,11 @@ def test_links_go_through_the_edges_of_a_periodic_cell() -> None:
 
 def test_defaults_are_two_spacings_and_the_time_of_a_wave_over_them() -> None:
     """Cubic cells of edge 1 at E = 4e6, ρ = 1000: √(E/ρ) = 63.2; beams of the same grid in a chain L √(k_n / m)."""
-    x = np.indices((4, 3, 3)).reshape(3, -1).T + 0.5
-    particles = bd.Particles(x, 0.5, shape=bd.Box((4.0, 3.0, 3.0)))
-    body = bd.connect(particles, method="laguerre")
+    body = cubes((4, 3, 3))
     late = 2.0 / math.sqrt(4e6 / 1000.0)
     beams = bd.EulerBernoulli(E=4e6, nu=0.2, radius_ratio=0.5)
     chain = 2.0 / math.sqrt(4e6 * math.pi * 0.25**2 / (1000.0 * math.pi / 6.0))
-    bars = bd.Lattice(particles, body.pairs)
+    bars = bd.Lattice(body.particles, body.pairs)
     for model, span in (
         (bd.Model(body, bd.CellBond(E=4e6, nu=0.3), 1000.0), late), (bd.Model(bars, beams, 1000.0), chain)
     ):  # fmt: skip

@@ -13,16 +13,17 @@ from click.testing import CliRunner
 import bondem as bd
 from bondem.cli.export import command
 from bondem.errors import InputError, StressFreeWarning
+from tests import specimens
 
 
 @pytest.fixture(scope="module")
 def spheres() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Box((4e-2, 2e-2, 2e-2)), count=300, seed=1))
+    return specimens.spheres(bd.Box((4e-2, 2e-2, 2e-2)), 300)
 
 
 @pytest.fixture(scope="module")
 def body() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Box((4e-2, 2e-2, 2e-2)), count=200, method="even", seed=1), method="laguerre")
+    return specimens.bar(200, 4e-2)
 
 
 def moved(lattice: bd.Lattice) -> bd.State:

@@ -1,6 +1,5 @@
 """What strengths mean with the elements there are: closed forms, warnings, who is nearest to failure."""
 
-import functools
 import math
 import re
 import warnings
@@ -12,20 +11,14 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError, StrengthWarning
 from bondem.observe.crack_index import yield_index
+from tests.specimens import bar, cubes
 
 STONE = bd.CellBond(E=50e9, nu=0.0)
-SIDE = 1e-3
-
-
-@functools.cache
-def grid(shape: tuple[int, int, int] = (6, 5, 5)) -> bd.Lattice:
-    x = SIDE * (np.indices(shape).reshape(3, -1).T + 0.5)
-    box = bd.Box(tuple(SIDE * n for n in shape))
-    return bd.connect(bd.Particles(x, 0.5 * SIDE, shape=box), method="laguerre")
+SIDE, SHAPE = 1e-3, (6, 5, 5)
 
 
 def cells(failure: bd.Criterion, law: bd.CellBond = STONE, density: float = 2600.0) -> bd.Model:
-    return bd.Model(grid(), law, density, failure=failure)
+    return bd.Model(cubes(SHAPE, SIDE), law, density, failure=failure)
 
 
 def stretched(model: bd.Model, strain: float) -> bd.State:
@@ -147,7 +140,7 @@ def test_who_is_nearest_is_named() -> None:
 
 def test_facets_begin_to_crack_where_their_index_is_one() -> None:
     """In a run: below 1 before anything cracks, and what cracks first was within a few steps' loading of it."""
-    body = bd.connect(bd.pack(bd.Box((8e-3, 4e-3, 4e-3)), count=60, method="even", seed=1), method="laguerre")
+    body = bar(60, 8e-3)
     pull = bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, 0.02, 2e-5))
     soft = bd.Rankine(tension=5e6, fracture_energy=50.0)
     model = bd.Model(
@@ -192,7 +185,8 @@ def test_cells_nearest_to_yielding_are_told() -> None:
 
 
 def test_bonds_are_explained_by_their_own_index() -> None:
-    lattice = bd.Lattice(grid().particles, grid().pairs)
+    body = cubes(SHAPE, SIDE)
+    lattice = bd.Lattice(body.particles, body.pairs)
     model = bd.Model(
         lattice, bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5), 1000.0,
         failure=bd.PeripheralStress(tension=1e6, shear=1e6),
@@ -204,11 +198,11 @@ def test_bonds_are_explained_by_their_own_index() -> None:
 
 
 REFUSED: dict[str, tuple[str, Callable[[], object]]] = {
-    "no criterion": ("give it failure=", lambda: bd.explain(bd.Model(grid(), STONE, 2600.0))),
+    "no criterion": ("give it failure=", lambda: bd.explain(bd.Model(cubes(SHAPE, SIDE), STONE, 2600.0))),
     "no model": ("give bd.Model", lambda: bd.explain(None)),
     "another state": (
         "another lattice",
-        lambda: bd.explain(cells(bd.Rankine(tension=1e6)), bd.Model(grid((3, 3, 3)), STONE, 2600.0).state()),
+        lambda: bd.explain(cells(bd.Rankine(tension=1e6)), bd.Model(cubes((3, 3, 3), SIDE), STONE, 2600.0).state()),
     ),
     "no count": ("most = -1", lambda: bd.explain(cells(bd.Rankine(tension=1e6)), most=-1)),
 }

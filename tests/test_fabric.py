@@ -8,6 +8,7 @@ from scipy.spatial.transform import Rotation
 
 import bondem as bd
 from bondem.specimen.geode import geode
+from tests.specimens import crystal
 
 # Crystals and handfuls of spheres stick out of the boxes they are measured in.
 pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.FillingWarning")
@@ -24,13 +25,6 @@ def chain(direction):
     centre = np.cumsum(np.vstack([np.zeros(3), onward]), axis=0)
     k = np.arange(len(direction))
     return bd.Lattice(bd.Particles(centre, 1e-5), np.column_stack([k, k + 1]))
-
-
-def crystal(cells=8, period=True):
-    base = np.array([[0, 0, 0], [0.5, 0.5, 0], [0.5, 0, 0.5], [0, 0.5, 0.5]])
-    corner = np.stack(np.meshgrid(*[np.arange(cells)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
-    centre = (corner[:, None] + base).reshape(-1, 3).astype(float)
-    return bd.Particles(centre, math.sqrt(2.0) / 4.0, period=[cells] * 3 if period else None)
 
 
 def test_geode_is_a_sphere_of_320_faces():
@@ -163,7 +157,7 @@ def test_good_packings_pass(shape, seed):
 
 @pytest.mark.parametrize("period", [True, False])
 def test_cubic_crystal_fails_in_any_orientation(period, record):
-    particles = crystal(period=period)
+    particles = crystal(periodic=period)
     if not period:
         turn = Rotation.from_euler("xyz", [0.4, 1.1, -0.3])
         particles = bd.Particles(particles.position @ turn.as_matrix().T, particles.radius)

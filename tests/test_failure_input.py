@@ -1,25 +1,19 @@
 """Criteria of failure that cannot be: each is refused in one line that names what is wrong and what to do."""
 
-import functools
 import math
 import re
 from collections.abc import Callable
 
-import numpy as np
 import pytest
 
 import bondem as bd
 from bondem.errors import InputError
+from tests.specimens import bar, row
 
-ROW = bd.connect(bd.Particles(1e-3 * np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]]), 0.5e-3), tolerance=1e-9)
+ROW = row(3)
 LAW = bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.5)
 STRESS = bd.PeripheralStress(tension=1e6, shear=1e6)
 TRACTION = bd.MohrCoulomb(tension=1e6, cohesion=1e6, friction_angle=0.5)
-
-
-@functools.cache
-def body() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Box((4e-3, 2e-3, 2e-3)), count=12, method="even", seed=1), method="laguerre")
 
 
 def model(failure: object, bond: object = LAW, lattice: bd.Lattice = ROW, **others) -> bd.Model:
@@ -88,19 +82,19 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
     "a class": ("PeripheralStress", "a criterion such as", lambda: model(bd.PeripheralStress)),
     "a beam's stress in the non-local law": (
         "PeripheralStress is not a criterion on principal stresses", "use bd.Rankine(tension=) or bd.MohrCoulomb",
-        lambda: model(STRESS, bd.NonLocal(E=1e9, nu=0.2), body()),
+        lambda: model(STRESS, bd.NonLocal(E=1e9, nu=0.2), bar(12, 4e-3)),
     ),
     "a cone in the non-local law": (
         "DruckerPrager is not a criterion on principal stresses", "use bd.Rankine(tension=) or bd.MohrCoulomb",
-        lambda: model(bd.DruckerPrager(tension=1e6, compression=1e7), bd.NonLocal(E=1e9, nu=0.2), body()),
+        lambda: model(bd.DruckerPrager(tension=1e6, compression=1e7), bd.NonLocal(E=1e9, nu=0.2), bar(12, 4e-3)),
     ),
     "softening in the non-local law": (
         "Rankine: NonLocal bonds break at once", "leave out fracture_energy=",
-        lambda: model(bd.Rankine(tension=1e6, fracture_energy=10.0), bd.NonLocal(E=1e9, nu=0.2), body()),
+        lambda: model(bd.Rankine(tension=1e6, fracture_energy=10.0), bd.NonLocal(E=1e9, nu=0.2), bar(12, 4e-3)),
     ),
     "friction of a criterion in the non-local law": (
         "Rankine: friction= of NonLocal bonds", "contact=bd.LinearContact",
-        lambda: model(bd.Rankine(tension=1e6, friction=0.3), bd.NonLocal(E=1e9, nu=0.2), body()),
+        lambda: model(bd.Rankine(tension=1e6, friction=0.3), bd.NonLocal(E=1e9, nu=0.2), bar(12, 4e-3)),
     ),
     "the incremental form": (
         "needs bonds of the total formulation", "use formulation='total'",
@@ -109,22 +103,22 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
     "contact": (
         "failure= of cells beside contact=", "needs stress_free=True",
         lambda: model(
-            TRACTION, bd.CellBond(E=1e9, nu=0.2), body(), contact=bd.LinearContact(E=1e9, stress_free=False)
+            TRACTION, bd.CellBond(E=1e9, nu=0.2), bar(12, 4e-3), contact=bd.LinearContact(E=1e9, stress_free=False)
         ),
     ),
     "a beam's stress in cells": (
         "PeripheralStress applies to beams", "use bd.MohrCoulomb",
-        lambda: model(STRESS, bd.CellBond(E=1e9, nu=0.2), body()),
+        lambda: model(STRESS, bd.CellBond(E=1e9, nu=0.2), bar(12, 4e-3)),
     ),
     "a sum of forces in cells": (
         "LinearSum applies to beams", "use bd.MohrCoulomb",
         lambda: model(
-            bd.LinearSum(force=1.0, shear=1.0, bending=1.0, twisting=1.0), bd.CellBond(E=1e9, nu=0.2), body()
+            bd.LinearSum(force=1.0, shear=1.0, bending=1.0, twisting=1.0), bd.CellBond(E=1e9, nu=0.2), bar(12, 4e-3)
         ),
     ),
     "an ellipse in cells": (
         "Elliptic applies to beams", "use bd.MohrCoulomb",
-        lambda: model(bd.Elliptic(elongation=0.1, rotation=0.1), bd.CellBond(E=1e9, nu=0.2), body()),
+        lambda: model(bd.Elliptic(elongation=0.1, rotation=0.1), bd.CellBond(E=1e9, nu=0.2), bar(12, 4e-3)),
     ),
     "bonds of two kinds": ("at the ends or at contact points", "give bonds of one kind", mixed),
     "a stress of the material in beams": (
@@ -237,7 +231,7 @@ def test_a_parameter_out_of_range_is_named(kind: type, good: dict, name: str, ba
 def test_what_can_be_is_not_refused() -> None:
     for failure in (STRESS, TRACTION, bd.Elliptic(elongation=0.1, rotation=0.1), None):
         model(failure)
-    model(TRACTION, bd.CellBond(E=1e9, nu=0.2), body())
+    model(TRACTION, bd.CellBond(E=1e9, nu=0.2), bar(12, 4e-3))
     model(STRESS, bd.ParallelBond(E=1e9, nu=0.3, radius_ratio=0.5))
     without = bd.Model(bd.Lattice(ROW.particles, ROW.pairs[:0]), None, density=1000.0, failure=STRESS)
     assert bd.failure_index(without, without.state()).shape == (0,)

@@ -13,6 +13,8 @@ import bondem as bd
 from bondem.report.crack_pictures import corners_moved, draw_cracks, draw_fragments, piece_colours
 from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View
+from tests.models import parted
+from tests.specimens import cubes
 
 ROOT = Path(__file__).parents[1]
 LAW = bd.CellBond(E=1e9, nu=0.2)
@@ -31,12 +33,10 @@ def script(path: str):
 
 def broken() -> tuple[bd.Lattice, bd.State]:
     """Cubic cells, 4 × 3 × 2, parted in the middle and drawn 0.5 apart."""
-    x = np.indices((4, 3, 2)).reshape(3, -1).T + 0.5
-    body = bd.connect(bd.Particles(x, 0.5, shape=bd.Box((4.0, 3.0, 2.0))), method="laguerre")
-    state = bd.Model(body, LAW, 1e3).state()
+    body = cubes((4, 3, 2))
+    x = body.particles.position
     side = x[:, 0] > 2.0
-    between = side[body.pairs[:, 0]] != side[body.pairs[:, 1]]
-    state.integrity[between[state.layout.bond_order]] = 0.0
+    state = parted(body, side)
     state.set_pose(position=x + 0.5 * side[:, None] * [1.0, 0.0, 0.0])
     return body, state
 

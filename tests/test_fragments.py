@@ -5,14 +5,14 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
+from tests.specimens import row
 
 
 def chain(count: int) -> bd.Model:
-    position = np.stack([np.arange(count), np.zeros(count), np.zeros(count)], axis=1)
-    pairs = np.stack([np.arange(count - 1), np.arange(1, count)], axis=1)[::-1]
-    radius = np.linspace(0.4, 0.5, count)
+    line = row(count, 1.0)
+    particles = bd.Particles(line.centre, np.linspace(0.4, 0.5, count))
     law = bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.5)
-    return bd.Model(bd.Lattice(bd.Particles(position, radius), pairs), law, density=1000.0)
+    return bd.Model(bd.Lattice(particles, line.pairs[::-1]), law, density=1000.0)
 
 
 def test_pieces_of_a_chain():

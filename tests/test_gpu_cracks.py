@@ -5,9 +5,8 @@ import pytest
 
 from bondem.kernels.crack_tables import ACTIVE, FACET, PARTED, RESTING, SPENT, STATUS
 from bondem.kernels.tables import BROKEN_BOND, BROKEN_STEP, FRACTURE, FRICTION, LOSS, TRANSLATION, WORK
-from tests.gpu_sides import ends_alike, records_alike, three_sides
+from tests.gpu_sides import apart, ends_alike, records_alike, three_sides
 from tests.test_gpu import only_slowly
-from tests.test_gpu_failure import apart
 
 CASES = "soft", only_slowly("paused"), "resumed", only_slowly("stale"), "brittle", "flying"
 FIELDS = "pose", "stress", "motion", "acceleration", "loss", "reaction", "integrity", "released", "facet_force"

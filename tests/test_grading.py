@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.observe.cell_strain import CellStrain
 from bondem.observe.surface import surface_displacement
 from bondem.packing.grading import MOST_CELLS, cells_of, sites, sizes_by
+from tests.bits import threads
 
 BAR = (0.2, 0.1, 0.05)
 SLOT = bd.Box((2e-3, 0.03, 1.0)).moved((0.099, -1e-6, -0.5))

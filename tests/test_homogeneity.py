@@ -9,6 +9,7 @@ import bondem as bd
 from bondem.errors import InputError
 from bondem.specimen.core import core_solid, core_volume, solid_fraction
 from bondem.specimen.quasirandom import points_inside, spread_directions
+from tests.specimens import crystal
 
 # Crystals, rows and dust do not fill the shapes they are measured in.
 pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.FillingWarning")
@@ -27,12 +28,6 @@ def cylinder():
 @pytest.fixture(scope="module")
 def ordered():
     return bd.pack(bd.Box((4.0, 1.0, 1.0)), count=2000, spread=0.0, seed=0)
-
-
-def crystal(cells=8):
-    base = np.array([[0, 0, 0], [0.5, 0.5, 0], [0.5, 0, 0.5], [0, 0.5, 0.5]])
-    corner = np.stack(np.meshgrid(*[np.arange(cells)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
-    return bd.Particles((corner[:, None] + base).reshape(-1, 3), math.sqrt(2.0) / 4.0, period=[cells] * 3)
 
 
 def reasons(particles, **bonding):

@@ -12,6 +12,7 @@ from bondem.errors import BondemError, FillingWarning, InputError, PackingError,
 from bondem.specimen import materials
 from bondem.study.pipeline import run_study
 from bondem.study.study import parse_study
+from tests.specimens import spheres
 
 BOX = bd.Box((10e-3,) * 3)
 LAW = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
@@ -22,12 +23,7 @@ NUMBERS = (math.nan, math.inf, -math.inf, 1e300, 1e-300, -1.0, "1", None, [1.0],
 
 @pytest.fixture(scope="module")
 def packing():
-    return bd.pack(BOX, count=1000)
-
-
-@pytest.fixture(scope="module")
-def lattice(packing):
-    return bd.connect(packing)
+    return spheres(BOX, 1000).particles
 
 
 def refused(call, *, within=1.0, kind=BondemError):
@@ -160,7 +156,8 @@ NEGATIVE = 5  # of NUMBERS
 
 
 @pytest.mark.parametrize("place", range(len(NUMBERS)))
-def test_lab_tests_refuse_what_they_cannot_use(lattice, place):
+def test_lab_tests_refuse_what_they_cannot_use(place):
+    lattice = spheres(BOX, 1000)
     value = NUMBERS[place]
     for name, usual, key in LAB:
         if place == NEGATIVE and key == "stress":  # compression
@@ -270,7 +267,8 @@ def test_a_cell_wider_than_its_packing():
         bd.Particles(cell.position, cell.radius, shape=bd.Cell((12e-3,) * 3))
 
 
-def test_what_is_packed_carved_or_kept_in_a_file_is_not_doubted(lattice, tmp_path):
+def test_what_is_packed_carved_or_kept_in_a_file_is_not_doubted(tmp_path):
+    lattice = spheres(BOX, 1000)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         part = bd.carve(lattice, bd.Ball(4e-3).moved((5e-3,) * 3))

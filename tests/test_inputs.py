@@ -9,10 +9,10 @@ from scipy.spatial import KDTree
 
 import bondem as bd
 from bondem.errors import FaceWarning, InputError
+from tests.specimens import grid, row
 
-GRID = 1e-3 * np.stack(np.meshgrid(np.arange(5), np.arange(3), np.arange(3), indexing="ij"), axis=-1).reshape(-1, 3)
-SHAPE = bd.Box((5e-3, 3e-3, 3e-3))
-LATTICE = bd.connect(bd.Particles(GRID + 0.5e-3, 0.5e-3, shape=SHAPE))
+GRID = grid((5, 3, 3)).centre
+LATTICE = grid((5, 3, 3), walled=True)
 LAW = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
 LEFT, RIGHT = bd.Face("x_min"), bd.Face("x_max")
 PARTICLES = LATTICE.particles
@@ -165,8 +165,7 @@ def test_refused_in_one_line(words, call):
 
 
 def test_a_guess_of_another_lattice_is_refused():
-    small = bd.connect(bd.Particles(GRID[:20] + 0.5e-3, 0.5e-3))
-    other = bd.solve_static(bd.Model(small, LAW, 1.0, boundary=bd.Fix(bd.Index([0]))))
+    other = bd.solve_static(bd.Model(row(20), LAW, 1.0, boundary=bd.Fix(bd.Index([0]))))
     with pytest.raises(InputError, match="20 elements"):
         bd.solve_static(HELD, guess=other)
 
@@ -201,9 +200,7 @@ def test_one_condition_or_several():
 
 
 def test_a_number_is_a_constant_schedule():
-    assert bd.Load(RIGHT, force=(1, 0, 0), schedule=2.0) == bd.Load(
-        RIGHT, force=(1, 0, 0), schedule=bd.Constant(2.0)
-    )
+    assert bd.Load(RIGHT, force=(1, 0, 0), schedule=2.0) == bd.Load(RIGHT, force=(1, 0, 0), schedule=bd.Constant(2.0))
     double = bd.solve_static(model_of(bd.Fix(LEFT), bd.Load(RIGHT, force=(25.0, 0, 0), schedule=2.0)))
     plain = bd.solve_static(model_of(bd.Fix(LEFT), bd.Load(RIGHT, force=(50.0, 0, 0))))
     np.testing.assert_allclose(double.displacement, plain.displacement, rtol=1e-12)
@@ -225,9 +222,10 @@ def test_until_takes_one_event_or_several():
 
 
 def test_gauges_of_walls_pass_a_type_checker():
-    assert bd.WallGauge in typing.get_args(typing.get_args(typing.get_type_hints(bd.solve_explicit)["gauges"])[0])[
-        1
-    ].__args__
+    assert (
+        bd.WallGauge
+        in typing.get_args(typing.get_args(typing.get_type_hints(bd.solve_explicit)["gauges"])[0])[1].__args__
+    )
 
 
 def test_a_force_gauge_sums_unless_told_otherwise():
@@ -279,5 +277,5 @@ def test_a_face_of_a_shape_or_of_a_grid_is_what_it_was():
     shaped = rough(bd.Box((8e-3, 6e-3, 6e-3)))
     gap = 8e-3 - shaped.particles.position[:, 0] - 0.45e-3
     np.testing.assert_array_equal(bd.Face("x_max").select(shaped), np.flatnonzero(gap <= 0.02 * 0.45e-3))
-    plain = bd.connect(bd.Particles(GRID, 0.5e-3))
+    plain = grid((5, 3, 3))
     assert len(bd.Face("x_max").select(plain)) == 9

@@ -11,6 +11,7 @@ import bondem as bd
 from bondem.errors import RunFileError
 from bondem.io import journal
 from bondem.io.journal import JournaledFile, committed
+from tests.specimens import two_spheres
 
 V = ("v108", "v108")
 
@@ -135,8 +136,7 @@ def test_what_cannot_be_opened_says_so(tmp_path: Path) -> None:
 def test_contents_carry_out_a_commit_that_was_cut_off(tmp_path: Path) -> None:
     """Some of its pages are in the file, all of them in the journal: the file is whole afterwards, for all."""
     model = bd.Model(
-        bd.connect(bd.Particles(np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]), 0.5)),
-        bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5), 1000.0, boundary=[bd.Fix(bd.Index([0]))],
+        two_spheres(), bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5), 1000.0, boundary=[bd.Fix(bd.Index([0]))],
     )  # fmt: skip
     bd.solve_explicit(model, duration=1e-3, out=tmp_path / "run.h5")
     path = tmp_path / "run.h5"

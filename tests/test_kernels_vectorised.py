@@ -16,16 +16,15 @@ from bondem.kernels.incremental import incremental_loads
 from bondem.kernels.tables import Elements, StepScheme
 from bondem.laws.beam_energy import bond_force
 from bondem.model.blocks import Blocks
-from bondem.model.state import State
+from tests.specimens import row
 
 ARITHMETIC = re.compile(r"^\s+v(?:fn?m(?:add|sub)\d+|mul|add|sub|div|sqrt)([ps])d\s(.*)$", re.MULTILINE)
 
 
 def arguments() -> dict[str, tuple]:
     """What each loop takes in a run, for a model of two bonds."""
-    lattice = bd.Lattice(bd.Particles([[0.0, 0, 0], [1.0, 0, 0], [2.0, 0, 0]], [0.5] * 3), [(0, 1), (1, 2)])
-    model = bd.Model(lattice, bd.EulerBernoulli(E=1.0, nu=0.3, radius=0.1), 1.0)
-    state, layout = State(model), model.layout
+    model = bd.Model(row(3, 1.0), bd.EulerBernoulli(E=1.0, nu=0.3, radius=0.1), 1.0)
+    state, layout = model.state(), model.layout
     bonds = model.bonds.rows(layout, model.period, state.integrity, alike=True)
     cut = Blocks.of(layout, 4000, 1, np.zeros(3, dtype=bool)).table()
     elements = Elements(state.pose, state.motion, state.acceleration, state.loss, state.rest, np.zeros(0))

@@ -1,7 +1,6 @@
 """Tests of the laboratory as users call them: what they refuse, what they do not depend on, and studies of them."""
 
 import math
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -13,11 +12,10 @@ from bondem.errors import InputError, StudyError
 from bondem.labtests.ledger import energy_ledger
 from bondem.study.pipeline import run_study
 from bondem.study.study import parse_study, read_study
+from tests.specimens import cells, spheres
 
 LAW = bd.CellBond(E=40e9, nu=0.2)
-CONCRETE = bd.MohrCoulomb(
-    tension=4e6, cohesion=14.3e6, friction_angle=math.radians(35.0), fracture_energy=20.0
-)
+CONCRETE = bd.MohrCoulomb(tension=4e6, cohesion=14.3e6, friction_angle=math.radians(35.0), fracture_energy=20.0)
 BRITTLE = bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.6)
 STUDY: dict[str, Any] = {
     "name": "concrete", "packings": 1, "tests": ["brazilian"],
@@ -31,19 +29,13 @@ STUDY: dict[str, Any] = {
 }  # fmt: skip
 BEAM = {"shape": "box", "size": [40e-3, 10e-3, 10e-3], "count": 200, "method": "even"}
 
-
-@cache
-def body(name: str) -> bd.Lattice:
-    shapes: dict[str, bd.Shape] = {
-        "disc": bd.Cylinder(radius=10e-3, length=10e-3), "prism": bd.Box((20e-3, 10e-3, 10e-3)),
-        "beam": bd.Box((40e-3, 10e-3, 10e-3)), "ball": bd.Ball(10e-3), "core": bd.labtests.punch_specimen(),
-        "holed": bd.Box((40e-3, 10e-3, 10e-3)).cut(
-            bd.Box((4e-3, 4e-3, 30e-3)).moved((18e-3, 3e-3, -10e-3)), name="notch"
-        ),
-    }  # fmt: skip
-    return bd.connect(bd.pack(shapes[name], count=250, method="even", seed=1), method="laguerre")
-
-
+SHAPES: dict[str, bd.Shape] = {
+    "disc": bd.Cylinder(radius=10e-3, length=10e-3), "prism": bd.Box((20e-3, 10e-3, 10e-3)),
+    "beam": bd.Box((40e-3, 10e-3, 10e-3)), "ball": bd.Ball(10e-3), "core": bd.labtests.punch_specimen(),
+    "holed": bd.Box((40e-3, 10e-3, 10e-3)).cut(
+        bd.Box((4e-3, 4e-3, 30e-3)).moved((18e-3, 3e-3, -10e-3)), name="notch"
+    ),
+}  # fmt: skip
 TESTS = {
     "brazilian": ("disc", {}), "triaxial": ("prism", {"pressure": 5e6}), "three_point_bending": ("beam", {}),
     "shear": ("core", {}),
@@ -52,7 +44,7 @@ TESTS = {
 
 def run(name: str, specimen: bd.Lattice | None = None, failure: Any = CONCRETE, law: Any = LAW, **given: Any) -> Any:
     which, usual = TESTS[name]
-    return getattr(bd.labtests, name)(specimen or body(which), law, failure, **(usual | given))
+    return getattr(bd.labtests, name)(specimen or cells(SHAPES[which], 250), law, failure, **(usual | given))
 
 
 @pytest.mark.validate
@@ -69,9 +61,8 @@ def test_what_a_test_needs_is_told(name: str) -> None:
         run(name, failure=BRITTLE)
     with pytest.raises(InputError, match="failure = None"):
         run(name, failure=None)
-    spheres = bd.connect(bd.pack(bd.Box((4e-3, 4e-3, 4e-3)), count=300, seed=1))
     with pytest.raises(InputError, match="method='laguerre'"):
-        run(name, specimen=spheres)
+        run(name, specimen=spheres(bd.Box((4e-3, 4e-3, 4e-3)), 300))
     with pytest.raises(InputError, match=r"bd\.CellBond"):
         run(name, law=bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5))
 
@@ -101,7 +92,7 @@ WRONG: dict[str, tuple[str, str, dict[str, Any]]] = {
 @pytest.mark.parametrize("case", WRONG)
 def test_what_is_wrong_is_refused_in_a_line(case: str) -> None:
     name, message, given = WRONG[case]
-    asked = {key: body(value) if key == "specimen" else value for key, value in given.items()}
+    asked = {key: cells(SHAPES[value], 250) if key == "specimen" else value for key, value in given.items()}
     with pytest.raises(InputError, match=message) as caught:
         run(name, **asked)
     assert "\n" not in str(caught.value)

@@ -13,26 +13,16 @@ from bondem.labtests.cantilever import Cantilever, mass_gyration
 from bondem.labtests.frequency import dominant_frequency
 from bondem.labtests.gauge_length import AffineField, curvature, profile, rigid_motion, twist_rate
 from bondem.labtests.tension import paper_length, static_bond_forces
-from bondem.model.model import Model
 from bondem.solve.linear import Iteration, System
+from tests.specimens import chain, spheres
 
 E, NU, RHO = 70e9, 0.2, 2200.0
 R = 0.5e-3
 
 
-def chain(count: int, *, radius: float = R) -> bd.Lattice:
-    """Touching equal spheres along x that fill a cylinder of their own radius from face to face."""
-    x = radius * (1.0 + 2.0 * np.arange(count))
-    shape = bd.Cylinder(radius=radius, length=2.0 * radius * count)
-    position = np.stack([x, np.zeros(count), np.zeros(count)], axis=1)
-    return bd.Lattice(
-        bd.Particles(position, radius, shape=shape), np.stack([np.arange(count - 1), np.arange(1, count)], axis=1)
-    )
-
-
 @pytest.fixture(scope="module")
 def specimen() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Cylinder(radius=2.5e-3, length=15e-3), count=1200, spread=0.25, seed=3))
+    return spheres(bd.Cylinder(radius=2.5e-3, length=15e-3), 1200, seed=3)
 
 
 LAW = bd.EulerBernoulli(E=E, nu=0.3, radius_ratio=0.7)
@@ -120,9 +110,10 @@ def test_bond_forces_carry_the_load_through_every_section(specimen):
 
 def test_a_free_specimen_is_solved_far_below_the_tolerance(specimen):
     # rigid motion that rounding leaves in a residual must not grow: at 1e-10 it once stopped one solve in fifty
-    model = Model(
+    model = bd.Model(
         specimen,
-        LAW, 1000.0,
+        LAW,
+        1000.0,
         boundary=[bd.Load(bd.Face("x_max"), force=(1, 0, 0)), bd.Load(bd.Face("x_min"), force=(-1, 0, 0))],
     )
     system = System.of(model)
@@ -147,11 +138,11 @@ def test_a_rattler_changes_nothing(specimen):
 
 
 def test_a_box_has_no_side_and_a_ball_no_faces():
-    box = bd.connect(bd.pack(bd.Box(size=(12e-3, 4e-3, 5e-3)), count=600, spread=0.25, seed=1))
+    box = spheres(bd.Box(size=(12e-3, 4e-3, 5e-3)), 600, seed=1)
     tension = bd.labtests.static_tension(box, LAW)
     assert tension.nu_paper is None
     assert tension.E > 0.0
-    ball = bd.connect(bd.pack(bd.Ball(radius=3e-3), count=300, spread=0.25, seed=1))
+    ball = spheres(bd.Ball(radius=3e-3), 300, seed=1)
     with pytest.raises((InputError, EmptyRegionError)):
         bd.labtests.static_tension(ball, LAW)
     with pytest.raises(InputError, match="not a bar along x"):
@@ -164,7 +155,7 @@ def test_a_specimen_too_short_to_measure_says_so():
 
 
 def test_a_tension_test_of_a_disc_gives_a_warning():
-    disc = bd.connect(bd.pack(bd.Cylinder(radius=3e-3, length=3e-3), count=400, spread=0.25, seed=1))
+    disc = spheres(bd.Cylinder(radius=3e-3, length=3e-3), 400, seed=1)
     with pytest.warns(ShortSpecimenWarning, match=r"0\.003 m long along x and 0\.006 m wide.*bd\.bulk_moduli"):
         bd.labtests.static_tension(disc, LAW)
 

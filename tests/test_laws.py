@@ -19,6 +19,7 @@ from bondem.report import page
 from bondem.report.style import law_colour, sheet
 from bondem.study.pipeline import run_study
 from bondem.study.study import parse_study
+from tests.specimens import spheres
 from validation.studies.abacus import SWEEPS
 from validation.studies.surface import FITTED, HELD_OUT
 
@@ -28,7 +29,7 @@ every_law = pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 @pytest.fixture(scope="module")
 def dense() -> bd.Lattice:
     """So many bonds that no element rolls freely even where bonds have no moments."""
-    return bd.connect(bd.pack(bd.Box((4e-3, 2e-3, 2e-3)), count=150, spread=0.25, seed=3), reach=1.35)
+    return spheres(bd.Box((4e-3, 2e-3, 2e-3)), 150, seed=3, reach=1.35)
 
 
 def study(law: type, **keys):

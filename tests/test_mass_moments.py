@@ -14,6 +14,7 @@ from bondem.errors import InputError
 from bondem.labtests.beams import CrossSection
 from bondem.labtests.cantilever import mass_gyration
 from bondem.specimen.moments import moments
+from tests.specimens import spheres
 
 RHO = 2201.0
 TURNED = bd.Cylinder(radius=1.0, length=4.0).rotated("y", 0.4).rotated("z", -1.1).moved((0.3, 2.0, -1.0))
@@ -89,7 +90,7 @@ def test_combined_shapes_add_and_take_away():
 
 @pytest.fixture(scope="module")
 def lattice() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Cylinder(radius=5e-3, length=40e-3), count=1500, spread=0.25, seed=2))
+    return spheres(bd.Cylinder(radius=5e-3, length=40e-3), 1500, seed=2)
 
 
 def body_of(lattice, law_density):

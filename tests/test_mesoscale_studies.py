@@ -10,10 +10,10 @@ import bondem as bd
 from bondem.errors import InputError, StudyError
 from bondem.fracture.lost_area import lost_area
 from bondem.labtests.failure_tests import failure_outcome
-from bondem.specimen.regions import Within
 from bondem.study.pipeline import run_study
 from bondem.study.programme import Programme, parse_programme
 from bondem.study.study import parse_study
+from tests import specimens
 
 SOFT, HARD = bd.CellBond(E=20e9, nu=0.0), bd.CellBond(E=60e9, nu=0.0)
 PLAIN, STRONG = bd.Rankine(tension=3e6, fracture_energy=20.0), bd.Rankine(tension=9e6, fracture_energy=20.0)
@@ -35,13 +35,12 @@ STUDY = {
 
 @pytest.fixture(scope="module")
 def bar():
-    box = bd.Box((30e-3, 10e-3, 10e-3))
-    return bd.connect(bd.pack(box, count=300, method="even", seed=1), method="laguerre")
+    return specimens.bar(300, 30e-3, 10e-3)
 
 
 def halves(bar):
     """The half of the bar beyond its middle, and the part of it that is hard there."""
-    return Within(bd.Box((15e-3, 10e-3, 10e-3)).moved((15e-3, 0.0, 0.0)))
+    return bd.Within(bd.Box((15e-3, 10e-3, 10e-3)).moved((15e-3, 0.0, 0.0)))
 
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.RaggedInterfaceWarning")

@@ -14,11 +14,12 @@ import pytest
 
 import bondem as bd
 from bondem.errors import RunFileError
-from bondem.io.runfile import RunFile, read_run
+from bondem.io.runfile import RunFile
 from bondem.kernels.tables import FIXED_COLUMNS, FRACTURE, NON_LOCAL, PLASTIC
-from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from tests.bits import EnoughError, assert_same_bits
+from tests.models import cantilever
+from tests.specimens import row
 
 DATA = Path(__file__).parent / "data"
 # What a schema did not have: arrays of the state, columns of the records.
@@ -37,13 +38,13 @@ def file_of(schema: int, tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("schema", MISSING)
 def test_what_an_older_bondem_wrote_is_read(schema: int, tmp_path: Path) -> None:
-    read = read_run(file_of(schema, tmp_path))
+    read = bd.read_run(file_of(schema, tmp_path))
     missing, columns = MISSING[schema]
     assert (read.state.step, read.state.time, read.state.stale) == (7, 7e-8, False)
-    fresh = State(read.model)
-    for name in State.ARRAYS:
+    fresh = bd.State(read.model)
+    for name in bd.State.ARRAYS:
         found = getattr(read.state, name)
-        if name in missing or name in State.GROWING:
+        if name in missing or name in bd.State.GROWING:
             np.testing.assert_array_equal(found, getattr(fresh, name), err_msg=name)
         else:
             np.testing.assert_array_equal(found.ravel(), np.arange(found.size) / 64.0, err_msg=name)
@@ -52,15 +53,13 @@ def test_what_an_older_bondem_wrote_is_read(schema: int, tmp_path: Path) -> None
     assert read.history.records.shape == (3, FIXED_COLUMNS + 3)
     then = [c for c in range(FIXED_COLUMNS + 3) if c not in columns]
     np.testing.assert_array_equal(read.history.records[:, columns], 0.0)
-    np.testing.assert_array_equal(
-        read.history.records[:, then], np.arange(3)[:, None] + np.arange(len(then)) / 64.0
-    )
+    np.testing.assert_array_equal(read.history.records[:, then], np.arange(3)[:, None] + np.arange(len(then)) / 64.0)
     assert read.model.failure is None
     assert read.plan.damping == bd.LocalDamping(0.05)
 
 
 def test_the_models_of_older_files_come_back(tmp_path: Path) -> None:
-    beams, body = (read_run(file_of(schema, tmp_path)).model for schema in MISSING)
+    beams, body = (bd.read_run(file_of(schema, tmp_path)).model for schema in MISSING)
     assert beams.bond == bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
     assert beams.contact == bd.LinearContact(E=70e9, friction=0.3)
     assert len(beams.walls) == 1
@@ -87,11 +86,8 @@ def aged(path: Path, schema: int) -> None:
 
 @pytest.mark.parametrize("schema", [*MISSING, 6])
 def test_a_run_goes_on_from_an_older_file_to_the_bit(schema: int, tmp_path: Path) -> None:
-    x = 1e-3 * np.arange(5)
-    lattice = bd.connect(bd.Particles(np.stack([x, 0 * x, 0 * x], axis=1), 0.5e-3))
-    load = bd.Load(bd.Index([4]), force=(0.0, -0.5, 0.1), schedule=bd.Ramp(0.0, 1.0, 1e-6))
     law = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
-    model = bd.Model(lattice, law, density=2500.0, boundary=[bd.Fix(bd.Index([0])), load])
+    model = cantilever(row(5), law, 2500.0, ramp=1e-6, force=(0.0, -0.5, 0.1))
     options = {"every": 7, "save_every": 50, "gauges": {"end": bd.Gauge(bd.Index([4]), "displacement")}}
     dt = bd.solve_explicit(model, duration=0.0, **options).dt
     whole = bd.solve_explicit(model, duration=200 * dt, out=tmp_path / "whole.h5", **options)
@@ -102,7 +98,7 @@ def test_a_run_goes_on_from_an_older_file_to_the_bit(schema: int, tmp_path: Path
             if state.step == 100:
                 raise EnoughError
 
-    place, plan = tmp_path / "cut.h5", read_run(tmp_path / "whole.h5").plan
+    place, plan = tmp_path / "cut.h5", bd.read_run(tmp_path / "whole.h5").plan
     with pytest.raises(EnoughError), Cut(place, model, plan) as sink:
         integrate(model, plan, sink=sink)
     aged(place, schema)
@@ -122,7 +118,7 @@ def test_an_array_that_its_schema_has_must_be_there(schema: int, missing: str, t
         if missing in file:
             del file[missing]
     with pytest.raises(RunFileError, match=r"is damaged .*; start the run again"):
-        read_run(place)
+        bd.read_run(place)
 
 
 def test_a_file_before_contacts_is_refused_in_a_line(tmp_path: Path) -> None:
@@ -130,7 +126,7 @@ def test_a_file_before_contacts_is_refused_in_a_line(tmp_path: Path) -> None:
     with h5py.File(place, "a") as file:
         file.attrs["schema"] = 1
     with pytest.raises(RunFileError, match="older bondem without contacts; start the run") as refused:
-        read_run(place)
+        bd.read_run(place)
     assert str(place) in str(refused.value)
     assert "\n" not in str(refused.value)
 
@@ -143,4 +139,4 @@ def test_a_law_of_a_later_version_is_refused_by_name(tmp_path: Path) -> None:
         del file["model"]
         file["model"] = json.dumps(model)
     with pytest.raises(RunFileError, match="unknown type 'LaterLaw'; read the file with the bondem version"):
-        read_run(place)
+        bd.read_run(place)

@@ -5,13 +5,13 @@ import pytest
 import trimesh
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError, PackingError
 from bondem.packing import targets
 from bondem.packing.quench import _just_above_jamming
 from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.walls import walls
 from bondem.specimen.neighbours import neighbours
+from tests.bits import threads
 
 SHAPES = [
     bd.Cylinder(radius=5e-3, length=20e-3),

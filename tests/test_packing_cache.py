@@ -11,22 +11,15 @@ import bondem as bd
 from bondem import packing
 from bondem.io import packing_cache
 from bondem.io.packing_cache import PackingCache, key
-from bondem.packing.sizes import SizeLaw
 from bondem.packing.targets import Contacts, Fraction, Jammed
+from tests.bits import same_spheres
+from tests.specimens import FOUR_CENTRES, FOUR_RADII
 
-CENTRE = np.array([[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [2.0, 0.0, 0.25], [3.0, -1.0 / 3.0, 0.0]])
-RADIUS = np.array([0.5, 0.4, 0.5, 0.45])
 REQUEST = {
     "shape": bd.Ball(1.0), "sizes": bd.Uniform(0.25), "count": 20, "target": Contacts(6.2), "method": "quench",
     "seed": 1,
 }  # fmt: skip
 ASKED = {"count": 1000, "volume_fraction": 0.5, "seed": 3}
-
-
-def same(particles, centre=CENTRE, radius=RADIUS):
-    np.testing.assert_array_equal(particles.position, centre)
-    np.testing.assert_array_equal(particles.radius, radius)
-    return True
 
 
 def tetrahedron(scale=1.0):
@@ -57,13 +50,13 @@ def test_the_same_request_is_packed_once_to_the_bit(folder, packings):
     first, shares = bd.pack(shape, **ASKED), []
     again = bd.pack(shape, **ASKED, progress=shares.append)
     assert len(packings) == 1
-    assert same(again, first.position, first.radius)
+    assert same_spheres(again, first.position, first.radius)
     assert again.shape is shape
     assert shares[-1] == 1.0
     # one law, said in two ways
     other = bd.pack(shape, **ASKED, spread=0.1)
     assert len(packings) == 2
-    assert same(bd.pack(shape, **ASKED, sizes=bd.Uniform(0.1)), other.position, other.radius)
+    assert same_spheres(bd.pack(shape, **ASKED, sizes=bd.Uniform(0.1)), other.position, other.radius)
     assert len(packings) == 2
     assert len(list(folder.iterdir())) == 2
 
@@ -88,15 +81,15 @@ def test_what_lies_in_a_periodic_cell_comes_back_to_the_bit(folder, packings):
     cell = bd.Cell((1.0, 1.0, 1.0))
     first, again = bd.pack(cell, **ASKED), bd.pack(cell, **ASKED)
     assert len(packings) == 1
-    assert same(again, first.position, first.radius)
+    assert same_spheres(again, first.position, first.radius)
     np.testing.assert_array_equal(again.period, first.period)
     below_zero = bd.Particles([[-1e-300, 0.5, 0.5]], 0.1, shape=cell)
     PackingCache(folder).put("a", below_zero)
-    assert same(PackingCache(folder).get("a"), below_zero.position, below_zero.radius)
+    assert same_spheres(PackingCache(folder).get("a"), below_zero.position, below_zero.radius)
 
 
 @dataclass(frozen=True)
-class MyLaw(SizeLaw):
+class MyLaw(bd.SizeLaw):
     most: float = 1.2
 
     def quantile(self, share):
@@ -157,10 +150,10 @@ def test_a_damaged_file_is_as_good_as_none(tmp_path, damage):
 
     def make():
         calls.append(1)
-        return bd.Particles(CENTRE, RADIUS)
+        return bd.Particles(FOUR_CENTRES, FOUR_RADII)
 
     cache = PackingCache(tmp_path / "kept")
-    assert same(cache.remembered(REQUEST, make))
+    assert same_spheres(cache.remembered(REQUEST, make))
     path = tmp_path / "kept" / f"{key(REQUEST)}.h5"
     told = bd.read_provenance(path)
     assert told["method"] == "quench"
@@ -168,21 +161,21 @@ def test_a_damaged_file_is_as_good_as_none(tmp_path, damage):
     path.write_bytes(damage(path.read_bytes()))
     assert cache.get(key(REQUEST)) is None
     for _ in range(2):
-        assert same(cache.remembered(REQUEST, make))
+        assert same_spheres(cache.remembered(REQUEST, make))
     assert len(calls) == 2
 
 
 def test_a_file_that_lacks_what_it_should_have_is_as_good_as_none(tmp_path):
     cache = PackingCache(tmp_path)
     for missing in ("schema", "bondem_version", "elements/radius", "shape"):
-        cache.put("a", bd.Particles(CENTRE, RADIUS))
+        cache.put("a", bd.Particles(FOUR_CENTRES, FOUR_RADII))
         with h5py.File(tmp_path / "a.h5", "a") as file:
             del (file if "/" in missing or missing == "shape" else file.attrs)[missing]
         assert cache.get("a") is None
 
 
 def test_the_cache_keeps_to_its_size_and_forgets_what_was_used_least(tmp_path):
-    particles = bd.Particles(CENTRE, RADIUS)
+    particles = bd.Particles(FOUR_CENTRES, FOUR_RADII)
     PackingCache(tmp_path).put("a", particles)
     size = (tmp_path / "a.h5").stat().st_size
     cache = PackingCache(tmp_path, most_bytes=3 * size)
@@ -198,7 +191,7 @@ def test_the_cache_keeps_to_its_size_and_forgets_what_was_used_least(tmp_path):
 def test_a_cache_that_cannot_be_written_does_no_harm(tmp_path):
     (tmp_path / "file").write_text("not a folder")
     cache = PackingCache(tmp_path / "file")
-    assert same(cache.remembered(REQUEST, lambda: bd.Particles(CENTRE, RADIUS)))
+    assert same_spheres(cache.remembered(REQUEST, lambda: bd.Particles(FOUR_CENTRES, FOUR_RADII)))
 
 
 def test_the_cache_lies_beside_the_compiled_code():

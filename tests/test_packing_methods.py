@@ -5,10 +5,10 @@ import pytest
 import trimesh
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.packing.growth import _fly
 from bondem.packing.packing_tables import COLLISIONS, TIME, VIRIAL, Flight, Growing, Near, PackingWalls, Spheres
+from tests.bits import threads
 
 METHODS = ("quench", "growth", "compression")
 CELL = bd.Cell((1.0, 1.0, 1.0))

@@ -14,6 +14,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, PackingError
+from tests.scripts import command, files
 from validation.__main__ import main
 from validation.figures.packing_curves import LARGEST_POSSIBLE, PRINTED_THRESHOLD
 from validation.frame.failures import complain
@@ -32,15 +33,8 @@ ROOT = Path(__file__).parents[1]
 HERE = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH"))))}
 
 
-def command(*arguments, cwd):
-    return subprocess.run(
-        [sys.executable, "-m", "validation", *map(str, arguments)],
-        cwd=cwd, env=HERE, capture_output=True, text=True, timeout=300,
-    )  # fmt: skip
-
-
-def files(folder):
-    return {path.relative_to(folder): path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()}
+def validation(*arguments, cwd):
+    return command(*arguments, cwd=cwd, package="validation", env=HERE)
 
 
 def without_time(rows):
@@ -50,7 +44,7 @@ def without_time(rows):
 @pytest.fixture(scope="module")
 def refined(tmp_path_factory):
     folder = tmp_path_factory.mktemp("refinement")
-    return folder / "out", command("refinement", "--out", "out", *SMALL, "--processes", "2", cwd=folder)
+    return folder / "out", validation("refinement", "--out", "out", *SMALL, "--processes", "2", cwd=folder)
 
 
 def request(folder, **changed):
@@ -100,7 +94,7 @@ def test_a_second_run_packs_only_what_is_missing(refined):
     lost.unlink()
     other = next(path for path in (out / "packings").iterdir() if "_n200_seed2_" in path.name)
     other.unlink()
-    done = command("refinement", "--out", "out", *SMALL, "--processes", "1", cwd=out.parent)
+    done = validation("refinement", "--out", "out", *SMALL, "--processes", "1", cwd=out.parent)
     assert done.returncode == 0, done.stderr
     after = files(out)
     assert set(after) == set(before)
@@ -166,7 +160,7 @@ def test_an_interrupted_run_ends_at_once(tmp_path):
 
 def test_dispersion_goes_on_after_a_packing_that_fails(tmp_path):
     # six contacts for each of 12 spheres in a cube cannot be had without overlaps beyond measure
-    done = command(
+    done = validation(
         "dispersion", "--out", "out", "--count", "12", "--spreads", "0.25", "--method", "quench", "--processes", "1",
         cwd=tmp_path,
     )  # fmt: skip
@@ -180,7 +174,7 @@ def test_dispersion_goes_on_after_a_packing_that_fails(tmp_path):
 
 @pytest.mark.validate
 def test_dispersion_draws_and_judges(tmp_path):
-    done = command(
+    done = validation(
         "dispersion", "--out", "out", "--count", "500", "--spreads", "0,0.25", "--method", "quench",
         "--processes", "2", cwd=tmp_path,
     )  # fmt: skip

@@ -8,6 +8,8 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, RunFileError
+from tests.bits import same_spheres
+from tests.specimens import FOUR_CENTRES, FOUR_RADII
 
 # The files hold a handful of spheres of about a metre.
 pytestmark = [
@@ -15,42 +17,36 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore::bondem.errors.UnitWarning"),
 ]
 
-CENTRE = np.array([[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [2.0, 0.0, 0.25], [3.0, -1.0 / 3.0, 0.0]])
-RADIUS = np.array([0.5, 0.4, 0.5, 0.45])
 PAIRS = np.array([[0, 1], [1, 2], [2, 3]])
 
 
-def same(particles, centre=CENTRE, radius=RADIUS):
-    np.testing.assert_array_equal(particles.position, centre)
-    np.testing.assert_array_equal(particles.radius, radius)
-    return True
-
-
 def table(separator=" "):
-    return "".join(separator.join(map(repr, map(float, (*x, r)))) + "\n" for x, r in zip(CENTRE, RADIUS, strict=True))
+    return "".join(
+        separator.join(map(repr, map(float, (*x, r)))) + "\n" for x, r in zip(FOUR_CENTRES, FOUR_RADII, strict=True)
+    )
 
 
 @pytest.mark.parametrize("shape", [None, bd.Cylinder(2.0, 4.0), bd.Cell((4.0, 5.0, 6.0))], ids=repr)
 def test_what_is_saved_comes_back_to_the_bit(tmp_path, shape):
-    particles = bd.Particles(CENTRE + 0.1, RADIUS, shape=shape)
+    particles = bd.Particles(FOUR_CENTRES + 0.1, FOUR_RADII, shape=shape)
     path = tmp_path / "packing.h5"
     bd.save_particles(path, particles, provenance={"method": "quench", "seed": 3, "shape": shape, "target": 6.2})
     again = bd.load_particles(path)
-    assert same(again, particles.position, particles.radius)
+    assert same_spheres(again, particles.position, particles.radius)
     assert again.shape == shape
     assert (again.period is None) == (particles.period is None)
     told = bd.read_provenance(path)
     assert told == {"method": "quench", "seed": 3, "shape": shape, "target": 6.2, "bondem_version": bd.__version__}
-    assert same(bd.read_particles(path), particles.position, particles.radius)
+    assert same_spheres(bd.read_particles(path), particles.position, particles.radius)
     with pytest.raises(InputError, match="has no bonds"):
         bd.read_lattice(path)
 
 
 def test_a_lattice_is_saved_with_its_bonds(tmp_path):
     path = tmp_path / "lattice.h5"
-    bd.save_particles(path, bd.Lattice(bd.Particles(CENTRE, RADIUS), PAIRS[::-1]))
+    bd.save_particles(path, bd.Lattice(bd.Particles(FOUR_CENTRES, FOUR_RADII), PAIRS[::-1]))
     np.testing.assert_array_equal(bd.read_lattice(path).pairs, PAIRS[::-1])
-    assert same(bd.load_particles(path))
+    assert same_spheres(bd.load_particles(path))
 
 
 def test_files_that_are_not_ours_or_damaged_are_refused(tmp_path, write):
@@ -59,7 +55,7 @@ def test_files_that_are_not_ours_or_damaged_are_refused(tmp_path, write):
     with pytest.raises(InputError, match="not a particle file"):
         bd.load_particles(write("text.h5", "x y z r"))
     path = tmp_path / "good.h5"
-    bd.save_particles(path, bd.Particles(CENTRE, RADIUS))
+    bd.save_particles(path, bd.Particles(FOUR_CENTRES, FOUR_RADII))
     with h5py.File(path, "a") as file:
         del file["elements/radius"]
     with pytest.raises(InputError, match="damaged"):
@@ -69,9 +65,9 @@ def test_files_that_are_not_ours_or_damaged_are_refused(tmp_path, write):
     with pytest.raises(InputError, match="update bondem"):
         bd.load_particles(path)
     with pytest.raises(InputError, match="folder"):
-        bd.save_particles(tmp_path, bd.Particles(CENTRE, RADIUS))
+        bd.save_particles(tmp_path, bd.Particles(FOUR_CENTRES, FOUR_RADII))
     with pytest.raises(RunFileError, match="object cannot be written"):
-        bd.save_particles(path, bd.Particles(CENTRE, RADIUS), provenance={"by": object()})
+        bd.save_particles(path, bd.Particles(FOUR_CENTRES, FOUR_RADII), provenance={"by": object()})
 
 
 @pytest.mark.parametrize(
@@ -85,16 +81,16 @@ def test_files_that_are_not_ours_or_damaged_are_refused(tmp_path, write):
     ],
 )
 def test_csv_with_and_without_header(write, head, separator):
-    assert same(bd.read_particles(write("spheres.csv", head + table(separator))))
+    assert same_spheres(bd.read_particles(write("spheres.csv", head + table(separator))))
 
 
 def test_csv_columns_units_and_diameters(write):
     path = write("mm.csv", "id,diameter,x,y,z\n7,2,0,0,0\n8,2,2,0,0\n")
-    assert same(bd.read_particles(path, unit=1e-3), np.array([[0, 0, 0], [2e-3, 0, 0]]), np.full(2, 1e-3))
+    assert same_spheres(bd.read_particles(path, unit=1e-3), np.array([[0, 0, 0], [2e-3, 0, 0]]), np.full(2, 1e-3))
     path = write("odd.csv", "a,b,c,d,e\n7,0,0,0,2\n8,5,0,0,2\n")
     expected = np.array([[0, 0, 0], [5, 0, 0]]), np.full(2, 2.0)
-    assert same(bd.read_particles(path, columns=("b", "c", "d", "e")), *expected)
-    assert same(bd.read_particles(path, columns=(1, 2, 3, 4)), *expected)
+    assert same_spheres(bd.read_particles(path, columns=("b", "c", "d", "e")), *expected)
+    assert same_spheres(bd.read_particles(path, columns=(1, 2, 3, 4)), *expected)
     shape = bd.Box((1.0, 1.0, 1.0))
     assert bd.read_particles(path, columns=(1, 2, 3, 4), unit=0.1, shape=shape).shape == shape
 
@@ -127,7 +123,7 @@ def test_csv_errors_name_file_and_line(write, text, message):
     ],
 )
 def test_csv_decimals_with_commas(write, text):
-    assert same(bd.read_particles(write("comma.csv", text)), CENTRE[:2] * [[1, 1, 1]], RADIUS[:2])
+    assert same_spheres(bd.read_particles(write("comma.csv", text)), FOUR_CENTRES[:2] * [[1, 1, 1]], FOUR_RADII[:2])
 
 
 @pytest.mark.parametrize(
@@ -180,12 +176,14 @@ def test_tables_of_windows_editors_read_alike(tmp_path):
     for k, encoding in enumerate(("utf-8-sig", "utf-16")):
         path = tmp_path / f"{k}.csv"
         path.write_bytes(("x,y,z,r\r\n" + table(",").replace("\n", "\r\n")).encode(encoding))
-        assert same(bd.read_particles(path))
+        assert same_spheres(bd.read_particles(path))
 
 
 def test_yade_text_plain_and_periodic(write):
-    assert same(bd.read_particles(write("export.txt", "#format x_y_z_r\n" + table())))
-    assert same(bd.read_particles(write("ext.txt", "#format x_y_z_r_matId\n" + table().replace("\n", " 0\n"))))
+    assert same_spheres(bd.read_particles(write("export.txt", "#format x_y_z_r\n" + table())))
+    assert same_spheres(
+        bd.read_particles(write("ext.txt", "#format x_y_z_r_matId\n" + table().replace("\n", " 0\n")))
+    )
     rows = "1 1 1 0.5 -1\n2 1 1 0.5 -1\n"
     periodic = bd.read_particles(write("pack.txt", "##PERIODIC:: 4 5 6\n" + rows))
     np.testing.assert_array_equal(periodic.period, [4.0, 5.0, 6.0])
@@ -197,10 +195,9 @@ def test_yade_text_plain_and_periodic(write):
 
 def lammps(style, bonds=True, hint=True):
     molecule = "1 " if style == "bpm/sphere" else ""
-    order = [2, 0, 3, 1]
+    places = [" ".join(map(repr, map(float, centre))) for centre in FOUR_CENTRES]
     atoms = "".join(
-        f"{10 + k} {molecule}1 {float(2.0 * RADIUS[k])!r} 2500 {' '.join(map(repr, map(float, CENTRE[k])))} 0 0 0\n"
-        for k in order
+        f"{10 + k} {molecule}1 {float(2.0 * FOUR_RADII[k])!r} 2500 {places[k]} 0 0 0\n" for k in (2, 0, 3, 1)
     )
     ends = "".join(f"{k + 1} 1 {10 + i} {10 + j} # bond\n" for k, (i, j) in enumerate(PAIRS))
     return (
@@ -215,7 +212,7 @@ def lammps(style, bonds=True, hint=True):
 @pytest.mark.parametrize("style", ["sphere", "bpm/sphere"])
 def test_lammps_data_with_bonds(write, style, hint):
     path = write("data.beam", lammps(style, hint=hint))
-    assert same(bd.read_particles(path))
+    assert same_spheres(bd.read_particles(path))
     lattice = bd.read_lattice(path)
     np.testing.assert_array_equal(lattice.pairs, PAIRS)
 
@@ -224,7 +221,7 @@ def test_lammps_box_as_a_periodic_cell(write):
     path = write("cell.data", lammps("sphere"))
     particles = bd.read_particles(path, periodic=True)
     np.testing.assert_array_equal(particles.period, [6.0, 6.0, 6.0])
-    np.testing.assert_allclose(particles.position, CENTRE + np.array([1.0, 2.0, 3.0]))
+    np.testing.assert_allclose(particles.position, FOUR_CENTRES + np.array([1.0, 2.0, 3.0]))
 
 
 def test_lammps_bonds_over_the_border_need_the_periodic_cell(write):
@@ -284,7 +281,7 @@ def test_strained_lammps_data_are_read_with_a_warning(write, head, velocities, w
 def test_units_of_write_data_are_taken(write):
     head = "LAMMPS data file via write_data, version 2 Aug 2023, timestep = 0, units = micro"
     path = write("micro.data", lammps("sphere").replace("LAMMPS data file", head))
-    np.testing.assert_allclose(bd.read_particles(path).position, 1e-6 * CENTRE)
+    np.testing.assert_allclose(bd.read_particles(path).position, 1e-6 * FOUR_CENTRES)
 
 
 @pytest.mark.parametrize(
@@ -307,15 +304,15 @@ def test_lammps_errors_name_file_and_line(write, edit, message):
 
 def test_vtkhdf_of_our_own_comes_back_with_its_bonds(tmp_path):
     path = tmp_path / "lattice.vtkhdf"
-    bd.write_vtkhdf(path, bd.Lattice(bd.Particles(CENTRE, RADIUS), PAIRS))
+    bd.write_vtkhdf(path, bd.Lattice(bd.Particles(FOUR_CENTRES, FOUR_RADII), PAIRS))
     lattice = bd.read_lattice(path)
-    assert same(lattice.particles)
+    assert same_spheres(lattice.particles)
     np.testing.assert_array_equal(lattice.pairs, PAIRS)
 
 
 def test_a_strained_vtkhdf_is_read_with_a_warning(tmp_path):
-    lattice = bd.Lattice(bd.Particles(CENTRE, RADIUS), PAIRS)
-    bd.write_vtkhdf(tmp_path / "strained.vtkhdf", lattice, elements={"displacement": 0.01 * CENTRE})
+    lattice = bd.Lattice(bd.Particles(FOUR_CENTRES, FOUR_RADII), PAIRS)
+    bd.write_vtkhdf(tmp_path / "strained.vtkhdf", lattice, elements={"displacement": 0.01 * FOUR_CENTRES})
     with pytest.warns(bd.errors.StressFreeWarning, match="its elements have displacements"):
         bd.read_lattice(tmp_path / "strained.vtkhdf")
 
@@ -323,11 +320,11 @@ def test_a_strained_vtkhdf_is_read_with_a_warning(tmp_path):
 @pytest.mark.parametrize("suffix", ["vtk", "vtp", "vtu"])
 def test_vtk_points_with_radii(tmp_path, suffix):
     pv = pytest.importorskip("pyvista")
-    cloud = pv.PolyData(CENTRE) if suffix != "vtu" else pv.PolyData(CENTRE).cast_to_unstructured_grid()
-    cloud.point_data["Radius"] = RADIUS
+    cloud = pv.PolyData(FOUR_CENTRES) if suffix != "vtu" else pv.PolyData(FOUR_CENTRES).cast_to_unstructured_grid()
+    cloud.point_data["Radius"] = FOUR_RADII
     path = tmp_path / f"spheres.{suffix}"
     cloud.save(path)
-    assert same(bd.read_particles(path))
+    assert same_spheres(bd.read_particles(path))
     with pytest.raises(InputError, match=rf"spheres.{suffix}' has no point array 'size' .its arrays: Radius"):
         bd.read_particles(path, radius="size")
 

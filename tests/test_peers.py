@@ -1,13 +1,13 @@
 """What benchmarks/peers writes for other codes, read back; none of them need be installed."""
 
 import json
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import bondem as bd
+from tests.scripts import scripts
 
 FOLDER = Path(__file__).parent.parent / "benchmarks" / "peers"
 
@@ -15,15 +15,8 @@ FOLDER = Path(__file__).parent.parent / "benchmarks" / "peers"
 @pytest.fixture(scope="module")
 def peers():
     """The modules of the driver, which are scripts beside each other."""
-    sys.path.insert(0, str(FOLDER))
-    try:
-        import kratos_kdem
-        import lammps_bpm
-        import outcome
-        import specimen
-    finally:
-        sys.path.remove(str(FOLDER))
-    return {"kratos": kratos_kdem, "lammps": lammps_bpm, "outcome": outcome, "specimen": specimen}
+    modules = {"kratos": "kratos_kdem", "lammps": "lammps_bpm", "outcome": "outcome", "specimen": "specimen"}
+    return scripts("benchmarks/peers", **modules)
 
 
 @pytest.fixture(scope="module")

@@ -8,9 +8,8 @@ from matplotlib.collections import PolyCollection
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.labtests.rig import StrengthTest
-from tests.test_pulse import bar
-from tests.test_turned_cells import two
+from tests.models import torn_row, turned_cubes
+from tests.specimens import two_spheres
 
 
 def words(figure) -> str:
@@ -23,13 +22,13 @@ def words(figure) -> str:
 
 
 def test_a_lattice_is_drawn(tmp_path: Path) -> None:
-    body = two()[0].lattice
+    body = turned_cubes()[0].lattice
     figure = body.plot(tmp_path / "body.png")
     for picture in ((tmp_path / "body.png").read_bytes(), figure._repr_png_()):
         assert picture.startswith(b"\x89PNG")
     assert "2 cells, 1 facets" in words(figure)
     assert "x 0 … 2000, y 0 … 1000, z 0 … 1000 mm" in words(figure)
-    spheres = bd.connect(bd.Particles([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]], [0.5, 0.5]))
+    spheres = two_spheres()
     coloured = spheres.plot(tmp_path / "two.svg", values=[1.0, 3.0], label="load [N]", view=(0.0, 0.0))
     assert "load [N]" in words(coloured)
     for wrong, message in (
@@ -41,7 +40,7 @@ def test_a_lattice_is_drawn(tmp_path: Path) -> None:
 
 
 def test_a_model_shows_supports_loads_and_walls() -> None:
-    held, state = two()
+    held, state = turned_cubes()
     ends = [bd.Fix(bd.Index([0]), rotation=""), bd.Load(bd.Index([1]), force=(0.0, 0.0, -5.0))]
     model = bd.Model(held.lattice, held.bond, 1e3, boundary=ends, contact=held.contact, walls=held.walls)
     told = words(model.plot())
@@ -53,21 +52,23 @@ def test_a_model_shows_supports_loads_and_walls() -> None:
     assert "driven vx" in words(driven.plot())
     assert "motion × 2" in words(held.plot(solution=state, reach=2.0))
     with pytest.raises(InputError, match="has no displacement of 2 elements"):
-        held.plot(solution=bar().state())
+        held.plot(solution=torn_row().state())
 
 
 def test_a_window_needs_a_display() -> None:
     with pytest.raises(InputError, match="no display is available"):
-        two()[0].lattice.plot().show()
+        turned_cubes()[0].lattice.plot().show()
 
 
 def test_runs_and_tests_are_drawn() -> None:
-    run = bd.solve_explicit(bar(), duration=2e-4, every=20, imbalance=None)
+    run = bd.solve_explicit(torn_row(), duration=2e-4, every=20, imbalance=None)
     told = words(run.plot())
     assert "energy [J]" in told
     assert "pieces, motion × " in told
     curve = np.column_stack([np.linspace(0.0, 1e-3, 5), np.linspace(0.0, 4e6, 5)])
-    test = StrengthTest(peak=4e6, E=4e9, curve=curve, work=1.0, asymmetry=0.0, kinetic=0.0, residual=0.0, run=run)
+    test = bd.labtests.StrengthTest(
+        peak=4e6, E=4e9, curve=curve, work=1.0, asymmetry=0.0, kinetic=0.0, residual=0.0, run=run
+    )
     figure = test.plot(reach=1.0, view=(0.0, 0.0))
     assert "stress [MPa]" in words(figure)
     (line,) = figure.axes[0].get_lines()

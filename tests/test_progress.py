@@ -12,7 +12,7 @@ import bondem as bd
 from bondem import _progress
 from bondem._progress import Board, quiet, reported, staged, stages
 from bondem.errors import InputError
-from tests.test_pulse import bar
+from tests.models import torn_row
 
 
 @pytest.fixture
@@ -25,7 +25,7 @@ def lines(monkeypatch, capsys):
 
 
 def test_a_run_from_python_says_what_it_does(lines) -> None:
-    model, seen = bar(), []
+    model, seen = torn_row(), []
     bd.solve_explicit(model, duration=2e-4, every=20, imbalance=None, callback=lambda *_: time.sleep(0.005))
     seen = lines()
     assert seen[0].endswith("s  explicit run")

@@ -9,10 +9,12 @@ from click.testing import CliRunner
 import bondem as bd
 from bondem.labtests.beams import Bar, CrossSection
 from bondem.labtests.tension import paper_radius
-from tests.chains import R, chain
+from tests.specimens import chain, spheres
 from validation.__main__ import validation
 from validation.measures.ramped_loads import KINDS, ramped_load
 from validation.rows.protocol import moduli, own_bonds
+
+R = 0.5e-3  # m, of the spheres of chains
 
 E, NU, RHO = 70e9, 0.2, 2200.0
 LAW = bd.EulerBernoulli(E=E, nu=NU, radius_ratio=1.0)
@@ -31,7 +33,7 @@ def test_a_slow_load_comes_to_the_closed_form_of_a_chain(kind):
 
 
 def test_a_slow_moment_comes_to_the_static_solution():
-    lattice = bd.connect(bd.pack(bd.Cylinder(radius=2.5e-3, length=10e-3), count=500, spread=0.25, seed=3))
+    lattice = spheres(bd.Cylinder(radius=2.5e-3, length=10e-3), 500, seed=3)
     static = bd.labtests.static_torsion(lattice, LAW, E=E, nu=NU)
     bar = bd.labtests.cantilever.Cantilever.of(lattice, E=E, nu=NU).paper
     run = ramped_load(lattice, LAW, bar, "torsion", density=3000.0, steps=8_000, ramp=0.5, phi=1.3)
@@ -39,7 +41,7 @@ def test_a_slow_moment_comes_to_the_static_solution():
 
 
 def test_bonds_calibrated_by_a_measure_give_the_data_sheet_by_it():
-    lattice = bd.connect(bd.pack(bd.Cylinder(radius=5e-3, length=40e-3), count=700, spread=0.25, seed=2))
+    lattice = spheres(bd.Cylinder(radius=5e-3, length=40e-3), 700, seed=2)
     silica = bd.materials.fused_silica
     found = {}
     for measure in ("paper", "affine"):

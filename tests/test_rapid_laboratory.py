@@ -1,7 +1,6 @@
 """Crushing, impact and spalling as users call them: what is refused, and studies of them."""
 
 import json
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -12,17 +11,13 @@ import bondem as bd
 from bondem.errors import InputError, StudyError
 from bondem.study.pipeline import run_study
 from bondem.study.study import parse_study, read_study
+from tests.specimens import ball, bar, spheres
 
 LAW = bd.CellBond(E=30e9, nu=0.2)
 CONCRETE = bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.61, fracture_energy=20.0)
 
 
-@cache
-def body(name: str) -> bd.Lattice:
-    shapes: dict[str, bd.Shape] = {"ball": bd.Ball(10e-3), "bar": bd.Box((60e-3, 8e-3, 8e-3))}
-    return bd.connect(bd.pack(shapes[name], count=150, method="even", seed=1), method="laguerre")
-
-
+SPECIMENS = {"ball": lambda: ball(150, 10e-3), "bar": lambda: bar(150, 60e-3, 8e-3)}
 USUAL: dict[str, tuple[str, Any, dict[str, Any]]] = {
     "sphere_crushing": ("ball", CONCRETE, {"traverses": 40.0}),
     "sphere_impact": ("ball", None, {"density": 2400.0, "velocity": 1.0}),
@@ -56,7 +51,7 @@ def test_what_is_wrong_is_refused_in_a_line(case: str) -> None:
     name, message, changed = WRONG[case]
     which, failure, usual = USUAL[name]
     asked = dict(changed)
-    specimen = body(asked.pop("specimen", which))
+    specimen = SPECIMENS[asked.pop("specimen", which)]()
     failure = asked.pop("failure", failure)
     with pytest.raises(InputError, match=message) as caught:
         getattr(bd.labtests, name)(specimen, LAW, failure, **(usual | asked))
@@ -64,36 +59,35 @@ def test_what_is_wrong_is_refused_in_a_line(case: str) -> None:
 
 
 def test_spheres_do_not_spall() -> None:
-    spheres = bd.connect(bd.pack(bd.Box((4e-3, 4e-3, 4e-3)), count=300, seed=1))
     with pytest.raises(InputError, match="method='laguerre'"):
-        bd.labtests.spall(spheres, LAW, None, **USUAL["spall"][2])
+        bd.labtests.spall(spheres(bd.Box((4e-3, 4e-3, 4e-3)), 300), LAW, None, **USUAL["spall"][2])
 
 
 @pytest.mark.validate
 def test_balls_of_beams_are_crushed_and_thrown() -> None:
-    ball = bd.connect(bd.pack(bd.Ball(10e-3), count=300, seed=1))
+    beams = spheres(bd.Ball(10e-3), 300)
     law = bd.EulerBernoulli(E=60e9, nu=0.2, radius_ratio=0.6)
     failure = bd.PeripheralStress(tension=30e6, shear=60e6)
-    crushed = bd.labtests.sphere_crushing(ball, law, failure, traverses=60.0)
+    crushed = bd.labtests.sphere_crushing(beams, law, failure, traverses=60.0)
     assert crushed.peak > 0.0
     assert 0.0 < crushed.broken.damage < 1.0
     assert crushed.residual < 2e-3
-    thrown = bd.labtests.sphere_impact(ball, law, failure, density=2400.0, velocity=3.0)
+    thrown = bd.labtests.sphere_impact(beams, law, failure, density=2400.0, velocity=3.0)
     assert 0.0 < thrown.damage < 1.0
     assert thrown.momentum < 1e-3
 
 
 def test_a_wall_that_is_given_is_the_one_that_is_left_out() -> None:
-    usual = bd.labtests.sphere_impact(body("ball"), LAW, density=2400.0, velocity=1.0)
-    reach = float((bd.Model(body("ball"), LAW, 1.0).contact_radius - body("ball").centre[:, 0]).max())
+    usual = bd.labtests.sphere_impact(ball(150, 10e-3), LAW, density=2400.0, velocity=1.0)
+    reach = float((bd.Model(ball(150, 10e-3), LAW, 1.0).contact_radius - ball(150, 10e-3).centre[:, 0]).max())
     wall = bd.PlaneWall((-reach, 0.0, 0.0), (1.0, 0.0, 0.0), friction=0.0)
-    own = bd.labtests.sphere_impact(body("ball"), LAW, density=2400.0, velocity=(-1.0, 0.0, 0.0), wall=wall)
+    own = bd.labtests.sphere_impact(ball(150, 10e-3), LAW, density=2400.0, velocity=(-1.0, 0.0, 0.0), wall=wall)
     np.testing.assert_allclose(own.force, usual.force, rtol=1e-6, atol=1e-6 * usual.peak)
 
 
 def test_a_spall_test_is_as_long_and_fine_as_asked() -> None:
     usual = USUAL["spall"][2]
-    test = bd.labtests.spall(body("bar"), LAW, None, bins=7, duration=20e-6, **usual)
+    test = bd.labtests.spall(bar(150, 60e-3, 8e-3), LAW, None, bins=7, duration=20e-6, **usual)
     assert len(test.profile) == 7
     np.testing.assert_allclose(np.diff(test.edges), 60e-3 / 7)
     assert test.time[-1] == pytest.approx(20e-6, rel=0.01)
@@ -103,7 +97,7 @@ def test_fines_are_below_the_size_asked() -> None:
     failure = bd.Rankine(tension=2e6)
     usual = {"density": 2400.0, "velocity": 6.0}
     few, many = (
-        bd.labtests.sphere_impact(body("ball"), LAW, failure, fine=share, **usual).broken for share in (0.2, 0.9)
+        bd.labtests.sphere_impact(ball(150, 10e-3), LAW, failure, fine=share, **usual).broken for share in (0.2, 0.9)
     )
     for one, share in ((few, 0.2), (many, 0.9)):
         small = one.sizes.diameter < share * 20e-3

@@ -17,6 +17,7 @@ from bondem.report.specimen_figures import draw_specimen
 from bondem.report.spheres import View, render, tubes
 from bondem.report.style import sheet
 from bondem.report.turning import turning_of
+from tests.specimens import grid
 
 FRONT = View(azimuth=0.0, elevation=0.0)
 RED, BLUE = [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]
@@ -133,8 +134,7 @@ def test_the_quality_table_says_what_fabric_measured(examined):
 
 
 def test_the_limits_shown_are_those_of_the_verdict():
-    grid = np.stack(np.meshgrid(*3 * [np.arange(9.0)], indexing="ij"), axis=-1).reshape(-1, 3)
-    crystal = bd.connect(bd.Particles(grid, 0.5, period=(9.0, 9.0, 9.0)), tolerance=1e-9)
+    crystal = grid((9, 9, 9), 1.0, periodic=True)
     quality = bd.fabric(crystal)
     rows = {row.name: row for row in quality_rows([Examined(seed=0, lattice=crystal, quality=quality)])}
     for name, value in (("anisotropy of the core", quality.core_rms_excess), ("layers", quality.strata.layers.max())):

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from tests.specimens import bar, spheres
 
 LINES, WIDTH = 12, 118
 
@@ -29,13 +30,13 @@ CLASSES = public_classes()
 @cache
 def objects() -> list[object]:
     """Objects as their users get them, of small models."""
-    particles = bd.pack(bd.Box((3.0, 2.0, 2.0)), count=120, spread=0.2, seed=3)
-    lattice = bd.connect(particles, reach=1.1)
+    lattice = spheres(bd.Box((3.0, 2.0, 2.0)), 120, spread=0.2, seed=3, reach=1.1)
+    particles = lattice.particles
     ends = [bd.Fix(bd.Face("x_min", depth=0.2)), bd.Load(bd.Face("x_max", depth=0.2), (1.0, 0.0, 0.0))]
     beams = bd.Model(lattice, bd.EulerBernoulli(E=1e9, nu=0.25, radius_ratio=0.7), 1000.0, boundary=ends)
     static = bd.solve_static(beams)
     run = bd.solve_explicit(beams, duration=2e-3, every=1)
-    body = bd.connect(bd.pack(bd.Box((3.0, 1.0, 1.0)), count=60, method="even", seed=1), method="laguerre")
+    body = bar(60, 3.0, 1.0)
     cells = bd.Model(body, bd.CellBond(E=1e9, nu=0.2), 1000.0, boundary=[bd.Fix(bd.Face("x_min"))])
     return [
         particles, lattice, body, body.cells, body.cells.free, body.facets, beams, cells, static, run, run.state,

@@ -14,24 +14,26 @@ import bondem as bd
 from bondem._lock import sole
 from bondem.errors import InputError, RunFileError, StudyError
 from bondem.io.folder import only_writer
-from bondem.io.run_contents import read_contents
-from bondem.io.runfile import RunFile, read_run
+from bondem.io.runfile import RunFile
 from bondem.study.lines import line_of
 from bondem.study.programme import read
-from tests.test_cli import command, model
+from tests.models import loaded_row
+from tests.scripts import command
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 
 
 def finished(folder: Path) -> Path:
     place = folder / "run.h5"
-    bd.solve_explicit(model(), duration=2e-4, every=100, save_every=1000, snapshot_every=500, out=place)
+    bd.solve_explicit(
+        loaded_row((0.0, -1.0, 0.0)), duration=2e-4, every=100, save_every=1000, snapshot_every=500, out=place
+    )
     return place
 
 
 def test_contents_are_those_of_the_run(tmp_path: Path) -> None:
     place = finished(tmp_path)
-    found, kept = read_contents(place), read_run(place)
+    found, kept = bd.read_contents(place), bd.read_run(place)
     assert (found.elements, found.bonds, found.cells) == (12, 11, False)
     assert found.step == found.steps == kept.state.step
     assert found.time == kept.state.time
@@ -48,10 +50,10 @@ def test_contents_are_those_of_the_run(tmp_path: Path) -> None:
 
 def test_contents_of_what_is_no_run_file(tmp_path: Path) -> None:
     with pytest.raises(RunFileError, match="there is no run file"):
-        read_contents(tmp_path / "none.h5")
+        bd.read_contents(tmp_path / "none.h5")
     (tmp_path / "text.h5").write_text("hello")
     with pytest.raises(RunFileError, match="not a run file"):
-        read_contents(tmp_path / "text.h5")
+        bd.read_contents(tmp_path / "text.h5")
 
 
 def test_info_and_watch_tell_of_a_run(tmp_path: Path) -> None:
@@ -72,10 +74,10 @@ def test_info_and_watch_tell_of_a_run(tmp_path: Path) -> None:
 
 def test_a_file_that_is_written_says_so(tmp_path: Path) -> None:
     place = finished(tmp_path)
-    kept = read_run(place)
+    kept = bd.read_run(place)
     with RunFile(place, kept.model, kept.plan, goes_on=kept):
-        assert read_contents(place).written
-    assert not read_contents(place).written
+        assert bd.read_contents(place).written
+    assert not bd.read_contents(place).written
 
 
 @pytest.mark.parametrize("example", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)

@@ -1,6 +1,5 @@
 """Snapshots in a run file: what VTK's own reader finds in it while it grows, after a resume, and of every kind."""
 
-import functools
 import os
 import resource
 import signal
@@ -14,16 +13,10 @@ import pytest
 import bondem as bd
 from bondem.errors import RunFileError
 from bondem.fracture.growing_cracks import GrowingCracks
-from bondem.io.runfile import RunFile, read_run
-from bondem.model.state import State
+from bondem.io.runfile import RunFile
 from bondem.solve.explicit import integrate
-from bondem.solve.history import History
 from tests.bits import EnoughError, assert_same_bits
-
-
-@functools.cache
-def body() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Box((4e-3, 2e-3, 2e-3)), count=120, method="even", seed=1), method="laguerre")
+from tests.specimens import bar, spheres
 
 
 def torn(lattice: bd.Lattice, law: bd.CellBond | bd.EulerBernoulli, tension: float = 2e6) -> bd.Model:
@@ -36,12 +29,11 @@ def torn(lattice: bd.Lattice, law: bd.CellBond | bd.EulerBernoulli, tension: flo
 
 
 def cells() -> bd.Model:
-    return torn(body(), bd.CellBond(E=30e9, nu=0.2))
+    return torn(bar(120, 4e-3), bd.CellBond(E=30e9, nu=0.2))
 
 
 def beams() -> bd.Model:
-    particles = bd.pack(bd.Box((4e-3, 2e-3, 2e-3)), count=150, seed=1)
-    return torn(bd.connect(particles), bd.EulerBernoulli(E=100e9, nu=0.2, radius_ratio=0.6))
+    return torn(spheres(bd.Box((4e-3, 2e-3, 2e-3)), 150), bd.EulerBernoulli(E=100e9, nu=0.2, radius_ratio=0.6))
 
 
 def shown(path: Path, step: int) -> tuple[list[float], dict]:
@@ -69,7 +61,7 @@ def test_vtk_reads_what_the_run_had(tmp_path: Path, make) -> None:
     model, states = make(), []
     dt = bd.solve_explicit(model, duration=0.0).dt
 
-    def keep(state: State, record: History) -> None:
+    def keep(state: bd.State, record: bd.History) -> None:
         states.append(state.copy())
 
     run = bd.solve_explicit(
@@ -127,15 +119,15 @@ def test_a_run_that_goes_on_has_the_same_snapshots(
     whole = bd.solve_explicit(model, duration=900 * dt, out=tmp_path / "whole.h5", **options)
 
     class Cut(RunFile):
-        def snapshot(self, state: State) -> None:
+        def snapshot(self, state: bd.State) -> None:
             super().snapshot(state)
             if state.step == killed:
                 raise EnoughError
 
-    place, plan = tmp_path / "cut.h5", read_run(tmp_path / "whole.h5").plan
+    place, plan = tmp_path / "cut.h5", bd.read_run(tmp_path / "whole.h5").plan
     with pytest.raises(EnoughError), Cut(place, model, plan, cracks=GrowingCracks(model.lattice)) as sink:
         integrate(model, plan, sink=sink)
-    assert read_run(place).state.step == kept
+    assert bd.read_run(place).state.step == kept
     assert_same_bits(whole, bd.resume(place))
     with h5py.File(tmp_path / "whole.h5") as one, h5py.File(place) as other:
         names = []
@@ -152,7 +144,7 @@ def test_a_full_disk_leaves_the_checkpoint_before(tmp_path: Path) -> None:
     place = tmp_path / "run.h5"
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     with RunFile(place, model, read_plan(model, dt, tmp_path)) as sink:
-        sink.checkpoint(model.state(), History.empty(()))
+        sink.checkpoint(model.state(), bd.History.empty(()))
         before = place.read_bytes()
         resource.setrlimit(resource.RLIMIT_FSIZE, (len(before) + 4096, hard))
         try:
@@ -161,13 +153,13 @@ def test_a_full_disk_leaves_the_checkpoint_before(tmp_path: Path) -> None:
         finally:
             resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
     assert place.read_bytes() == before
-    assert read_run(place).state.step == 0
+    assert bd.read_run(place).state.step == 0
     assert [path.name for path in tmp_path.iterdir() if path.name.startswith(".")] == []
 
 
 def read_plan(model: bd.Model, dt: float, folder: Path):
     bd.solve_explicit(model, duration=10 * dt, out=folder / "plan.h5")
-    return read_run(folder / "plan.h5").plan
+    return bd.read_run(folder / "plan.h5").plan
 
 
 def test_only_one_may_write_a_file(tmp_path: Path) -> None:
@@ -177,13 +169,13 @@ def test_only_one_may_write_a_file(tmp_path: Path) -> None:
     with RunFile(place, model, plan) as sink:
         with pytest.raises(RunFileError, match="written by another process"):
             RunFile(place, model, plan)
-        sink.checkpoint(model.state(), History.empty(()))
+        sink.checkpoint(model.state(), bd.History.empty(()))
         before = place.read_bytes()
         for attempt in (lambda: RunFile(place, model, plan), lambda: bd.resume(place)):
             with pytest.raises(RunFileError, match="written by another process"):
                 attempt()
         assert place.read_bytes() == before
-        assert read_run(place).state.step == 0
+        assert bd.read_run(place).state.step == 0
     RunFile(place, model, plan).close()
 
 
@@ -206,7 +198,7 @@ def test_a_signal_stops_a_run_after_a_checkpoint(tmp_path: Path, number: signal.
         )
     assert signal.getsignal(number) is before
     assert "bd.resume" in str(stopped.value) or stopped.value.code == 143
-    kept = read_run(tmp_path / "run.h5").state.step
+    kept = bd.read_run(tmp_path / "run.h5").state.step
     assert 0 < kept < 3000
     assert_same_bits(whole, bd.resume(tmp_path / "run.h5"))
 
@@ -228,7 +220,7 @@ def test_a_flipped_bit_is_never_taken_for_the_run(tmp_path: Path) -> None:
     dt = bd.solve_explicit(model, duration=0.0).dt
     place, harmed = tmp_path / "run.h5", tmp_path / "harmed.h5"
     bd.solve_explicit(model, duration=400 * dt, every=100, snapshot_every=200, out=place)
-    whole, data = read_run(place), place.read_bytes()
+    whole, data = bd.read_run(place), place.read_bytes()
     random, refused = np.random.default_rng(1), 0
     used = np.flatnonzero(np.frombuffer(data, dtype=np.uint8))  # chunks are padded with zeros
     for _ in range(60):
@@ -237,11 +229,11 @@ def test_a_flipped_bit_is_never_taken_for_the_run(tmp_path: Path) -> None:
         changed[bit // 8] ^= 1 << bit % 8
         harmed.write_bytes(changed)
         try:
-            found = read_run(harmed)
+            found = bd.read_run(harmed)
         except RunFileError:
             refused += 1
             continue
-        for name in State.ARRAYS:
+        for name in bd.State.ARRAYS:
             np.testing.assert_array_equal(getattr(found.state, name), getattr(whole.state, name), err_msg=name)
         np.testing.assert_array_equal(found.history.records, whole.history.records)
         np.testing.assert_array_equal(found.model.mass, whole.model.mass)

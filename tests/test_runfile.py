@@ -10,29 +10,15 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError, RunFileError
 from bondem.io.codec import decode, encode
-from bondem.io.runfile import RunFile, read_run
-from bondem.io.vtk import write_vtkhdf
-from bondem.laws.damping import LocalDamping
-from bondem.model.state import State
+from bondem.io.runfile import RunFile
 from bondem.solve.explicit import integrate
-from bondem.solve.history import History
-from bondem.solve.plan import Plan, Status
+from tests.models import loaded_row
+from tests.specimens import grid
 
 
 def cantilever(**law):
     """Twelve spheres in a row, held on the left, pulled down on the right by a ramp."""
-    position = np.zeros((12, 3))
-    position[:, 0] = 1e-3 * np.arange(12)
-    lattice = bd.connect(bd.Particles(position, 0.5e-3))
-    return bd.Model(
-        lattice,
-        bond=bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5, **law),
-        density=2500.0,
-        boundary=[
-            bd.Fix(bd.Index([0])),
-            bd.Load(bd.Index([11]), force=(0.0, -0.5, 0.1), schedule=bd.Ramp(0.0, 1.0, 1e-4)),
-        ],
-    )
+    return loaded_row((0.0, -0.5, 0.1), ramp=1e-4, **law)
 
 
 def block():
@@ -78,7 +64,7 @@ def test_resume_is_exact_to_the_bit(tmp_path, make, scheme):
     end = len(model.lattice.particles) - 1
     options = {
         "scheme": scheme,
-        "damping": LocalDamping(0.05),
+        "damping": bd.LocalDamping(0.05),
         "gauges": {"end": bd.Gauge(bd.Index([end]), "displacement")},
         "every": 7,
         "save_every": 150,
@@ -86,28 +72,28 @@ def test_resume_is_exact_to_the_bit(tmp_path, make, scheme):
     dt = bd.solve_explicit(model, duration=0.0, **options).dt
     whole = bd.solve_explicit(model, duration=400 * dt, out=tmp_path / "whole.h5", **options)
 
-    plan = read_run(tmp_path / "whole.h5").plan
+    plan = bd.read_run(tmp_path / "whole.h5").plan
     with pytest.raises(KilledError), Killed(tmp_path / "killed.h5", model, plan) as sink:
         integrate(model, plan, sink=sink)
-    assert read_run(tmp_path / "killed.h5").state.step == 300
+    assert bd.read_run(tmp_path / "killed.h5").state.step == 300
 
     resumed = bd.resume(tmp_path / "killed.h5")
-    assert resumed.status is Status.COMPLETED
+    assert resumed.status is bd.Status.COMPLETED
     assert resumed.steps == whole.steps == 400
     assert resumed.dt == whole.dt
-    for name in State.ARRAYS:
+    for name in bd.State.ARRAYS:
         np.testing.assert_array_equal(getattr(resumed.state, name), getattr(whole.state, name), err_msg=name)
     assert resumed.state.time == whole.state.time
     np.testing.assert_array_equal(resumed.history.records, whole.history.records)
     assert np.abs(whole.history["end"][-1]).max() > 0.0
     # the file the resumed run leaves is again one to go on from
-    np.testing.assert_array_equal(read_run(tmp_path / "killed.h5").state.pose, whole.state.pose)
+    np.testing.assert_array_equal(bd.read_run(tmp_path / "killed.h5").state.pose, whole.state.pose)
 
 
 def test_a_finished_run_resumes_to_itself(tmp_path):
     done = bd.solve_explicit(cantilever(), duration=1e-5, out=tmp_path / "run.h5")
     again = bd.resume(tmp_path / "run.h5")
-    assert again.status is Status.COMPLETED
+    assert again.status is bd.Status.COMPLETED
     np.testing.assert_array_equal(again.state.pose, done.state.pose)
 
 
@@ -116,14 +102,14 @@ def test_a_stopped_run_stays_stopped(tmp_path):
     stop = bd.AtRest(speed=1e3, after=1e-6)
     done = bd.solve_explicit(model, duration=1e-4, every=10, until=(stop,), out=tmp_path / "run.h5")
     again = bd.resume(tmp_path / "run.h5")
-    assert done.status is again.status is Status.STOPPED
+    assert done.status is again.status is bd.Status.STOPPED
     assert again.steps == done.steps
 
 
 def test_every_type_of_a_plan_and_a_model_comes_back(tmp_path):
     face = (bd.Face("x_max", depth=0.1) | bd.Within(bd.Ball(1e-3))) & bd.Everything() - bd.Index([3, 4])
-    plan = Plan(
-        duration=1e-3, dt=1.1e-8, scheme=bd.TchamwaWielgosz(phi=1.05), damping=LocalDamping(0.1),
+    plan = bd.Plan(
+        duration=1e-3, dt=1.1e-8, scheme=bd.TchamwaWielgosz(phi=1.05), damping=bd.LocalDamping(0.1),
         gauges={"face": bd.Gauge(face, "force", "sum")}, every=3, save_every=5,
         until=(bd.AtRest(speed=1e-9, after=1e-4),), safety=0.5,
     )  # fmt: skip
@@ -142,12 +128,11 @@ def test_every_type_of_a_plan_and_a_model_comes_back(tmp_path):
 
 
 def test_periodic_lattice_and_density_by_element_come_back(tmp_path):
-    grid = np.stack(np.meshgrid(*[np.arange(6)] * 3, indexing="ij"), axis=-1).reshape(-1, 3) * 1.0
-    lattice = bd.connect(bd.Particles(grid, 0.5, shape=bd.Cell((6.0, 6.0, 6.0))))
+    lattice = grid((6, 6, 6), 1.0, periodic=True)
     model = bd.Model(lattice, bd.EulerBernoulli(E=1e6, nu=0.2, radius_ratio=0.5), density=np.linspace(1, 2, 216))
-    sink = RunFile(tmp_path / "run.h5", model, Plan(duration=1.0, dt=1e-3))
-    sink.checkpoint(State(model), History.empty(()))
-    back = read_run(tmp_path / "run.h5").model
+    sink = RunFile(tmp_path / "run.h5", model, bd.Plan(duration=1.0, dt=1e-3))
+    sink.checkpoint(model.state(), bd.History.empty(()))
+    back = bd.read_run(tmp_path / "run.h5").model
     np.testing.assert_array_equal(back.mass, model.mass)
     np.testing.assert_array_equal(back.lattice.branch, lattice.branch)
     assert back.lattice.particles.shape == bd.Cell((6.0, 6.0, 6.0))
@@ -165,8 +150,8 @@ def test_unknown_types_and_keys_are_refused():
 def test_a_failing_write_keeps_the_old_file(tmp_path, monkeypatch):
     model = cantilever()
     path = tmp_path / "run.h5"
-    sink = RunFile(path, model, Plan(duration=1.0, dt=1e-7))
-    sink.checkpoint(State(model), History.empty(()))
+    sink = RunFile(path, model, bd.Plan(duration=1.0, dt=1e-7))
+    sink.checkpoint(model.state(), bd.History.empty(()))
     before = path.read_bytes()
 
     def full(*_args):
@@ -174,37 +159,37 @@ def test_a_failing_write_keeps_the_old_file(tmp_path, monkeypatch):
 
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(RunFileError, match="No space left"):
-        sink.checkpoint(State(model), History.empty(()))
+        sink.checkpoint(model.state(), bd.History.empty(()))
     assert path.read_bytes() == before
     assert list(tmp_path.iterdir()) == [path]
 
 
 def test_what_is_not_a_run_file_is_refused(tmp_path):
     with pytest.raises(RunFileError, match="there is no run file"):
-        read_run(tmp_path / "none.h5")
+        bd.read_run(tmp_path / "none.h5")
     (tmp_path / "text.h5").write_text("hello")
     with pytest.raises(RunFileError, match="not a run file"):
-        read_run(tmp_path / "text.h5")
+        bd.read_run(tmp_path / "text.h5")
     with h5py.File(tmp_path / "other.h5", "w") as file:
         file["x"] = 1
     with pytest.raises(RunFileError, match="not a run file"):
-        read_run(tmp_path / "other.h5")
+        bd.read_run(tmp_path / "other.h5")
 
 
 def test_newer_and_damaged_files_are_refused(tmp_path):
     model = cantilever()
     for name in ("newer", "damaged"):
-        sink = RunFile(tmp_path / f"{name}.h5", model, Plan(duration=1.0, dt=1e-7))
-        sink.checkpoint(State(model), History.empty(()))
+        sink = RunFile(tmp_path / f"{name}.h5", model, bd.Plan(duration=1.0, dt=1e-7))
+        sink.checkpoint(model.state(), bd.History.empty(()))
     with h5py.File(tmp_path / "newer.h5", "a") as file:
         file.attrs["schema"] = 999
         file.attrs["bondem_version"] = "99.0"
     with pytest.raises(RunFileError, match=r"written by bondem 99\.0"):
-        read_run(tmp_path / "newer.h5")
+        bd.read_run(tmp_path / "newer.h5")
     with h5py.File(tmp_path / "damaged.h5", "a") as file:
         del file["state/pose"]
     with pytest.raises(RunFileError, match="damaged"):
-        read_run(tmp_path / "damaged.h5")
+        bd.read_run(tmp_path / "damaged.h5")
 
 
 def test_the_place_is_checked_before_the_run(tmp_path):
@@ -225,7 +210,7 @@ def test_vtkhdf_opens_in_vtk(tmp_path):
     pyvista = pytest.importorskip("pyvista")
     model = cantilever()
     run = bd.solve_explicit(model, duration=1e-5)
-    write_vtkhdf(tmp_path / "bar.vtkhdf", model.lattice, state=run.state, elements={"n": np.arange(12)})
+    bd.write_vtkhdf(tmp_path / "bar.vtkhdf", model.lattice, state=run.state, elements={"n": np.arange(12)})
     mesh = pyvista.read(tmp_path / "bar.vtkhdf")
     assert mesh.n_points == 12
     assert mesh.n_lines == 11
@@ -233,4 +218,4 @@ def test_vtkhdf_opens_in_vtk(tmp_path):
     np.testing.assert_allclose(mesh.points, run.state.position)
     np.testing.assert_allclose(mesh.cell_data["integrity"], 1.0)
     with pytest.raises(InputError, match="field 'n' has 3 values"):
-        write_vtkhdf(tmp_path / "bad.vtkhdf", model.lattice, elements={"n": np.arange(3)})
+        bd.write_vtkhdf(tmp_path / "bad.vtkhdf", model.lattice, elements={"n": np.arange(3)})

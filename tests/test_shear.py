@@ -10,8 +10,6 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError
 from bondem.packing.shear import Compaction, compact
-from bondem.specimen.bonding import connect
-from bondem.specimen.fabric import Fabric
 
 BOX = bd.Box(size=(1.0, 0.8, 0.8))
 CYLINDER = bd.Cylinder(radius=0.4, length=1.0)
@@ -78,7 +76,7 @@ def test_no_sphere_gets_out_and_overlaps_are_those_of_the_pressure(compacted):
     beside = np.column_stack([np.full(len(x), 0.5 * shape.bounds[1][0]), done.position[:, 1:]])
     depth = np.minimum(np.minimum(x, done.length - x), shape.depth(beside))
     assert ((depth - done.radius) / mean).min() > -20.0 * SOFT
-    lattice = connect(bd.Particles(done.position, done.radius))
+    lattice = bd.connect(bd.Particles(done.position, done.radius))
     # a contact bears p d² with a stiffness of π E R / 2
     typical = 8.0 / math.pi * SOFT
     overlap = (done.radius[lattice.pairs].sum(axis=1) - lattice.length) / mean
@@ -114,7 +112,7 @@ def test_a_packing_by_shear_is_on_target_and_in_the_shape(shape, monkeypatch):
     monkeypatch.setitem(compact.__kwdefaults__, "cycles", CYCLES)
     packed = bd.pack(shape, count=250, spread=0.25, method="shear", seed=2)
     assert len(packed) == 250
-    assert connect(packed).coordination_number == pytest.approx(6.2, abs=0.02)
+    assert bd.connect(packed).coordination_number == pytest.approx(6.2, abs=0.02)
     gap = (shape.depth(packed.position) - packed.radius) / packed.mean_radius
     assert gap.min() > -1e-12
     assert np.ptp(packed.radius / packed.mean_radius) == pytest.approx(0.25, rel=0.02)
@@ -134,8 +132,9 @@ def test_what_it_cannot_do_is_said(shape, count, says):
         bd.pack(shape, count=count, spread=0.25, method="shear")
 
 
-def by_shear(kappa: float, count: int, seed: int) -> Fabric:
-    return bd.fabric(connect(bd.pack(bd.Box((1.0, 1.0, 1.0)), count=count, spread=kappa, method="shear", seed=seed)))
+def by_shear(kappa: float, count: int, seed: int) -> bd.Fabric:
+    packed = bd.pack(bd.Box((1.0, 1.0, 1.0)), count=count, spread=kappa, method="shear", seed=seed)
+    return bd.fabric(bd.connect(packed))
 
 
 @pytest.mark.validate

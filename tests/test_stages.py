@@ -8,9 +8,10 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, StageWarning
+from tests.specimens import grid, loose
 
-GRID = 1e-3 * np.stack(np.meshgrid(np.arange(5), np.arange(3), np.arange(3), indexing="ij"), axis=-1).reshape(-1, 3)
-LATTICE = bd.connect(bd.Particles(GRID, 0.5e-3))
+LATTICE = grid((5, 3, 3))
+GRID = LATTICE.centre
 LAW = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
 RATES = replace(LAW, formulation="incremental")
 LEFT, RIGHT = bd.Face("x_min"), bd.Face("x_max")
@@ -196,7 +197,7 @@ def test_schedules_that_go_on_or_begin_in_time_are_not_warned_of(moved):
 
 
 def test_walls_that_go_on_stay_where_they_are_and_new_ones_are_where_they_are_defined():
-    ball = bd.Lattice(bd.Particles([[0.0, 0, 0]], 1.0), np.zeros((0, 2), dtype=int))
+    ball = loose([[0.0, 0, 0]])
     law = bd.LinearContact(E=1e7, friction=0.3)
     floor = bd.PlaneWall((0, 0, -0.999), (0, 0, 1), motion=bd.Driven(vx=0.01))
     lid = bd.PlaneWall((0, 0, 1.5), (0, 0, -1), motion=bd.Driven(vz=-0.02))
@@ -220,9 +221,9 @@ def test_walls_that_go_on_stay_where_they_are_and_new_ones_are_where_they_are_de
 
 
 def test_a_state_without_contacts_forgets_them():
-    apart = bd.Lattice(bd.Particles([[0.0, 0, 0], [1.99, 0, 0]], 1.0), np.zeros((0, 2), dtype=int))
-    loose = bd.Model(apart, None, 1000.0, contact=bd.LinearContact(E=1e6, stress_free=False))
-    state = bd.solve_explicit(loose, duration=1e-3, dt=1e-4, every=0).state
+    apart = loose([[0.0, 0, 0], [1.99, 0, 0]])
+    touching = bd.Model(apart, None, 1000.0, contact=bd.LinearContact(E=1e6, stress_free=False))
+    state = bd.solve_explicit(touching, duration=1e-3, dt=1e-4, every=0).state
     assert len(state.contacts) == 1
     begun = state.copy()
     begun.begin(bd.Model(apart, None, 1000.0))

@@ -5,6 +5,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
+from tests import specimens
 
 LAW = bd.EulerBernoulli(E=1e9, nu=0.25, radius_ratio=0.7)
 SETTABLE = ("position", "displacement", "orientation", "velocity", "angular_velocity", "bond_eigenstrain")
@@ -12,8 +13,8 @@ SETTABLE = ("position", "displacement", "orientation", "velocity", "angular_velo
 
 def spheres() -> bd.Model:
     """Spheres whose order in the kernels is another than the user's."""
-    particles = bd.pack(bd.Box((3.0, 2.0, 2.0)), count=120, spread=0.2, seed=3)
-    model = bd.Model(bd.connect(particles, reach=1.1), LAW, 1000.0)
+    lattice = specimens.spheres(bd.Box((3.0, 2.0, 2.0)), 120, spread=0.2, seed=3, reach=1.1)
+    model = bd.Model(lattice, LAW, 1000.0)
     assert (model.layout.order != np.arange(120)).any()
     return model
 

@@ -9,10 +9,10 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, StudyError
-from bondem.laws.failure.mohr_coulomb import MohrCoulomb
 from bondem.observe.energy import elastic_energy
 from bondem.study.pipeline import run_study
 from bondem.study.study import parse_study
+from tests.specimens import bar, spheres
 
 LAW = bd.CellBond(E=40e9, nu=0.2)
 FAILURE = bd.MohrCoulomb(
@@ -32,13 +32,8 @@ STUDY = {
 }  # fmt: skip
 
 
-def body(count: int = 250) -> bd.Lattice:
-    particles = bd.pack(bd.Box((20e-3, 10e-3, 10e-3)), count=count, method="even", seed=1)
-    return bd.connect(particles, method="laguerre")
-
-
 def test_a_prism_has_the_tensile_strength_and_fracture_energy_put_in() -> None:
-    test = bd.labtests.direct_tension(body(), LAW, FAILURE)
+    test = bd.labtests.direct_tension(bar(250, 20e-3), LAW, FAILURE)
     assert test.peak == pytest.approx(4e6, rel=0.05)
     assert test.work == pytest.approx(20.0, rel=0.08)
     assert pytest.approx(LAW.E, rel=0.01) == test.E
@@ -48,7 +43,7 @@ def test_a_prism_has_the_tensile_strength_and_fracture_energy_put_in() -> None:
 
 @pytest.mark.parametrize("pressure", [0.0, 10e6])
 def test_a_prism_has_the_strength_of_a_mohr_coulomb_continuum(pressure: float) -> None:
-    test = bd.labtests.uniaxial_compression(body(), LAW, FAILURE, pressure=pressure, reach=1.5)
+    test = bd.labtests.uniaxial_compression(bar(250, 20e-3), LAW, FAILURE, pressure=pressure, reach=1.5)
     sine = math.sin(math.radians(35.0))
     assert test.peak == pytest.approx(UCS + pressure * (1.0 + sine) / (1.0 - sine), rel=0.05)
     assert test.residual < 2e-3
@@ -61,7 +56,7 @@ def test_a_prism_has_the_strength_of_a_mohr_coulomb_continuum(pressure: float) -
 def test_a_prism_has_the_strength_of_a_drucker_prager_continuum(pressure: float) -> None:
     """(k + p (1/√3 + 2 α)) / (1/√3 - α): 54.94 MPa, and 115.25 MPa at 3 MPa; no facet cracks under pressure."""
     cone = bd.DruckerPrager(tension=4e6, compression=UCS, fracture_energy=20.0, fracture_energy_shear=2000.0)
-    test = bd.labtests.uniaxial_compression(body(1000), LAW, cone, pressure=pressure, reach=1.5)
+    test = bd.labtests.uniaxial_compression(bar(1000, 20e-3), LAW, cone, pressure=pressure, reach=1.5)
     third = 1.0 / math.sqrt(3.0)
     slope, k = third * (UCS - 4e6) / (UCS + 4e6), 2.0 * third * UCS * 4e6 / (UCS + 4e6)
     assert test.peak == pytest.approx((k + pressure * (third + 2.0 * slope)) / (third - slope), rel=0.03)
@@ -72,7 +67,7 @@ def test_a_prism_has_the_strength_of_a_drucker_prager_continuum(pressure: float)
 
 def test_a_prism_is_torn_as_the_cone_has_it() -> None:
     cone = bd.DruckerPrager(tension=4e6, compression=UCS, fracture_energy=20.0)
-    test = bd.labtests.direct_tension(body(), LAW, cone)
+    test = bd.labtests.direct_tension(bar(250, 20e-3), LAW, cone)
     assert test.peak == pytest.approx(4e6, rel=0.05)
     assert test.work == pytest.approx(20.0, rel=0.08)
     assert not (test.state.slipped > 0.0).any()
@@ -80,7 +75,7 @@ def test_a_prism_is_torn_as_the_cone_has_it() -> None:
 
 def test_stresses_of_a_failing_body_are_in_equilibrium_with_its_platens() -> None:
     """Mean axial stress of the cells, where they have yielded: that of the platens; the pressure on the sides."""
-    test = bd.labtests.uniaxial_compression(body(), LAW, FAILURE, pressure=5e6, reach=1.2)
+    test = bd.labtests.uniaxial_compression(bar(250, 20e-3), LAW, FAILURE, pressure=5e6, reach=1.2)
     state = test.state
     assert isinstance(state.model, bd.Model)
     stress, volume = bd.cell_stress(state.model, state), state.model.lattice.cells.volume
@@ -96,22 +91,21 @@ def test_stresses_of_a_failing_body_are_in_equilibrium_with_its_platens() -> Non
 
 
 def test_nothing_depends_on_the_density_of_a_strength_test() -> None:
-    light, heavy = (bd.labtests.direct_tension(body(60), LAW, FAILURE, density=rho) for rho in (1.0, 9e3))
+    light, heavy = (bd.labtests.direct_tension(bar(60, 20e-3), LAW, FAILURE, density=rho) for rho in (1.0, 9e3))
     assert heavy.peak == pytest.approx(light.peak, rel=1e-6)
     np.testing.assert_allclose(heavy.curve[:100], light.curve[:100], rtol=1e-5, atol=1.0)
 
 
 def test_what_a_test_to_failure_needs_is_told() -> None:
-    brittle = MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.6)
+    brittle = bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.6)
     with pytest.raises(InputError, match="fracture_energy"):
-        bd.labtests.uniaxial_compression(body(60), LAW, brittle)
+        bd.labtests.uniaxial_compression(bar(60, 20e-3), LAW, brittle)
     with pytest.raises(InputError, match=r"bd\.Rankine"):
-        bd.labtests.direct_tension(body(60), LAW, brittle)
-    spheres = bd.connect(bd.pack(bd.Box((4e-3, 4e-3, 4e-3)), count=300, seed=1))
+        bd.labtests.direct_tension(bar(60, 20e-3), LAW, brittle)
     with pytest.raises(InputError, match="method='laguerre'"):
-        bd.labtests.direct_tension(spheres, LAW, FAILURE)
+        bd.labtests.direct_tension(spheres(bd.Box((4e-3, 4e-3, 4e-3)), 300), LAW, FAILURE)
     with pytest.raises(InputError, match="pressure"):
-        bd.labtests.uniaxial_compression(body(60), LAW, FAILURE, pressure=-1.0)
+        bd.labtests.uniaxial_compression(bar(60, 20e-3), LAW, FAILURE, pressure=-1.0)
     for wrong in ({"fracture_energy": -1.0}, {"dilatancy": 0.7, "fracture_energy": 1.0}, {"dilatancy": 0.1}):
         with pytest.raises(InputError, match="MohrCoulomb"):
             bd.MohrCoulomb(**({"tension": 4e6, "cohesion": 14e6, "friction_angle": 0.6} | wrong))

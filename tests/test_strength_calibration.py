@@ -11,6 +11,7 @@ import pytest
 import bondem as bd
 from bondem.cli import bondem as group
 from bondem.errors import ConvergenceError, InputError, UnstableRunError
+from tests.specimens import bar
 
 TARGETS = {"ucs": (55e6, 0.2e6), "brazilian": (4e6, 0.03e6)}
 START = {"tension": 4e6, "cohesion": 7e6}
@@ -270,7 +271,7 @@ def test_what_does_not_fit_is_refused_in_one_line(changed, told):
 
 
 def test_the_tensile_strength_of_a_prism_of_cells_is_found(tmp_path):
-    body = bd.connect(bd.pack(bd.Box((20e-3, 10e-3, 10e-3)), count=60, method="even", seed=1), method="laguerre")
+    body = bar(60, 20e-3)
     law = bd.CellBond(E=40e9, nu=0.2)
 
     def pulled(tension):

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.io.runfile import read_run
 from bondem.packing import METHODS
 from bondem.study.pipeline import run_study
 from bondem.study.results import deviation
@@ -288,7 +287,7 @@ def test_output_is_complete_and_nothing_else(finished):
 
 def test_a_kept_specimen_is_the_calibrated_one(finished):
     out, results, _ = finished
-    model = read_run(out / "specimen_8.h5").model
+    model = bd.read_run(out / "specimen_8.h5").model
     tension = bd.labtests.static_tension(model.lattice, model.bond)
     assert pytest.approx(results["packings"][1]["E"], rel=1e-9) == tension.E
     assert model.density == results["micro"]["rho_mu"]

@@ -18,9 +18,7 @@ from bondem.calibration.surface_correction import (
     surface_ratio,
 )
 from bondem.errors import InputError
-from bondem.labtests import uniform_stress
-from bondem.labtests.any_shape import UniformStress
-from bondem.laws.bond import BondLaw
+from tests.specimens import chain, grid, spheres
 from validation.frame.request import made_row
 from validation.rows.surface import FORMS, ModuliRequest, SpecimenRequest
 from validation.studies.surface import FITTED, HELD_OUT, SurfaceStudy
@@ -30,16 +28,9 @@ LAW = bd.EulerBernoulli(E=50e9, nu=0.3, radius_ratio=0.7)
 SHAPE = bd.Cylinder(radius=5e-3, length=25e-3)
 
 
-def crystal(nx: int, ny: int, nz: int, *, periodic: bool) -> bd.Lattice:
-    """Spheres of radius 1 on a cubic grid, each touching its neighbours and the walls."""
-    place = 2.0 * np.indices((nx, ny, nz)).reshape(3, -1).T + 1.0
-    shape = (bd.Cell if periodic else bd.Box)(size=(2.0 * nx, 2.0 * ny, 2.0 * nz))
-    return bd.connect(bd.Particles(place, 1.0, shape=shape), tolerance=1e-9)
-
-
-def stiffness(law: BondLaw) -> tuple[float, float]:
+def stiffness(law: bd.BondLaw) -> tuple[float, float]:
     """What kn and ks the bonds of the crystal have."""
-    lattice = crystal(4, 4, 4, periodic=True)
+    lattice = grid((4, 4, 4), 2.0, periodic=True)
     k = bd.Model(lattice, law, 1000.0).stiffness
     return float(k.kn[0]), float(k.ks[0])
 
@@ -50,7 +41,7 @@ def stiffness(law: BondLaw) -> tuple[float, float]:
 def test_the_estimate_of_a_crystal_is_exact():
     # per cell of edge a = 2 one bond along each axis: C11 = kn/a, C44 = ks/(2a), C12 = 0, and nothing gives way
     kn, ks = stiffness(LAW)
-    lattice = crystal(4, 4, 4, periodic=True)
+    lattice = grid((4, 4, 4), 2.0, periodic=True)
     found = affine_estimate(lattice, LAW)
     np.testing.assert_allclose(found.stiffness, np.diag([kn / 2.0] * 3 + [ks / 4.0] * 3), atol=1e-9 * kn)
     np.testing.assert_allclose(found.stiffness, bd.bulk_moduli(lattice, LAW).stiffness, atol=1e-6 * kn)
@@ -62,7 +53,7 @@ def test_the_estimate_of_a_crystal_is_exact():
 
 def test_a_bar_is_measured_in_the_middle_half_of_its_length():
     kn, _ = stiffness(LAW)
-    bar = crystal(12, 3, 3, periodic=False)
+    bar = grid((12, 3, 3), 2.0, walled=True)
     assert is_bar(bar)
     found = affine_estimate(bar, LAW)
     # chains without end: the two missing half bonds at the ends do not count
@@ -76,10 +67,8 @@ def test_a_bar_is_measured_in_the_middle_half_of_its_length():
 
 
 def test_a_chain_is_refused():
-    line = np.column_stack([2.0 * np.arange(20.0) + 1.0, np.zeros(20), np.zeros(20)])
-    chain = bd.connect(bd.Particles(line, 1.0, shape=bd.Cylinder(radius=1.0, length=40.0)), tolerance=1e-9)
     with pytest.raises(InputError, match="resist every strain"):
-        affine_estimate(chain, LAW)
+        affine_estimate(chain(20, radius=1.0), LAW)
 
 
 # -- uniform stress ----------------------------------------------------------------------------------------------
@@ -88,7 +77,7 @@ def test_a_chain_is_refused():
 def test_uniform_stress_is_exact_in_a_crystal():
     """Patches that hand over their moments put the crystal under the stress it has inside, shear included."""
     kn, ks = stiffness(LAW)
-    found = uniform_stress(crystal(5, 4, 3, periodic=False), LAW)
+    found = bd.labtests.uniform_stress(grid((5, 4, 3), 2.0, walled=True), LAW)
     np.testing.assert_allclose(found.compliance, np.diag([2.0 / kn] * 3 + [4.0 / ks] * 3), atol=1e-7 * 2.0 / kn)
     assert found.asymmetry < 1e-7
     assert found.along("y") == pytest.approx((kn / 2.0, 0.0), abs=1e-6 * kn)
@@ -98,16 +87,16 @@ def test_uniform_stress_is_exact_in_a_crystal():
 def test_uniform_stress_turns_with_the_body():
     """A packing measured as it lies and turned by a right angle: the same compliance, axes exchanged."""
     shape = bd.Box(size=(0.01, 0.014, 0.018))
-    lattice = bd.connect(bd.pack(shape, count=500, spread=0.0, seed=4))
-    plain = uniform_stress(lattice, LAW)
+    lattice = spheres(shape, 500, spread=0.0, seed=4)
+    plain = bd.labtests.uniform_stress(lattice, LAW)
     turned = shape.rotated("x", math.pi / 2.0)
     position = lattice.particles.position @ np.array(turned.turn).T
     particles = bd.Particles(position, lattice.particles.radius, shape=turned)
-    other = uniform_stress(bd.Lattice(particles, lattice.pairs), LAW)
+    other = bd.labtests.uniform_stress(bd.Lattice(particles, lattice.pairs), LAW)
     assert other.along("z") == pytest.approx(plain.along("y"), rel=1e-6)
     assert pytest.approx(plain.E, rel=1e-6) == other.E
     with pytest.raises(InputError, match="bulk_moduli"):
-        uniform_stress(crystal(4, 4, 4, periodic=True), LAW)
+        bd.labtests.uniform_stress(grid((4, 4, 4), 2.0, periodic=True), LAW)
 
 
 @pytest.mark.parametrize("form", ["ball", "bracket"])
@@ -141,14 +130,13 @@ def test_the_bracket_is_what_its_docstring_says():
 
 @pytest.fixture(scope="module")
 def cell() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Cell(size=(0.01, 0.01, 0.01)), count=1500, spread=0.25, seed=5))
+    return spheres(bd.Cell((0.01, 0.01, 0.01)), 1500, seed=5)
 
 
 @pytest.fixture(scope="module")
 def bodies() -> dict[str, bd.Lattice]:
-    packed = bd.pack(SHAPE, count=1500, spread=0.25, seed=5)
     jammed = bd.pack(SHAPE, count=1500, spread=0.25, seed=5, jamming=True)
-    return {"contacts": bd.connect(packed), "jamming": bd.connect(jammed)}
+    return {"contacts": spheres(SHAPE, 1500, seed=5), "jamming": bd.connect(jammed)}
 
 
 def test_surface_ratio(bodies, cell):
@@ -292,8 +280,9 @@ def test_results_tables_and_figure_follow_from_rows(tmp_path):
                     "bending": shear / 12.0 * random.uniform(1.0, 3.0), "E_affine": 0.3, "nu_affine": 0.15,
                     "bond_length": 2.0, "bond_length_std": 0.1, "bond_number": 0.47,
                 }  # fmt: skip
-                factor = law_terms(row["shear"], row["bending"]), lattice_terms(
-                    row["coordination"], row["looseness"], row["wall"]
+                factor = (
+                    law_terms(row["shear"], row["bending"]),
+                    lattice_terms(row["coordination"], row["looseness"], row["wall"]),
                 )
                 row["E"] = 0.3 * math.exp(factor[0] @ model.E @ factor[1])
                 row["nu"] = 0.15 + float(factor[0] @ model.nu @ factor[1])
@@ -317,10 +306,10 @@ def test_moduli_along_an_axis_are_those_of_the_compliance():
     E, nu = 70e9, 0.2
     compliance = np.diag([1.0 / E] * 3 + [2.0 * (1.0 + nu) / E] * 3)
     compliance[:3, :3] -= nu / E * (1.0 - np.eye(3))
-    body = UniformStress(compliance, 0.0)
+    body = bd.labtests.UniformStress(compliance, 0.0)
     for axis in "xyz":
         assert body.along(axis) == pytest.approx((E, nu))
     assert (body.E, body.nu) == pytest.approx((E, nu))
     # contraction along y and z twice as large under tension along x alone
     compliance[1:3, 0] = compliance[0, 1:3] = -2.0 * nu / E
-    assert UniformStress(compliance, 0.0).along("x") == pytest.approx((E, 2.0 * nu))
+    assert bd.labtests.UniformStress(compliance, 0.0).along("x") == pytest.approx((E, 2.0 * nu))

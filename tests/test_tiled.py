@@ -1,27 +1,16 @@
 """Specimens of the benchmarks: a periodic lattice repeated, and what a step of it costs at least."""
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.model.state import State
-
-FOLDER = Path(__file__).parent.parent / "benchmarks"
+from tests.scripts import scripts
 
 
 @pytest.fixture(scope="module")
 def benchmarks():
     """The modules beside the scripts."""
-    sys.path.insert(0, str(FOLDER))
-    try:
-        import roofline
-        import tiled
-    finally:
-        sys.path.remove(str(FOLDER))
-    return {"roofline": roofline, "tiled": tiled}
+    return scripts("benchmarks", roofline="roofline", tiled="tiled")
 
 
 @pytest.fixture(scope="module")
@@ -63,7 +52,7 @@ def test_a_step_is_counted(benchmarks, base):
     count = benchmarks["roofline"]
     model = bd.Model(base, bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.71), 2500.0)
     n, m = len(base.particles), len(base.pairs)
-    traffic = count.bytes_per_bond(model, State(model))
+    traffic = count.bytes_per_bond(model, model.state())
     # i, j, row of the sums; direction and length; integrity; then a line each for pose, motion and sums, both ways
     assert traffic["all"] == pytest.approx(12 + 32 + 8 + (3 * 2 * 64 + 12) * n / m)
     flops = count.flops_per_bond(n / m)

@@ -10,27 +10,12 @@ import bondem as bd
 from bondem.io.runfile import RunFile
 from bondem.io.vtk_cells import Corners
 from bondem.model.wall_outlines import wall_outlines
-from bondem.solve.history import History
-from bondem.solve.plan import Plan, settled
+from bondem.solve.plan import settled
+from tests.models import turned_cubes
+from tests.specimens import two_spheres
 from tests.test_run_snapshots import shown
 
-LAW = bd.CellBond(E=1e9, nu=0.2)
 HALF = np.sqrt(0.5)
-
-
-def two() -> tuple[bd.Model, bd.State]:
-    """Two cubes, the second turned by 90 degrees about x and moved along x."""
-    body = bd.connect(
-        bd.Particles([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]], [0.5, 0.5], shape=bd.Box((2.0, 1.0, 1.0))), method="laguerre"
-    )
-    walls = [bd.PlaneWall((0, 0, 0), (1, 0, 0)), bd.SphereWall(0.2, (3.0, 0.5, 0.5))]
-    model = bd.Model(body, LAW, 1e3, contact=bd.LinearContact(E=1e9), walls=walls)
-    state = model.state()
-    state.set_pose(
-        position=[[0.5, 0.5, 0.5], [1.9, 0.5, 0.5]], orientation=[[1.0, 0.0, 0.0, 0.0], [HALF, HALF, 0.0, 0.0]]
-    )
-    state.walls[1, :3] = -0.4, 0.0, 0.0
-    return model, state
 
 
 def turned(model: bd.Model) -> np.ndarray:
@@ -45,7 +30,7 @@ def turned(model: bd.Model) -> np.ndarray:
 
 def test_a_file_of_cells_has_them_turned(tmp_path: Path) -> None:
     pyvista = pytest.importorskip("pyvista")
-    model, state = two()
+    model, state = turned_cubes()
     bd.write_vtkhdf(tmp_path / "body.vtkhdf", model.lattice, state=state)
     grid = pyvista.read(tmp_path / "body.vtkhdf")
     np.testing.assert_allclose(grid.points, turned(model), atol=1e-12)
@@ -57,7 +42,7 @@ def test_a_file_of_cells_has_them_turned(tmp_path: Path) -> None:
 
 def test_a_file_of_spheres_has_their_orientation(tmp_path: Path) -> None:
     pyvista = pytest.importorskip("pyvista")
-    lattice = bd.connect(bd.Particles([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]], [0.5, 0.5]))
+    lattice = two_spheres()
     state = bd.Model(lattice, bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5), 1e3).state()
     state.set_pose(orientation=[[1.0, 0.0, 0.0, 0.0], [HALF, 0.0, 0.0, HALF]])
     bd.write_vtkhdf(tmp_path / "two.vtkhdf", lattice, state=state)
@@ -65,10 +50,10 @@ def test_a_file_of_spheres_has_their_orientation(tmp_path: Path) -> None:
 
 
 def test_snapshots_have_turned_cells_and_walls(tmp_path: Path) -> None:
-    model, state = two()
+    model, state = turned_cubes()
     place = tmp_path / "run.h5"
-    with RunFile(place, model, settled(model, Plan(duration=1.0, dt=1e-9, snapshot_every=1))) as file:
-        file.checkpoint(model.state(), History.empty(()))
+    with RunFile(place, model, settled(model, bd.Plan(duration=1.0, dt=1e-9, snapshot_every=1))) as file:
+        file.checkpoint(model.state(), bd.History.empty(()))
         file.snapshot(model.state())
         state.time = 1e-3
         file.snapshot(state)
@@ -85,13 +70,13 @@ def test_snapshots_have_turned_cells_and_walls(tmp_path: Path) -> None:
 
 def test_pictures_of_files_old_and_new_have_cells_turned(tmp_path: Path, monkeypatch) -> None:
     scene = pytest.importorskip("bondem.report.scene")
-    model, state = two()
+    model, state = turned_cubes()
     for name in ("new", "old"):
         if name == "old":  # as files were before cells moved in them
             monkeypatch.setattr(Corners, "moved", lambda corners, *_: corners.place)
-        plan = settled(model, Plan(duration=1.0, dt=1e-9, snapshot_every=1))
+        plan = settled(model, bd.Plan(duration=1.0, dt=1e-9, snapshot_every=1))
         with RunFile(tmp_path / f"{name}.h5", model, plan) as file:
-            file.checkpoint(model.state(), History.empty(()))
+            file.checkpoint(model.state(), bd.History.empty(()))
             state.time = 1e-3
             file.snapshot(state)
         drawn = scene.Scene(

@@ -18,6 +18,7 @@ from bondem.specimen.plausibility import _USUAL
 from bondem.specimen.units import length_unit, quantity
 from bondem.study.pipeline import run_study
 from bondem.study.study import parse_study
+from tests.specimens import row
 
 SAME = {
     ("72.5 GPa", "Pa"): 72.5e9,
@@ -225,8 +226,7 @@ def test_millimetres_taken_for_metres_are_doubted_unless_metres_are_said(tmp_pat
 
 
 def test_bonds_far_thicker_or_thinner_than_elements_are_doubted():
-    position = np.outer(np.arange(12), [1e-3, 0, 0])
-    lattice = bd.connect(bd.Particles(position, 0.5e-3))
+    lattice = row(12)
     for radius, word in ((0.3, "thicker"), (0.3e-7, "thinner")):
         law = bd.EulerBernoulli(E=70e9, nu=0.3, radius=radius)
         with pytest.warns(UnitWarning, match=word):

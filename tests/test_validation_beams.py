@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass, replace
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -12,6 +11,7 @@ import bondem as bd
 import validation.cases.beam_bonds as bars
 import validation.studies.beam_bonds as studies
 from bondem.errors import InputError
+from tests.specimens import spheres
 from validation.cases.gregoire import GREGOIRE
 from validation.cases.l_panel import L_PANEL
 from validation.rows.beam_bonds import SlowBeamsRun, StruckBeamsRun, _row
@@ -43,11 +43,6 @@ def forgotten() -> Any:
     bars.beam_bonds.cache_clear()
 
 
-@cache
-def spheres() -> bd.Lattice:
-    return bd.connect(bd.pack(GREGOIRE.shape, count=400, seed=1))
-
-
 @pytest.mark.filterwarnings("ignore::bondem.errors.ImbalanceWarning")  # pulled within six traverses
 @pytest.mark.usefixtures("quick")
 def test_bonds_are_set_by_the_strength_of_their_bar() -> None:
@@ -63,7 +58,7 @@ def test_bonds_are_set_by_the_strength_of_their_bar() -> None:
 
 
 def test_rollers_hold_a_row_of_spheres_across() -> None:
-    body, line = spheres(), GREGOIRE.driven[0]
+    body, line = spheres(GREGOIRE.shape, 400), GREGOIRE.driven[0]
     place = body.centre[list(_row(body, line).elements)]
     wide = 2.0 * body.particles.mean_radius
     assert np.ptp(place[:, 2]) > 0.5 * GREGOIRE.shape.bounds[1][2]
@@ -75,7 +70,7 @@ def test_rollers_hold_a_row_of_spheres_across() -> None:
 
 def test_bonds_near_rollers_do_not_break() -> None:
     """A thousand times as strong, and only those near: within the reach of the case."""
-    body = spheres()
+    body = spheres(GREGOIRE.shape, 400)
     bonds = bars.BeamBonds(bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5), 1.0,
                            bd.PeripheralStress(tension=1e6, shear=2e6), 1.0, 1e6)  # fmt: skip
     weak, strong = SlowBeamsRun(GREGOIRE, 1e-5, 1e-4, 1)._failure(body, bonds).items()

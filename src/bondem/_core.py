@@ -28,7 +28,8 @@ from bondem._lock import alone
 from bondem.errors import InputError
 
 __all__ = [
-    "Pass", "checked_fields", "compiled_level", "core_lanes", "filled_table", "room_for", "step_pass", "table_fields",
+    "Pass", "checked_fields", "compiled_level", "core_lanes", "filled_table", "index_pass", "index_pass_names",
+    "room_for", "step_pass", "table_fields",
 ]  # fmt: skip
 
 # How long a process waits for what another one compiles [s].
@@ -176,6 +177,7 @@ class _Library:
         tables: fields of each table.
         passes: of each, its function, its tables and how it may end.
         step_passes: of each, its address and kind, and its tables.
+        index_passes: passes over an index; of each, its loop on the CPU and its tables.
         lanes: numbers of a register.
     """
 
@@ -183,6 +185,7 @@ class _Library:
     tables: dict[str, tuple[_Field, ...]]
     passes: dict[str, tuple[Any, tuple[str, ...], tuple[str, ...]]]
     step_passes: dict[str, tuple[tuple[int, int], tuple[str, ...]]]
+    index_passes: dict[str, tuple[Any, tuple[str, ...]]]
     lanes: int
 
 
@@ -210,7 +213,11 @@ def _library() -> _Library:
     for one in _described(loaded.bondem_step_passes, _StepPassDescription):
         names = tuple(one.tables[k].decode() for k in range(one.count))
         step_passes[one.name.decode()] = (one.address, one.kind), names
-    return _Library(level, tables, passes, step_passes, int(loaded.bondem_lanes()))
+    index_passes = {}
+    loop = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)
+    for one in _described(loaded.bondem_index_passes, _PassDescription):
+        index_passes[one.name.decode()] = loop(one.address), tuple(one.tables[k].decode() for k in range(one.count))
+    return _Library(level, tables, passes, step_passes, index_passes, int(loaded.bondem_lanes()))
 
 
 def _described(function: Any, kind: type[ctypes.Structure]) -> Iterable[Any]:
@@ -309,6 +316,20 @@ class Pass:
 def step_pass(name: str) -> tuple[tuple[int, int], tuple[str, ...]]:
     """Address and kind of a pass that steps are composed of, and names of its tables."""
     return _library().step_passes[name]
+
+
+def index_pass_names() -> tuple[str, ...]:
+    """Names of all passes over an index."""
+    return tuple(_library().index_passes)
+
+
+def index_pass(name: str) -> tuple[Any, tuple[str, ...]]:
+    """The loop on the CPU of a pass over an index, and names of its tables.
+
+    The loop is a function of how many indices there are, of the address of a number that is 0 unless nothing is to be
+    done, or 0, and of the address of a list of addresses of tables.
+    """
+    return _library().index_passes[name]
 
 
 def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[_Field, ...]:

@@ -104,7 +104,7 @@ class Platform:
 def source_digest(folder: Path = SOURCES) -> str:
     """Hash of all sources and of the flags, 12 hexadecimal digits: part of the name of each library."""
     digest = hashlib.sha256(" ".join([*_FLAGS, str(_LEVELS)]).encode())
-    for path in _sources(folder, "*.cpp", "*.hpp"):
+    for path in core_sources("*.cpp", "*.hpp", folder=folder):
         digest.update(f"{path.relative_to(folder)}\n".encode() + path.read_bytes())
     return digest.hexdigest()[:12]
 
@@ -137,7 +137,7 @@ def compile_core(target: Platform, levels: Iterable[str], *, folder: Path = SOUR
     environment = {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache), **os.environ}
     out = folder / LIBRARIES
     out.mkdir(exist_ok=True)
-    digest, sources = source_digest(folder), [str(path) for path in _sources(folder, "*.cpp")]
+    digest, sources = source_digest(folder), [str(path) for path in core_sources("*.cpp", folder=folder)]
 
     def make(level: str) -> Path:
         library = out / f"{level}.{digest}{target.suffix}"
@@ -159,7 +159,7 @@ def _run(command: list[str], environment: Mapping[str, str]) -> None:
         raise RuntimeError(f"bondem's core does not compile:\n{done.stderr or done.stdout}")
 
 
-def _sources(folder: Path, *patterns: str) -> list[Path]:
+def core_sources(*patterns: str, folder: Path = SOURCES) -> list[Path]:
     """Sources of the core, without what is compiled from them."""
     inner = {folder / "build", folder / LIBRARIES}
     return sorted(

@@ -198,10 +198,10 @@ def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, St
     if not isinstance(device, str) or device != "gpu":
         raise InputError(f"device = {shown(device)} is unknown; choose 'cpu' or 'gpu'")
     try:
-        gpu = importlib.import_module("bondem.solve.loop_cuda")
+        gpu = importlib.import_module("bondem.solve.loop_on_gpu")
+        gpu.require_gpu(model, plan)
     except ImportError as error:
         raise InputError(
-            f"device='gpu' needs the package numba-cuda ({error}); {install('gpu')}, or use device='cpu'"
+            f"device='gpu' needs NVIDIA's packages for Python ({error}); {install('gpu')}, or use device='cpu'"
         ) from error
-    gpu.require_runnable(model, plan)
-    return gpu.GpuLoop
+    return gpu.loop_on_gpu

@@ -92,6 +92,7 @@ def plan_of(model: bd.Model, steps: int, *, share: float = 0.5, **options) -> Pl
 
 
 WEAK = bd.PeripheralStress(tension=1.2e6, shear=1.2e6)
+SOFT = bd.PeripheralStress(tension=2e5, shear=2e5, fracture_energy=3e3)
 PARALLEL = bd.LinearContact(E=E / 10, friction=0.3, damping=0.2, parallel=True)
 STRESSED = bd.LinearContact(E=E / 20, friction=0.2, stress_free=False)
 #: Models, their states, and the damping of their runs.
@@ -106,5 +107,6 @@ CASES: dict[str, tuple[Callable[[], tuple[bd.Model, State]], object]] = {
     "beams break, Hertzian": (lambda: moving_beams(HERTZIAN, failure=WEAK), None),
     "beams break, parallel": (lambda: moving_beams(PARALLEL, failure=WEAK), None),
     "beams break, stressed": (lambda: moving_beams(STRESSED, failure=WEAK), None),
+    "beams soften, Hertzian": (lambda: moving_beams(HERTZIAN, failure=SOFT), None),
 }
 STEPS = 400

@@ -18,6 +18,7 @@ GRAVITY = [bd.Fix(X_MIN), bd.BodyForce(acceleration=(0.0, 0.0, -9.81))]
 
 SHEARED = bd.MohrCoulomb(tension=3e5, cohesion=1e5, friction_angle=0.6)
 PULLED = bd.Rankine(tension=5e4)
+WEAK = bd.MohrCoulomb(tension=1e5, cohesion=4e4, friction_angle=0.6)
 
 
 def stored(name: str) -> bd.Model:
@@ -47,7 +48,7 @@ def non_local_spheres(failure: bd.Criterion | None = None) -> bd.Model:
     return bd.Model(crooked((6, 5, 5)), law, density=1e3, boundary=GRAVITY, failure=failure)
 
 
-def touching_spheres() -> bd.Model:
+def touching_spheres(failure: bd.Criterion | None = None, weight: float = 100.0) -> bd.Model:
     """A lattice of spheres on a plane and below a cylinder, and loose spheres that fall onto it."""
     own = crooked((4, 4, 3)).particles
     loose = np.array([[0.5, 0.5, 2.6], [2.5, 1.5, 2.6], [1.5, 2.5, 2.6]])
@@ -58,7 +59,7 @@ def touching_spheres() -> bd.Model:
     return bd.Model(
         lattice, bd.NonLocal(E=1e7, nu=0.2, areas="weighted"), density=1e3,
         contact=bd.LinearContact(E=1e7, friction=0.4, damping=0.1),
-        boundary=[bd.BodyForce(acceleration=(5.0, 0.0, -100.0))],
+        boundary=[bd.BodyForce(acceleration=(5.0, 0.0, -weight))], failure=failure,
         walls=[bd.PlaneWall((0, 0, -0.35), (0, 0, 1)), bd.CylinderWall(0.5, (2, 1, 3.2), (0, 1, 0), outside=True)],
     )  # fmt: skip
 
@@ -81,6 +82,7 @@ CASES: dict[str, tuple[Callable[[], bd.Model], AnyDamping | None]] = {
     "non-local, spheres": (non_local_spheres, bd.BondDamping(eta=0.2)),
     "non-local, periodic": (non_local_period, None),
     "non-local, spheres that touch": (touching_spheres, bd.BondDamping(eta=0.1)),
+    "non-local, spheres that break and touch": (lambda: touching_spheres(WEAK, 400.0), bd.BondDamping(eta=0.1)),
     "non-local, cells that break": (lambda: non_local_cells(SHEARED), bd.BondDamping(eta=0.1)),
     "non-local, spheres that break": (lambda: non_local_spheres(PULLED), bd.LocalDamping(0.1)),
 }  # fmt: skip

@@ -31,7 +31,8 @@ parts += run.state.pose, run.state.motion, run.history.records
 ends = [bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, 2.0, 1e-4))]
 weak = bd.Elliptic(elongation=1e-3, rotation=3e-3), bd.PeripheralStress(tension=8e5, shear=8e5, fracture_energy=9e1)
 for failure in weak:
-    run = bd.solve_explicit(bd.Model(bd.connect(p), law, 2500.0, boundary=ends, failure=failure), duration=5e-3, every=20)
+    model = bd.Model(bd.connect(p), law, 2500.0, boundary=ends, failure=failure)
+    run = bd.solve_explicit(model, duration=5e-3, every=20)
     assert len(run.state.broken) > 5, len(run.state.broken)
     parts += run.state.pose, run.state.broken, run.state.softened, run.history.records
 print(compiled_level(), hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest(), float(p.radius.sum()))

@@ -71,7 +71,10 @@ def test_the_core_needs_no_standard_library_and_allocates_nothing():
 
 SANITIZERS = {"address": "libasan.so", "thread": "libtsan.so"}
 # Tests that run with them, without those that compare with Numba.
-TESTED = ("tables", "passes", "steps", "beams", "breakage", "beam_softening", "stress_criteria")
+TESTED = (
+    "tables", "passes", "steps", "beams", "breakage", "beam_softening", "stress_criteria", "lagged_steps",
+    "dynamic_relaxation",
+)
 
 
 @pytest.mark.sanitize

@@ -13,7 +13,7 @@ from bondem.model.state import State
 from bondem.solve import loop_core
 from bondem.solve.cell_forces import BodyTables
 from bondem.solve.explicit import ExplicitResult, integrate
-from bondem.solve.loop_core import CoreLoop, core_has
+from bondem.solve.loop_core import CoreLoop
 from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
@@ -58,10 +58,6 @@ def displaced(model: bd.Model, size: float = 1e-3) -> State:
 
 
 # ---- against the loops of Numba
-
-
-def test_elastic_bodies_run_by_the_core():
-    assert core_has(model_of("held"))
 
 
 @pytest.mark.parametrize("conditions", CONDITIONS)

@@ -9,7 +9,7 @@ import bondem as bd
 from bondem._compile import threads
 from bondem.kernels.crack_tables import ACTIVE, FACET, PARTED, RESTING, STATUS, TOP
 from bondem.model.state import State
-from bondem.solve.loop_core import CoreLoop, core_has
+from bondem.solve.loop_core import CoreLoop
 from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
@@ -134,12 +134,3 @@ def test_cells_touch_where_faces_have_parted():
     assert len(parted) >= 3
     apart = model.bonds.length[parted[:, FACET].astype(int)]
     assert ((parted[:, TOP] > 0.0) & (parted[:, TOP] <= apart)).all()
-
-
-def test_what_the_core_takes():
-    lattice, law = body(), bd.CellBond(E=40e9, nu=0.2)
-    cone = bd.DruckerPrager(tension=4e6, compression=40e6, fracture_energy=50.0)
-    contact = bd.LinearContact(E=70e9, friction=0.4)
-    assert core_has(bd.Model(lattice, law, 2500.0, failure=COULOMB))
-    assert not core_has(bd.Model(lattice, law, 2500.0, failure=cone))
-    assert core_has(bd.Model(lattice, law, 2500.0, failure=COULOMB, contact=contact))

@@ -9,12 +9,12 @@ import pytest
 
 import bondem as bd
 from bondem.model.contact_search import PairSources, Walls, WallSources, found_pairs, found_walls
-from bondem.model.contacts import near
+from bondem.model.contacts import grid_of
 from bondem.model.state import State
 from bondem.solve import loop_core
 from bondem.solve import neighbour_list as lists
 from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop, core_has
+from bondem.solve.loop_core import CoreLoop
 from tests.bits import assert_same_bits
 from tests.core.contact_cases import BEAM, CASES, HERTZIAN, LINEAR, STEPS, E, all_walls, cloud, moving_beams, plan_of
 
@@ -31,7 +31,6 @@ NUMBERS = json.loads((Path(__file__).parent / "contact_numbers.json").read_text(
 def test_the_numbers_are_those_of_the_former_loop(case):
     make, damping = CASES[case]
     model, state = make()
-    assert core_has(model)
     result = integrate(model, plan_of(model, STEPS, every=100, damping=damping), state=state, loop_of=CoreLoop)
     numbers, some = NUMBERS[case], [0, len(state.pose) // 2, len(state.pose) - 1]
     found = result.state
@@ -204,8 +203,8 @@ def test_the_list_has_all_pairs_that_no_bond_joins_and_their_memory():
 
     rest = gap[later, earlier] < 0.0
     memory = rng.random((touching.sum(), 6))
-    found = found_pairs(PairSources(
-        *near(position, radius, None, skin), starts(bonded), first(bonded), wanted.astype(np.uint8), starts(rest),
+    found = found_pairs(grid_of(position, radius, None, skin), PairSources(
+        starts(bonded), first(bonded), wanted.astype(np.uint8), starts(rest),
         first(rest), gap[later, earlier][rest], starts(touching), first(touching), memory,
     ))  # fmt: skip
     listed = ~bonded

@@ -9,7 +9,7 @@ from bondem.kernels.tables import FRACTURE, TRANSLATION, TWISTING, WORK
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.energy import elastic_energy
 from bondem.solve import loop_core
-from bondem.solve.loop_core import CoreLoop, core_has
+from bondem.solve.loop_core import CoreLoop
 from bondem.solve.loop_cpu import CpuLoop
 from tests.bits import assert_same_bits
 from tests.core.test_cells import CONDITIONS, LAW, X_MAX, X_MIN, body, run_of
@@ -32,7 +32,6 @@ TOUCHING = {
 
 def test_breakage_is_that_of_the_loops_of_numba():
     model, damping = breaking("held", **TOUCHING), bd.BondDamping(eta=0.05)
-    assert core_has(model)
     with threads(1):
         old, new = (run_of(model, 300, kind, every=50, damping=damping) for kind in (CpuLoop, CoreLoop))
     assert len(new.state.broken) > 30

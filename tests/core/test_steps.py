@@ -10,8 +10,7 @@ from bondem.kernels.tables import Rows, StepCut
 from bondem.model.state import State
 from bondem.solve import loop_core
 from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop, core_has
-from bondem.solve.loop_on_cpu import loop_on_cpu
+from bondem.solve.loop_core import CoreLoop
 from bondem.solve.plan import Plan
 from bondem.solve.step_tables import Moving, Portions
 from bondem.solve.timestep import critical_step
@@ -52,25 +51,6 @@ def loop_of(model: bd.Model, plan: Plan, state: State) -> CoreLoop:
 def plan_of(model: bd.Model, steps: int, **options) -> Plan:
     dt = 0.5 * critical_step(model, bd.VelocityVerlet())
     return Plan(duration=steps * dt, dt=dt, gauges=GAUGES, **options)
-
-
-# ---- which loop carries a model out
-
-
-def test_beams_that_do_not_soften_run_by_the_core():
-    lattice, law = crooked((3, 2, 2)), LAWS["Timoshenko"]
-    plain = bd.Model(lattice, law, density=1e3, boundary=HELD)
-    breaking = bd.Model(lattice, law, density=1e3, failure=bd.PeripheralStress(tension=1e5, shear=1e5))
-    tough = bd.PeripheralStress(tension=1e5, shear=1e5, fracture_energy=1e3)
-    softening = bd.Model(lattice, law, density=1e3, failure=tough)
-    touching = bd.Model(lattice, law, density=1e3, contact=bd.LinearContact(E=1e7))
-    stored = bd.Model(lattice, bd.Timoshenko(E=1e7, nu=0.2, radius=0.2, formulation="incremental"), density=1e3)
-    lagged = bd.Model(lattice, bd.NonLocal(E=1e7, nu=0.2, areas="weighted"), density=1e3)
-    assert all(core_has(model) for model in (plain, breaking, softening, stored, lagged, touching))
-    for model, kind in ((plain, CoreLoop), (touching, CoreLoop), (softening, CoreLoop)):
-        plan = plan_of(model, 1)
-        assert plan.dt is not None
-        assert type(loop_on_cpu(model, plan, State(model), plan.dt)) is kind
 
 
 # ---- bits

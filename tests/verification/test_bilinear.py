@@ -10,6 +10,7 @@ from bondem.quasistatic.teeth import SofteningLine, Teeth
 from bondem.study.failure import read_failure
 from bondem.study.keys import FAILURE
 from bondem.study.toml_table import TomlTable
+from tests.specimens import two_cubes, two_spheres
 
 E, STRENGTH, ENERGY, SIZE = 40e9, 4e6, 50.0, 10e-3
 PETERSSON = bd.Bilinear()
@@ -20,14 +21,6 @@ UNIT = ENERGY / STRENGTH
 def curve(opening: np.ndarray) -> np.ndarray:
     """Stress over f_t of Petersson's curve at openings over G_f / f_t, from its three points."""
     return np.interp(opening, [0.0, 0.8, 3.6], [1.0, 1.0 / 3.0, 0.0])
-
-
-@pytest.fixture(scope="module")
-def pair() -> bd.Lattice:
-    """Two cubes along x."""
-    centre = np.array([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]]) * SIZE
-    box = bd.Box(size=(2.0 * SIZE, SIZE, SIZE))
-    return bd.connect(bd.Particles(centre, 0.5 * SIZE, shape=box), method="laguerre")
 
 
 def test_the_curve_has_its_points_and_its_energy() -> None:
@@ -67,12 +60,12 @@ def test_teeth_take_the_energy_of_the_curve(ripple: float) -> None:
     assert taken == pytest.approx(line.energy(STRENGTH), rel=1e-6)
 
 
-def test_two_cells_follow_the_curve_by_load_factors(pair: bd.Lattice) -> None:
+def test_two_cells_follow_the_curve_by_load_factors() -> None:
     errors = []
     for ripple in (0.1, 0.05):
         ends = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), x=1e-6)]
         # of two cells nothing resists the twist, which does no work
-        model = bd.Model(pair, bd.CellBond(E=E, nu=0.0), density=2500.0, failure=SOFT, boundary=ends)
+        model = bd.Model(two_cubes(SIZE), bd.CellBond(E=E, nu=0.0), density=2500.0, failure=SOFT, boundary=ends)
         found = bd.solve_quasistatic(model, bd.Face("x_max"), ripple=ripple, together=0.0, until=0.0)
         k = E / SIZE
         line = SofteningLine(STRENGTH, k * 3.6 * UNIT, PETERSSON.stress, PETERSSON.steep)
@@ -85,14 +78,14 @@ def test_two_cells_follow_the_curve_by_load_factors(pair: bd.Lattice) -> None:
     assert abs(errors[1]) < 0.7 * abs(errors[0]) + 1e-3
 
 
-def test_two_cells_follow_the_curve_in_an_explicit_run(pair: bd.Lattice, one_thread: None) -> None:
+def test_two_cells_follow_the_curve_in_an_explicit_run(one_thread: None) -> None:
     last, speed, rise = 3.6 * UNIT, 0.008, 2e-4
     ends = ("x_min", -0.5 * speed), ("x_max", 0.5 * speed)
     pull = [bd.Drive(bd.Face(face), vx=bd.Ramp(0.0, end, rise)) for face, end in ends]
     law = bd.CellBond(E=E, nu=0.0, facet_rotation="full")
     run = bd.solve_explicit(
-        bd.Model(pair, law, density=2500.0, failure=SOFT, boundary=pull), duration=1.1 * last / speed, dt=5e-7,
-        every=2, damping=bd.MassDamping(alpha=2e4), gauges={"pull": bd.Gauge(bd.Face("x_max"), "force")},
+        bd.Model(two_cubes(SIZE), law, density=2500.0, failure=SOFT, boundary=pull), duration=1.1 * last / speed,
+        dt=5e-7, every=2, damping=bd.MassDamping(alpha=2e4), gauges={"pull": bd.Gauge(bd.Face("x_max"), "force")},
     )  # fmt: skip
     stress = run.history["pull"][:, 0] / SIZE**2
     crack = speed * np.maximum(run.history.time - 0.5 * rise, 0.0) - stress * 2.0 * SIZE / E
@@ -112,22 +105,21 @@ def test_curves_that_are_none_are_refused(given: dict[str, float], said: str) ->
         bd.Bilinear(**given)
 
 
-def test_a_curve_is_of_what_softens(pair: bd.Lattice) -> None:
+def test_a_curve_is_of_what_softens() -> None:
     with pytest.raises(InputError, match="give fracture_energy too"):
         bd.Rankine(tension=STRENGTH, curve=PETERSSON)
     with pytest.raises(InputError, match=r"bd\.Bilinear"):
         bd.Rankine(tension=STRENGTH, fracture_energy=ENERGY, curve="bilinear")  # type: ignore[arg-type]
     beams = bd.MohrCoulomb(tension=1e6, cohesion=1e6, friction_angle=0.5, fracture_energy=50.0, curve=PETERSSON)
-    lattice = bd.Lattice(bd.Particles(pair.centre, 0.5 * SIZE), [[0, 1]])
+    lattice = two_spheres(SIZE)
     with pytest.raises(InputError, match="leave it out for beams"):
         bd.Model(lattice, bd.EulerBernoulli(E=E, nu=0.2, radius_ratio=0.5), density=2500.0, failure=beams)
 
 
-def test_long_elements_are_refused_by_the_first_line(pair: bd.Lattice) -> None:
+def test_long_elements_are_refused_by_the_first_line() -> None:
     """1.2 E G_f / f_t² in place of 2: here 3.6 and 6 mm, where cells are 5 mm long."""
     law, energy = bd.CellBond(E=E, nu=0.0), 1.2
-    half = bd.Particles(0.5 * pair.centre, 0.25 * SIZE, shape=bd.Box(size=(SIZE, 0.5 * SIZE, 0.5 * SIZE)))
-    body = bd.connect(half, method="laguerre")
+    body = two_cubes(0.5 * SIZE)
     failure = bd.Rankine(tension=STRENGTH, fracture_energy=energy)
     bd.Model(body, law, density=2500.0, failure=failure).softening  # noqa: B018
     with pytest.raises(InputError, match=r"1\.2 E G_f / f_t² = 0\.0036 m"):

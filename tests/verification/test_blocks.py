@@ -1,17 +1,15 @@
 """The same bits over threads where a specimen has more than one block, which domains cut otherwise."""
 
 import hashlib
-import os
-import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.solve.loop_cpu import BLOCK
+from tests.bits import threads
+from tests.scripts import python
+from tests.specimens import crooked_block
 
 EDGES = (30, 20, 16)
 ON = (1, 2, 3)
@@ -21,14 +19,11 @@ CONTACT = bd.LinearContact(E=1e7, friction=0.4, damping=0.1)
 
 def crooked(*, contacts: bool) -> bd.Model:
     """A block of elements that move about: bonded and pulled, or a shaken mix of bonded and loose ones on a floor."""
-    rng = np.random.default_rng(4)
-    grid = np.indices(EDGES).reshape(3, -1).T + 0.5
-    radius = rng.uniform(*((0.45, 0.52) if contacts else (0.3, 0.4)), len(grid))
-    particles = bd.Particles(grid + rng.uniform(-0.1, 0.1, grid.shape), radius)
-    lattice = bd.connect(particles, reach=1.06 if contacts else 1.62)
+    radius, reach = ((0.45, 0.52), 1.06) if contacts else ((0.3, 0.4), 1.62)
+    lattice = crooked_block(EDGES, radius=radius, reach=reach, seed=4)
     law = bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6)
     if contacts:
-        floor = bd.PlaneWall((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), motion=bd.Driven(vz=1.0))
+        floor = bd.PlaneWall((0.0, 0.0, -0.5), (0.0, 0.0, 1.0), motion=bd.Driven(vz=1.0))
         return bd.Model(lattice, law, density=1000.0, contact=CONTACT, walls=[floor])
     boundary = [bd.Fix(bd.Face("x_min", depth=0.5)), bd.Load(bd.Face("x_max", depth=0.5), force=(3e5, 0.0, 1e5))]
     return bd.Model(lattice, law, density=1000.0, boundary=boundary)
@@ -52,9 +47,7 @@ def bits(*, contacts: bool, count: int) -> tuple[str, bd.Model, object]:
 
 
 CODE = """
-import sys
-sys.path.insert(0, sys.argv[1])
-from test_blocks import ON, bits
+from tests.verification.test_blocks import ON, bits
 
 for contacts in (False, True):
     print(*(bits(contacts=contacts, count=count)[0] for count in ON))
@@ -64,12 +57,8 @@ for contacts in (False, True):
 def test_blocks_and_domains_change_no_bit() -> None:
     """Elastic, and with contacts, on 1, 2 and 3 threads; in a process of its own, which may have that many."""
     assert np.prod(EDGES) > 2 * BLOCK
-    found = subprocess.run(
-        [sys.executable, "-c", CODE, str(Path(__file__).parent)],
-        env=os.environ | {"NUMBA_NUM_THREADS": str(max(ON))}, capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert found.returncode == 0, found.stderr
-    elastic, contacts = (line.split() for line in found.stdout.splitlines())
+    lines = python(CODE, threads=max(ON))
+    elastic, contacts = (line.split() for line in lines)
     assert len(elastic) == len(contacts) == len(ON)
     assert len(set(elastic)) == 1
     assert len(set(contacts)) == 1

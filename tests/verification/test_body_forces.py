@@ -6,17 +6,18 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError, RunFileError
 from tests.recording import Record
+from tests.specimens import loose, rod
 
 LAW = bd.EulerBernoulli(E=2.0e9, nu=0.25, radius_ratio=0.6)
 RHO = 1500.0
 pytestmark = pytest.mark.usefixtures("one_thread")
 
 
-def test_a_body_force_that_varies_is_force_over_mass_at_each_element(rod) -> None:
+def test_a_body_force_that_varies_is_force_over_mass_at_each_element() -> None:
     """A rod in uniform spin: ρ ω² x pulls it, and N falls with the square of the radius."""
     omega, n = 200.0, 41
     spin = bd.BodyForce(lambda x: omega**2 * x * [1.0, 0.0, 0.0])
-    model = rod(n, boundary=[bd.Fix(bd.Index([0])), spin])
+    model = bd.Model(rod(n), LAW, RHO, boundary=[bd.Fix(bd.Index([0])), spin])
     x = model.lattice.particles.position[:, 0]
     pull = omega**2 * model.mass * x
     static = bd.solve_static(model)
@@ -35,10 +36,10 @@ def test_a_body_force_that_varies_is_force_over_mass_at_each_element(rod) -> Non
 def test_loose_elements_follow_a_field_over_time(record: Record) -> None:
     random = np.random.default_rng(0)
     places = 1e-2 * np.stack(np.meshgrid(*[np.arange(3)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
-    loose = bd.Lattice(bd.Particles(places, 1e-3), np.zeros((0, 2), dtype=int))
+    falling = loose(places, 1e-3)
     field = random.standard_normal((27, 3))
     half = bd.Index(range(13))
-    model = bd.Model(loose, None, 2000.0, boundary=[
+    model = bd.Model(falling, None, 2000.0, boundary=[
         bd.BodyForce(field, schedule=bd.Ramp(0.0, 2.0, 1.0)), bd.BodyForce((0.0, 0.0, -9.81), half)])  # fmt: skip
     run = bd.solve_explicit(model, duration=1.0, dt=1e-3, every=100)
     weight = np.zeros((27, 3))
@@ -47,9 +48,9 @@ def test_loose_elements_follow_a_field_over_time(record: Record) -> None:
     assert run.residual < 1e-6
 
 
-def test_body_forces_that_make_no_sense_are_refused(rod, tmp_path) -> None:
+def test_body_forces_that_make_no_sense_are_refused(tmp_path) -> None:
     def of(given):
-        return rod(9, boundary=[bd.Fix(bd.Index([0])), bd.BodyForce(given)])
+        return bd.Model(rod(9), LAW, RHO, boundary=[bd.Fix(bd.Index([0])), bd.BodyForce(given)])
 
     for given, words in (
         (np.zeros((7, 3)), r"shape \(7, 3\) or are not finite; give \(9, 3\)"),

@@ -13,10 +13,9 @@ import bondem as bd
 from bondem.kernels.bond_pass import bond_energies, bond_loads
 from bondem.kernels.tables import lines
 from bondem.kernels.turn_guard import rotation_guard
-from bondem.laws.bond import BondLaw
 from bondem.laws.rotations import rotate, turn
 from bondem.model.matrices import stiffness_matrix
-from bondem.model.state import State
+from tests.beam_theory import beam_stiffness
 from tests.recording import Record
 
 E, NU = 3.0e6, 0.27
@@ -55,14 +54,14 @@ def cluster(count: int = 9, seed: int = 4) -> bd.Lattice:
     return bd.Lattice(bd.Particles(np.array(position), radius), np.array(pairs))
 
 
-def moved(model: bd.Model, shift: float, degrees: float, seed: int = 0) -> State:
+def moved(model: bd.Model, shift: float, degrees: float, seed: int = 0) -> bd.State:
     """A state with every centre displaced by up to `shift` and every element turned by up to `degrees`."""
     rng = np.random.default_rng(seed)
     n = len(model.lattice.particles)
     turn = rng.standard_normal((n, 3))
     turn *= math.radians(degrees) * rng.uniform(0.3, 1.0, (n, 1)) / np.linalg.norm(turn, axis=1)[:, None]
     position = model.lattice.particles.position + shift * rng.uniform(-1.0, 1.0, (n, 3)) / math.sqrt(3.0)
-    state = State(model)
+    state = model.state()
     state.set_pose(position=position, orientation=Rotation.from_rotvec(turn).as_quat(scalar_first=True))
     return state
 
@@ -132,7 +131,7 @@ def test_quaternions_turn_and_rotate_as_they_should(angle: float) -> None:
 
 
 @every_law
-def test_force_is_the_gradient_of_the_energy(law: BondLaw, record: Record) -> None:
+def test_force_is_the_gradient_of_the_energy(law: bd.BondLaw, record: Record) -> None:
     model = bd.Model(cluster(), bond=law, density=1000.0)
     pose = moved(model, shift=0.12, degrees=20.0).pose
     expected = [-derivative(lambda x: energies(model, x).sum(), pose, dof) for dof in range(6 * len(pose))]
@@ -142,7 +141,7 @@ def test_force_is_the_gradient_of_the_energy(law: BondLaw, record: Record) -> No
 
 
 @every_law
-def test_energy_is_the_formula_and_its_parts_are_not_negative(law: BondLaw) -> None:
+def test_energy_is_the_formula_and_its_parts_are_not_negative(law: bd.BondLaw) -> None:
     model = bd.Model(cluster(), bond=law, density=1000.0)
     state = moved(model, shift=0.12, degrees=20.0, seed=3)
     parts = energies(model, state.pose)
@@ -184,7 +183,7 @@ def test_a_twist_is_twisting_and_a_bend_is_bending(axis: tuple[float, float, flo
     k = model.stiffness
     angle = 0.3
     for around, row, stiffness in ((X, 3, k.kt[0]), (across, 2, k.kb[0])):
-        state = State(model)
+        state = model.state()
         both = Rotation.from_rotvec([-0.5 * angle * around, 0.5 * angle * around])
         state.set_pose(orientation=both.as_quat(scalar_first=True))
         parts = energies(model, state.pose)[:, 0]
@@ -194,34 +193,14 @@ def test_a_twist_is_twisting_and_a_bend_is_bending(axis: tuple[float, float, flo
 
 
 @every_law
-def test_hessian_at_rest_is_the_stiffness_matrix(law: BondLaw, record: Record) -> None:
+def test_hessian_at_rest_is_the_stiffness_matrix(law: bd.BondLaw, record: Record) -> None:
     model = bd.Model(cluster(), bond=law, density=1000.0)
-    pose = State(model).pose
+    pose = model.state().pose
     K = stiffness_matrix(model).tocsc().toarray()
     measured = np.array([-derivative(lambda x: forces(model, x), pose, dof) for dof in range(len(K))])
     np.testing.assert_allclose(measured, K, rtol=0.0, atol=1e-8 * np.abs(K).max())
     np.testing.assert_array_equal(K, K.T)
     record("hessian", np.abs(measured - K).max() / np.abs(K).max())
-
-
-def textbook_beam(L: float, EA: float, EI: float, GJ: float, Phi: float) -> np.ndarray:
-    """Przemieniecki's 12×12 stiffness of a beam along x with shear deformation Φ."""
-    K = np.zeros((12, 12))
-    for u, k in ((0, EA / L), (3, GJ / L)):
-        K[np.ix_([u, u + 6], [u, u + 6])] = k * np.array([[1, -1], [-1, 1]])
-    s = EI / (L**3 * (1 + Phi))
-    block = s * np.array(
-        [
-            [12, 6 * L, -12, 6 * L],
-            [6 * L, (4 + Phi) * L**2, -6 * L, (2 - Phi) * L**2],
-            [-12, -6 * L, 12, -6 * L],
-            [6 * L, (2 - Phi) * L**2, -6 * L, (4 + Phi) * L**2],
-        ]
-    )
-    K[np.ix_([1, 5, 7, 11], [1, 5, 7, 11])] = block
-    flip = np.diag([1, -1, 1, -1])  # about y, a positive rotation moves the axis to -z
-    K[np.ix_([2, 4, 8, 10], [2, 4, 8, 10])] = flip @ block @ flip
-    return K
 
 
 @pytest.mark.parametrize("shear", [False, True])
@@ -236,13 +215,13 @@ def test_hessian_at_rest_is_the_textbook_beam(
     model = bd.Model(pair, bond=law, density=1000.0)
     G, I = E / (2 * (1 + NU)), math.pi * r**4 / 4
     Phi = 12 * E * I * (10 / 9) / (G * math.pi * r**2 * L**2) if shear else 0.0
-    local = textbook_beam(L, E * math.pi * r**2, E * I, G * 2 * I, Phi)
+    local = beam_stiffness(L, E * math.pi * r**2, E * I, G * 2 * I, Phi)
     frame = np.linalg.qr(np.column_stack([X, np.eye(3)[2], np.eye(3)[1]]))[0].T
     frame[0], frame[2] = X, np.cross(X, frame[1])
     T = np.kron(np.eye(4), frame)
     if model.layout.order[0] == 1:  # the kernels number the elements the other way round
         T = T[:, np.r_[6:12, 0:6]]
-    pose = State(model).pose
+    pose = model.state().pose
     measured = np.array([-derivative(lambda x: forces(model, x), pose, dof) for dof in range(12)])
     np.testing.assert_allclose(measured, T.T @ local @ T, rtol=0.0, atol=1e-8 * np.abs(local).max())
     record("hessian", np.abs(measured - T.T @ local @ T).max() / np.abs(local).max())
@@ -255,7 +234,8 @@ def test_parallel_bond_is_that_of_chen_tables_1_and_2() -> None:
     X = np.array([0.6, 0.0, -0.8])
     model = bd.Model(
         bd.Lattice(bd.Particles(np.array([0 * X, L * X]), np.array([Ra, Rb])), [(0, 1)]),
-        bond=bd.ParallelBond(E=E, nu=NU, radius=rb), density=1000.0,
+        bond=bd.ParallelBond(E=E, nu=NU, radius=rb),
+        density=1000.0,
     )
     kn = E * math.pi * rb**2 / L
     ks = kn / (2 * (1 + NU))
@@ -274,7 +254,7 @@ def test_parallel_bond_is_that_of_chen_tables_1_and_2() -> None:
 
 
 @every_law
-def test_rigid_motion_gives_no_force(law: BondLaw, record: Record) -> None:
+def test_rigid_motion_gives_no_force(law: bd.BondLaw, record: Record) -> None:
     lattice = cluster()
     model = bd.Model(lattice, bond=law, density=1000.0)
     k, L = model.bonds.kn, model.bonds.length
@@ -282,7 +262,7 @@ def test_rigid_motion_gives_no_force(law: BondLaw, record: Record) -> None:
     for angle in (1e-9, 1e-3, 0.3, 1.0, 2.0, 3.0, math.pi):
         axis = rng.standard_normal(3)
         turn = Rotation.from_rotvec(angle * axis / np.linalg.norm(axis))
-        state = State(model)
+        state = model.state()
         position = turn.apply(lattice.particles.position.copy()) + rng.uniform(-1.0, 1.0, 3)
         orientation = np.tile(turn.as_quat(scalar_first=True), (len(position), 1))
         orientation[::2] *= -1.0  # the same orientations
@@ -294,7 +274,7 @@ def test_rigid_motion_gives_no_force(law: BondLaw, record: Record) -> None:
 
 
 @every_law
-def test_every_bond_is_in_balance(law: BondLaw) -> None:
+def test_every_bond_is_in_balance(law: bd.BondLaw) -> None:
     model = bd.Model(cluster(), bond=law, density=1000.0)
     pose = moved(model, shift=0.12, degrees=20.0, seed=5).pose
     f, t_i, t_j = (part.T for part in np.split(bond_forces(model, pose), 3))
@@ -315,14 +295,15 @@ def test_guard_counts_wide_and_lost_bonds(bend: float, twist: float, wide: int, 
     # c < 0.7 beyond 45.6° of bending, w² < 0.75 beyond 60° of twist; c = 0 at 90°, w² = ¼ at 120°
     model = bd.Model(
         bd.Lattice(bd.Particles(np.array([[0.0, 0, 0], [2, 0, 0], [0, 2, 0]]), np.ones(3)), [(0, 1), (2, 0)]),
-        bond=LAWS["Timoshenko"], density=1000.0,
+        bond=LAWS["Timoshenko"],
+        density=1000.0,
     )
     turn = Rotation.from_euler("zx", [bend, twist], degrees=True)
     orientation = np.tile([1.0, 0.0, 0.0, 0.0], (3, 1))
     orientation[end] = turn.as_quat(scalar_first=True)
     if end == 0:  # the second bond goes with it
         orientation[2] = orientation[0]
-    state = State(model)
+    state = model.state()
     position = np.array([[0.0, 0, 0], [2, 0, 0], [0, 2, 0]])
     position[2] = turn.apply(position[2]) if end == 0 else position[2]
     state.set_pose(position=position, orientation=orientation)

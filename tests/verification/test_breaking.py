@@ -4,26 +4,13 @@ import functools
 import math
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.model.state import State
-from bondem.solve.timestep import critical_step
-from tests.bits import assert_resumes_to, assert_same_bits, flying_apart
+from tests.bits import assert_resumes_to, assert_same_bits, flying_apart, need_two_threads
+from tests.models import crooked_beams, momenta, moving, time_step
 from tests.recording import Record
-
-
-def block(count: int, failure: bd.Criterion | None, boundary=(), seed: int = 1) -> bd.Model:
-    """A crooked block of count³ elements."""
-    rng = np.random.default_rng(seed)
-    grid = np.indices((count, count, count)).reshape(3, -1).T.astype(float)
-    radius = rng.uniform(0.3, 0.4, len(grid))
-    particles = bd.Particles(grid + rng.uniform(-0.1, 0.1, grid.shape), radius)
-    law = bd.Timoshenko(E=1e7, nu=0.2, radius_ratio=0.6)
-    return bd.Model(bd.connect(particles, reach=2.0), law, density=1000.0, failure=failure, boundary=boundary)
-
 
 WEAK = bd.PeripheralStress(tension=2e5, shear=3e5, scatter=bd.Weibull(modulus=5.0, volume=0.1))
 PULL = (bd.Fix(bd.Face("x_min", depth=0.5)), bd.Drive(bd.Face("x_max", depth=0.5), vx=bd.Ramp(0.0, 5.0, 0.02)))
@@ -32,8 +19,8 @@ PULL = (bd.Fix(bd.Face("x_min", depth=0.5)), bd.Drive(bd.Face("x_max", depth=0.5
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # pieces without contact
 def test_the_ledger_is_second_order_through_breakage(one_thread: None, record: Record) -> None:
     """Halving the step quarters what the ledger misses, though a hundred bonds break."""
-    model = block(5, WEAK, PULL)
-    dt = 0.4 * critical_step(model, bd.VelocityVerlet())
+    model = crooked_beams(5, WEAK, boundary=PULL)
+    dt = time_step(model, 0.4)
     missed, broken = [], []
     for halvings in range(4):
         count = 2**halvings
@@ -49,33 +36,24 @@ def test_the_ledger_is_second_order_through_breakage(one_thread: None, record: R
 
 
 def test_momentum_is_kept_through_breakage(one_thread: None) -> None:
-    model = block(5, WEAK)
-    lattice, mass = model.lattice, model.mass[:, None]
-    state = model.state()
-    centre = lattice.particles.position.mean(axis=0)
-    outwards = lattice.particles.position - centre
-    state.set_motion(velocity=8.0 * outwards + np.cross((0.0, 0.0, 5.0), outwards))
-    dt = 0.3 * critical_step(model, bd.VelocityVerlet())
-
-    def momenta(state: State) -> np.ndarray:
-        v, w, x = state.velocity, state.angular_velocity, state.position
-        spin = np.cross(x, mass * v) + model.inertia[:, None] * w
-        return np.concatenate([(mass * v).sum(axis=0), spin.sum(axis=0)])
-
-    scale = np.abs(mass * state.velocity).sum() * 5.0
+    model = crooked_beams(5, WEAK)
+    outwards = model.lattice.centre - model.lattice.centre.mean(axis=0)
+    state = moving(model, 8.0 * outwards + np.cross((0.0, 0.0, 5.0), outwards))
+    dt = time_step(model, 0.3)
+    scale = np.abs(model.mass[:, None] * state.velocity).sum() * 5.0
     run = bd.solve_explicit(model, duration=800 * dt, dt=dt, state=state)
     assert len(run.events) > 100
-    assert np.abs(momenta(run.state) - momenta(state)).max() < 1e-13 * scale
+    change = np.subtract(momenta(model, run.state), momenta(model, state))
+    assert np.abs(change).max() < 1e-13 * scale
 
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # pieces without contact
 def test_same_bits_after_thousands_of_breaks(tmp_path: Path, record: Record) -> None:
     """On one and two threads, recorded often or never, and saved and resumed, with damping and dashpots."""
-    if numba.config.NUMBA_NUM_THREADS < 2:
-        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    need_two_threads()
     failure = bd.PeripheralStress(tension=4e5, shear=6.4e5, scatter=bd.Weibull(modulus=5.0, volume=0.1))
     drive = bd.Drive(bd.Face("x_max", depth=0.5), vx=bd.Ramp(0.0, 20.0, 0.02), wx=2.0)
-    model = block(14, failure, (PULL[0], drive))
+    model = crooked_beams(14, failure, boundary=(PULL[0], drive))
     run = flying_apart(model)
     whole = run(1, 100)
     assert len(whole.events) > 2000
@@ -87,11 +65,11 @@ def test_same_bits_after_thousands_of_breaks(tmp_path: Path, record: Record) -> 
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # pieces without contact
 def test_events_name_what_broke(one_thread: None) -> None:
-    model = block(5, WEAK, PULL)
-    dt = 0.4 * critical_step(model, bd.VelocityVerlet())
+    model = crooked_beams(5, WEAK, boundary=PULL)
+    dt = time_step(model, 0.4)
     position = {}
 
-    def look(state: State, record: bd.History) -> None:
+    def look(state: bd.State, record: bd.History) -> None:
         position[state.step] = state.position
 
     run = bd.solve_explicit(model, duration=600 * dt, dt=dt, every=1, callback=look)

@@ -3,51 +3,39 @@
 import functools
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError
-from bondem.model.state import State
 from bondem.observe.energy import elastic_energy
 from bondem.solve.loop_cpu import CpuLoop
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
-from tests.bits import assert_resumes_to, assert_same_bits
+from tests.bits import assert_resumes_to, assert_same_bits, need_two_threads, threads
+from tests.models import time_step
 from tests.recording import Record
+from tests.specimens import bar, cubes
 
 E, RHO = 40e9, 2500.0
 FAILURE = bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.61)
 PULL = (bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, 0.8, 1e-5)))
 
 
-@functools.cache
-def body(count: int) -> bd.Lattice:
-    particles = bd.pack(bd.Box(size=(8e-3, 4e-3, 4e-3)), count=count, method="even", seed=1)
-    return bd.connect(particles, method="laguerre")
-
-
 def model_of(count: int, nu: float = 0.2, failure: bd.Criterion | None = FAILURE, boundary=PULL) -> bd.Model:
-    return bd.Model(body(count), bd.CellBond(E=E, nu=nu), density=RHO, failure=failure, boundary=boundary)
+    return bd.Model(bar(count, 8e-3), bd.CellBond(E=E, nu=nu), density=RHO, failure=failure, boundary=boundary)
 
 
-def accelerations(model: bd.Model, state: State, dt: float) -> tuple[np.ndarray, np.ndarray]:
+def accelerations(model: bd.Model, state: bd.State, dt: float) -> tuple[np.ndarray, np.ndarray]:
     """Those a state holds, and those found anew."""
     again = state.copy()
     again.stale = True
-    CpuLoop(model, Plan(duration=1.0, dt=dt, every=0), again, dt).look()
+    CpuLoop(model, bd.Plan(duration=1.0, dt=dt, every=0), again, dt).look()
     return state.acceleration, again.acceleration
 
 
 def test_a_row_of_cells_bears_its_tensile_strength() -> None:
     """Facets across a bar: the index is the mean stress over the strength, to rounding."""
     count, size = 6, 1e-3
-    box = bd.Box(size=(count * size, size, size))
-    x = size * (np.arange(count) + 0.5)
-    particles = bd.Particles(np.stack([x, 0 * x + size / 2, 0 * x + size / 2], axis=1), 0.5 * size, shape=box)
-    row = bd.connect(particles, method="laguerre")
+    row = cubes((count, 1, 1), size)
     assert len(row.pairs) == count - 1
     law = bd.CellBond(E=E, nu=0.2, facet_rotation="full")  # facets on one axis do not resist its twist else
     pull = [bd.Load(bd.Face("x_max"), force=(3.0, 0.0, 0.0)), bd.Load(bd.Face("x_min"), force=(-3.0, 0.0, 0.0))]
@@ -62,7 +50,7 @@ def test_a_row_of_cells_bears_its_tensile_strength() -> None:
 def test_forces_and_energies_through_breakage(nu: float, one_thread: None) -> None:
     """Neighbours get the forces a fresh look finds; every facet gives energy, which the potential has lost."""
     model = model_of(150, nu)
-    dt = 0.5 * critical_step(model, bd.VelocityVerlet())
+    dt = time_step(model, 0.5)
     run = bd.solve_explicit(model, duration=500 * dt, dt=dt, every=1)
     assert len(run.events) > 30
     assert (run.events.energy > 0.0).all()
@@ -80,7 +68,7 @@ def test_forces_and_energies_through_breakage(nu: float, one_thread: None) -> No
 
 def test_energy_of_a_facet_is_what_the_potential_loses(one_thread: None) -> None:
     model = model_of(150)
-    dt = 0.5 * critical_step(model, bd.VelocityVerlet())
+    dt = time_step(model, 0.5)
     first = int(bd.solve_explicit(model, duration=300 * dt, dt=dt, every=0).events.step[0])
     run = bd.solve_explicit(model, duration=first * dt, dt=dt, every=0)
     whole = run.state.copy()
@@ -93,7 +81,7 @@ def test_energy_of_a_facet_is_what_the_potential_loses(one_thread: None) -> None
 
 def test_the_ledger_of_cells_is_second_order(one_thread: None, record: Record) -> None:
     model = model_of(150)
-    dt = 0.5 * critical_step(model, bd.VelocityVerlet())
+    dt = time_step(model, 0.5)
     missed = []
     for halvings in range(4):
         count = 2**halvings
@@ -106,10 +94,9 @@ def test_the_ledger_of_cells_is_second_order(one_thread: None, record: Record) -
 
 
 def test_same_bits_of_cells_after_a_thousand_breaks(tmp_path: Path, record: Record) -> None:
-    if numba.config.NUMBA_NUM_THREADS < 2:
-        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    need_two_threads()
     model = model_of(1200)
-    dt = 0.4 * critical_step(model, bd.VelocityVerlet())
+    dt = time_step(model, 0.4)
 
     def run(count: int, every: int, **options) -> bd.ExplicitResult:
         with threads(count):

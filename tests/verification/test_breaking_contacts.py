@@ -1,9 +1,6 @@
 """Pieces that touch: bonds that break under pressure hand it to a contact, with a ledger that closes, bit by bit."""
 
 import math
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -11,8 +8,9 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.model.state import State
-from bondem.solve.timestep import critical_step
+from tests.models import momenta, moving, time_step
+from tests.scripts import python
+from tests.specimens import NO_BONDS, crooked_block
 
 R, L, RADIUS = 0.5e-3, 1.05e-3, 0.35e-3
 E, NU = 1e9, 0.3
@@ -31,7 +29,7 @@ def pressed(contact: bd.ContactLaw, *, failure: bd.Criterion | None = None, peri
     position = np.array([[0.0, 0.0, 0.0], [L, 0.0, 0.0]])
     if period is not None:
         position = np.array([[period[0] - 0.5 * L, 1e-3, 1e-3], [0.5 * L, 1e-3, 1e-3]])
-    lattice = bd.Lattice(bd.Particles(position, R, period=period), np.array([[0, 1]]))
+    lattice = bd.Lattice(bd.Particles(position, R, period=period), [[0, 1]])
     drive = bd.Drive(
         bd.Index([1]), x=bd.Ramp(0.0, -2e-3 * L, 1e-4), y=bd.Ramp(0.0, 1e-2 * L, 2e-4, begin=1e-4),
         rx=0.0, ry=0.0, rz=0.0,
@@ -50,7 +48,7 @@ def test_the_normal_force_goes_on_where_a_pressed_bond_breaks(contact: str, peri
     """It is kn (L - l) before, at and after breakage, along the branch; the shear force is gone at once."""
     law = CONTACTS[contact]
     model = pressed(law, failure=SHEARED, period=period)
-    dt = 0.2 * critical_step(model, VERLET)
+    dt = time_step(model, 0.2)
     gauges = {"grip": bd.Gauge(bd.Index([0]), "force", "sum")}
     run = bd.solve_explicit(model, duration=3e-4, dt=dt, every=1, gauges=gauges)
     assert len(run.events) == 1
@@ -91,15 +89,13 @@ def test_measured_from_the_spheres_a_gap_stays_open(one_thread: None) -> None:
     assert energy["fracture"][-1] > 0.5 * KN * (2e-3 * L) ** 2
 
 
-def block(count: int, failure: bd.Criterion | None, contact: bd.ContactLaw | None, *, seed: int = 1, boundary=()):
-    """A crooked block of count³ elements."""
-    rng = np.random.default_rng(seed)
+def block(count: int, failure: bd.Criterion | None, contact: bd.ContactLaw | None, boundary=()) -> bd.Model:
+    """Block of count³ elements that nearly touch, off a grid; crushed, its pieces rub."""
+    rng = np.random.default_rng(1)
     grid = np.indices((count, count, count)).reshape(3, -1).T.astype(float)
     particles = bd.Particles(grid + rng.uniform(-0.1, 0.1, grid.shape), rng.uniform(0.4, 0.5, len(grid)))
-    law = bd.Timoshenko(E=1e7, nu=0.2, radius_ratio=0.6)
-    return bd.Model(
-        bd.connect(particles, reach=1.5), law, density=1000.0, failure=failure, contact=contact, boundary=boundary
-    )
+    lattice, law = bd.connect(particles, reach=1.5), bd.Timoshenko(E=1e7, nu=0.2, radius_ratio=0.6)
+    return bd.Model(lattice, law, density=1000.0, failure=failure, contact=contact, boundary=boundary)
 
 
 WEAK = bd.PeripheralStress(tension=2e5, shear=3e5, scatter=bd.Weibull(modulus=5.0, volume=0.1))
@@ -122,8 +118,8 @@ def crushing(time: float) -> tuple[bd.Fix, bd.Drive]:
 )
 def test_the_ledger_is_second_order_through_crushing(contact: bd.ContactLaw, one_thread: None) -> None:
     """Halving the step quarters what the ledger misses, through a hundred breaks and the friction after them."""
-    model = block(5, WEAK, contact, boundary=crushing(0.02))
-    dt = 0.4 * critical_step(model, VERLET)
+    model = block(5, WEAK, contact=contact, boundary=crushing(0.02))
+    dt = time_step(model, 0.4)
     steps, missed = round(0.08 / dt), []
     for halvings in range(4):
         count = 2**halvings
@@ -142,46 +138,36 @@ def test_the_ledger_is_second_order_through_crushing(contact: bd.ContactLaw, one
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # soft grains at high speed
 def test_momentum_is_kept_where_pieces_touch(one_thread: None) -> None:
-    model = block(5, WEAK, bd.LinearContact(E=1e7, friction=0.5, damping=0.05))
-    lattice, mass = model.lattice, model.mass[:, None]
-    state = model.state()
-    x = lattice.particles.position
-    inwards = 2.0 - x
-    state.set_motion(velocity=8.0 * inwards + np.cross((0.0, 0.0, 5.0), inwards))
-    dt = 0.3 * critical_step(model, VERLET)
-
-    def momenta(state: State) -> np.ndarray:
-        v, w, x = state.velocity, state.angular_velocity, state.position
-        spin = np.cross(x, mass * v) + model.inertia[:, None] * w
-        return np.concatenate([(mass * v).sum(axis=0), spin.sum(axis=0)])
-
-    scale = np.abs(mass * state.velocity).sum() * 5.0
+    model = block(5, WEAK, contact=bd.LinearContact(E=1e7, friction=0.5, damping=0.05))
+    inwards = 2.0 - model.lattice.centre
+    state = moving(model, 8.0 * inwards + np.cross((0.0, 0.0, 5.0), inwards))
+    dt = time_step(model, 0.3)
+    scale = np.abs(model.mass[:, None] * state.velocity).sum() * 5.0
     run = bd.solve_explicit(model, duration=800 * dt, dt=dt, every=10, state=state)
     assert len(run.events) > 100
     assert run.history.energy["friction"][-1] > 0.01 * run.history.energy["translation"][0]
-    assert np.abs(momenta(run.state) - momenta(state)).max() < 1e-13 * scale
+    change = np.subtract(momenta(model, run.state), momenta(model, state))
+    assert np.abs(change).max() < 1e-13 * scale
 
 
 # --- weak bonds and none ----------------------------------------------------------------------------------------
 
 
-def heap(*, bonded: bool, failure: bd.Criterion | None = None, E: float = 1e7) -> tuple[bd.Model, State]:
+def heap(*, bonded: bool, failure: bd.Criterion | None = None, E: float = 1e7) -> tuple[bd.Model, bd.State]:
     """Grains on a crooked grid that do not overlap, thrown together; with bonds between neighbours or without."""
     rng = np.random.default_rng(2)
-    grid = np.indices((4, 4, 4)).reshape(3, -1).T.astype(float)
-    particles = bd.Particles(grid + rng.uniform(-0.05, 0.05, grid.shape), rng.uniform(0.4, 0.44, len(grid)))
-    pairs = bd.connect(particles, reach=1.35).pairs if bonded else np.zeros((0, 2), dtype=int)
+    grid = np.indices((4, 4, 4)).reshape(3, -1).T
+    block = crooked_block((4, 4, 4), jitter=0.05, radius=(0.4, 0.44), reach=1.35, seed=2)
+    lattice = block if bonded else bd.Lattice(block.particles, NO_BONDS)
     contact = bd.LinearContact(E=1e7, friction=0.4, damping=0.05, stress_free=False)
     law = bd.EulerBernoulli(E=E, nu=0.2, radius=0.3) if bonded else None
-    model = bd.Model(bd.Lattice(particles, pairs), law, density=1000.0, contact=contact, failure=failure)
-    state = model.state()
-    state.set_motion(velocity=3.0 * (1.5 - grid) + rng.normal(size=grid.shape))
-    return model, state
+    model = bd.Model(lattice, law, density=1000.0, contact=contact, failure=failure)
+    return model, moving(model, 3.0 * (1.5 - grid) + rng.normal(size=grid.shape))
 
 
 def test_a_broken_bond_is_no_bond_to_the_bit() -> None:
     loose, thrown = heap(bonded=False)
-    dt = 0.1 * critical_step(loose, VERLET)
+    dt = time_step(loose, 0.1)
     plain = bd.solve_explicit(loose, duration=600 * dt, dt=dt, every=10, state=thrown)
     assert len(plain.state.contacts) > 30
     for failure in (None, WEAK):
@@ -197,7 +183,7 @@ def test_a_bond_without_strength_bears_for_one_step() -> None:
     """It is judged by what it bears, so it bears once: the impulse of one step falls with its square."""
     off = []
     loose, thrown = heap(bonded=False)
-    coarse = 0.1 * critical_step(loose, VERLET)
+    coarse = time_step(loose, 0.1)
     for dt in (coarse, 0.5 * coarse, 0.25 * coarse):
         steps = round(20 * coarse / dt)
         plain = bd.solve_explicit(loose, duration=steps * dt, dt=dt, state=thrown)
@@ -220,30 +206,28 @@ def test_a_bond_without_strength_bears_for_one_step() -> None:
 MANY = """
 import hashlib, sys
 import numpy as np
-sys.path.insert(0, sys.argv[1])
 from pathlib import Path
 import bondem as bd
-from bondem._compile import threads
 from bondem.kernels.contact_pass import SERIAL_PAIRS
-from bondem.model.state import State
 from bondem.solve import neighbour_list as lists
-from bondem.solve.timestep import critical_step
-from test_breaking_contacts import block, crushing
+from tests.bits import threads
+from tests.models import time_step
+from tests.verification.test_breaking_contacts import block, crushing
 
 failure = bd.PeripheralStress(tension=4e5, shear=6.4e5, scatter=bd.Weibull(modulus=5.0, volume=0.1))
 contact = bd.LinearContact(E=1e7, friction=0.5, damping=0.05)
 walls = [bd.PlaneWall((0, -0.6, 0), (0, 1, 0), friction=0.3)]
-model = block(14, failure, contact, boundary=crushing(0.01))
+model = block(14, failure, contact=contact, boundary=crushing(0.01))
 model = bd.Model(model.lattice, model.bond, 1000.0, boundary=model.boundary, contact=contact, failure=failure,
                  walls=walls)
 damping = bd.LocalDamping(0.02)
-dt = 0.5 * critical_step(model, bd.VelocityVerlet(), damping)
+dt = time_step(model, 0.5, damping)
 state = model.state()
 state.set_motion(velocity=2.0 * (6.5 - model.lattice.particles.position))
 
 
 def bits(state):
-    kept = b"".join(getattr(state, name).tobytes() for name in State.ARRAYS)
+    kept = b"".join(getattr(state, name).tobytes() for name in bd.State.ARRAYS)
     return hashlib.sha256(kept).hexdigest()
 
 
@@ -269,7 +253,7 @@ for count, every in ((1, 100), (2, 7), (4, 1), (2, 0)):
 lists._SKIN_LEAST = 0.3
 done = run(2, 50)
 print(bits(done.state), len(done.events), len(done.state.contacts))
-place = Path(sys.argv[2]) / "run.h5"
+place = Path(sys.argv[1]) / "run.h5"
 try:
     run(2, 100, save_every=7, out=place, progress=stop)
 except EnoughError:
@@ -285,12 +269,7 @@ print(bits(resumed.state), len(resumed.events), len(resumed.state.contacts))
 
 def test_same_bits_after_thousands_of_breaks_with_contact(tmp_path: Path) -> None:
     """On 1, 2 and 4 threads, recorded often or never, with another list, saved and resumed; in its own process."""
-    found = subprocess.run(
-        [sys.executable, "-c", MANY, str(Path(__file__).parent), str(tmp_path)],
-        env=os.environ | {"NUMBA_NUM_THREADS": "4"}, capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert found.returncode == 0, found.stderr
-    lines = found.stdout.splitlines()
+    lines = python(MANY, tmp_path)
     assert len(lines) == 6
     assert len(set(lines)) == 1, lines
     _, broken, touching = lines[0].split()
@@ -306,8 +285,8 @@ def test_the_step_is_made_for_friction_between_what_was_bonded() -> None:
     slender = bd.EulerBernoulli(E=1e7, nu=0.2, radius=0.1)
 
     def limit(contact: bd.ContactLaw | None, failure: bd.Criterion | None) -> float:
-        model = block(4, failure, contact)
-        return critical_step(bd.Model(model.lattice, slender, 1000.0, contact=contact, failure=failure), VERLET)
+        model = block(4, failure, contact=contact)
+        return time_step(bd.Model(model.lattice, slender, 1000.0, contact=contact, failure=failure), 1.0)
 
     soft = bd.LinearContact(E=1.0, friction=0.5, kappa=0.5)
     assert limit(soft, WEAK) < 0.7 * limit(soft, None)
@@ -317,8 +296,8 @@ def test_the_step_is_made_for_friction_between_what_was_bonded() -> None:
 def test_what_cannot_be_is_refused_in_a_line() -> None:
     contact = bd.LinearContact(E=1e7)
     with pytest.raises(InputError, match="Eigenstrain") as refused:
-        block(3, WEAK, contact, boundary=[bd.Eigenstrain(1e-4)])
+        block(3, WEAK, contact=contact, boundary=[bd.Eigenstrain(1e-4)])
     assert "\n" not in str(refused.value)
-    model = block(3, WEAK, contact)
+    model = block(3, WEAK, contact=contact)
     with pytest.raises(InputError, match="device='gpu' cannot run"):
         bd.solve_explicit(model, duration=1e-3, device="gpu")

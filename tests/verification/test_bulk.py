@@ -7,6 +7,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
+from tests.specimens import two_spheres
 
 E, NU, RATIO, EDGE = 3e9, 0.25, 0.4, 1e-3
 
@@ -69,6 +70,6 @@ def test_moduli_of_a_random_cell_are_symmetric_and_do_not_depend_on_its_place():
 
 
 def test_a_specimen_with_walls_has_no_bulk():
-    lattice = bd.Lattice(bd.Particles([[0, 0, 0], [1, 0, 0]], 0.5), [(0, 1)])
+    lattice = two_spheres()
     with pytest.raises(InputError, match="not periodic"):
         bd.bulk_moduli(lattice, bd.EulerBernoulli(E=E, nu=NU, radius_ratio=0.5))

@@ -2,20 +2,18 @@
 
 import functools
 import math
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.kernels.crack_tables import FACET, PARTED, STATUS, TOP
-from bondem.solve.timestep import critical_step
-from tests.bits import assert_resumes_to, digest
+from tests.bits import assert_resumes_to, digest, threads
+from tests.models import moving, time_step
+from tests.scripts import python
+from tests.specimens import ball, bar, two_cubes
 
 E, NU, RHO = 30e9, 0.2, 2400.0
 SIDE = 1e-3
@@ -26,36 +24,20 @@ FAILURES = {
 }
 
 
-@functools.cache
-def pair() -> bd.Lattice:
-    """Two cubes side by side."""
-    box = bd.Box(size=(2 * SIDE, SIDE, SIDE))
-    centres = np.array([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]]) * SIDE
-    return bd.connect(bd.Particles(centres, 0.5 * SIDE, shape=box), method="laguerre")
-
-
-@functools.cache
-def ball(count: int) -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Ball(radius=0.05), count=count, method="even", seed=1), method="laguerre")
-
-
 def impact(failure: bd.Criterion, speed: float, count: int = 1000):
     """A ball that is about to meet a plane."""
     wall = bd.PlaneWall(point=(-0.05, 0.0, 0.0), normal=(1.0, 0.0, 0.0))
     law = bd.CellBond(E=E, nu=NU)
-    model = bd.Model(ball(count), law, density=RHO, failure=failure, contact=CONTACT, walls=[wall])
-    state = model.state()
-    state.set_motion(velocity=np.tile([-speed, 0.0, 0.0], (count, 1)))
-    return model, state
+    model = bd.Model(ball(count, 0.05), law, density=RHO, failure=failure, contact=CONTACT, walls=[wall])
+    return model, moving(model, np.tile([-speed, 0.0, 0.0], (count, 1)))
 
 
 @pytest.mark.parametrize("failure", FAILURES)
 def test_two_cells_that_parted_collide_as_a_spring_of_their_facet(failure: str, one_thread: None) -> None:
     """They meet at their rest length with the spring k of the facet, and part as fast: half a period of it."""
     criterion = FAILURES["brittle"] if failure == "brittle" else bd.Rankine(tension=4e6, fracture_energy=100.0)
-    model = bd.Model(pair(), bd.CellBond(E=E, nu=NU), density=RHO, failure=criterion, contact=CONTACT)
-    state = model.state()
-    state.set_motion(velocity=[[-20.0, 0.0, 0.0], [20.0, 0.0, 0.0]])
+    model = bd.Model(two_cubes(SIDE), bd.CellBond(E=E, nu=NU), density=RHO, failure=criterion, contact=CONTACT)
+    state = moving(model, [[-20.0, 0.0, 0.0], [20.0, 0.0, 0.0]])
     apart = bd.solve_explicit(model, duration=1.5 * SIDE / 20.0, state=state)
     assert len(apart.events) == 1
     gap = apart.state.position[1, 0] - apart.state.position[0, 0] - SIDE
@@ -69,7 +51,7 @@ def test_two_cells_that_parted_collide_as_a_spring_of_their_facet(failure: str, 
     k, mass = float(model.bonds.kn[0]), float(model.mass[0])
     contact = math.pi * math.sqrt(mass / (2.0 * k))
     dt = contact / 200.0
-    assert dt < critical_step(model, bd.VelocityVerlet())
+    assert dt < time_step(model, 1.0)
     meeting = gap / 20.0
     run = bd.solve_explicit(model, duration=1.02 * meeting + contact, dt=dt, every=1, state=back)
     touching = run.history.time[run.history.energy["contact"] > 0.0] - back.time
@@ -116,7 +98,7 @@ def shattered(failure: str, **more: object) -> bd.ExplicitResult:
 
 
 ON_FOUR = """
-from bondem._compile import threads
+from tests.bits import threads
 from tests.bits import digest
 from tests.verification.test_cell_contacts import FAILURES, shattered
 
@@ -138,32 +120,25 @@ def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> Non
             run = functools.partial(shattered, failure, every=40, save_every=40)
             assert_resumes_to(whole, run, tmp_path / f"{failure} cut.h5", share=0.5)
             expected += 2 * [digest(whole)]
-    found = subprocess.run(
-        [sys.executable, "-c", ON_FOUR], cwd=Path(__file__).parents[2],
-        env=os.environ | {"NUMBA_NUM_THREADS": "4"}, capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert found.returncode == 0, found.stderr
-    assert found.stdout.splitlines() == expected
+    assert python(ON_FOUR) == expected
 
 
 def test_cells_touch_where_they_parted_and_not_as_spheres() -> None:
     loose = bd.LinearContact(E=E, stress_free=False)
     with pytest.raises(InputError, match="stress_free=True"):
-        bd.Model(pair(), bd.CellBond(E=E, nu=NU), density=RHO, failure=FAILURES["brittle"], contact=loose)
+        bd.Model(two_cubes(SIDE), bd.CellBond(E=E, nu=NU), density=RHO, failure=FAILURES["brittle"], contact=loose)
 
 
 def test_platens_in_contact_crush_a_specimen_at_its_strength() -> None:
     """Compression between smooth walls: the strength of a Mohr–Coulomb material, 7 % less at most."""
     failure, length = bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.61, fracture_energy=50.0), 0.1
     strength = 2.0 * 14e6 * math.cos(0.61) / (1.0 - math.sin(0.61))
-    box = bd.Box(size=(length, 0.5 * length, 0.5 * length))
-    body = bd.connect(bd.pack(box, count=1000, method="even", seed=1), method="laguerre")
     sound = math.sqrt(E / RHO)
     rise = 60.0 * length / sound
     pushed = bd.Driven(vx=bd.Ramp(0.0, -1.6 * strength / E * length / rise, 0.2 * rise))
     walls = [bd.PlaneWall((0, 0, 0), (1, 0, 0)), bd.PlaneWall((length, 0, 0), (-1, 0, 0), motion=pushed)]
     contact = bd.LinearContact(E=4.0 * E)
-    model = bd.Model(body, bd.CellBond(E=E, nu=NU), RHO, failure=failure, contact=contact, walls=walls)
+    model = bd.Model(bar(1000, length), bd.CellBond(E=E, nu=NU), RHO, failure=failure, contact=contact, walls=walls)
     run = bd.solve_explicit(
         model, duration=1.5 * rise, every=200, damping=bd.MassDamping(alpha=0.2 * math.pi * sound / length),
         gauges={"far": bd.WallGauge(1, "force"), "near": bd.WallGauge(0, "force")},
@@ -181,14 +156,13 @@ def test_dashpots_leave_a_step_that_does_not_go_by_the_smallest_facet() -> None:
     for damping in (0.0, 0.1):
         law = bd.LinearContact(E=E, friction=0.4, damping=damping)
         model = bd.Model(
-            ball(300), bd.CellBond(E=E, nu=NU), density=RHO, failure=FAILURES["brittle"], contact=law,
+            ball(300, 0.05), bd.CellBond(E=E, nu=NU), density=RHO, failure=FAILURES["brittle"], contact=law,
             walls=[bd.PlaneWall(point=(-0.05, 0.0, 0.0), normal=(1.0, 0.0, 0.0))],
         )  # fmt: skip
-        steps.append(critical_step(model, bd.VelocityVerlet()))
+        steps.append(time_step(model, 1.0))
     assert 0.2 * steps[0] < steps[1] < steps[0]
     assert model is not None
-    state = model.state()
-    state.set_motion(velocity=np.tile([-20.0, 0.0, 0.0], (300, 1)))
+    state = moving(model, np.tile([-20.0, 0.0, 0.0], (300, 1)))
     run = bd.solve_explicit(model, duration=2000 * 0.9 * steps[1], dt=0.9 * steps[1], every=100, state=state)
     assert len(run.events) > 100  # it comes to pieces, which touch
     energy = run.history.energy

@@ -1,13 +1,10 @@
 """The cell law: one energy, its exact gradient, the material's own moduli, walls that hold the surface."""
 
-from functools import cache
-
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.kernels.cell_pass import facet_loads, stress_cells, swell
 from bondem.kernels.tables import lines
 from bondem.model.matrices import stiffness_matrix
@@ -17,28 +14,9 @@ from bondem.observe.facet_loads import loads_on_facets
 from bondem.observe.surface import surface_displacement
 from bondem.solve.cell_forces import cell_forces
 from bondem.solve.nonlinear import tangent_matrix
-from bondem.solve.timestep import critical_step
-
-
-def points(counts, *, seed=0, jitter=0.2, edge=1.0):
-    """Centres of a jittered grid of cubes of `edge`."""
-    grid = np.stack(np.meshgrid(*(np.arange(n) for n in counts), indexing="ij"), axis=-1).reshape(-1, 3)
-    moved = np.random.default_rng(seed).uniform(-jitter, jitter, grid.shape)
-    return edge * (grid + 0.5 + moved)
-
-
-@cache
-def block(*counts, seed=0):
-    """A box of unit cells, a little unequal in their radii."""
-    x = points(counts, seed=seed)
-    radius = 0.3 * (1.0 + 0.2 * np.random.default_rng(seed + 1).uniform(-1, 1, len(x)))
-    return bd.connect(bd.Particles(x, radius, shape=bd.Box(counts)), method="laguerre")
-
-
-@cache
-def torus(*counts, seed=0):
-    x = points(counts, seed=seed)
-    return bd.connect(bd.Particles(x, 0.3, shape=bd.Cell(counts)), method="laguerre")
+from tests.bits import threads
+from tests.models import clamped, time_step
+from tests.specimens import crooked_cells
 
 
 def shaken(model, *, shift=0.05, turn=0.3, seed=0):
@@ -60,12 +38,13 @@ def forces(model, state):
     return sums[:, [0, 1, 2, 4, 5, 6]].copy()
 
 
+LONG = (12, 4, 4)
 LAWS = [{"nu": 0.3}, {"nu": -0.3}, {"nu": 0.45, "facet_rotation": "full"}, {"nu": 0.2, "facet_rotation": "none"}]
 
 
 @pytest.mark.parametrize("law", LAWS, ids=str)
 def test_forces_are_the_gradient_of_the_energy_at_large_rotations(law):
-    model = bd.Model(block(4, 4, 4), bd.CellBond(E=1.0, **law), 1.0)
+    model = bd.Model(crooked_cells((4, 4, 4)), bd.CellBond(E=1.0, **law), 1.0)
     state = shaken(model)
     found, step = forces(model, state), 1e-5
     for dof in range(0, 6 * len(state.pose), 13):
@@ -85,7 +64,7 @@ def test_forces_are_the_gradient_of_the_energy_at_large_rotations(law):
 
 @pytest.mark.parametrize("law", LAWS, ids=str)
 def test_momentum_rigid_motion_and_the_matrix_at_rest(law):
-    model = bd.Model(block(4, 4, 4), bd.CellBond(E=1.0, **law), 1.0)
+    model = bd.Model(crooked_cells((4, 4, 4)), bd.CellBond(E=1.0, **law), 1.0)
     state = shaken(model)
     load, x = forces(model, state), state.pose[:, :3]
     size = np.abs(load).max()
@@ -111,7 +90,7 @@ def test_momentum_rigid_motion_and_the_matrix_at_rest(law):
 
 def test_six_rigid_motions_and_no_more_are_without_energy():
     for law in LAWS[:3]:
-        K = stiffness_matrix(bd.Model(block(4, 4, 4), bd.CellBond(E=1.0, **law), 1.0)).tocsc().toarray()
+        K = stiffness_matrix(bd.Model(crooked_cells((4, 4, 4)), bd.CellBond(E=1.0, **law), 1.0)).tocsc().toarray()
         value = np.linalg.eigvalsh(K)
         assert np.abs(value[:6]).max() <= 1e-13 * value[-1]
         assert value[6] >= 1e-4 * value[-1]
@@ -128,7 +107,7 @@ def test_six_rigid_motions_and_no_more_are_without_energy():
     ids=["box", "notch", "cylinder", "ball"],
 )
 def test_uniform_strain_gives_exact_tractions_without_poisson_effect(shape):
-    x = points((5, 5, 5), jitter=0.15)
+    x = crooked_cells((5, 5, 5), jitter=0.15).particles.position
     x = x[shape.depth(x) > 0.3]
     body = bd.connect(bd.Particles(x, 0.3, shape=shape), method="laguerre")
     model = bd.Model(body, bd.CellBond(E=3.0, nu=0.0), 1.0)
@@ -141,7 +120,7 @@ def test_uniform_strain_gives_exact_tractions_without_poisson_effect(shape):
 @pytest.mark.filterwarnings("ignore::bondem.errors.IncompressibleWarning")
 @pytest.mark.parametrize("nu", [-0.3, 0.2, 0.4, 0.49])
 def test_uniform_strain_has_its_dilatation_in_every_cell_inside(nu):
-    body = torus(5, 5, 5)
+    body = crooked_cells((5, 5, 5), spread=0.0, periodic=True)
     model = bd.Model(body, bd.CellBond(E=1.0, nu=nu), 1.0)
     strain = np.diag([1.0, 0.5, -0.2])
     branch = body.particles.separation(*body.pairs.T)
@@ -152,7 +131,7 @@ def test_uniform_strain_has_its_dilatation_in_every_cell_inside(nu):
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.IncompressibleWarning")
 def test_bulk_moduli_are_those_of_the_material():
-    body = torus(6, 6, 6)
+    body = crooked_cells((6, 6, 6), spread=0.0, periodic=True)
     for nu in (-0.3, 0.0, 0.2, 0.4, 0.49):
         moduli = bd.bulk_moduli(body, bd.CellBond(E=40e9, nu=nu))
         assert pytest.approx(1.0, rel=1e-3) == moduli.E / 40e9
@@ -162,9 +141,8 @@ def test_bulk_moduli_are_those_of_the_material():
 @pytest.mark.filterwarnings("ignore::bondem.errors.ThinBodyWarning")
 def test_plane_stress_of_a_plate_one_cell_thick():
     """Free facets on both sides open until they bear no traction: E and ν are those of plane stress."""
-    x = points((6, 6, 1), jitter=0.0)
-    x[:, :2] += np.random.default_rng(3).uniform(-0.2, 0.2, (len(x), 2))
-    body = bd.connect(bd.Particles(x, 0.3, shape=bd.Box((6, 6, 1))), method="laguerre")
+    body = crooked_cells((6, 6, 1), spread=0.0, seed=3)
+    x = body.particles.position
     held = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), x=6e-3)]
     middle = bd.Index([int(np.abs(x - 3.0)[:, :2].sum(axis=1).argmin())])
     held.append(bd.Fix(middle, translation="yz", rotation="x"))
@@ -174,17 +152,6 @@ def test_plane_stress_of_a_plate_one_cell_thick():
     inside = (np.abs(x[:, :2] - 3.0) < 2.0).all(axis=1)
     lateral = np.polyfit(x[inside, 1], static.displacement[inside, 1], 1)[0]
     assert lateral / 1e-3 == pytest.approx(-0.4, abs=5e-3)
-
-
-@cache
-def bar():
-    return block(12, 4, 4)
-
-
-def clamped(law, **load):
-    return bd.Model(
-        bar(), law, 1.0, boundary=[bd.Fix(bd.Face("x_min")), bd.Load(bd.Face("x_max"), **load)]
-    )
 
 
 def confined(body, law):
@@ -199,7 +166,7 @@ def test_walls_hold_the_surface():
     """Confined compression: stress (λ + 2G) ε on every platen; the error of random cells falls with their size."""
     law, error = bd.CellBond(E=1.0, nu=0.3), []
     for k in (1, 2):
-        body = block(6 * k, 2 * k, 2 * k)
+        body = crooked_cells((6 * k, 2 * k, 2 * k))
         static, stress = confined(body, law), 1e-3 * (law.lame + 2.0 * law.G)
         error.append(static.energy.total / (0.5e-3 * stress * body.cells.volume.sum()) - 1.0)
         far = body.centre[:, 0] > 3.0 * k
@@ -208,14 +175,16 @@ def test_walls_hold_the_surface():
         assert np.abs(static.reaction.sum(axis=0)[:3]).max() <= 1e-9
     assert abs(error[0]) < 0.015
     assert abs(error[1]) < 0.6 * abs(error[0])
-    assert abs(confined(block(6, 6, 6), bd.CellBond(E=1.0, nu=0.0)).energy.total / (0.5e-6 * 216) - 1.0) < 1e-9
+    assert (
+        abs(confined(crooked_cells((6, 6, 6)), bd.CellBond(E=1.0, nu=0.0)).energy.total / (0.5e-6 * 216) - 1.0) < 1e-9
+    )
 
 
 def test_work_of_loads_is_energy_and_reactions_balance():
-    model = clamped(bd.CellBond(E=1.0, nu=0.3), force=(1.0, 2.0, 3.0), moment=(0.5, 0.0, 1.0))
+    model = clamped(crooked_cells(LONG), bd.CellBond(E=1.0, nu=0.3), force=(1.0, 2.0, 3.0), moment=(0.5, 0.0, 1.0))
     static = bd.solve_static(model)
     force = loads_on_facets(model)
-    traction = force / bar().cells.free.area[:, None]
+    traction = force / crooked_cells(LONG).cells.free.area[:, None]
     moved = surface_displacement(model, static.displacement, static.rotation, traction=traction)
     assert 0.5 * (force * moved).sum() == pytest.approx(static.energy.total, rel=1e-12)
     assert static.reaction[:, :3].sum(axis=0) == pytest.approx([-1.0, -2.0, -3.0], rel=1e-8)
@@ -226,7 +195,7 @@ def test_work_of_loads_is_energy_and_reactions_balance():
 
 def test_tractions_reach_the_cells_that_they_act_on():
     """Uniform pressure on all faces: the stress of every cell is -p, though its own facets bear part of the load."""
-    body, nu = block(6, 6, 6), 0.3
+    body, nu = crooked_cells((6, 6, 6)), 0.3
     faces = [bd.Pressure(bd.Face(name), 1.0) for name in body.particles.envelope.faces]
     model = bd.Model(body, bd.CellBond(E=10.0, nu=nu), 1.0, boundary=faces)
     stress = bd.cell_stress(model, bd.solve_static(model))
@@ -242,8 +211,8 @@ def test_work_of_tractions_that_change_is_in_the_ledger():
     law, face = bd.CellBond(E=1.0, nu=0.4), bd.Face("x_max")
     pull = bd.Load(face, force=(0.05, 0.0, 0.002), schedule=bd.Ramp(0.0, 1.0, 5.0))
     loads = [pull, bd.Pressure(bd.Face("z_max"), 2e-4)]
-    model = bd.Model(bar(), law, 1.0, boundary=[bd.Fix(bd.Face("x_min")), *loads])
-    step, missed = 0.5 * critical_step(model, bd.VelocityVerlet()), []
+    model = bd.Model(crooked_cells(LONG), law, 1.0, boundary=[bd.Fix(bd.Face("x_min")), *loads])
+    step, missed = time_step(model, 0.5), []
     for part in (1, 2):
         missed.append(bd.solve_explicit(model, duration=20.0, dt=step / part, every=5 * part).residual)
     assert 3.4 < missed[0] / missed[1] < 4.7
@@ -253,10 +222,10 @@ def test_work_of_tractions_that_change_is_in_the_ledger():
 
 
 def test_free_expansion_bears_no_stress():
-    model = bd.Model(bar(), bd.CellBond(E=1.0, nu=0.3), 1.0, boundary=[bd.Eigenstrain(1e-3)])
+    model = bd.Model(crooked_cells(LONG), bd.CellBond(E=1.0, nu=0.3), 1.0, boundary=[bd.Eigenstrain(1e-3)])
     static = bd.solve_static(model)
     assert static.energy.total <= 1e-20
-    gradient = np.polyfit(bar().centre[:, 0], static.displacement[:, 0], 1)[0]
+    gradient = np.polyfit(crooked_cells(LONG).centre[:, 0], static.displacement[:, 0], 1)[0]
     assert gradient == pytest.approx(1e-3, rel=1e-9)
 
 
@@ -264,8 +233,8 @@ def test_energy_is_kept_to_second_order_with_a_wall_that_moves():
     law = bd.CellBond(E=1.0, nu=0.3)
     drive = bd.Drive(bd.Face("x_max"), x=bd.Ramp(0.0, 0.1, 8.0), vz=bd.Ramp(0.0, 0.2, 8.0))
     boundary = [bd.Fix(bd.Face("x_min")), drive]
-    model = bd.Model(bar(), law, 1.0, boundary=boundary)
-    step, missed = 0.5 * critical_step(model, bd.VelocityVerlet()), []
+    model = bd.Model(crooked_cells(LONG), law, 1.0, boundary=boundary)
+    step, missed = time_step(model, 0.5), []
     for part in (1, 2, 4):
         run = bd.solve_explicit(model, duration=20.0, dt=step / part, every=5 * part)
         missed.append(run.residual)
@@ -275,18 +244,20 @@ def test_energy_is_kept_to_second_order_with_a_wall_that_moves():
 
 def test_a_slow_run_ends_in_the_static_solution():
     law, face = bd.CellBond(E=1.0, nu=0.3), bd.Face("x_max")
-    model = bd.Model(bar(), law, 1.0, boundary=[bd.Fix(bd.Face("x_min")), bd.Drive(face, x=bd.Ramp(0, 1e-4, 50.0))])
+    model = bd.Model(
+        crooked_cells(LONG), law, 1.0, boundary=[bd.Fix(bd.Face("x_min")), bd.Drive(face, x=bd.Ramp(0, 1e-4, 50.0))]
+    )
     gauges = {"wall": bd.Gauge(face, "force", "sum")}
     run = bd.solve_explicit(model, duration=600.0, damping=bd.MassDamping(0.5), gauges=gauges)
     static = bd.solve_static(model)
     assert np.abs(run.state.displacement - static.displacement).max() <= 1e-7
-    pulled = static.reaction[bar().centre[:, 0] > 6.0, 0].sum()
+    pulled = static.reaction[crooked_cells(LONG).centre[:, 0] > 6.0, 0].sum()
     assert run.history["wall"][-1, 0] == pytest.approx(pulled, rel=1e-4)
 
 
 @pytest.mark.parametrize("pauses", [1, 3])
 def test_the_same_bits_for_any_threads_and_pauses(pauses):
-    body = block(9, 9, 9)
+    body = crooked_cells((9, 9, 9))
     boundary = [bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), x=bd.Ramp(0.0, 0.1, 8.0))]
     model = bd.Model(body, bd.CellBond(E=1.0, nu=0.3), 1.0, boundary=boundary)
     state = model.state()
@@ -301,7 +272,7 @@ def test_the_same_bits_for_any_threads_and_pauses(pauses):
 
 
 def test_bad_input_is_refused_in_one_line():
-    spheres = bd.connect(block(4, 4, 4).particles, reach=2.0)
+    spheres = bd.connect(crooked_cells((4, 4, 4)).particles, reach=2.0)
     with pytest.raises(bd.errors.InputError, match="laguerre"):
         bd.Model(spheres, bd.CellBond(E=1.0, nu=0.3), 1.0)
     with pytest.raises(bd.errors.InputError, match="Poisson"):
@@ -310,15 +281,15 @@ def test_bad_input_is_refused_in_one_line():
         bd.CellBond(E=1.0, nu=0.3, facet_rotation="half")
     beam = bd.EulerBernoulli(E=1.0, nu=0.3, radius_ratio=0.5)
     with pytest.raises(bd.errors.InputError, match="for all cells"):
-        bd.Model(block(4, 4, 4), {bd.Everything(): bd.CellBond(E=1.0, nu=0.3), bd.Face("x_min"): beam}, 1.0)
+        bd.Model(crooked_cells((4, 4, 4)), {bd.Everything(): bd.CellBond(E=1.0, nu=0.3), bd.Face("x_min"): beam}, 1.0)
     with pytest.raises(bd.errors.InputError, match="follow no law"):
-        bd.Model(block(4, 4, 4), {bd.Face("x_min"): bd.CellBond(E=1.0, nu=0.3)}, 1.0)
+        bd.Model(crooked_cells((4, 4, 4)), {bd.Face("x_min"): bd.CellBond(E=1.0, nu=0.3)}, 1.0)
 
 
 def test_a_nonlinear_path_ends_where_a_damped_run_comes_to_rest():
     law = bd.CellBond(E=1.0, nu=0.3)
     drive = bd.Drive(bd.Face("x_max"), x=bd.Ramp(0.0, -0.4, 60.0), z=bd.Ramp(0.0, 3.0, 60.0))
-    model = bd.Model(bar(), law, 1.0, boundary=[bd.Fix(bd.Face("x_min")), drive])
+    model = bd.Model(crooked_cells(LONG), law, 1.0, boundary=[bd.Fix(bd.Face("x_min")), drive])
     bent = bd.solve_static(model, nonlinear=True)
     assert bent.residual <= 1e-8
     run = bd.solve_explicit(model, duration=900.0, damping=bd.MassDamping(0.3), every=1000)
@@ -329,7 +300,7 @@ def test_a_nonlinear_path_ends_where_a_damped_run_comes_to_rest():
 
 
 def test_the_tangent_is_the_derivative_of_the_forces_in_any_pose():
-    model = bd.Model(bar(), bd.CellBond(E=1.0, nu=0.3), 1.0, boundary=[bd.Fix(bd.Face("x_min"))])
+    model = bd.Model(crooked_cells(LONG), bd.CellBond(E=1.0, nu=0.3), 1.0, boundary=[bd.Fix(bd.Face("x_min"))])
     state = shaken(model, shift=0.02, turn=0.1)
     cell_forces(model, state.pose)  # leaves the stresses there
     tangent = tangent_matrix(model, stiffness_matrix(model).bonds, state.pose)

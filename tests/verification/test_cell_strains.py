@@ -9,6 +9,7 @@ import pytest
 
 import bondem as bd
 from bondem.observe.energy import elastic_energy
+from tests.specimens import bar
 
 E, NU, RHO = 1e9, 0.2, 1e3
 LAW = bd.CellBond(E=E, nu=NU)
@@ -20,7 +21,7 @@ WARM = bd.Within(bd.Box((1.4, 9.0, 9.0)).moved((0.9, -4.0, -4.0)))
 
 @pytest.fixture(scope="module")
 def body() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Box((LENGTH, 1.0, 1.0)), count=300, method="even", seed=1), method="laguerre")
+    return bar(300, LENGTH, 1.0)
 
 
 def heated(strain: float, rise: float, region: bd.Region | None = None) -> bd.Eigenstrain:

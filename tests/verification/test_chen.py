@@ -10,41 +10,30 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import bondem as bd
-from bondem.laws.bond import BondLaw
-from bondem.solve.plan import Status
+from tests.models import cantilever
+from tests.specimens import row
 
 E, NU, RHO = 200e9, 0.3, 7800.0
 G = E / (2.0 * (1.0 + NU))
 pytestmark = pytest.mark.usefixtures("one_thread")
 
 
-def row(length: float, radii: np.ndarray) -> bd.Lattice:
-    """Equally spaced elements along x, each bonded to the next."""
-    x = np.linspace(0.0, length, len(radii))
-    pairs = np.column_stack([np.arange(len(x) - 1), np.arange(1, len(x))])
-    return bd.Lattice(bd.Particles(np.column_stack([x, 0 * x, 0 * x]), radii), pairs)
-
-
 # Table 3: specimen and bond radius [m]
 CASES = {
-    **{f"2, {n} bonds": (row(0.4 * n, np.full(n + 1, 0.2)), 0.2) for n in (1, 2, 5)},
-    **{f"3, {n} bonds": (row(4.0, np.full(n + 1, 0.2)), 0.2) for n in (1, 2, 4, 6, 8, 10)},
-    **{f"4, {n} bonds": (row(4.0, np.full(n + 1, 2.0 / n)), 0.1) for n in (1, 2, 4, 5, 10)},
-    **{f"5, middle {r} m": (row(4.0, np.array([0.2, r, 0.2])), 0.2) for r in (0.2, 0.4, 0.8)},
+    **{f"2, {n} bonds": (row(n + 1, 0.4), 0.2) for n in (1, 2, 5)},
+    **{f"3, {n} bonds": (row(n + 1, 4.0 / n, 0.2), 0.2) for n in (1, 2, 4, 6, 8, 10)},
+    **{f"4, {n} bonds": (row(n + 1, 4.0 / n), 0.1) for n in (1, 2, 4, 5, 10)},
+    **{
+        f"5, middle {r} m": (bd.Lattice(bd.Particles(row(3, 2.0).centre, [0.2, r, 0.2]), [(0, 1), (1, 2)]), 0.2)
+        for r in (0.2, 0.4, 0.8)
+    },
 }
 REFERENCE = CASES["3, 10 bonds"]  # case 1
 every_case = pytest.mark.parametrize(("lattice", "radius"), CASES.values(), ids=CASES.keys())
 
 
-def cantilever(lattice: bd.Lattice, law: BondLaw, force: float, ramp: float | None = None) -> bd.Model:
-    tip = bd.Index([len(lattice.particles) - 1])
-    schedule = bd.Constant(1.0) if ramp is None else bd.Ramp(0.0, 1.0, ramp)
-    load = bd.Load(tip, force=(0.0, force, 0.0), schedule=schedule)
-    return bd.Model(lattice, law, RHO, boundary=[bd.Fix(bd.Index([0])), load])
-
-
-def deflection(lattice: bd.Lattice, law: BondLaw, force: float = 1e5) -> np.ndarray:
-    return bd.solve_static(cantilever(lattice, law, force)).displacement[:, 1]
+def deflection(lattice: bd.Lattice, law: bd.BondLaw, force: float = 1e5) -> np.ndarray:
+    return bd.solve_static(cantilever(lattice, law, RHO, force=(0.0, force, 0.0))).displacement[:, 1]
 
 
 def beam_theory(x: np.ndarray, L: float, r: float, F: float = 1e5, *, shear: bool) -> np.ndarray:
@@ -147,7 +136,7 @@ def test_obermayr_converges_at_second_order_to_timoshenko_theory_and_parallel_bo
     share = shear_share(10.0, NU)
     for law, limit in ((bd.Obermayr, 0.0), (bd.ParallelBond, -0.1 * share)):
         for n in (1, 2, 5, 10, 40):
-            lattice = row(4.0, np.full(n + 1, min(0.2, 2.0 / n)))
+            lattice = row(n + 1, 4.0 / n, min(0.2, 2.0 / n))
             error = deflection(lattice, law(E=E, nu=NU, radius=0.2))[-1] / exact - 1.0
             assert error == pytest.approx(limit - (1.0 - share) / (4.0 * n**2), rel=1e-5)
 
@@ -166,7 +155,7 @@ def test_axial_over_shear_stiffness_of_figure_17() -> None:
 @pytest.mark.parametrize("nu", [0.0, NU, 0.499999])
 @pytest.mark.parametrize("slenderness", [1.0, 3.0, 10.0])
 def test_what_euler_bernoulli_bonds_miss_of_figure_19(slenderness: float, nu: float) -> None:
-    lattice = row(0.4 * slenderness, np.full(2, 0.2 * slenderness))
+    lattice = row(2, 0.4 * slenderness)
     stiff, soft = (deflection(lattice, law(E=E, nu=nu, radius=0.2))[-1] for law in (bd.EulerBernoulli, bd.Timoshenko))
     assert 1.0 - stiff / soft == pytest.approx(shear_share(slenderness, nu), rel=1e-9)
     # the paper's 38 % is that of ν = 1/2, not of its ν_b = 0.3
@@ -178,32 +167,32 @@ def test_what_euler_bernoulli_bonds_miss_of_figure_19(slenderness: float, nu: fl
 
 @pytest.mark.parametrize("law", [bd.EulerBernoulli, bd.Timoshenko, bd.ParallelBond, bd.Obermayr])
 @pytest.mark.parametrize("name", ["3, 10 bonds", "2, 1 bonds", "4, 4 bonds", "5, middle 0.8 m"])
-def test_explicit_dynamics_comes_to_rest_at_the_static_solution(name: str, law: type[BondLaw]) -> None:
+def test_explicit_dynamics_comes_to_rest_at_the_static_solution(name: str, law: type[bd.BondLaw]) -> None:
     lattice, radius = CASES[name]
     bond = law(E=E, nu=NU, radius=radius)
     run = bd.solve_explicit(
-        cantilever(lattice, bond, 1e3, ramp=0.1),
+        cantilever(lattice, bond, RHO, force=(0.0, 1e3, 0.0), ramp=0.1),
         duration=60.0,
         damping=bd.LocalDamping(0.5),
         until=(bd.AtRest(1e-9, after=0.1),),
     )
-    assert run.status is Status.STOPPED
+    assert run.status is bd.Status.STOPPED
     exact = deflection(lattice, bond, 1e3)
     np.testing.assert_allclose(run.state.displacement[:, 1], exact, rtol=0.0, atol=1e-4 * exact[-1])
 
 
 @pytest.mark.validate
 @pytest.mark.parametrize("law", [bd.EulerBernoulli, bd.Timoshenko, bd.ParallelBond, bd.Obermayr])
-def test_case_1_with_the_papers_ramp_damping_and_stop_rule(law: type[BondLaw]) -> None:
+def test_case_1_with_the_papers_ramp_damping_and_stop_rule(law: type[bd.BondLaw]) -> None:
     lattice, radius = REFERENCE
     bond = law(E=E, nu=NU, radius=radius)
     run = bd.solve_explicit(
-        cantilever(lattice, bond, 1e3, ramp=1.0),
+        cantilever(lattice, bond, RHO, force=(0.0, 1e3, 0.0), ramp=1.0),
         duration=600.0,
         damping=bd.LocalDamping(0.001),
         until=(bd.AtRest(1e-9, after=1.0),),
     )
-    assert run.status is Status.STOPPED
+    assert run.status is bd.Status.STOPPED
     exact = deflection(lattice, bond, 1e3)
     np.testing.assert_allclose(run.state.displacement[:, 1], exact, rtol=0.0, atol=1e-3 * exact[-1])
 
@@ -236,19 +225,19 @@ def reissner(F: float, L: float, r: float, *, shear: bool) -> float:
 @pytest.mark.parametrize(("force", "tolerance"), [(1e5, 2e-5), (1e6, 2e-3)])
 @pytest.mark.parametrize(("law", "shear"), [(bd.EulerBernoulli, False), (bd.Timoshenko, True)])
 def test_large_rotations_converge_to_the_elastica(
-    law: type[BondLaw], shear: bool, force: float, tolerance: float
+    law: type[bd.BondLaw], shear: bool, force: float, tolerance: float
 ) -> None:
     exact = reissner(force, 4.0, 0.1, shear=shear)
     counts = np.array([2, 5, 10])
     errors = []
     for n in counts:
         run = bd.solve_explicit(
-            cantilever(row(4.0, np.full(n + 1, 2.0 / n)), law(E=E, nu=NU, radius=0.1), force, ramp=0.2),
+            cantilever(row(n + 1, 4.0 / n), law(E=E, nu=NU, radius=0.1), RHO, force=(0.0, force, 0.0), ramp=0.2),
             duration=100.0,
             damping=bd.LocalDamping(0.5),
             until=(bd.AtRest(1e-9, after=0.2),),
         )
-        assert run.status is Status.STOPPED
+        assert run.status is bd.Status.STOPPED
         errors.append(run.state.displacement[-1, 1] / exact - 1.0)
     assert abs(errors[-1]) < tolerance
     rates = np.log(np.array(errors[:-1]) / errors[1:]) / np.log(counts[1:] / counts[:-1])
@@ -259,12 +248,14 @@ def test_one_bond_bent_too_far_says_so() -> None:
     # at 3 MN the bond is turned by more than 45°, and 43 % off
     for force, wide in ((1e6, False), (3e6, True)):
         run = bd.solve_explicit(
-            cantilever(row(4.0, np.full(2, 2.0)), bd.EulerBernoulli(E=E, nu=NU, radius=0.1), force, ramp=30.0),
+            cantilever(
+                row(2, 4.0), bd.EulerBernoulli(E=E, nu=NU, radius=0.1), RHO, force=(0.0, force, 0.0), ramp=30.0
+            ),
             duration=200.0,
             damping=bd.LocalDamping(0.5),
             until=(bd.AtRest(1e-9, after=30.0),),
         )
-        assert run.status is Status.STOPPED
+        assert run.status is bd.Status.STOPPED
         assert ("no longer that of a beam" in run.message) == wide
 
 

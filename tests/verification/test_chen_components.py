@@ -1,18 +1,14 @@
 """Chen et al. (2022): the unbonded component of the parallel bond, and damping component by component."""
 
 import math
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.model.state import State
-from bondem.solve.explicit import integrate
-from bondem.solve.plan import Plan
+from tests.scripts import scripts
+from tests.specimens import row, two_spheres
 
-FOLDER = Path(__file__).parents[2] / "benchmarks"
 E, NU, R, F = 200e9, 0.3, 0.2, 1e3
 G = E / (2.0 * (1.0 + NU))
 A, I = math.pi * R**2, math.pi * R**4 / 4.0
@@ -23,20 +19,7 @@ pytestmark = pytest.mark.usefixtures("one_thread")
 @pytest.fixture(scope="module")
 def chen():
     """The modules beside the scripts."""
-    sys.path.insert(0, str(FOLDER))
-    try:
-        import chen_damping
-        import chen_one_sided
-        import chen_unbonded
-    finally:
-        sys.path.remove(str(FOLDER))
-    return {"damping": chen_damping, "loop": chen_one_sided, "unbonded": chen_unbonded}
-
-
-def beam_of(count: int, spacing: float = 2.0 * R) -> bd.Lattice:
-    x = spacing * np.arange(count + 1)
-    pairs = np.column_stack([np.arange(count), np.arange(1, count + 1)])
-    return bd.Lattice(bd.Particles(np.column_stack([x, 0 * x, 0 * x]), np.full(count + 1, R)), pairs)
+    return scripts("benchmarks", damping="chen_damping", loop="chen_one_sided", unbonded="chen_unbonded")
 
 
 def tip(ks: float, count: int) -> float:
@@ -66,7 +49,7 @@ def test_pressed_component_adds_its_springs_and_no_moment_where_spheres_touch(ch
 @pytest.mark.parametrize("count", [1, 2, 10])
 def test_pressed_component_takes_half_of_the_shear_of_case_1_and_nothing_of_its_bending(chen, count: int) -> None:
     # E* = E_b, κ* = κ and r_b = R: both components are as stiff
-    unbonded, lattice = chen["unbonded"], beam_of(count)
+    unbonded, lattice = chen["unbonded"], row(count + 1, 2.0 * R)
     found = [
         bd.solve_static(unbonded.cantilever(lattice, law, F)).displacement[-1, 1]
         for law in (BOND, unbonded.pressed(R, None))
@@ -79,14 +62,14 @@ def test_the_component_resists_a_push_and_not_a_pull(chen) -> None:
     loop, unbonded = chen["loop"], chen["unbonded"]
     kn = E * A / (2.0 * R)
     for push, stiffness in ((1e3, 2.0 * kn), (-1e3, kn)):
-        run = loop.run_to_rest(beam_of(1), BOND, load=1.0, push=push, contact=unbonded.CONTACT, gamma=0.5)
+        run = loop.run_to_rest(row(2, 2.0 * R), BOND, load=1.0, push=push, contact=unbonded.CONTACT, gamma=0.5)
         assert run.status == "STOPPED"
         assert run.gap[0] == pytest.approx(-push / stiffness, rel=1e-5)
         assert run.pressed_at_rest == pytest.approx(max(0.0, 0.5 * push), rel=1e-5)
 
 
 def test_the_load_of_the_cases_opens_the_contact_and_a_push_closes_it(chen) -> None:
-    loop, unbonded, lattice = chen["loop"], chen["unbonded"], beam_of(2)
+    loop, unbonded, lattice = chen["loop"], chen["unbonded"], row(3, 2.0 * R)
     ks = G * A / (2.0 * R)
     alone, both = tip(ks, 2), tip(2.0 * ks, 2)
     assert both < 0.95 * alone
@@ -116,7 +99,7 @@ def test_between_unequal_spheres_the_contact_has_the_lever_of_each(chen) -> None
 
 
 def test_the_loop_is_that_of_solve_explicit(chen) -> None:
-    lattice = beam_of(3)
+    lattice = row(4, 2.0 * R)
     ours = chen["loop"].run_to_rest(lattice, BOND, load=F, gamma=0.2)
     model = chen["unbonded"].cantilever(lattice, BOND, F, ramp=0.1)
     run = bd.solve_explicit(model, duration=ours.time, damping=bd.LocalDamping(0.2))
@@ -130,14 +113,13 @@ def test_local_damping_acts_on_each_component_by_its_own_velocity() -> None:
     # force and velocity are not parallel: by vectors, γ |F| v/|v| would change z too, and share x and y otherwise
     gamma, dt = 0.3, 1e-9
     force, velocity = np.array([3.0, -4.0, 0.0]), np.array([1.0, 2.0, -5.0])
-    particles = bd.Particles([[0.0, 0, 0], [1.0, 0, 0]], [0.5, 0.5])
     load = bd.Load(bd.Index([1]), force=(3.0, -4.0, 0.0), moment=(0.0, 2.0, -1.0))
     moment, spin = np.array([0.0, 2.0, -1.0]), np.array([4.0, -1.0, -2.0])
     weak = bd.Timoshenko(E=1e-3, nu=0.25, radius_ratio=0.5)
-    model = bd.Model(bd.Lattice(particles, [(0, 1)]), weak, 1200.0, boundary=[bd.Fix(bd.Index([0])), load])
-    state = State(model)
+    model = bd.Model(two_spheres(), weak, 1200.0, boundary=[bd.Fix(bd.Index([0])), load])
+    state = model.state()
     state.set_motion(velocity=np.array([[0.0] * 3, velocity]), angular_velocity=np.array([[0.0] * 3, spin]))
-    run = integrate(model, Plan(duration=100 * dt, dt=dt, damping=bd.LocalDamping(gamma)), state=state)
+    run = bd.solve_explicit(model, duration=100 * dt, dt=dt, damping=bd.LocalDamping(gamma), state=state)
     gained = (run.state.velocity[1] - velocity) * model.mass[1] / (100 * dt)
     turned = (run.state.angular_velocity[1] - spin) * model.inertia[1] / (100 * dt)
     np.testing.assert_allclose(gained, force - gamma * np.abs(force) * np.sign(velocity), atol=1e-3)
@@ -146,19 +128,17 @@ def test_local_damping_acts_on_each_component_by_its_own_velocity() -> None:
 
 @pytest.mark.parametrize(("reading", "rests"), [("component", True), ("vector", True), ("printed", False)])
 def test_equation_11_damps_with_the_size_of_the_force_and_not_as_printed(chen, reading: str, rests: bool) -> None:
-    found = chen["loop"].run_to_rest(beam_of(2), BOND, load=F, gamma=0.3, reading=reading, duration=0.6)
+    found = chen["loop"].run_to_rest(row(3, 2.0 * R), BOND, load=F, gamma=0.3, reading=reading, duration=0.6)
     assert (found.status == "STOPPED") == rests
 
 
 def test_each_eta_damps_a_mode_by_its_share_of_the_energy(chen) -> None:
-    damping, loop, lattice = chen["damping"], chen["loop"], beam_of(3)
+    damping, loop, lattice = chen["damping"], chen["loop"], row(4, 2.0 * R)
     omega, share, lag = damping.shares("PBM", lattice)
     assert 0.05 < share[1] < share[2] < 0.95
     for component, eta in enumerate(0.1 * np.eye(4)):
         rate = omega**2 * float((eta * lag * share).sum())
-        early, late = (
-            loop.run_to_rest(lattice, BOND, load=F, eta=eta, duration=end, slow=0.0) for end in (0.2, 1.2)
-        )
+        early, late = (loop.run_to_rest(lattice, BOND, load=F, eta=eta, duration=end, slow=0.0) for end in (0.2, 1.2))
         found = math.log(early.speed / late.speed) / (late.time - early.time)
         # what the higher modes leave
         assert found == pytest.approx(rate, rel=0.05, abs=0.1), component

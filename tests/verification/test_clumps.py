@@ -8,7 +8,8 @@ from bondem.quasistatic.damaged_body import DamagedBody
 from bondem.quasistatic.equilibrium import Iterated
 from bondem.solve.clumps import parted
 from bondem.solve.linear import Iteration, System
-from tests.verification.test_quasistatic import block, pulled
+from tests.models import pulled
+from tests.specimens import uneven_bar
 
 
 def _row(count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -51,7 +52,7 @@ def test_clumps_stay_apart():
 
 def test_a_crack_across_clumps_takes_fewer_iterations():
     """A bar is cut nearly through where clumps would lie across the cut."""
-    model = pulled(block(800))
+    model = pulled(uneven_bar(800))
     system = System.of(replace(model, failure=None))
     begun = Iteration(system)
     body = DamagedBody(model, system, begun.root)

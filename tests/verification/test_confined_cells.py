@@ -1,17 +1,10 @@
 """Bodies of cells that cannot bulge: bulk modulus between smooth platens, and what is said where ν is near ½."""
 
-from functools import cache
-
 import pytest
 
 import bondem as bd
 from bondem.errors import IncompressibleWarning
-
-
-@cache
-def cube(count, seed=1):
-    particles = bd.pack(bd.Box((1.0, 1.0, 1.0)), count=count, method="even", seed=seed, cache=False)
-    return bd.connect(particles, method="laguerre")
+from tests.specimens import cube
 
 
 def bulk_error(body, nu):

@@ -4,53 +4,20 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.kernels.contact_pass import SERIAL_PAIRS
-from bondem.model.state import State
 from bondem.solve import neighbour_list as lists
 from bondem.solve.cracks import joints
 from bondem.solve.explicit import integrate
-from bondem.solve.timestep import critical_step
+from tests.bits import assert_same_bits, assert_same_run, need_two_threads, threads
+from tests.models import cloud, grains, momenta, moving, time_step, walls_of_box
+from tests.specimens import spheres, two_spheres
 
-NO_BONDS = np.zeros((0, 2), dtype=int)
 DENSITY = 1000.0
 E = 1e7
-
-
-def grains(position, radius, *, law, walls=(), boundary=(), period=None) -> bd.Model:
-    lattice = bd.Lattice(bd.Particles(position, radius, period=period), NO_BONDS)
-    return bd.Model(lattice, None, density=DENSITY, contact=law, walls=walls, boundary=boundary)
-
-
-def moving(model: bd.Model, velocity, spin=None) -> State:
-    state = State(model)
-    state.set_motion(velocity=np.asarray(velocity, dtype=float), angular_velocity=spin)
-    return state
-
-
-def cloud(edge: int, law: bd.LinearContact, *, walls=(), period=None, seed: int = 3, speed: float = 1.0):
-    """Spheres of many sizes on a loose grid, thrown about."""
-    rng = np.random.default_rng(seed)
-    position = 2.3 * np.indices((edge,) * 3).reshape(3, -1).T + 1.15
-    model = grains(position, rng.uniform(0.8, 1.1, len(position)), law=law, walls=walls, period=period)
-    return model, moving(
-        model, speed * rng.normal(size=position.shape), rng.normal(size=position.shape)
-    )
-
-
-def box(edge: float, **of_last) -> list[bd.PlaneWall]:
-    walls = [bd.PlaneWall(np.zeros(3), axis) for axis in np.eye(3)]
-    walls += [bd.PlaneWall(edge * axis, -axis) for axis in np.eye(3)[1:]]
-    return [*walls, bd.PlaneWall((edge, 0, 0), (-1, 0, 0), **of_last)]
-
-
-def step(model: bd.Model, share: float = 0.5) -> float:
-    return share * critical_step(model, bd.VelocityVerlet())
 
 
 # --- a pair -----------------------------------------------------------------------------------------------------
@@ -60,7 +27,7 @@ def step(model: bd.Model, share: float = 0.5) -> float:
 def test_restitution_of_a_head_on_collision(beta: float) -> None:
     model = grains([[0, 0, 0], [2.1, 0, 0]], [1.0, 1.0], law=bd.LinearContact(E=E, damping=beta))
     run = bd.solve_explicit(
-        model, duration=0.3, dt=step(model, 0.005), every=0, state=moving(model, [[0.5, 0, 0], [-0.5, 0, 0]])
+        model, duration=0.3, dt=time_step(model, 0.005), every=0, state=moving(model, [[0.5, 0, 0], [-0.5, 0, 0]])
     )
     e = run.state.velocity[1, 0] - run.state.velocity[0, 0]
     # the dashpot sets in with a jump: first order in ω dt, here 0.01
@@ -107,7 +74,7 @@ def test_oblique_collision_obeys_coulomb() -> None:
     law = bd.LinearContact(E=1e4 * E, friction=mu)
     model = grains([[0, 0, 0], [2.0, 0, 0]], [1.0, 1.0], law=law)
     run = bd.solve_explicit(
-        model, duration=1e-3, dt=step(model, 0.01), every=10, state=moving(model, [[0.1, 2.0, 0], [-0.1, 0, 0]])
+        model, duration=1e-3, dt=time_step(model, 0.01), every=10, state=moving(model, [[0.1, 2.0, 0], [-0.1, 0, 0]])
     )
     m, v, w = model.mass[0], run.state.velocity, run.state.angular_velocity
     normal = m * (v[1, 0] + 0.1)
@@ -165,15 +132,10 @@ def test_a_sliding_ball_ends_rolling() -> None:
 
 def test_momentum_and_angular_momentum_are_kept() -> None:
     model, state = cloud(5, bd.LinearContact(E=E, friction=0.4, damping=0.2), speed=2.0)
-
-    def momenta(s: State):
-        p = model.mass[:, None] * s.velocity
-        spin = model.inertia[:, None] * s.angular_velocity
-        return p.sum(axis=0), (np.cross(s.position, p) + spin).sum(axis=0), np.abs(np.cross(s.position, p)).sum()
-
-    p0, l0, scale = momenta(state)
+    p0, l0 = momenta(model, state)
+    scale = np.abs(np.cross(state.position, model.mass[:, None] * state.velocity)).sum()
     run = bd.solve_explicit(model, duration=1.0, every=10, state=state)
-    p1, l1, _ = momenta(run.state)
+    p1, l1 = momenta(model, run.state)
     assert run.history.energy["friction"][-1] > 0.01 * run.history.energy["translation"][0]
     assert np.abs(p1 - p0).max() < 1e-12 * np.abs(model.mass[:, None] * run.state.velocity).sum()
     assert np.abs(l1 - l0).max() < 1e-12 * scale
@@ -185,8 +147,8 @@ def test_energy_closes_to_second_order() -> None:
     for share in (0.4, 0.2, 0.1):
         law = bd.LinearContact(E=E, friction=0.3, damping=0.1)
         piston = bd.Driven(x=bd.Ramp(0.0, -3.0, 0.6))
-        model, state = cloud(4, law, walls=box(9.2, motion=piston), seed=5)
-        run = bd.solve_explicit(model, duration=0.7, dt=step(model, share), every=20, state=state)
+        model, state = cloud(4, law, walls=walls_of_box(9.2, motion=piston), seed=5)
+        run = bd.solve_explicit(model, duration=0.7, dt=time_step(model, share), every=20, state=state)
         ledger = run.history.energy
         turned = ledger["work"][-1] + ledger["translation"][0]
         assert ledger["friction"][-1] > 0.01 * turned
@@ -197,33 +159,34 @@ def test_energy_closes_to_second_order() -> None:
 
 
 def test_the_bits_depend_on_neither_threads_nor_lists(monkeypatch: pytest.MonkeyPatch) -> None:
-    if numba.config.NUMBA_NUM_THREADS < 2:
-        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    need_two_threads()
     edge = 12
     law = bd.LinearContact(E=E, friction=0.4, damping=0.1)
-    walls = box(2.3 * edge, motion=bd.Servo(1e6, speed=4.0, mass=1e6))
+    walls = walls_of_box(2.3 * edge, motion=bd.Servo(1e6, speed=4.0, mass=1e6))
     runs = []
     for count, skin in ((1, 0.6), (2, 0.6), (2, 0.8)):
         monkeypatch.setattr(lists, "_SKIN_LEAST", skin)
         model, state = cloud(edge, law, walls=walls)
-        rest = State(model)
+        rest = model.state()
         listed = lists.ContactList(model, model.contacts, rest, joints(model, rest, rest.integrity))
         assert len(listed.arrays.first) > SERIAL_PAIRS
         with threads(count):
             runs.append(bd.solve_explicit(model, duration=0.12, every=10, state=state))
     assert len(runs[0].state.contacts) > 50
     for other in runs[1:]:
-        for name in State.ARRAYS:
-            np.testing.assert_array_equal(getattr(runs[0].state, name), getattr(other.state, name), err_msg=name)
+        assert_same_bits(runs[0], other)
         np.testing.assert_array_equal(runs[0].history.energy["friction"], other.history.energy["friction"])
 
 
 def test_going_on_from_a_run_file_changes_no_bit(tmp_path: Path) -> None:
     law = bd.LinearContact(E=E, friction=0.4, damping=0.1)
-    walls = [*box(11.5, motion=bd.Servo(3e5, speed=3.0)), bd.CylinderWall(8.0, (0, 5.75, 5.75), friction=0.1)]
+    walls = [
+        *walls_of_box(11.5, motion=bd.Servo(3e5, speed=3.0)),
+        bd.CylinderWall(8.0, (0, 5.75, 5.75), friction=0.1),
+    ]
     options = {"every": 7, "save_every": 60, "gauges": {"piston": bd.WallGauge(5, "force")}}
     model, state = cloud(5, law, walls=walls)
-    dt = step(model)
+    dt = time_step(model)
     whole = bd.solve_explicit(model, duration=200 * dt, dt=dt, state=state, **options)
     model, state = cloud(5, law, walls=walls)
     path = tmp_path / "run.h5"
@@ -231,12 +194,8 @@ def test_going_on_from_a_run_file_changes_no_bit(tmp_path: Path) -> None:
     kept = bd.read_run(path)
     assert kept.model.walls == model.walls
     assert len(kept.state.touching) > 3
-    resumed = integrate(
-        kept.model, replace(kept.plan, duration=200 * dt), state=kept.state, history=kept.history
-    )
-    for name in State.ARRAYS:
-        np.testing.assert_array_equal(getattr(whole.state, name), getattr(resumed.state, name), err_msg=name)
-    np.testing.assert_array_equal(whole.history.records, resumed.history.records)
+    resumed = integrate(kept.model, replace(kept.plan, duration=200 * dt), state=kept.state, history=kept.history)
+    assert_same_run(whole, resumed)
     assert np.abs(whole.history["piston"]).max() > 1e4
 
 
@@ -244,7 +203,7 @@ def test_contacts_reach_across_a_periodic_border() -> None:
     law = bd.LinearContact(E=E)
     model = grains([[0.5, 5, 5], [9.4, 5, 5]], [0.5, 0.5], law=law, period=(10.0, 10.0, 10.0))
     run = bd.solve_explicit(
-        model, duration=0.5, dt=step(model, 0.05), every=0, state=moving(model, [[-0.5, 0, 0], [0.5, 0, 0]])
+        model, duration=0.5, dt=time_step(model, 0.05), every=0, state=moving(model, [[-0.5, 0, 0], [0.5, 0, 0]])
     )
     assert run.state.velocity[:, 0] == pytest.approx([0.5, -0.5], rel=1e-4)
 
@@ -264,7 +223,7 @@ def test_contacts_reach_across_a_periodic_border() -> None:
 def test_walls_reflect(wall, position, velocity) -> None:
     model = grains([position], [1.0], law=bd.LinearContact(E=E), walls=[wall])
     run = bd.solve_explicit(
-        model, duration=3.0, dt=step(model, 0.02), every=50, state=moving(model, [velocity]),
+        model, duration=3.0, dt=time_step(model, 0.02), every=50, state=moving(model, [velocity]),
         gauges={"wall": bd.WallGauge(0, "force")},
     )  # fmt: skip
     assert run.state.velocity[0] == pytest.approx(-np.array(velocity, dtype=float), abs=1e-4)
@@ -316,10 +275,8 @@ def test_a_servo_holds_the_force(mass: float | None) -> None:
     force = 2e5
     piston = bd.Servo(bd.Ramp(force, 2 * force, 0.5, begin=20.0), speed=1.0, mass=mass)
     law = bd.LinearContact(E=E, friction=0.2, damping=0.3)
-    model, state = cloud(5, law, walls=box(11.5, motion=piston), speed=0.1)
-    run = bd.solve_explicit(
-        model, duration=30.0, every=20, state=state, gauges={"force": bd.WallGauge(5, "growth")}
-    )
+    model, state = cloud(5, law, walls=walls_of_box(11.5, motion=piston), speed=0.1)
+    run = bd.solve_explicit(model, duration=30.0, every=20, state=state, gauges={"force": bd.WallGauge(5, "growth")})
     held = run.history["force"][:, 2]
     when = run.history.time
     assert held[(when > 18.0) & (when < 20.0)].mean() == pytest.approx(force, rel=0.01)
@@ -330,18 +287,14 @@ def test_a_servo_holds_the_force(mass: float | None) -> None:
 # --- with bonds -------------------------------------------------------------------------------------------------
 
 
-@pytest.fixture(scope="module")
-def packed() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Box(size=(10.0, 8.0, 8.0)), count=500, spread=0.25, seed=2))
-
-
 @pytest.mark.parametrize("broken", [False, True], ids=["bonded", "broken"])
-def test_a_packing_at_rest_bears_nothing(packed: bd.Lattice, broken: bool) -> None:
+def test_a_packing_at_rest_bears_nothing(broken: bool) -> None:
     """Overlaps of the reference configuration do not press, with each other or with walls, bonds broken or not."""
+    packed = spheres(bd.Box((10.0, 8.0, 8.0)), 500, seed=2)
     walls = [bd.PlaneWall((0, 0, 0), (1, 0, 0)), bd.PlaneWall((10, 0, 0), (-1, 0, 0))]
     law = bd.EulerBernoulli(E=E, nu=0.2, radius_ratio=0.6)
     model = bd.Model(packed, law, density=DENSITY, contact=bd.LinearContact(E=E, friction=0.3), walls=walls)
-    state = State(model)
+    state = model.state()
     state.integrity[:] = 0.0 if broken else 1.0
     run = bd.solve_explicit(model, duration=2e-3, every=10, state=state)
     assert run.state.wall_force == pytest.approx(0.0)
@@ -352,21 +305,21 @@ def test_a_packing_at_rest_bears_nothing(packed: bd.Lattice, broken: bool) -> No
     pressed = bd.Model(
         packed, law, density=DENSITY, walls=walls, contact=bd.LinearContact(E=E, friction=0.3, stress_free=False)
     )
-    state = State(pressed)
+    state = pressed.state()
     state.integrity[:] = 0.0 if broken else 1.0
     moved = np.abs(bd.solve_explicit(pressed, duration=2e-3, every=10, state=state).state.displacement).max()
     assert (moved > 1e-6) == broken
 
 
 def test_an_intact_bond_has_no_contact_and_a_broken_one_has() -> None:
-    lattice = bd.Lattice(bd.Particles([[0, 0, 0], [1.99, 0, 0]], [1.0, 1.0]), [[0, 1]])
+    lattice = two_spheres(1.99, 1.0)
     law = bd.EulerBernoulli(E=E, nu=0.2, radius=0.5)
     contact = bd.LinearContact(E=E)
     drive = [bd.Fix(bd.Index([0])), bd.Drive(bd.Index([1]), x=bd.Ramp(0, -0.01, 0.1))]
 
     def force(intact: float, contact: bd.LinearContact | None) -> float:
         model = bd.Model(lattice, law, density=DENSITY, contact=contact, boundary=drive)
-        state = State(model)
+        state = model.state()
         state.integrity[:] = intact
         gauges = {"grip": bd.Gauge(bd.Index([0]), "force", "sum")}
         run = bd.solve_explicit(model, duration=0.1, dt=1e-4, every=10, state=state, gauges=gauges)

@@ -1,6 +1,5 @@
 """Strengths that are alike near each other: their distribution, their covariance, and what numbering does to them."""
 
-import functools
 import math
 
 import numpy as np
@@ -10,6 +9,7 @@ import bondem as bd
 from bondem.errors import InputError
 from bondem.laws.failure.correlated import normal_field
 from bondem.laws.failure.counter import uniform_by_counter
+from tests.specimens import bar, spheres
 
 LENGTH = 1.0
 
@@ -78,15 +78,10 @@ def test_a_periodic_cell_has_a_periodic_field() -> None:
     assert np.mean(one * shifted) / np.mean(one**2) == pytest.approx(math.exp(-0.25), abs=0.05)
 
 
-@functools.cache
-def body() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Box((4e-3, 2e-3, 2e-3)), count=200, method="even", seed=1), method="laguerre")
-
-
 def test_facets_and_beams_take_strengths_by_their_place() -> None:
     """Facets nearer than 0.15 l differ by √(1 - exp(-0.15²)) = 0.15 of those far apart at most."""
     scatter = bd.Weibull(modulus=5.0, volume=1e-9, correlation=2e-3)
-    lattice = body()
+    lattice = bar(200, 4e-3)
     law = bd.CellBond(E=1e9, nu=0.2)
     table = bd.Model(lattice, law, density=1e3, failure=bd.Rankine(tension=1e6, scatter=scatter)).softening
     assert table is not None
@@ -99,10 +94,9 @@ def test_facets_and_beams_take_strengths_by_their_place() -> None:
     near, far = step[(apart > 0) & (apart < 3e-4)], step[apart > 3e-3]
     assert len(near) > 500
     assert near.mean() < 0.2 * far.mean()
-    spheres = bd.connect(bd.pack(bd.Box((4e-3, 4e-3, 4e-3)), count=300, seed=1))
     beams = bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.5)
     failure = bd.PeripheralStress(tension=1e6, shear=1e6, scatter=scatter)
-    breaking = bd.Model(spheres, beams, density=1e3, failure=failure).breaking
+    breaking = bd.Model(spheres(bd.Box((4e-3, 4e-3, 4e-3)), 300), beams, density=1e3, failure=failure).breaking
     assert breaking is not None
     assert breaking.coefficient.std() > 0.0
 

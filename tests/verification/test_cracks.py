@@ -3,18 +3,16 @@
 import functools
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, GAMMA, ONSET, RESTING, SLIP, STATUS
-from bondem.model.state import State
 from bondem.solve.loop_cpu import CpuLoop
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
+from tests.bits import assert_same_fracture, most_threads, threads
+from tests.models import slowly_torn, torn_then_pressed
+from tests.specimens import bar, cubes, spheres, two_cubes
 
 E, RHO = 40e9, 2500.0
 STRENGTH, ENERGY = 4e6, 50.0
@@ -22,26 +20,12 @@ SOFT = bd.Rankine(tension=STRENGTH, fracture_energy=ENERGY)
 ELASTIC = ("normal", "shear", "bending", "twisting")
 
 
-@functools.cache
-def body(count: int, size: tuple[float, float, float] = (16e-3, 8e-3, 8e-3)) -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Box(size=size), count=count, method="even", seed=1), method="laguerre")
-
-
-@functools.cache
-def grid(shape: tuple[int, int, int], size: float = 1e-3) -> bd.Lattice:
-    """Cubic cells."""
-    box = bd.Box(size=(size * shape[0], size * shape[1], size * shape[2]))
-    axes = [size * (np.arange(n) + 0.5) for n in shape]
-    centres = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
-    return bd.connect(bd.Particles(centres, 0.5 * size, shape=box), method="laguerre")
-
-
 def model_of(lattice: bd.Lattice, nu: float, failure: bd.Criterion = SOFT, boundary=()) -> bd.Model:
     law = bd.CellBond(E=E, nu=nu, facet_rotation="full")
     return bd.Model(lattice, law, density=RHO, failure=failure, boundary=boundary)
 
 
-def cracked(model: bd.Model, integrity: dict[int, float]) -> State:
+def cracked(model: bd.Model, integrity: dict[int, float]) -> bd.State:
     """A state with cracks of given integrity, by the kernels' number of their facet."""
     state = model.state()
     state.cracks = np.zeros((len(integrity), CRACK_COLUMNS))
@@ -51,12 +35,12 @@ def cracked(model: bd.Model, integrity: dict[int, float]) -> State:
     return state
 
 
-def look(model: bd.Model, state: State) -> tuple[float, np.ndarray, np.ndarray]:
+def look(model: bd.Model, state: bd.State) -> tuple[float, np.ndarray, np.ndarray]:
     """Elastic energy [J], and forces and torques [N, N·m], kernels' order."""
     state = state.copy()
     state.stale = True
     dt = 1e-9
-    plan = Plan(duration=1.0, dt=dt, every=1)
+    plan = bd.Plan(duration=1.0, dt=dt, every=1)
     record = bd.History(CpuLoop(model, plan, state, dt).look())
     energy = sum(float(record.energy[part][0]) for part in ELASTIC)
     force = state.acceleration[:, :3] / state.motion[:, 3:4]
@@ -81,7 +65,7 @@ def test_forces_are_the_gradient_of_one_energy(nu: float, mean: float, turn: flo
     In the last case cells are turned against each other, so that the faces of closed cracks are far from parallel.
     """
     rng = np.random.default_rng(5)
-    model = model_of(body(60), nu)
+    model = model_of(bar(60), nu)
     m, n = len(model.lattice.pairs), 60
     some = rng.choice(m, size=m // 2, replace=False)
     state = cracked(model, dict(zip(some.tolist(), rng.choice([0.0, 0.3, 0.9], len(some)).tolist(), strict=True)))
@@ -123,7 +107,7 @@ def turned_matrix(q: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("nu", [0.0, 0.2, 0.4])
 def test_a_closed_crack_bears_pressure_as_whole_material_does(nu: float) -> None:
     """All facets broken, and pressed from all sides or along one: forces as if nothing were broken."""
-    lattice = grid((4, 3, 3))
+    lattice = cubes((4, 3, 3))
     model = model_of(lattice, nu)
     broken = cracked(model, dict.fromkeys(range(len(lattice.pairs)), 0.0))
     whole = model.state()
@@ -142,7 +126,7 @@ def test_a_closed_crack_bears_pressure_as_whole_material_does(nu: float) -> None
 def test_two_cells_soften_along_a_straight_line_and_give_back_their_energy(one_thread: None) -> None:
     """One facet between two cubes, ν = 0: traction falls linearly to nothing at 2 G_f / f_t; the work is G_f A."""
     size = 10e-3
-    lattice = grid((2, 1, 1), size)
+    lattice = two_cubes(size)
     opening = 2.0 * ENERGY / STRENGTH
     speed, rise = 0.004, 2e-4
     ends = ("x_min", -0.5 * speed), ("x_max", 0.5 * speed)
@@ -168,7 +152,7 @@ def test_two_cells_soften_along_a_straight_line_and_give_back_their_energy(one_t
 def test_a_hinge_cracks_and_gives_back_its_energy(one_thread: None) -> None:
     """Two cubes turned against each other: it begins at f_t = E ρ / √12, and takes G_f A, as in tension."""
     size = 10e-3
-    lattice = grid((2, 1, 1), size)
+    lattice = two_cubes(size)
     last = 2.0 * ENERGY / STRENGTH * np.sqrt(12.0) / size
     speed, rise = 1.2, 2e-4
     rates = {"vy": 0.25 * size * speed, "vz": 0.0, "wx": 0.0, "wy": 0.0}
@@ -192,9 +176,7 @@ def test_a_hinge_cracks_and_gives_back_its_energy(one_thread: None) -> None:
 
 def test_cracks_rest_where_the_bar_unloads() -> None:
     """Facets soften all over the bar at the peak; a third of the way down, all but those of the crack are at rest."""
-    pull = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), vx=0.1)]
-    model = model_of(body(250), 0.2, bd.Rankine(tension=STRENGTH, fracture_energy=ENERGY), boundary=pull)
-    dt = 0.9 * critical_step(model, bd.VelocityVerlet())
+    model, dt = slowly_torn(SOFT)
     share = []
     state = None
     for far in (2e-6, 9e-6):  # the peak is at 1.6 µm, and nothing is left at 25 µm
@@ -209,10 +191,7 @@ def test_cracks_rest_where_the_bar_unloads() -> None:
 @functools.cache
 def torn(share: float = 0.9, energy: float | None = ENERGY) -> bd.ExplicitResult:
     """A bar that is pulled apart, slowly enough for its crack; without a fracture energy it breaks at once."""
-    lattice = body(250)
-    pull = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), vx=0.1)]
-    model = model_of(lattice, 0.2, bd.Rankine(tension=STRENGTH, fracture_energy=energy), boundary=pull)
-    dt = share * critical_step(model, bd.VelocityVerlet())
+    model, dt = slowly_torn(bd.Rankine(tension=STRENGTH, fracture_energy=energy), share)
     far = STRENGTH / E * 16e-3 + (1.2 * 2.0 * energy / STRENGTH if energy else 1e-6)
     return bd.solve_explicit(model, duration=far / 0.1, dt=dt, every=50)
 
@@ -232,24 +211,18 @@ def test_the_ledger_closes_and_is_of_second_order(energy: float | None, closes: 
     assert fine.residual < 0.35 * coarse.residual
 
 
-def impact(model: bd.Model, steps: int, dt: float, state: State | None = None, **options) -> bd.ExplicitResult:
+#: Cracks open, close and rub, and cells yield.
+MIXED = bd.MohrCoulomb(
+    tension=2e6, cohesion=4e6, friction_angle=0.6, fracture_energy=2.0, scatter=bd.Weibull(modulus=8.0, volume=1e-9),
+)  # fmt: skip
+
+
+def impact(model: bd.Model, steps: int, dt: float, state: bd.State | None = None, **options) -> bd.ExplicitResult:
     return bd.solve_explicit(model, duration=steps * dt, dt=dt, every=0, state=state, **options)
 
 
-def quick() -> tuple[bd.Model, float]:
-    """A body torn and then pressed: cracks that open, close, rub; cells that yield."""
-    failure = bd.MohrCoulomb(
-        tension=2e6, cohesion=4e6, friction_angle=0.6, fracture_energy=2.0,
-        scatter=bd.Weibull(modulus=8.0, volume=1e-9),
-    )  # fmt: skip
-    way = bd.Table([0.0, 1e-5, 1.2e-5, 4e-5], [1.0, 1.0, -2.0, -2.0])
-    pull = [bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), vx=way)]
-    model = bd.Model(body(1200), bd.CellBond(E=E, nu=0.2), density=RHO, failure=failure, boundary=pull)
-    return model, 0.9 * critical_step(model, bd.VelocityVerlet())
-
-
 def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> None:
-    model, dt = quick()
+    model, dt = torn_then_pressed(MIXED)
     steps = 240
     with threads(1):
         one = impact(model, steps, dt).state
@@ -257,16 +230,16 @@ def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> Non
     assert len(one.broken) > 20
     assert (one.plastic[:, GAMMA] > 0.0).sum() > 20
     for count in (2, 4):
-        if count <= numba.config.NUMBA_NUM_THREADS:
+        if count <= most_threads():
             with threads(count):
                 other = impact(model, steps, dt).state
-            same(one, other)
+            assert_same_fracture(one, other)
     paused = bd.solve_explicit(model, duration=steps * dt, dt=dt, every=7).state
-    same(one, paused)
+    assert_same_fracture(one, paused)
     kept = tmp_path / "run.h5"
     seen = []
 
-    def stop(state: State, _: bd.History) -> bool:
+    def stop(state: bd.State, _: bd.History) -> bool:
         seen.append(state.step)
         return state.step >= 150
 
@@ -274,12 +247,12 @@ def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> Non
     again = bd.resume(kept).state
     assert seen[-1] == 150
     assert again.step == steps
-    same(one, again)
+    assert_same_fracture(one, again)
 
 
 def test_the_first_record_of_a_run_that_goes_on_has_all_that_cells_dissipated() -> None:
     """The last increment of strain is booked by half when it comes, and by half with the stress a step later."""
-    model, dt = quick()
+    model, dt = torn_then_pressed(MIXED)
     start = impact(model, 150, dt).state
     went_on = bd.solve_explicit(model, duration=10 * dt, dt=dt, every=1, state=start).history.energy
     came = np.diff(went_on["plastic"])
@@ -287,15 +260,10 @@ def test_the_first_record_of_a_run_that_goes_on_has_all_that_cells_dissipated() 
     assert went_on["plastic"][0] == pytest.approx(0.5 * came[0], rel=0.2)
 
 
-def same(one: State, other: State) -> None:
-    for name in ("pose", "motion", "integrity", "cracks", "plastic", "broken"):
-        np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
-
-
 @pytest.mark.parametrize("pressure", [1e6, 6e6])
 def test_a_pressed_facet_cracks_by_its_own_shear(pressure: float) -> None:
     """σ_zz of the strength everywhere: facets across x, under (-p, τ), crack from τ² = f_t (f_t + p) on."""
-    model = model_of(grid((3, 3, 3)), 0.0)
+    model = model_of(cubes((3, 3, 3)), 0.0)
     lattice, least = model.lattice, np.sqrt(STRENGTH * (STRENGTH + pressure))
     assert lattice.facets is not None
     across = (np.abs(lattice.facets.normal[:, 0]) > 0.5) & (lattice.pairs == 13).any(axis=1)  # of the cell amidst
@@ -312,7 +280,7 @@ def test_a_pressed_facet_cracks_by_its_own_shear(pressure: float) -> None:
 def test_friction_holds_a_closed_crack_until_it_slips() -> None:
     """Two cubes, their facet broken and pressed: it bears shear up to μ times the pressure."""
     size, pressed, across = 1e-3, 1e-8, 2e-8
-    lattice = grid((2, 1, 1), size)
+    lattice = two_cubes(size)
     for friction in (0.0, 0.3, 5.0):
         model = model_of(lattice, 0.0, bd.Rankine(tension=STRENGTH, fracture_energy=ENERGY, friction=friction))
         state = cracked(model, {0: 0.0})
@@ -328,10 +296,10 @@ def test_friction_holds_a_closed_crack_until_it_slips() -> None:
 def test_long_elements_are_refused_with_the_length_that_would_do() -> None:
     brittle = bd.Rankine(tension=20e6, fracture_energy=3.0)
     with pytest.raises(InputError, match=r"snap back above 2 E G_f / f_t² = 0\.0006 m"):
-        bd.Model(body(250), bd.CellBond(E=E, nu=0.2), density=RHO, failure=brittle)
+        bd.Model(bar(250), bd.CellBond(E=E, nu=0.2), density=RHO, failure=brittle)
 
 
 def test_softening_is_for_bodies_of_cells() -> None:
-    lattice = bd.connect(bd.pack(bd.Box(size=(4e-3, 4e-3, 4e-3)), count=300, seed=1))
+    lattice = spheres(bd.Box((4e-3, 4e-3, 4e-3)), 300)
     with pytest.raises(InputError, match=r"use bd\.CellBond"):
         bd.Model(lattice, bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.7), density=RHO, failure=SOFT)

@@ -1,24 +1,19 @@
 """The same bits whatever the number of threads, and wherever a run pauses."""
 
-import os
-import subprocess
-import sys
-from pathlib import Path
+import math
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.kernels.advance import SERIAL_BONDS
-from bondem.model.state import State
 from bondem.solve.explicit import integrate
-from bondem.solve.history import History
-from bondem.solve.plan import ExplicitResult, Plan
 from bondem.solve.timestep import critical_step
-from tests.bits import assert_same_bits
+from tests.bits import assert_same_bits, need_two_threads, threads
+from tests.models import stirred, time_step
 from tests.recording import Record
+from tests.scripts import python
+from tests.specimens import crooked_block
 
 GAUGES = {
     "end": bd.Gauge(bd.Face("x_max", depth=0.5), "displacement"),
@@ -31,34 +26,27 @@ DAMPING = bd.LocalDamping(0.1)
 
 def bar(shape: tuple[int, int, int], formulation: str = "total") -> bd.Model:
     """A crooked bar, held at one end, loaded by a ramp at the other and driven in the middle."""
-    rng = np.random.default_rng(1)
-    grid = np.indices(shape).reshape(3, -1).T.astype(float)
-    radius = rng.uniform(0.3, 0.4, len(grid))
-    position = grid + rng.uniform(-0.1, 0.1, grid.shape)
-    lattice = bd.connect(bd.Particles(position, radius), reach=2.0)
+    lattice, count = crooked_block(shape), math.prod(shape)
     law = bd.Timoshenko(E=1e7, nu=0.2, radius_ratio=0.6, formulation=formulation)
     boundary = [
         bd.Fix(bd.Face("x_min", depth=0.5)),
-        bd.Drive(bd.Index([len(grid) // 2]), vy=bd.Ramp(0.0, 0.4, 0.05), rx=bd.Ramp(0.0, 0.1, 0.03)),
+        bd.Drive(bd.Index([count // 2]), vy=bd.Ramp(0.0, 0.4, 0.05), rx=bd.Ramp(0.0, 0.1, 0.03)),
         bd.Load(bd.Face("x_max", depth=0.5), force=(3e4, -1e4, 2e4), schedule=bd.Ramp(0.0, 1.0, 0.02)),
     ]
-    return bd.Model(lattice, law, density=rng.uniform(900.0, 1100.0, len(grid)), boundary=boundary)
+    density = np.random.default_rng(1).uniform(900.0, 1100.0, count)
+    return bd.Model(lattice, law, density=density, boundary=boundary)
 
 
-def state_of(model: bd.Model) -> State:
-    rng = np.random.default_rng(7)
-    state = State(model)
-    state.set_motion(velocity=rng.uniform(-0.5, 0.5, (len(state.pose), 3)))
-    return state
+def state_of(model: bd.Model) -> bd.State:
+    return stirred(model, 0.3, seed=7)
 
 
 def test_one_and_two_threads_agree_to_the_bit(record: Record) -> None:
-    if numba.config.NUMBA_NUM_THREADS < 2:
-        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    need_two_threads()
     model = bar((12, 10, 10))
     assert len(model.lattice.pairs) > 2 * SERIAL_BONDS
-    dt = 0.9 * critical_step(model, bd.VelocityVerlet())
-    plan = Plan(duration=230 * dt, dt=dt, damping=DAMPING, gauges=GAUGES, every=20)
+    dt = time_step(model, 0.9)
+    plan = bd.Plan(duration=230 * dt, dt=dt, damping=DAMPING, gauges=GAUGES, every=20)
     results = []
     for count in (1, 2):
         with threads(count):
@@ -76,8 +64,10 @@ def test_pausing_changes_no_bit(formulation: str, scheme, record: Record) -> Non
     model = bar((5, 2, 3), formulation)
     dt = 0.8 * critical_step(model, scheme)
 
-    def run(steps: int, every: int, state: State, history: History | None = None, **options) -> ExplicitResult:
-        plan = Plan(
+    def run(
+        steps: int, every: int, state: bd.State, history: bd.History | None = None, **options
+    ) -> bd.ExplicitResult:
+        plan = bd.Plan(
             duration=steps * dt, dt=dt, scheme=scheme, damping=DAMPING, gauges=GAUGES, every=every, **options
         )
         return integrate(model, plan, state=state, history=history)
@@ -100,12 +90,14 @@ def test_pausing_changes_no_bit(formulation: str, scheme, record: Record) -> Non
 def test_a_second_stage_may_be_split_too() -> None:
     """Time goes on where the first stage ended, with another step; the schedules must see the same times."""
     model = bar((5, 2, 3))
-    dt = 0.8 * critical_step(model, bd.VelocityVerlet())
-    first = integrate(model, Plan(duration=101 * dt, dt=dt, every=0), state=state_of(model)).state
+    dt = time_step(model, 0.8)
+    first = integrate(model, bd.Plan(duration=101 * dt, dt=dt, every=0), state=state_of(model)).state
     other = 0.37 * dt
 
-    def go_on(state: State, steps: int) -> ExplicitResult:
-        return integrate(model, Plan(duration=(101 + steps) * other, dt=other, every=0, damping=DAMPING), state=state)
+    def go_on(state: bd.State, steps: int) -> bd.ExplicitResult:
+        return integrate(
+            model, bd.Plan(duration=(101 + steps) * other, dt=other, every=0, damping=DAMPING), state=state
+        )
 
     whole = go_on(first.copy(), 300)
     split = go_on(go_on(go_on(first.copy(), 33).state, 150).state, 300)
@@ -113,14 +105,14 @@ def test_a_second_stage_may_be_split_too() -> None:
 
 
 MANY_THREADS = """
-import hashlib, sys
-sys.path.insert(0, sys.argv[1])
-from test_determinism import DAMPING, Plan, State, bar, bd, critical_step, integrate, state_of, threads
+import hashlib
+from tests.models import time_step
+from tests.verification.test_determinism import DAMPING, bar, bd, integrate, state_of, threads
 
 grip = [bd.Fix(bd.Face("x_min", depth=0.5)), bd.Drive(bd.Index([600]), y=bd.Table((0.0, 1.0, 2.0), (0.0, 0.02, 0.0)))]
 pull = [bd.Load(bd.Face("x_max", depth=0.5), force=(3e3, -1e3, 2e3), schedule=bd.Ramp(0.0, 1.0, 0.5))]
 model = bar((12, 10, 10)).with_boundary([*grip, *pull])
-dt = 0.8 * critical_step(model, bd.VelocityVerlet(), DAMPING)
+dt = time_step(model, 0.8, DAMPING)
 
 
 def slow(model):
@@ -131,21 +123,16 @@ def slow(model):
 
 for count in (1, 2, 3, 4):
     with threads(count):
-        run = integrate(model, Plan(duration=10_000 * dt, dt=dt, damping=DAMPING, every=1000), state=slow(model))
+        run = integrate(model, bd.Plan(duration=10_000 * dt, dt=dt, damping=DAMPING, every=1000), state=slow(model))
     assert run.steps == 10_000, run.message
-    bits = b"".join(getattr(run.state, name).tobytes() for name in State.ARRAYS) + run.history.records.tobytes()
+    bits = b"".join(getattr(run.state, name).tobytes() for name in bd.State.ARRAYS) + run.history.records.tobytes()
     print(hashlib.sha256(bits).hexdigest())
 """
 
 
 def test_ten_thousand_steps_on_more_threads_than_cores(record: Record) -> None:
     """Damped, held, driven and loaded, on 1 to 4 threads; in a process of its own, which may have that many."""
-    found = subprocess.run(
-        [sys.executable, "-c", MANY_THREADS, str(Path(__file__).parent)],
-        env=os.environ | {"NUMBA_NUM_THREADS": "4"}, capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert found.returncode == 0, found.stderr
-    bits = found.stdout.split()
+    bits = python(MANY_THREADS)
     assert len(bits) == 4
     assert len(set(bits)) == 1
     record("same bits", True)

@@ -9,12 +9,13 @@ from bondem.errors import ConvergenceError
 from bondem.quasistatic.damaged_body import DamagedBody
 from bondem.quasistatic.equilibrium import Eliminated, Iterated
 from bondem.solve.linear import Iteration, System
-from tests.verification.test_quasistatic import block, follow, pulled
+from tests.models import follow, pulled
+from tests.specimens import uneven_bar
 
 
 def test_a_body_without_equilibrium_keeps_its_path(monkeypatch: pytest.MonkeyPatch) -> None:
     """What was found before is given back; a body that never had an equilibrium is an error."""
-    whole = follow(pulled(block(60)), most=12)
+    whole = follow(pulled(uneven_bar(60)), most=12)
     solve, left = Eliminated.solve, [8]
 
     def sometimes(self: Eliminated, right: np.ndarray, guess: np.ndarray, energy: float = 0.0) -> np.ndarray:
@@ -24,17 +25,17 @@ def test_a_body_without_equilibrium_keeps_its_path(monkeypatch: pytest.MonkeyPat
         return solve(self, right, guess)
 
     monkeypatch.setattr(Eliminated, "solve", sometimes)
-    found = follow(pulled(block(60)), most=12)
+    found = follow(pulled(uneven_bar(60)), most=12)
     assert found.end == "loose"
     assert 4 <= len(found.load) <= 8
     np.testing.assert_array_equal(found.load, whole.load[: len(found.load)])
     with pytest.raises(ConvergenceError):
-        follow(pulled(block(60)))
+        follow(pulled(uneven_bar(60)))
 
 
 def test_a_stale_preconditioner_is_made_anew() -> None:
     """One that is good for nothing is thrown away, and the next one finds the equilibrium."""
-    model = pulled(block(200))
+    model = pulled(uneven_bar(200))
     system = System.of(replace(model, failure=None))
     begun = Iteration(system)
     body = DamagedBody(model, system, begun.root)

@@ -1,6 +1,5 @@
 """Strengths by region: each bond, facet and cell fails by the criterion of where it is."""
 
-import functools
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -10,11 +9,12 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.io.runfile import read_run
 from bondem.model.failure_table import FailureTable
 from bondem.model.softening_table import SofteningTable
+from tests.specimens import bar, row
 
 LENGTH, WIDTH = 24e-3, 6e-3
+BAR = 250, LENGTH, WIDTH
 E, RHO = 30e9, 2400.0
 STRONG = bd.Rankine(tension=4e6, fracture_energy=60.0)
 WEAK = bd.Rankine(tension=2e6, fracture_energy=30.0, friction=0.3)
@@ -22,13 +22,8 @@ BRITTLE = bd.MohrCoulomb(tension=2e6, cohesion=1e6, friction_angle=0.5)
 MIDDLE = bd.Within(bd.Box((6e-3, 2 * WIDTH, 2 * WIDTH)).moved((9e-3, -0.5 * WIDTH, -0.5 * WIDTH)))
 
 
-@functools.cache
-def body() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Box((LENGTH, WIDTH, WIDTH)), count=250, method="even", seed=1), method="laguerre")
-
-
 def model(failure: object, **others) -> bd.Model:
-    return bd.Model(body(), bd.CellBond(E=E, nu=0.0), density=RHO, failure=failure, **others)
+    return bd.Model(bar(*BAR), bd.CellBond(E=E, nu=0.0), density=RHO, failure=failure, **others)
 
 
 def ends(speed: float) -> list[bd.BoundaryCondition]:
@@ -71,7 +66,8 @@ def test_facets_have_the_strength_of_their_region_and_of_its_border() -> None:
     border = bd.Rankine(tension=1e6, fracture_energy=30.0)
     rest = bd.Everything() - MIDDLE
     one = model({rest: STRONG, MIDDLE: WEAK, (rest, MIDDLE): border})
-    table, inside = softening(one), MIDDLE.mask(body())[body().pairs].sum(axis=1)[one.layout.bond_order]
+    table, body = softening(one), one.lattice
+    inside = MIDDLE.mask(body)[body.pairs].sum(axis=1)[one.layout.bond_order]
     assert table.strength.tolist() == np.array([4e6, 1e6, 2e6])[inside].tolist()
     assert table.friction.tolist() == np.array([0.0, 0.0, 0.3])[inside].tolist()
     # the opening where nothing is left is 2 G_f / f_t, of a whole facet the traction k u / A
@@ -86,7 +82,7 @@ def test_a_bar_bears_what_its_weakest_part_does() -> None:
     assert peak == pytest.approx(2e6, rel=0.01)
     hurt = run.state.bond_integrity < 1.0
     assert hurt.any()
-    assert MIDDLE.mask(body())[body().pairs[hurt]].any(axis=1).all()
+    assert MIDDLE.mask(bar(*BAR))[bar(*BAR).pairs[hurt]].any(axis=1).all()
     # overruled by a later entry it is as strong as the rest
     whole, run = peak_of({MIDDLE: WEAK, bd.Everything(): STRONG}, 1e-3)
     assert whole == pytest.approx(4e6, rel=0.01)
@@ -100,7 +96,7 @@ def test_cells_yield_by_the_cohesion_and_the_friction_of_their_region() -> None:
                        fracture_energy_shear=math.inf)
         for one, phi in ((other, steep), (c, angle))
     )  # fmt: skip
-    slip, inside = softening(model({bd.Everything(): hard, MIDDLE: soft})).slip, MIDDLE.mask(body())
+    slip, inside = softening(model({bd.Everything(): hard, MIDDLE: soft})).slip, MIDDLE.mask(bar(*BAR))
     assert slip is not None
     own = inside[model(STRONG).layout.order]
     assert slip.strength == pytest.approx(np.where(own, c * math.cos(angle), other * math.cos(steep)))
@@ -124,20 +120,20 @@ def test_cells_by_rankine_do_not_yield_beside_those_that_do() -> None:
     one = model({bd.Everything(): STRONG, MIDDLE: soft})
     slip = softening(one).slip
     assert slip is not None
-    assert (np.isinf(slip.strength) == ~MIDDLE.mask(body())[one.layout.order]).all()
+    assert (np.isinf(slip.strength) == ~MIDDLE.mask(bar(*BAR))[one.layout.order]).all()
     run = bd.solve_explicit(
-        bd.Model(body(), bd.CellBond(E=E, nu=0.2), RHO, boundary=ends(-0.02), failure=one.failure), duration=2e-5
+        bd.Model(bar(*BAR), bd.CellBond(E=E, nu=0.2), RHO, boundary=ends(-0.02), failure=one.failure),
+        duration=2e-5,
     )
     assert np.isfinite(run.state.position).all()
 
 
 def test_beams_break_by_the_criterion_of_their_region() -> None:
     """A row of equal bonds pulled apart: the third bond is weaker, and breaks first, at its own strength."""
-    row = bd.connect(bd.Particles(1e-3 * np.arange(6)[:, None] * [1.0, 0.0, 0.0], 0.5e-3), tolerance=1e-9)
     law = bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.5)
     strong, weak = (bd.PeripheralStress(tension=s, shear=s) for s in (3e6, 2e6))
     failure = {bd.Everything(): strong, (bd.Index([2]), bd.Index([3])): weak}
-    one = bd.Model(row, law, 1000.0, failure=failure, boundary=[
+    one = bd.Model(row(6), law, 1000.0, failure=failure, boundary=[
         bd.Fix(bd.Index([0])), bd.Drive(bd.Index([5]), vx=1e-3)])  # fmt: skip
     run = bd.solve_explicit(one, duration=1.5e-2, every=10, damping=bd.LocalDamping(0.7), imbalance=None)
     assert run.events.bond.tolist() == [2]
@@ -149,7 +145,7 @@ def test_a_run_file_keeps_them(tmp_path: Path) -> None:
     failure = {bd.Everything(): STRONG, MIDDLE: WEAK, (MIDDLE, bd.Everything() - MIDDLE): STRONG}
     one = model(failure, boundary=ends(0.02))
     bd.solve_explicit(one, duration=2e-6, out=tmp_path / "run.h5")
-    again = read_run(tmp_path / "run.h5").model
+    again = bd.read_run(tmp_path / "run.h5").model
     assert again.failure == failure
     assert np.array_equal(softening(again).strength, softening(one).strength)
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from tests.specimens import cells, grid
 
 FAR = np.array([5e5, 5e6, 300.0])
 LAW = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
@@ -11,8 +12,7 @@ LAW = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
 
 def beams(shift) -> bd.Lattice:
     # places that are whole multiples of what doubles tell apart at 5e6 m
-    grid = 0.125 * np.indices((6, 3, 3)).reshape(3, -1).T
-    return bd.connect(bd.Particles(grid + shift, 0.0625))
+    return bd.connect(bd.Particles(grid((6, 3, 3), 0.125).centre + shift, 0.0625))
 
 
 def pulled(lattice: bd.Lattice, law, **options):
@@ -71,7 +71,7 @@ def test_walls_and_breakage_are_the_same_far_away() -> None:
 
 
 def test_a_body_of_cells_bears_the_same_far_away() -> None:
-    here = bd.connect(bd.pack(bd.Box(size=(0.5, 0.25, 0.25)), count=300, spread=0.2, seed=1), method="laguerre")
+    here = cells(bd.Box((0.5, 0.25, 0.25)), 300, spread=0.2)
     law = bd.CellBond(E=30e9, nu=0.2)
     centre = np.round(here.particles.position * 2.0**25) / 2.0**25
     runs = []

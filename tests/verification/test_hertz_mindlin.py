@@ -9,26 +9,15 @@ import pytest
 
 import bondem as bd
 from bondem.laws.contact import rebound
-from bondem.model.state import State
 from bondem.solve.explicit import integrate
-from bondem.solve.timestep import critical_step
+from tests.bits import assert_same_bits
+from tests.models import cloud, grains, moving, time_step, walls_of_box
 
-NO_BONDS = np.zeros((0, 2), dtype=int)
 DENSITY, E, NU = 1000.0, 1e7, 0.25
 STAR = E / (2.0 * (1.0 - NU**2))
 G_STAR = E / (4.0 * (1.0 + NU) * (2.0 - NU))
 FLOOR = bd.PlaneWall((0, 0, 0), (0, 0, 1))
-
-
-def grains(position, radius, *, law, walls=(), boundary=()) -> bd.Model:
-    lattice = bd.Lattice(bd.Particles(position, radius), NO_BONDS)
-    return bd.Model(lattice, None, density=DENSITY, contact=law, walls=walls, boundary=boundary)
-
-
-def moving(model: bd.Model, velocity, spin=None) -> State:
-    state = State(model)
-    state.set_motion(velocity=np.asarray(velocity, dtype=float), angular_velocity=spin)
-    return state
+PISTON = bd.Driven(x=bd.Ramp(0.0, -3.0, 0.6))
 
 
 def hertz(mass: float, radius: float, modulus: float, speed: float) -> tuple[float, float]:
@@ -138,25 +127,14 @@ def test_a_sphere_on_an_incline_rolls_or_slides(slope: float, one_thread: None) 
     assert abs(run.history.energy["balance"]).max() < 1e-4 * run.history.energy["work"][-1]
 
 
-def cloud(law: bd.HertzMindlin, *, speed: float) -> tuple[bd.Model, State]:
-    """Grains of many sizes thrown about in a box with a piston."""
-    rng = np.random.default_rng(5)
-    position = 2.3 * np.indices((4, 4, 4)).reshape(3, -1).T + 1.15
-    walls = [bd.PlaneWall(np.zeros(3), axis) for axis in np.eye(3)]
-    walls += [bd.PlaneWall(9.2 * axis, -axis) for axis in np.eye(3)[1:]]
-    walls += [bd.PlaneWall((9.2, 0, 0), (-1, 0, 0), motion=bd.Driven(x=bd.Ramp(0.0, -3.0, 0.6)))]
-    model = grains(position, rng.uniform(0.8, 1.1, 64), law=law, walls=walls)
-    return model, moving(model, speed * rng.normal(size=position.shape))
-
-
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # soft spheres that overlap by a seventh
 def test_the_ledger_closes_to_second_order(one_thread: None) -> None:
     """Oblique collisions between grains and with a driven wall: springs whose stiffness changes lose, and book it."""
     missed = []
     for share in (0.4, 0.2, 0.1):
         law = bd.HertzMindlin(E=E, nu=NU, friction=0.3, restitution=0.8, overlap=0.1)
-        model, state = cloud(law, speed=1.0)
-        dt = share * critical_step(model, bd.VelocityVerlet())
+        model, state = cloud(4, law, seed=5, walls=walls_of_box(9.2, motion=PISTON))
+        dt = time_step(model, share)
         run = bd.solve_explicit(model, duration=0.7, dt=dt, every=20, state=state)
         ledger = run.history.energy
         turned = ledger["work"][-1] + ledger["translation"][0]
@@ -170,8 +148,7 @@ def test_the_ledger_closes_to_second_order(one_thread: None) -> None:
 def test_the_time_step_counts_the_deepest_overlap(one_thread: None) -> None:
     """Stiffness goes as the root of the overlap, the step as its fourth root; and at it, all is stable."""
     shallow, deep = (
-        critical_step(grains([[0, 0, 0]], [1.0], law=bd.HertzMindlin(E=E, nu=NU, overlap=u)), bd.VelocityVerlet())
-        for u in (1e-4, 1e-2)
+        time_step(grains([[0, 0, 0]], [1.0], law=bd.HertzMindlin(E=E, nu=NU, overlap=u)), 1.0) for u in (1e-4, 1e-2)
     )
     assert shallow / deep == pytest.approx(100.0**0.25, rel=1e-9)
     model = grains([[0, 0, 0], [2.0, 0, 0]], [1.0, 1.0], law=bd.HertzMindlin(E=E, nu=NU))
@@ -184,8 +161,9 @@ def test_the_time_step_counts_the_deepest_overlap(one_thread: None) -> None:
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # soft spheres that overlap by a seventh
 def test_going_on_from_a_run_file_changes_no_bit(tmp_path: Path, one_thread: None) -> None:
-    model, state = cloud(bd.HertzMindlin(E=E, nu=NU, friction=0.4, restitution=0.7), speed=4.0)
-    dt = 0.5 * critical_step(model, bd.VelocityVerlet())
+    law = bd.HertzMindlin(E=E, nu=NU, friction=0.4, restitution=0.7)
+    model, state = cloud(4, law, seed=5, speed=4.0, walls=walls_of_box(9.2, motion=PISTON))
+    dt = time_step(model, 0.5)
     options, path = {"dt": dt, "every": 7, "save_every": 50}, tmp_path / "run.h5"
     whole = bd.solve_explicit(model, duration=600 * dt, state=state, **options)
     assert whole.history.energy["friction"][-1] > 0.01 * whole.history.energy["translation"][0]
@@ -194,5 +172,4 @@ def test_going_on_from_a_run_file_changes_no_bit(tmp_path: Path, one_thread: Non
     assert kept.model.contact == model.contact
     assert len(kept.state.touching) > 3
     resumed = integrate(kept.model, replace(kept.plan, duration=600 * dt), state=kept.state, history=kept.history)
-    for name in State.ARRAYS:
-        np.testing.assert_array_equal(getattr(whole.state, name), getattr(resumed.state, name), err_msg=name)
+    assert_same_bits(whole, resumed)

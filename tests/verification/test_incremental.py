@@ -9,10 +9,8 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.laws.damping import LocalDamping
-from bondem.model.state import State
 from bondem.solve.explicit import integrate
-from bondem.solve.plan import Plan
+from tests.specimens import row, two_spheres
 
 
 def crooked_chain(count: int = 8) -> bd.Lattice:
@@ -33,7 +31,7 @@ def test_small_rotations_agree_with_the_total_formulation(law):
     tips = []
     for formulation in ("total", "incremental"):
         model = tip_loaded(law(E=200e9, nu=0.3, radius=0.2, formulation=formulation))
-        plan = Plan(duration=0.02, every=10, gauges={"tip": bd.Gauge(bd.Index([7]), "displacement")})
+        plan = bd.Plan(duration=0.02, every=10, gauges={"tip": bd.Gauge(bd.Index([7]), "displacement")})
         tips.append(integrate(model, plan).history["tip"])
     # rotations are about 1e-4, the difference of the formulations is of their square
     assert np.abs(tips[0] - tips[1]).max() < 1e-3 * np.abs(tips[0]).max()
@@ -42,7 +40,7 @@ def test_small_rotations_agree_with_the_total_formulation(law):
 
 def test_incremental_run_settles_at_the_static_solution():
     model = tip_loaded(bd.ParallelBond(E=200e9, nu=0.3, radius=0.2, formulation="incremental"))
-    run = integrate(model, Plan(duration=1.5, every=0, damping=LocalDamping(0.3)))
+    run = integrate(model, bd.Plan(duration=1.5, every=0, damping=bd.LocalDamping(0.3)))
     static = bd.solve_static(model).displacement
     assert np.abs(run.state.displacement - static).max() < 1e-3 * np.abs(static).max()
 
@@ -51,23 +49,22 @@ def test_incremental_ledger_closes_to_second_order():
     defects = []
     for safety in (0.8, 0.4):
         model = tip_loaded(bd.EulerBernoulli(E=200e9, nu=0.3, radius=0.2, formulation="incremental"))
-        ledger = integrate(model, Plan(duration=0.02, every=7, safety=safety)).history.energy
+        ledger = integrate(model, bd.Plan(duration=0.02, every=7, safety=safety)).history.energy
         defects.append(np.abs(ledger["balance"]).max() / ledger["work"].max())
     assert defects[0] < 1e-5
     assert 3.0 < defects[0] / defects[1] < 5.0
 
 
 def straight_bar(boundary=()) -> bd.Model:
-    lattice = bd.connect(bd.Particles(np.arange(6)[:, None] * np.array([0.4, 0.0, 0.0]), 0.2))
-    return bd.Model(lattice, bd.EulerBernoulli(E=200e9, nu=0.3, radius=0.2), 7800.0, boundary=boundary)
+    return bd.Model(row(6, 0.4), bd.EulerBernoulli(E=200e9, nu=0.3, radius=0.2), 7800.0, boundary=boundary)
 
 
 def settle(model: bd.Model, strain: float):
-    state = State(model)
+    state = model.state()
     state.set_eigenstrain(strain)
     end = bd.Gauge(bd.Index([5]), "force")
     # the bar expands at once: its shortest waves change the balance by the square of the step
-    plan = Plan(duration=0.05, every=100, damping=LocalDamping(0.5), gauges={"end": end}, imbalance=None)
+    plan = bd.Plan(duration=0.05, every=100, damping=bd.LocalDamping(0.5), gauges={"end": end}, imbalance=None)
     return integrate(model, plan, state=state)
 
 
@@ -86,10 +83,10 @@ def test_clamped_bar_bears_minus_E_times_eigenstrain():
 
 def test_bad_eigenstrain_is_refused():
     with pytest.raises(InputError, match="above -1"):
-        State(straight_bar()).set_eigenstrain(-1.0)
+        bd.State(straight_bar()).set_eigenstrain(-1.0)
     law = bd.EulerBernoulli(E=1.0, nu=0.3, radius=0.2, formulation="incremental")
     with pytest.raises(InputError, match="total"):
-        State(tip_loaded(law)).set_eigenstrain(0.0)
+        bd.State(tip_loaded(law)).set_eigenstrain(0.0)
 
 
 # ---- paths along which every element is driven
@@ -108,7 +105,7 @@ def follow(lattice: bd.Lattice, law, legs) -> tuple[float, np.ndarray]:
         if state is not None:
             state.begin(model)
             state.time = 0.0
-        plan = Plan(duration=times[-1], dt=1.0, every=len(path) - 1, gauges={"last": last}, imbalance=None)
+        plan = bd.Plan(duration=times[-1], dt=1.0, every=len(path) - 1, gauges={"last": last}, imbalance=None)
         run = integrate(model, plan, state=state)
         state = run.state
     assert run is not None
@@ -118,7 +115,7 @@ def follow(lattice: bd.Lattice, law, legs) -> tuple[float, np.ndarray]:
 
 def deformed(strain: float, steps: int):
     """A rod that is stretched, bent and twisted in proportion: its lattice, its law, the way there."""
-    lattice = bd.connect(bd.Particles(np.arange(6)[:, None] * np.array([0.4, 0.0, 0.0]), 0.2))
+    lattice = row(6, 0.4)
     couple = 0.25 * np.pi * 0.2**3 * strain * 200e9
     pull = bd.Load(bd.Index([5]), force=(np.pi * 0.04 * strain * 200e9, 0.0, 0.0), moment=(couple, couple, couple))
     law = bd.EulerBernoulli(E=200e9, nu=0.3, radius=0.2)
@@ -163,17 +160,17 @@ def test_a_lattice_that_spins_freely_keeps_its_angular_momentum_length_and_energ
     for formulation in ("total", "incremental"):
         law = bd.ParallelBond(E=200e9, nu=0.3, radius=0.1, formulation=formulation)
         model = bd.Model(lattice, law, 7800.0)
-        state = State(model)
+        state = model.state()
         around = lattice.particles.position - lattice.particles.position.mean(axis=0)
         spin = np.array([0.0, 0.0, 80.0])
         state.set_motion(velocity=np.cross(spin, around), angular_velocity=np.tile(spin, (len(grid), 1)))
 
-        def angular(state: State, model: bd.Model = model) -> np.ndarray:
+        def angular(state: bd.State, model: bd.Model = model) -> np.ndarray:
             orbital = np.cross(state.position, model.mass[:, None] * state.velocity)
             return (orbital + model.inertia[:, None] * state.angular_velocity).sum(axis=0)
 
         before, size = angular(state), np.linalg.norm(around, axis=1).max()
-        run = integrate(model, Plan(duration=10.0 * 2.0 * np.pi / 80.0, every=200), state=state)
+        run = integrate(model, bd.Plan(duration=10.0 * 2.0 * np.pi / 80.0, every=200), state=state)
         assert np.abs(angular(run.state) - before).max() < 1e-11 * np.abs(before).max()
         where = run.state.position - run.state.position.mean(axis=0)
         # centrifugal strain: (ω l)²/c² = 1e-4
@@ -202,7 +199,7 @@ def test_a_closed_cycle_leaves_what_the_rates_say_and_nothing_in_the_total_formu
     m' = ½ i cos α m - i sin α, unbending takes the angle away, untwisting turns m back by half the angle. Shear
     forces go the same way with ks b instead of kb.
     """
-    lattice = bd.Lattice(bd.Particles([[0.0, 0, 0], [0.4, 0, 0]], 0.2), [(0, 1)])
+    lattice = two_spheres(0.4)
     law = bd.Timoshenko(E=200e9, nu=0.3, radius=0.2)
     steps = 2000
     still = np.repeat(lattice.particles.position[None], steps + 1, axis=0)

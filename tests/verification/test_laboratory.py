@@ -8,18 +8,14 @@ from scipy.integrate import quad
 
 import bondem as bd
 from bondem.labtests.beams import CrossSection
-from bondem.labtests.flexure import BendingTest
 from bondem.labtests.punching import _Core
 from bondem.labtests.splitting import flattened, splitting_strength, stamped
+from tests.specimens import cells
 
 LAW = bd.CellBond(E=40e9, nu=0.2)
 ANGLE = math.radians(59.8)
 CONCRETE = bd.MohrCoulomb(tension=4e6, cohesion=7.4e6, friction_angle=ANGLE, fracture_energy=20.0)
 RADIUS = 25e-3
-
-
-def cells(shape: bd.Shape, count: int, seed: int = 1) -> bd.Lattice:
-    return bd.connect(bd.pack(shape, count=count, method="even", seed=seed), method="laguerre")
 
 
 def flat_disc(half_angle: float) -> bd.Shape:
@@ -96,7 +92,7 @@ def test_a_triaxial_test_is_on_the_line_of_mohr_and_coulomb() -> None:
     assert pytest.approx(LAW.E, rel=0.02) == test.E
 
 
-def bent(size: tuple[float, float, float], count: int, *, notch: float = 0.0, **more) -> BendingTest:
+def bent(size: tuple[float, float, float], count: int, *, notch: float = 0.0, **more) -> bd.labtests.BendingTest:
     shape: bd.Shape = bd.Box(size)
     if notch:
         slot = bd.Box((3e-3, notch, 2.0 * size[2])).moved((0.5 * size[0] - 1.5e-3, 0.0, -0.5 * size[2]))
@@ -126,7 +122,7 @@ def test_the_strength_of_a_beam_is_that_of_its_outer_fibre() -> None:
     assert short.path.load[0] / test.path.load[0] == pytest.approx(2.0, rel=0.1)
 
 
-def work_of_rollers(test: BendingTest) -> float:
+def work_of_rollers(test: bd.labtests.BendingTest) -> float:
     """∫ P dw [J]: along elastic stretches, and at a constant load in events, where w changes with the damage.
 
     w is that of the centres of the cells at the rollers, which misses the dents above them: 2.5 % here.

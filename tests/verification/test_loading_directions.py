@@ -12,6 +12,7 @@ from bondem.io.older_states import judge_anew
 from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, ONSET, RESTING, STATUS, TOP
 from bondem.laws.softening import LEAST_SLOPE, left_in_bulk, left_on_plane, softened, softens_at
 from bondem.observe.opened_facets import Opened
+from tests.specimens import cube, cubes
 
 E, RHO, F_T, G_F = 40e9, 2500.0, 4e6, 50.0
 LAW = bd.CellBond(E=E, nu=0.2)
@@ -28,17 +29,10 @@ def directions(rng: np.random.Generator) -> np.ndarray:
 
 
 @functools.cache
-def cube(seed: int) -> bd.Lattice:
-    particles = bd.pack(bd.Box((30e-3, 30e-3, 30e-3)), count=300, method="even", seed=seed)
-    return bd.connect(particles, method="laguerre")
-
-
-@functools.cache
 def blocks() -> tuple[bd.Lattice, bd.Index, bd.Index]:
     """Cubic cells, and those on both sides of the plane x = 2 mm."""
-    centres = np.stack(np.meshgrid(*[1e-3 * (np.arange(4) + 0.5)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
-    body = bd.connect(bd.Particles(centres, 0.5e-3, shape=bd.Box((4e-3, 4e-3, 4e-3))), method="laguerre")
-    left = centres[:, 0] < 2e-3
+    body = cubes((4, 4, 4), 1e-3)
+    left = body.centre[:, 0] < 2e-3
     return body, bd.Index(np.flatnonzero(left).tolist()), bd.Index(np.flatnonzero(~left).tolist())
 
 
@@ -198,7 +192,7 @@ def test_equilibria_and_runs_judge_alike() -> None:
 @pytest.mark.parametrize("seed", [1, 2])
 def test_a_first_load_leaves_the_strength_across(seed: int) -> None:
     """A cube pulled along x to 1.02 f_t/E and unloaded has its strength and stiffness along y (was 0.61 and 0.64)."""
-    body, size = cube(seed), 30e-3
+    body, size = cube(300, 30e-3, seed=seed), 30e-3
     stretch = F_T / E * size
     period = 2.0 * size / math.sqrt(E / RHO)
     damping = bd.MassDamping(alpha=0.6 / period)

@@ -4,37 +4,23 @@ import math
 import runpy
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError
 from bondem.kernels.advance import SERIAL_BONDS
-from bondem.model.state import State
 from bondem.solve.explicit import integrate
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
 from bondem.specimen.patches import face_patches
+from tests.bits import assert_same_bits, assert_same_run, need_two_threads, threads
+from tests.models import time_step, total_energy
 from tests.recording import Record
+from tests.specimens import NO_BONDS, crooked_block, rod, spheres
 
 LAW = bd.EulerBernoulli(E=2.0e9, nu=0.25, radius_ratio=0.6)
 RHO = 1500.0
-VERLET = bd.VelocityVerlet()
+CYLINDER = bd.Cylinder(radius=5e-3, length=30e-3)
 pytestmark = pytest.mark.usefixtures("one_thread")
-
-
-@pytest.fixture(scope="module")
-def cylinder() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Cylinder(radius=5e-3, length=30e-3), count=1500, spread=0.2, seed=4))
-
-
-def bar(shape: tuple[int, int, int], boundary=()) -> bd.Model:
-    rng = np.random.default_rng(1)
-    grid = np.indices(shape).reshape(3, -1).T.astype(float)
-    particles = bd.Particles(grid + rng.uniform(-0.05, 0.05, grid.shape), rng.uniform(0.4, 0.5, len(grid)))
-    return bd.Model(bd.connect(particles, reach=1.3), LAW, density=RHO, boundary=boundary)
 
 
 # ---- body forces
@@ -47,8 +33,8 @@ def test_loose_elements_fall_as_galilei_says() -> None:
     side = bd.BodyForce((2.0, 0.0, 0.0), region=bd.Index([0, 1]), schedule=bd.Table((0.0, 0.5, 0.5), (1.0, 1.0, 0.0)))
     model = bd.Model(bd.Lattice(particles, [(0, 1)]), LAW, density=RHO, boundary=[gravity, side])
     dt = 2.0**-14
-    assert dt < critical_step(model, VERLET)
-    run = integrate(model, Plan(duration=1.0, dt=dt, every=2**10))
+    assert dt < time_step(model, 1.0)
+    run = integrate(model, bd.Plan(duration=1.0, dt=dt, every=2**10))
     moved = run.state.displacement
     np.testing.assert_allclose(moved[:, 2], -0.5 * 9.81, rtol=1e-12)
     np.testing.assert_allclose(moved[:, 0], [0.75, 0.75, 0.0], rtol=2 * dt)
@@ -58,13 +44,13 @@ def test_loose_elements_fall_as_galilei_says() -> None:
     assert energy["translation"][-1] > 1.0
     assert np.abs(energy["balance"]).max() < dt * energy["work"][-1]
 
-    grains = bd.Model(bd.Lattice(particles, np.zeros((0, 2), dtype=int)), None, density=RHO, boundary=[gravity])
-    fallen = integrate(grains, Plan(duration=1.0, dt=0.01, every=0)).state
+    grains = bd.Model(bd.Lattice(particles, NO_BONDS), None, density=RHO, boundary=[gravity])
+    fallen = integrate(grains, bd.Plan(duration=1.0, dt=0.01, every=0)).state
     np.testing.assert_allclose(fallen.displacement[:, 2], -0.5 * 9.81, rtol=1e-12)
 
 
-def test_a_hanging_rod_stretches_under_its_weight(rod) -> None:
-    model = rod(8, boundary=[bd.Fix(bd.Index([0])), bd.BodyForce((9.81, 0.0, 0.0))])
+def test_a_hanging_rod_stretches_under_its_weight() -> None:
+    model = bd.Model(rod(8), LAW, RHO, boundary=[bd.Fix(bd.Index([0])), bd.BodyForce((9.81, 0.0, 0.0))])
     below = 9.81 * np.cumsum(model.mass[::-1])[::-1]
     expected = np.concatenate([[0.0], np.cumsum(below[1:] / model.stiffness.kn)])
     for nonlinear in (False, True):
@@ -107,7 +93,8 @@ def test_patches_of_all_faces_close_the_shape(name: str) -> None:
     assert np.linalg.norm(area, axis=1).sum() == pytest.approx(shape.area, rel=tolerance)
 
 
-def test_pressure_has_the_resultant_and_moment_of_its_face(cylinder: bd.Lattice) -> None:
+def test_pressure_has_the_resultant_and_moment_of_its_face() -> None:
+    cylinder = spheres(CYLINDER, 1500, spread=0.2, seed=4)
     area = math.pi * 25e-6
     x = cylinder.particles.position
     for region, force, anchor in (
@@ -125,7 +112,8 @@ def test_pressure_has_the_resultant_and_moment_of_its_face(cylinder: bd.Lattice)
     assert np.abs(half[:, 1:3]).sum() == pytest.approx(0.5 * np.abs(nodal[:, 1:3]).sum(), rel=0.05)
 
 
-def test_pressure_on_the_ends_shortens_by_p_over_e(cylinder: bd.Lattice) -> None:
+def test_pressure_on_the_ends_shortens_by_p_over_e() -> None:
+    cylinder = spheres(CYLINDER, 1500, spread=0.2, seed=4)
     E = bd.labtests.static_tension(cylinder, LAW).E
     ends = [bd.Pressure(bd.Face(face), 1e5, schedule=bd.Ramp(0.0, 1.0, 1e-3)) for face in ("x_min", "x_max")]
     moved = bd.solve_static(bd.Model(cylinder, LAW, density=RHO, boundary=ends)).displacement
@@ -144,7 +132,8 @@ def test_pressure_on_the_ends_shortens_by_p_over_e(cylinder: bd.Lattice) -> None
 # ---- stress-free strain
 
 
-def test_a_free_body_grows_without_stress(cylinder: bd.Lattice) -> None:
+def test_a_free_body_grows_without_stress() -> None:
+    cylinder = spheres(CYLINDER, 1500, spread=0.2, seed=4)
     model = bd.Model(cylinder, LAW, density=RHO, boundary=[bd.Eigenstrain(2e-3)])
     static = bd.solve_static(model)
     x = cylinder.particles.position[cylinder.connected]
@@ -156,10 +145,10 @@ def test_a_free_body_grows_without_stress(cylinder: bd.Lattice) -> None:
     assert static.energy.total < 1e-12 * reference
 
 
-def test_a_held_chain_bears_the_closed_form_in_every_solver(rod, record: Record) -> None:
+def test_a_held_chain_bears_the_closed_form_in_every_solver(record: Record) -> None:
     ends = bd.Fix(bd.Index([0, 7]))
     strain = bd.Eigenstrain(1e-3, schedule=bd.Ramp(0.0, 1.0, 0.05))
-    model = rod(8, boundary=[ends, strain])
+    model = bd.Model(rod(8), LAW, RHO, boundary=[ends, strain])
     kn, L = model.stiffness.kn, model.lattice.length
     thrust = 1e-3 * L.sum() / (1.0 / kn).sum()
     linear, bent = (bd.solve_static(model, nonlinear=nonlinear) for nonlinear in (False, True))
@@ -180,7 +169,8 @@ def test_a_held_chain_bears_the_closed_form_in_every_solver(rod, record: Record)
     assert energy["work"][-1] > energy["normal"][-1] > 0.9 * linear.energy.total
 
 
-def test_a_clamped_bar_bears_minus_e_times_the_strain(cylinder: bd.Lattice) -> None:
+def test_a_clamped_bar_bears_minus_e_times_the_strain() -> None:
+    cylinder = spheres(CYLINDER, 1500, spread=0.2, seed=4)
     E = bd.labtests.static_tension(cylinder, LAW).E
     hold = [bd.Fix(bd.Face(face), translation="x", rotation="") for face in ("x_min", "x_max")]
     steady = bd.Fix(bd.Index(np.flatnonzero(bd.Face("x_min").mask(cylinder))[:2]), translation="yz", rotation="")
@@ -197,7 +187,7 @@ SCHEDULES = {"ramp": bd.Ramp(0.0, 1.0, 0.25), "table": bd.Table((0, 0.125, 0.25,
 
 
 @pytest.mark.parametrize("schedule", SCHEDULES.values(), ids=SCHEDULES.keys())
-def test_the_ledger_of_all_loads_closes_to_second_order(rod, schedule: bd.Ramp | bd.Table, record: Record) -> None:
+def test_the_ledger_of_all_loads_closes_to_second_order(schedule: bd.Ramp | bd.Table, record: Record) -> None:
     boundary = [
         bd.Fix(bd.Index([0])),
         bd.Eigenstrain(0.02, region=bd.Index([2, 3, 4]), schedule=schedule),
@@ -206,13 +196,13 @@ def test_the_ledger_of_all_loads_closes_to_second_order(rod, schedule: bd.Ramp |
         bd.Pressure(bd.Face("x_max", depth=0.5), 3e4, schedule=bd.Ramp(0.0, 1.0, 0.125)),
         bd.Absorbing(bd.Face("x_max", depth=0.5), density=900.0, E=1e5, nu=0.2),
     ]
-    model = rod(6, boundary=boundary)
+    model = bd.Model(rod(6), LAW, RHO, boundary=boundary)
     law = bd.EulerBernoulli(E=2e6, nu=0.25, radius_ratio=0.6)
     soft = bd.Model(model.lattice, law, density=RHO, boundary=boundary)
     errors = []
     for k in (64, 128, 256):
         dt = 1.0 / 16.0 / k
-        history = integrate(soft, Plan(duration=0.75, dt=dt, every=k)).history
+        history = integrate(soft, bd.Plan(duration=0.75, dt=dt, every=k)).history
         size = np.abs(history.energy["work"]).max()
         errors.append(np.abs(history.energy["balance"]).max() / size)
     assert history.energy["loss"][-1] > 1e-3 * size
@@ -235,8 +225,8 @@ def test_the_example_of_a_heated_bar(record: Record) -> None:
 
 def remaining_share(model: bd.Model, duration: float, dt: float) -> tuple[float, float]:
     """Energy at the end over the work put in, and the largest so far over it."""
-    energy = integrate(model, Plan(duration=duration, dt=dt, every=50)).history.energy
-    held = sum(energy[name] for name in ("translation", "rotation", "normal", "shear", "bending", "twisting"))
+    history = integrate(model, bd.Plan(duration=duration, dt=dt, every=50)).history
+    held, energy = total_energy(history), history.energy
     return held[-1] / energy["work"][-1], held.max() / energy["work"][-1]
 
 
@@ -247,7 +237,7 @@ def remaining_share(model: bd.Model, duration: float, dt: float) -> tuple[float,
 def test_a_pulse_leaves_through_an_absorbing_end(confined: bool, pulse: float, record: Record) -> None:
     # in a thin bar only pulses far longer than it is thick travel at √(E/ρ); shorter ones disperse
     box = bd.Box((0.6, 0.1, 0.1))
-    lattice = bd.connect(bd.pack(box, count=10_500, spread=0.2, seed=2))
+    lattice = spheres(box, 10_500, spread=0.2, seed=2)
     tension = bd.labtests.static_tension(lattice, LAW)
     rho = RHO * lattice.particles.volume[lattice.connected].sum() / box.volume
     E, nu = tension.E, tension.nu
@@ -260,7 +250,7 @@ def test_a_pulse_leaves_through_an_absorbing_end(confined: bool, pulse: float, r
     pushed = [bd.Load(bd.Face("x_min"), force=(1.0, 0.0, 0.0), schedule=push), *(sides if confined else [])]
     absorbing = bd.Absorbing(bd.Face("x_max"), density=rho, E=E, nu=nu, c=None if confined else c)
     model = bd.Model(lattice, LAW, density=RHO, boundary=[*pushed, absorbing])
-    dt = 0.9 * critical_step(model, VERLET)
+    dt = time_step(model, 0.9)
     # all energy that is still in the bar when the pulse has gone counts as reflected
     duration = (0.6 + pulse) / c * 1.25
     left, most = remaining_share(model, duration, dt)
@@ -276,7 +266,8 @@ def test_a_pulse_leaves_through_an_absorbing_end(confined: bool, pulse: float, r
 
 
 def everything(n: tuple[int, int, int]) -> bd.Model:
-    return bar(n, [
+    lattice = crooked_block(n, jitter=0.05, radius=(0.4, 0.5), reach=1.3)
+    return bd.Model(lattice, LAW, density=RHO, boundary=[
         bd.Fix(bd.Face("x_min", depth=0.5)),
         bd.BodyForce((0.0, 0.0, -9.81)),
         bd.BodyForce((1.0, 0.0, 0.0), region=bd.Face("y_max", depth=0.5), schedule=bd.Ramp(0.0, 1.0, 0.01)),
@@ -289,49 +280,41 @@ def everything(n: tuple[int, int, int]) -> bd.Model:
 DAMPING = (bd.BondDamping(0.05), bd.MassDamping(3.0), bd.LocalDamping(0.02))
 
 
-def assert_same(first, second) -> None:
-    for name in State.ARRAYS:
-        np.testing.assert_array_equal(getattr(first.state, name), getattr(second.state, name), err_msg=name)
-    np.testing.assert_array_equal(first.history.records, second.history.records)
-
-
 def test_threads_change_no_bit(record: Record) -> None:
-    if numba.config.NUMBA_NUM_THREADS < 2:
-        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    need_two_threads()
     model = everything((12, 9, 9))
     assert len(model.lattice.pairs) > SERIAL_BONDS
-    dt = 0.5 * critical_step(model, VERLET, DAMPING)
+    dt = time_step(model, 0.5, DAMPING)
     runs = []
     for count in (1, 2):
         with threads(count):
-            runs.append(integrate(model, Plan(duration=150 * dt, dt=dt, damping=DAMPING, every=25)))
-    assert_same(*runs)
+            runs.append(integrate(model, bd.Plan(duration=150 * dt, dt=dt, damping=DAMPING, every=25)))
+    assert_same_run(*runs)
     assert runs[0].history.energy["loss"][-1] > 0.0
     record("same bits", True)
 
 
 def test_pauses_and_a_restart_change_no_bit(tmp_path, record: Record) -> None:
     model = everything((5, 2, 3))
-    dt = 0.5 * critical_step(model, VERLET, DAMPING)
-    plan = Plan(duration=300 * dt, dt=dt, damping=DAMPING, every=25)
+    dt = time_step(model, 0.5, DAMPING)
+    plan = bd.Plan(duration=300 * dt, dt=dt, damping=DAMPING, every=25)
     whole = integrate(model, plan)
-    cut = integrate(model, Plan(duration=110 * dt, dt=dt, damping=DAMPING, every=25))
-    assert_same(whole, integrate(model, plan, state=cut.state.copy(), history=cut.history))
-    often = integrate(model, Plan(duration=300 * dt, dt=dt, damping=DAMPING, every=1))
-    for name in State.ARRAYS:
-        np.testing.assert_array_equal(getattr(whole.state, name), getattr(often.state, name), err_msg=name)
+    cut = integrate(model, bd.Plan(duration=110 * dt, dt=dt, damping=DAMPING, every=25))
+    assert_same_run(whole, integrate(model, plan, state=cut.state.copy(), history=cut.history))
+    often = integrate(model, bd.Plan(duration=300 * dt, dt=dt, damping=DAMPING, every=1))
+    assert_same_bits(whole, often)
     out = tmp_path / "run.h5"
     stop = (bd.AtRest(speed=1e9, after=100 * dt),)
     bd.solve_explicit(model, duration=300 * dt, dt=dt, damping=DAMPING, every=25, until=stop, out=out)
     kept = bd.read_run(out)
     assert kept.model.boundary == model.boundary
     assert kept.plan.damping == DAMPING
-    assert_same(whole, integrate(kept.model, plan, state=kept.state, history=kept.history))
+    assert_same_run(whole, integrate(kept.model, plan, state=kept.state, history=kept.history))
     record("same bits", True)
 
 
-def test_loads_that_make_no_sense_are_refused(rod) -> None:
-    model = rod(3)
+def test_loads_that_make_no_sense_are_refused() -> None:
+    model = bd.Model(rod(3), LAW, RHO)
     for make, message in (
         (lambda: bd.BodyForce((0.0, 1.0)), "three finite"),
         (lambda: bd.Pressure(bd.Index([0]), 1.0), "is not a face"),
@@ -347,7 +330,7 @@ def test_loads_that_make_no_sense_are_refused(rod) -> None:
     with pytest.raises(InputError, match="formulation='total'"):
         bd.Model(model.lattice, steps, density=RHO, boundary=[bd.Eigenstrain(1e-3)])
     with pytest.raises(InputError, match="free"):
-        bd.solve_static(rod(3, boundary=[bd.BodyForce((0.0, 0.0, -9.81))]))
+        bd.solve_static(bd.Model(rod(3), LAW, RHO, boundary=[bd.BodyForce((0.0, 0.0, -9.81))]))
 
 
 # ---- body forces that vary in space

@@ -9,6 +9,7 @@ import bondem as bd
 from bondem.errors import InputError, PrestressWarning
 from bondem.model.matrices import mass_diagonal, stiffness_matrix
 from bondem.solve import modal as modes_module
+from tests.specimens import cells, crooked_block, row
 
 E, NU, RADIUS, STEP, RHO = 200e9, 0.3, 1.5e-3, 8e-3, 3000.0
 LAW = bd.EulerBernoulli(E=E, nu=NU, radius=RADIUS)
@@ -16,24 +17,10 @@ STIFFNESS = E * math.pi * RADIUS**2 / STEP
 MASS = RHO * 4.0 / 3.0 * math.pi * (STEP / 2.0) ** 3
 
 
-def beads(count: int) -> bd.Lattice:
-    position = np.zeros((count, 3))
-    position[:, 0] = STEP * np.arange(count)
-    return bd.Lattice(bd.Particles(position, STEP / 2.0), [(k, k + 1) for k in range(count - 1)])
-
-
-def cloud(side: int, length: float) -> bd.Lattice:
-    rng = np.random.default_rng(1)
-    shape = np.array([int(side * length), side, side])
-    grid = np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 3) + 0.5
-    position = (grid + rng.uniform(-0.2, 0.2, grid.shape)) * 1e-3
-    return bd.connect(bd.Particles(position, 0.35e-3, shape=bd.Box(size=tuple(shape * 1e-3))), reach=1.6)
-
-
 @pytest.mark.parametrize("count", [10, 300])
 def test_bead_chain_along_its_axis(count):
     """ω_k = 2 √(k/m) sin((2k - 1) π / (2 (2N + 1))) for N free beads behind a held one."""
-    lattice = beads(count + 1)
+    lattice = row(count + 1, STEP)
     guide = bd.Fix(bd.Everything() - bd.Index(0), translation="yz")
     found = bd.solve_modes(bd.Model(lattice, LAW, density=RHO, boundary=[bd.Fix(bd.Index(0)), guide]), count=6)
     k = np.arange(1, 7)
@@ -48,7 +35,7 @@ def test_bead_chain_along_its_axis(count):
 def test_a_free_chain_has_no_mode_of_zero_frequency():
     """ω_k = 2 √(k/m) sin(k π / (2 N)) along the axis; bending comes first and is soft, but not zero."""
     count = 200
-    found = bd.solve_modes(bd.Model(beads(count), LAW, density=RHO), count=60)
+    found = bd.solve_modes(bd.Model(row(count, STEP), LAW, density=RHO), count=60)
     rod = math.sqrt(E * math.pi * RADIUS**4 / 4.0 * STEP / MASS) / (2.0 * math.pi)
     slender = rod * (4.730041 / (STEP * count)) ** 2  # m per length, free ends half a step beyond the beads
     assert found.frequency[0] == pytest.approx(slender, rel=0.02)
@@ -61,20 +48,16 @@ def test_a_free_chain_has_no_mode_of_zero_frequency():
 def test_clamped_rod_in_bending():
     """Euler-Bernoulli cantilever, (1.875104)² √(EI/μ)/L²; lumped masses, so first order in the bond length."""
     count = 240
-    found = bd.solve_modes(bd.Model(beads(count + 1), LAW, density=RHO, boundary=[bd.Fix(bd.Index(0))]), count=2)
+    found = bd.solve_modes(bd.Model(row(count + 1, STEP), LAW, density=RHO, boundary=[bd.Fix(bd.Index(0))]), count=2)
     length = STEP * (count + 0.5)
     rod = math.sqrt(E * math.pi * RADIUS**4 / 4.0 * STEP / MASS) / (2.0 * math.pi)
     np.testing.assert_allclose(found.frequency, rod * (1.8751041 / length) ** 2, rtol=3e-3)
 
 
-@pytest.fixture(scope="module")
-def block() -> bd.Lattice:
-    return cloud(9, 3.0)
-
-
 @pytest.mark.parametrize("held", [True, False], ids=["clamped", "free"])
-def test_block_gradients_find_the_modes_of_inverse_lanczos(block, held, monkeypatch):
+def test_block_gradients_find_the_modes_of_inverse_lanczos(held, monkeypatch):
     boundary = [bd.Fix(bd.Face("x_min", depth=1.0))] if held else []
+    block = crooked_block((27, 9, 9), edge=1e-3, jitter=0.2, radius=0.35, reach=1.6, walled=True)
     model = bd.Model(block, bd.EulerBernoulli(E=E, nu=NU, radius_ratio=0.6), density=RHO, boundary=boundary)
     found = bd.solve_modes(model, count=8)
     again = bd.solve_modes(model, count=8)
@@ -91,7 +74,7 @@ def test_block_gradients_find_the_modes_of_inverse_lanczos(block, held, monkeypa
 
 
 def test_more_modes_than_there_are_is_an_error():
-    model = bd.Model(beads(2), LAW, 1000.0, boundary=[bd.Fix(bd.Index(0))])
+    model = bd.Model(row(2, STEP), LAW, 1000.0, boundary=[bd.Fix(bd.Index(0))])
     assert len(bd.solve_modes(model, count=6).frequency) == 6
     with pytest.raises(InputError, match="has 6 modes"):
         bd.solve_modes(model, count=7)
@@ -99,7 +82,7 @@ def test_more_modes_than_there_are_is_an_error():
 
 def test_a_block_that_ends_among_equal_frequencies_converges() -> None:
     """A free ball has modes of 2 l + 1 equal frequencies: 29 of them are 28 and one of five, and did not converge."""
-    ball = bd.connect(bd.pack(bd.Ball(radius=0.05), count=1000, spread=0.2, seed=2), method="laguerre")
+    ball = cells(bd.Ball(0.05), 1000, spread=0.2, seed=2)
     model = bd.Model(ball, bd.CellBond(E=30e9, nu=0.3), 2400.0)
     found, more = (bd.solve_modes(model, count=count).frequency for count in (29, 44))
     np.testing.assert_allclose(found, more[:29], rtol=1e-6)
@@ -110,11 +93,8 @@ STEEL = bd.EulerBernoulli(E=200e9, nu=0.3, radius=0.5e-3)
 
 def string(tension: float, *, bonds: int = 60, nonlinear: bool = False):
     """A wire that is held at one end and pulled at the other."""
-    x = np.zeros((bonds + 1, 3))
-    x[:, 0] = np.linspace(0.0, 1.0, bonds + 1)
-    lattice = bd.Lattice(bd.Particles(x, 0.5 / bonds), [(k, k + 1) for k in range(bonds)])
     last = bd.Index(bonds)
-    model = bd.Model(lattice, STEEL, 7800.0, boundary=[
+    model = bd.Model(row(bonds + 1, 1.0 / bonds), STEEL, 7800.0, boundary=[
         bd.Fix(bd.Index(0)), bd.Fix(last, translation="yz"), bd.Load(last, force=(tension, 0.0, 0.0))])  # fmt: skip
     return model, bd.solve_static(model, nonlinear=nonlinear)
 
@@ -142,7 +122,7 @@ def across(modes: bd.ModesResult) -> float:
 
 def test_a_column_of_cells_loses_its_frequency_as_it_comes_to_buckle() -> None:
     """f² = f0² (1 - P / P_c) of a column clamped at the foot, to the mode that buckling has."""
-    column = bd.connect(bd.pack(bd.Box(size=(0.06, 0.012, 0.012)), count=500, spread=0.2, seed=3), method="laguerre")
+    column = cells(bd.Box((0.06, 0.012, 0.012)), 500, spread=0.2, seed=3)
     law, top = bd.CellBond(E=1e9, nu=0.2), bd.Face("x_max")
 
     def lowest(P: float, **options) -> float:

@@ -12,12 +12,13 @@ from bondem.quasistatic.equilibrium import Iterated
 from bondem.quasistatic.limits import StressOnset
 from bondem.quasistatic.teeth import SofteningLine, Teeth
 from bondem.solve.linear import Elimination, Iteration, System
-from tests.verification.test_quasistatic import block, pulled
+from tests.models import pulled
+from tests.specimens import uneven_bar
 
 
 def begun(count: int, cut: float) -> tuple[DamagedBody, Iterated, StressOnset]:
     """A block with a cut up to a share of its height, and the way to its equilibria."""
-    model = pulled(block(count))
+    model = pulled(uneven_bar(count))
     system = System.of(replace(model, failure=None))
     first = Iteration(system)
     body = DamagedBody(model, system, first.root)
@@ -25,7 +26,7 @@ def begun(count: int, cut: float) -> tuple[DamagedBody, Iterated, StressOnset]:
     assert model.softening is not None
     rank = np.empty(len(body.integrity), dtype=np.int64)
     rank[model.layout.bond_order] = np.arange(len(rank))
-    middle = block(count).facets.centroid
+    middle = uneven_bar(count).facets.centroid
     for k in rank[(np.abs(middle[:, 0] - 8e-3) < 1e-3) & (middle[:, 1] < cut * 8e-3)].tolist():
         body.weaken(k, 0.0, (False, False))
     return body, search, StressOnset(body, model.softening)
@@ -48,7 +49,7 @@ def test_an_equilibrium_is_good_by_the_energy_of_its_error(cut: float) -> None:
 
 def test_the_size_of_a_bar_is_its_energy() -> None:
     """(1 + ν) σ² V / E of a bar in uniform tension."""
-    model = pulled(block(200))
+    model = pulled(uneven_bar(200))
     model = bd.Model(model.lattice, model.bond, 2500.0, failure=bd.Rankine(tension=4e6), boundary=model.boundary)
     body, _, _ = solve._begin(model)
     found = body.loaded(Elimination(body.system).solve(body.right)[0])

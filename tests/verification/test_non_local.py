@@ -11,22 +11,20 @@ from bondem.errors import InputError
 from bondem.io.runfile import RunFile
 from bondem.laws.damping import DampingTerms
 from bondem.model.contact_areas import weighted_areas
-from bondem.model.state import State
 from bondem.observe.non_local_strain import NonLocalStrain
 from bondem.solve.explicit import integrate
 from bondem.solve.lagged import LaggedStatics
 from bondem.solve.lagged_step import growth
 from bondem.solve.linear import System
-from bondem.solve.plan import Plan
 from bondem.solve.timestep import highest_frequency
+from tests.specimens import cells, grid
 
 E, RHO = 40e9, 2400.0
 
 
 @pytest.fixture(scope="module")
 def body() -> bd.Lattice:
-    particles = bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=150, spread=0.25, seed=1)
-    return bd.connect(particles, method="laguerre")
+    return cells(bd.Cell((1.0, 1.0, 1.0)), 150, spread=0.25)
 
 
 @pytest.fixture(scope="module")
@@ -107,17 +105,17 @@ def test_limiter_keeps_extra_shear_within_the_stress(spheres: bd.Lattice):
         assert (over.max() <= 1.0 + 1e-12) == limited
 
 
-def moving(lattice: bd.Lattice, bond: bd.NonLocal, speed: float = 1e-2) -> State:
-    state = State(bd.Model(lattice, bond, RHO))
+def moving(lattice: bd.Lattice, bond: bd.NonLocal, speed: float = 1e-2) -> bd.State:
+    state = bd.State(bd.Model(lattice, bond, RHO))
     velocity = np.random.default_rng(0).standard_normal((150, 3))
     state.set_motion(velocity=speed * (velocity - velocity.mean(axis=0)))
     return state
 
 
-def run(state: State, share: float, steps: int, **more):
+def run(state: bd.State, share: float, steps: int, **more):
     model = state.model
     dt = share * 2.0 / highest_frequency(model)
-    return integrate(model, Plan(duration=steps * dt, dt=dt, every=more.pop("every", 20), **more), state=state)
+    return integrate(model, bd.Plan(duration=steps * dt, dt=dt, every=more.pop("every", 20), **more), state=state)
 
 
 def test_ledger_closes_with_the_non_local_work(body: bd.Lattice):
@@ -135,7 +133,7 @@ def test_forces_of_an_unchanged_state_change_nothing(body: bd.Lattice):
     state = run(moving(body, law()), 0.2, 50).state
     again = state.copy()
     again.stale = True
-    integrate(again.model, Plan(duration=0.0, dt=1e-6, every=0), state=again)
+    integrate(again.model, bd.Plan(duration=0.0, dt=1e-6, every=0), state=again)
     largest = np.abs(state.acceleration).max()
     np.testing.assert_allclose(again.acceleration, state.acceleration, rtol=0, atol=1e-9 * largest)
     np.testing.assert_allclose(again.stress, state.stress, rtol=0, atol=1e-9 * np.abs(state.stress).max())
@@ -151,7 +149,7 @@ def test_two_halves_are_the_whole_to_the_bit(spheres: bd.Lattice, tmp_path):
     more = {"dt": dt, "every": 10, "damping": bd.LocalDamping(0.3), "state": start}
     whole = bd.solve_explicit(model, duration=60 * dt, **more)
     path = tmp_path / "run.h5"
-    plan = Plan(duration=60 * dt, dt=dt, every=10, damping=bd.LocalDamping(0.3))
+    plan = bd.Plan(duration=60 * dt, dt=dt, every=10, damping=bd.LocalDamping(0.3))
     half = integrate(model, replace(plan, duration=30 * dt), state=start.copy())
     RunFile(path, model, plan).checkpoint(half.state, half.history)
     resumed = bd.resume(path)
@@ -161,9 +159,9 @@ def test_two_halves_are_the_whole_to_the_bit(spheres: bd.Lattice, tmp_path):
 
 def test_turning_as_a_rigid_body_changes_no_force(body: bd.Lattice):
     """Stresses and gaps stand in the frames of the elements."""
-    free = bd.connect(bd.pack(bd.Box((1.0, 1.0, 1.0)), count=80, spread=0.2, seed=1), method="laguerre")
+    free = cells(bd.Box((1.0, 1.0, 1.0)), 80, spread=0.2)
     model = bd.Model(free, law(), RHO)
-    state = State(model)
+    state = model.state()
     state.set_motion(velocity=np.random.default_rng(1).standard_normal((80, 3)))
     state = run(state, 0.2, 40).state
     dt = 0.4 / highest_frequency(model)
@@ -183,7 +181,7 @@ def test_turning_as_a_rigid_body_changes_no_force(body: bd.Lattice):
     results = []
     for one in (state, other):
         one.stale, one.step = True, 0
-        results.append(integrate(model, Plan(duration=5 * dt, dt=dt, every=0), state=one).state)
+        results.append(integrate(model, bd.Plan(duration=5 * dt, dt=dt, every=0), state=one).state)
     here, there = results
     size = np.abs(here.stress).max()
     np.testing.assert_allclose(there.stress, here.stress, rtol=0, atol=1e-8 * size)
@@ -220,8 +218,7 @@ def test_step_is_found_by_the_lagged_operator(body: bd.Lattice):
 
 def test_weighted_areas_of_a_cubic_lattice_close_cubes():
     """Six neighbours: the polyhedron is the cube about the sphere, and V = Σ A l / 3 its volume."""
-    grid = np.stack(np.meshgrid(*[np.arange(4)] * 3, indexing="ij"), axis=-1).reshape(-1, 3).astype(float)
-    lattice = bd.connect(bd.Particles(grid, 0.5, period=(4.0,) * 3))
+    lattice = grid((4, 4, 4), 1.0, periodic=True)
     np.testing.assert_allclose(weighted_areas(lattice), 1.0, rtol=1e-12)
     found = bd.Model(lattice, law(areas="weighted"), RHO).non_local_constants
     np.testing.assert_allclose(found.volume, 1.0, rtol=1e-12)
@@ -236,7 +233,7 @@ def test_authors_construction_is_near_but_not_exact(spheres: bd.Lattice):
 
 
 def test_free_bar_in_tension():
-    bar = bd.connect(bd.pack(bd.Box((3.0, 1.0, 1.0)), count=300, spread=0.25, seed=1), method="laguerre")
+    bar = cells(bd.Box((3.0, 1.0, 1.0)), 300, spread=0.25)
     found = bd.labtests.static_tension(bar, law())
     assert abs(found.E / E - 1.0) < 0.02
     assert found.nu == pytest.approx(0.2, abs=0.01)

@@ -9,14 +9,13 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.kernels.lagged_stress import principal_bounds
-from bondem.model.state import State
 from bondem.solve.explicit import integrate
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step, highest_frequency
-from tests.bits import assert_resumes_to, assert_same_bits
+from bondem.solve.timestep import highest_frequency
+from tests.bits import assert_resumes_to, assert_same_bits, need_two_threads, threads
+from tests.models import momenta, time_step
 from tests.recording import Record
+from tests.specimens import cells, cubes
 
 E, NU, RHO = 1e9, 0.25, 1000.0
 VERLET = bd.VelocityVerlet()
@@ -39,7 +38,7 @@ def two(failure: bd.Criterion, drive: bd.Drive, contact: bd.ContactLaw | None = 
 def driven(model: bd.Model, share: float, duration: float, **options) -> bd.ExplicitResult:
     """A run at a share of the critical step of the springs; all elements are held: no lag feeds any motion."""
     dt = share * 2.0 / highest_frequency(model)
-    return integrate(model, Plan(duration=duration, dt=dt, every=1, **options))
+    return integrate(model, bd.Plan(duration=duration, dt=dt, every=1, **options))
 
 
 def moved(way: np.ndarray, end: float) -> bd.Drive:
@@ -160,13 +159,6 @@ def test_a_pair_that_breaks_under_pressure_repels_and_rubs(one_thread: None) -> 
     assert (pressed[t > 0.9] == 0.0).all()
 
 
-def cubes(shape: tuple[int, int, int]) -> bd.Lattice:
-    """A body of equal cubes with edges of 1 m."""
-    grid = np.indices(shape).reshape(3, -1).T + 0.5
-    particles = bd.Particles(grid.astype(float), 0.5, shape=bd.Box(tuple(map(float, shape))))
-    return bd.connect(particles, method="laguerre")
-
-
 def test_a_bar_under_slow_tension_breaks_at_the_strength(one_thread: None) -> None:
     """Uniform stress F / S: away from the grips, whose force is no part of the stress, bonds break at F / S = f_t."""
     body = cubes((8, 3, 3))
@@ -176,7 +168,7 @@ def test_a_bar_under_slow_tension_breaks_at_the_strength(one_thread: None) -> No
     ]
     model = bd.Model(body, bd.NonLocal(E=E, nu=0.0), RHO, failure=bd.Rankine(tension=1e6), boundary=grips)
     gauges = {"grip": bd.Gauge(bd.Face("x_min"), "force", "sum")}
-    dt = 0.3 * critical_step(model, VERLET, bd.LocalDamping(0.7))
+    dt = time_step(model, 0.3, bd.LocalDamping(0.7))
     run = bd.solve_explicit(model, duration=0.9, dt=dt, every=1, damping=bd.LocalDamping(0.7), gauges=gauges)
     assert len(run.events) > 0
     first = int(run.events.step[0])
@@ -208,7 +200,7 @@ def test_plates_count_in_the_stress_of_what_they_press(one_thread: None) -> None
 @functools.cache
 def crushed(failure: bd.Criterion) -> bd.Model:
     """A body of 500 cells between two rough plates that come together at 2 m/s."""
-    body = bd.connect(bd.pack(bd.Box((2.0, 1.0, 1.0)), count=500, spread=0.25, seed=1), method="laguerre")
+    body = cells(bd.Box((2.0, 1.0, 1.0)), 500, spread=0.25)
     walls = [
         bd.PlaneWall(point=(0.0, 0.0, 0.0), normal=(1.0, 0.0, 0.0)),
         bd.PlaneWall(point=(2.0, 0.0, 0.0), normal=(-1.0, 0.0, 0.0), motion=bd.Driven(vx=-2.0)),
@@ -219,7 +211,7 @@ def crushed(failure: bd.Criterion) -> bd.Model:
 
 def crushing(share: float, steps: int, failure: bd.Criterion = STEEP, **options) -> bd.ExplicitResult:
     model, damping = crushed(failure), options.pop("damping", bd.LocalDamping(0.2))
-    dt = share * critical_step(model, VERLET, damping)
+    dt = time_step(model, share, damping)
     return bd.solve_explicit(model, duration=steps * dt, dt=dt, damping=damping, **options)
 
 
@@ -241,33 +233,23 @@ def test_the_ledger_closes_through_breakage_and_friction(one_thread: None, recor
 
 def test_momentum_is_kept_through_breakage(one_thread: None) -> None:
     """Also angular momentum: both forces of a bond act at one point, and so do those of the contact that follows."""
-    body = bd.connect(bd.pack(bd.Box((1.0, 1.0, 1.0)), count=150, spread=0.25, seed=1), method="laguerre")
+    body = cells(bd.Box((1.0, 1.0, 1.0)), 150, spread=0.25)
     failure, contact = bd.Rankine(tension=1e6), bd.LinearContact(E=E, friction=0.3)
     model = bd.Model(body, bd.NonLocal(E=E, nu=NU), RHO, failure=failure, contact=contact)
     state, mass = model.state(), model.mass[:, None]
     outwards = body.centre - (mass * body.centre).sum(axis=0) / mass.sum()
     state.set_motion(velocity=6.0 * outwards + np.cross((0.0, 0.0, 5.0), outwards))
-
-    def momenta(state: State) -> np.ndarray:
-        v, w, x = state.velocity, state.angular_velocity, state.position
-        spin = np.cross(x, mass * v) + model.inertia[:, None] * w
-        return np.concatenate([(mass * v).sum(axis=0), spin.sum(axis=0)])
-
     dt = 0.5 / highest_frequency(model)  # nothing takes out what the lag feeds; the run is short
-    run = integrate(model, Plan(duration=1e-3, dt=dt, every=0), state=state.copy())
+    run = integrate(model, bd.Plan(duration=1e-3, dt=dt, every=0), state=state.copy())
     assert len(run.events) > 100
     scale = np.abs(mass * state.velocity).sum()
-    assert np.abs(momenta(run.state) - momenta(state)).max() < 1e-11 * scale
-
-
-def needs_two() -> None:
-    if numba.config.NUMBA_NUM_THREADS < 2:
-        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    change = np.subtract(momenta(model, run.state), momenta(model, state))
+    assert np.abs(change).max() < 1e-11 * scale
 
 
 def test_same_bits_of_a_body_that_is_crushed(tmp_path: Path, record: Record) -> None:
     """On one and two threads, recorded often or seldom, saved and resumed."""
-    needs_two()
+    need_two_threads()
 
     def run(count: int, every: int, **options) -> bd.ExplicitResult:
         with threads(count):
@@ -284,9 +266,9 @@ def test_same_bits_of_a_body_that_is_crushed(tmp_path: Path, record: Record) -> 
 
 def test_index_says_how_near_each_bond_is(one_thread: None) -> None:
     """Below 1 of all that is whole, and the last of them that broke was the nearest a step before."""
-    states: dict[int, State] = {}
+    states: dict[int, bd.State] = {}
 
-    def look(state: State, record: bd.History) -> None:
+    def look(state: bd.State, record: bd.History) -> None:
         states[state.step] = state.copy()
 
     run = crushing(0.8, 500, every=1, callback=look)

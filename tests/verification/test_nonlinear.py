@@ -8,23 +8,17 @@ from scipy.integrate import simpson, solve_bvp
 
 import bondem as bd
 from bondem.errors import ConvergenceError, InputError
-from bondem.model.state import State
 from bondem.solve.linear import System
 from bondem.solve.nonlinear import tangent_matrix
+from tests.specimens import crooked_block, row
 
 E, NU, RADIUS, LENGTH = 200e9, 0.3, 0.5e-3, 1.0
 BENDING = E * math.pi * RADIUS**4 / 4.0
 LAW = bd.EulerBernoulli(E=E, nu=NU, radius=RADIUS)
 
 
-def rod(bonds: int) -> bd.Lattice:
-    position = np.zeros((bonds + 1, 3))
-    position[:, 0] = np.linspace(0.0, LENGTH, bonds + 1)
-    return bd.Lattice(bd.Particles(position, LENGTH / bonds / 2.0), [(k, k + 1) for k in range(bonds)])
-
-
 def bent(bonds: int, *conditions, nonlinear: bool = True):
-    model = bd.Model(rod(bonds), LAW, 1.0, boundary=[bd.Fix(bd.Index(0)), *conditions])
+    model = bd.Model(row(bonds + 1, LENGTH / bonds), LAW, 1.0, boundary=[bd.Fix(bd.Index(0)), *conditions])
     return bd.solve_static(model, nonlinear=nonlinear)
 
 
@@ -81,7 +75,9 @@ def test_small_loads_give_the_linear_answer():
 
 
 def test_a_driven_turn_of_the_support_is_rigid():
-    model = bd.Model(rod(6), LAW, 1.0, boundary=[bd.Fix(bd.Index(0), rotation="xy"), bd.Drive(bd.Index(0), rz=2.0)])
+    model = bd.Model(
+        row(7, LENGTH / 6), LAW, 1.0, boundary=[bd.Fix(bd.Index(0), rotation="xy"), bd.Drive(bd.Index(0), rz=2.0)]
+    )
     static = bd.solve_static(model, nonlinear=True)
     x = model.lattice.particles.position[:, 0]
     expected = np.stack([x * (math.cos(2.0) - 1.0), x * math.sin(2.0), 0.0 * x], axis=1)
@@ -91,19 +87,16 @@ def test_a_driven_turn_of_the_support_is_rigid():
 
 
 def test_tangent_at_rest_is_the_stiffness_matrix():
-    model = bd.Model(rod(5), bd.Timoshenko(E=E, nu=NU, radius=0.03), 1000.0)
+    model = bd.Model(row(6, LENGTH / 5), bd.Timoshenko(E=E, nu=NU, radius=0.03), 1000.0)
     system = System.of(model)
-    tangent = tangent_matrix(model, system.matrix.bonds, State(model).pose)
+    tangent = tangent_matrix(model, system.matrix.bonds, model.state().pose)
     difference = (tangent.tocsc() - system.matrix.tocsc()).toarray()
     assert np.abs(difference).max() <= 1e-8 * np.abs(system.matrix.bonds.data).max()
 
 
 def test_a_block_twisted_by_its_faces_balances():
     """A lattice in three dimensions, large enough to be iterated on."""
-    rng = np.random.default_rng(3)
-    grid = np.stack(np.meshgrid(np.arange(26), *[np.arange(8)] * 2, indexing="ij"), axis=-1).reshape(-1, 3) + 0.5
-    particles = bd.Particles(grid + rng.uniform(-0.2, 0.2, grid.shape), 0.35, shape=bd.Box(size=(26.0, 8.0, 8.0)))
-    lattice = bd.connect(particles, reach=1.6)
+    lattice = crooked_block((26, 8, 8), jitter=0.2, radius=0.35, reach=1.6, seed=3, walled=True)
     end, moment = bd.Face("x_max", depth=1.0), np.array([0.02, 0.0, 0.0])
     pull, twist = bd.Load(end, force=(0.0, 9e-3, 0.0)), bd.Load(end, moment=moment)
     law = bd.EulerBernoulli(E=1.0, nu=NU, radius_ratio=0.8)
@@ -113,7 +106,7 @@ def test_a_block_twisted_by_its_faces_balances():
     chosen, nodal = pull.nodal(lattice)
     total = static.reaction.copy()
     total[chosen] += nodal
-    x = particles.position + static.displacement
+    x = lattice.centre + static.displacement
     assert np.abs(total[:, :3].sum(axis=0)).max() <= 1e-8
     turned = np.cross(x, total[:, :3]).sum(axis=0) + total[:, 3:].sum(axis=0)
     # the forces of the moment turn with the end, their resultant does not
@@ -122,7 +115,7 @@ def test_a_block_twisted_by_its_faces_balances():
 
 def test_what_cannot_stand_is_an_error():
     pull = [bd.Load(bd.Index(k), force=(sign, 0.0, 0.0)) for k, sign in ((0, -1.0), (4, 1.0))]
-    model = bd.Model(rod(4), LAW, 1.0, boundary=pull)
+    model = bd.Model(row(5, LENGTH / 4), LAW, 1.0, boundary=pull)
     with pytest.raises(InputError, match="needs a specimen that is held"):
         bd.solve_static(model, nonlinear=True)
     with pytest.raises(ConvergenceError, match="more and shorter bonds"):

@@ -5,7 +5,8 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.solve.timestep import critical_step
+from tests.models import time_step
+from tests.specimens import cube, loose, two_spheres
 
 R = 0.5e-3
 LAW = bd.EulerBernoulli(E=1e9, nu=0.3, radius=0.35e-3)
@@ -13,8 +14,8 @@ LAW = bd.EulerBernoulli(E=1e9, nu=0.3, radius=0.35e-3)
 
 def force(bonded: bool, parallel: bool, sign: float, *, begin: float = 1e-4) -> np.ndarray:
     """What holds one of two touching spheres while the other is pressed on or pulled off, then slid, (t, 3)."""
-    pairs = np.array([[0, 1]]) if bonded else np.zeros((0, 2), dtype=int)
-    lattice = bd.Lattice(bd.Particles(np.array([[0.0, 0.0, 0.0], [2.0 * R, 0.0, 0.0]]), R), pairs)
+    pair = two_spheres(2.0 * R)
+    lattice = pair if bonded else loose(pair.centre, R)
     drive = bd.Drive(
         bd.Index([1]), x=bd.Ramp(0.0, -sign * 2e-3 * R, 1e-4), y=bd.Ramp(0.0, 4e-3 * R, 1e-4, begin=begin),
         z=0.0, rx=0.0, ry=0.0, rz=0.0,
@@ -23,8 +24,7 @@ def force(bonded: bool, parallel: bool, sign: float, *, begin: float = 1e-4) -> 
     boundary = [bd.Fix(bd.Index([0])), drive]
     model = bd.Model(lattice, LAW, density=1000.0, contact=contact, boundary=boundary)
     gauges = {"grip": bd.Gauge(bd.Index([0]), "force", "sum")}
-    dt = 0.2 * critical_step(bd.Model(bd.Lattice(lattice.particles, np.array([[0, 1]])), LAW, density=1000.0,
-                                      contact=contact), bd.VelocityVerlet())  # fmt: skip
+    dt = time_step(bd.Model(pair, LAW, density=1000.0, contact=contact), 0.2)
     run = bd.solve_explicit(model, duration=2e-4, dt=0.5 * dt, every=1, gauges=gauges)
     assert np.abs(run.history.energy["balance"]).max() < 1e-4 * run.history.energy["work"].max()
     return np.asarray(run.history["grip"])
@@ -42,6 +42,5 @@ def test_a_contact_beside_a_bond_bears_no_tension(one_thread: None) -> None:
 
 
 def test_contacts_beside_facets_of_cells_are_refused() -> None:
-    body = bd.connect(bd.pack(bd.Box((1.0, 1.0, 1.0)), count=20, method="even", seed=1), method="laguerre")
     with pytest.raises(InputError, match="leave out parallel= for cells"):
-        bd.Model(body, bd.CellBond(E=1e9, nu=0.2), density=1000.0, contact=bd.LinearContact(E=1e9, parallel=True))
+        bd.Model(cube(20), bd.CellBond(E=1e9, nu=0.2), density=1000.0, contact=bd.LinearContact(E=1e9, parallel=True))

@@ -6,22 +6,15 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from tests.specimens import cubes, two_cubes
 
 E, STRENGTH, SIZE = 40e9, 4e6, 1e-3
-
-
-def bar(count: int) -> bd.Lattice:
-    """Cubes in a row."""
-    centres = np.full((count, 3), 0.5 * SIZE)
-    centres[:, 0] = SIZE * (np.arange(count) + 0.5)
-    shape = bd.Box(size=(count * SIZE, SIZE, SIZE))
-    return bd.connect(bd.Particles(centres, 0.5 * SIZE, shape=shape), method="laguerre")
 
 
 @pytest.mark.parametrize("count", [20, 400])
 def test_a_slender_body_in_two_parts_has_parted(count: int) -> None:
     """A cantilever of cubes breaks at its root: what stands for none has L / 3 h times 1e-7 of its stiffness."""
-    body, tip = bar(count), bd.Index([count - 1])
+    body, tip = cubes((count, 1, 1), SIZE), bd.Index([count - 1])
     ends = [bd.Fix(bd.Index([0])), bd.Load(tip, force=(0.0, 1e-3, 0.0))]
     law = bd.CellBond(E=E, nu=0.0, facet_rotation="full")
     model = bd.Model(body, law, 2500.0, failure=bd.Rankine(tension=STRENGTH), boundary=ends)
@@ -38,7 +31,7 @@ def test_a_path_ends_where_it_folds(turn: float) -> None:
     drive = bd.Drive(last, x=0.0, y=0.5e-4 * SIZE, z=0.0, rx=0.0, ry=0.0, rz=1e-4)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # a fracture energy without bounds
-        model = bd.Model(bar(2), law, 2500.0, failure=failure, boundary=[bd.Fix(bd.Index([0])), drive])
+        model = bd.Model(two_cubes(SIZE), law, 2500.0, failure=failure, boundary=[bd.Fix(bd.Index([0])), drive])
     found = bd.solve_quasistatic(model, last, together=0.0, until=0.0, most=20)
     assert found.end == "folded"
     assert (1e-4 * found.factor <= 0.1).all()

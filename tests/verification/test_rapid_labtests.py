@@ -8,6 +8,7 @@ import pytest
 
 import bondem as bd
 from bondem.labtests.spalling import pulled_back
+from tests.specimens import ball, bar, spheres
 
 LAW = bd.CellBond(E=30e9, nu=0.2)
 RADIUS, DENSITY = 10e-3, 2400.0
@@ -18,18 +19,8 @@ def mortar(tension: float) -> bd.MohrCoulomb:
 
 
 @cache
-def ball() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Ball(RADIUS), count=400, method="even", seed=1), method="laguerre")
-
-
-@cache
-def beams() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Ball(RADIUS), count=400, seed=1))
-
-
-@cache
 def crushed(tension: float = 4e6, traverses: float = 300.0) -> bd.labtests.SphereCrushing:
-    return bd.labtests.sphere_crushing(ball(), LAW, mortar(tension), traverses=traverses)
+    return bd.labtests.sphere_crushing(ball(400, RADIUS), LAW, mortar(tension), traverses=traverses)
 
 
 def test_a_slow_crushing_test_is_in_balance_and_symmetric():
@@ -50,7 +41,7 @@ def test_a_slow_crushing_test_is_in_balance_and_symmetric():
 def test_rough_plates_hold_the_ball_across() -> None:
     """By at most their friction; smooth ones by nothing."""
     smooth = crushed(traverses=60.0)
-    rough = bd.labtests.sphere_crushing(ball(), LAW, mortar(4e6), friction=0.3, traverses=60.0)
+    rough = bd.labtests.sphere_crushing(ball(400, RADIUS), LAW, mortar(4e6), friction=0.3, traverses=60.0)
     for name in ("near", "far"):
         assert np.abs(smooth.run.history[name][:, 1:]).max() == 0.0
         force = np.abs(rough.run.history[name])
@@ -65,7 +56,7 @@ def test_a_strong_ball_stiffens_as_hertz_has_it():
 
     3000 cells had 0.45 to 0.63 of it at closings of 4e-3 to 49e-3 of the diameter, and 400 cells 0.31 to 0.62.
     """
-    fine = bd.connect(bd.pack(bd.Ball(RADIUS), count=3000, method="even", seed=1), method="laguerre")
+    fine = ball(3000, RADIUS)
     strong = bd.Rankine(tension=5e9, fracture_energy=1e9)
     test = bd.labtests.sphere_crushing(fine, LAW, strong, traverses=100.0)
     some = test.curve[:, 0] > 4e-3
@@ -85,7 +76,8 @@ def test_twice_the_tensile_strength_makes_a_stronger_ball():
 def test_nothing_depends_on_density_until_pieces_fly():
     """A density 4⁶ times as large slows all by 2⁶, which changes no digit: other ratios round differently."""
     light, heavy = (
-        bd.labtests.sphere_crushing(ball(), LAW, mortar(4e6), density=rho, traverses=60.0) for rho in (2.0, 8192.0)
+        bd.labtests.sphere_crushing(ball(400, RADIUS), LAW, mortar(4e6), density=rho, traverses=60.0)
+        for rho in (2.0, 8192.0)
     )
     assert heavy.peak == pytest.approx(light.peak, rel=1e-12)
 
@@ -105,10 +97,10 @@ def test_pieces_add_up():
 def test_an_elastic_ball_comes_back(kind):
     """But for what is left of its vibration; momentum and energy are balanced."""
     if kind == "cells":
-        test = bd.labtests.sphere_impact(ball(), LAW, density=DENSITY, velocity=1.0)
+        test = bd.labtests.sphere_impact(ball(400, RADIUS), LAW, density=DENSITY, velocity=1.0)
     else:
         law = bd.EulerBernoulli(E=60e9, nu=0.2, radius_ratio=0.6)
-        test = bd.labtests.sphere_impact(beams(), law, density=DENSITY, velocity=1.0)
+        test = bd.labtests.sphere_impact(spheres(bd.Ball(RADIUS), 400), law, density=DENSITY, velocity=1.0)
     assert test.momentum < 1e-3
     assert test.residual < 1e-3
     assert test.damage == 0.0
@@ -121,7 +113,7 @@ def test_an_elastic_ball_comes_back(kind):
 
 def test_a_rough_plane_takes_its_friction_of_motion_along_it() -> None:
     """A ball that slides all the time loses µ (1 + e) of its normal velocity along the plane: 2 > 3.5 µ (1 + e)."""
-    test = bd.labtests.sphere_impact(ball(), LAW, density=DENSITY, velocity=(-1.0, 2.0, 0.0), friction=0.2)
+    test = bd.labtests.sphere_impact(ball(400, RADIUS), LAW, density=DENSITY, velocity=(-1.0, 2.0, 0.0), friction=0.2)
     lost = 2.0 - float(test.broken.pieces.velocity[0, 1])
     assert lost == pytest.approx(0.2 * (1.0 + test.restitution), rel=0.02)
     assert test.momentum < 1e-3
@@ -129,17 +121,18 @@ def test_a_rough_plane_takes_its_friction_of_motion_along_it() -> None:
 
 def test_a_smooth_plane_leaves_motion_along_it():
     wall = bd.PlaneWall((0.0, 0.0, -1.05 * RADIUS), (0.0, 0.0, 1.0), friction=0.0)
-    test = bd.labtests.sphere_impact(ball(), LAW, density=DENSITY, velocity=(2.0, 0.0, -1.0), wall=wall)
+    test = bd.labtests.sphere_impact(ball(400, RADIUS), LAW, density=DENSITY, velocity=(2.0, 0.0, -1.0), wall=wall)
     assert test.broken.pieces.velocity[0, 0] == pytest.approx(2.0, rel=1e-6)
     assert 0.9 < test.broken.pieces.velocity[0, 2] <= 1.0
-    reach = bd.Model(ball(), LAW, DENSITY).contact_radius - ball().centre[:, 2]
+    reach = bd.Model(ball(400, RADIUS), LAW, DENSITY).contact_radius - ball(400, RADIUS).centre[:, 2]
     flight = 1.05 * RADIUS - float(reach.max())  # at 1 m/s, to the first touch
     assert test.time[np.flatnonzero(test.force > 0.0)[0]] == pytest.approx(flight, abs=1e-6)
 
 
 def test_damage_grows_with_speed_from_none():
     found = [
-        bd.labtests.sphere_impact(ball(), LAW, mortar(4e6), density=DENSITY, velocity=v) for v in (0.05, 4.0, 10.0)
+        bd.labtests.sphere_impact(ball(400, RADIUS), LAW, mortar(4e6), density=DENSITY, velocity=v)
+        for v in (0.05, 4.0, 10.0)
     ]
     assert found[0].damage == 0.0
     assert found[0].damage < found[1].damage < found[2].damage
@@ -152,20 +145,14 @@ def test_damage_grows_with_speed_from_none():
 
 
 LENGTH, DEPTH, SIZE = 0.3, 10e-3, 3e-3
+COUNT = round(LENGTH * DEPTH**2 / SIZE**3)
 PULSE = {"density": 2500.0, "pressure": 10e6, "rise": 40e-6, "fall": 60e-6}
 GRANITE = bd.CellBond(E=40e9, nu=0.2)
 
 
-@cache
-def bar() -> bd.Lattice:
-    shape = bd.Box((LENGTH, DEPTH, DEPTH))
-    count = round(LENGTH * DEPTH**2 / SIZE**3)
-    return bd.connect(bd.pack(shape, count=count, method="even", seed=1), method="laguerre")
-
-
 def test_the_free_end_is_twice_as_fast_as_the_pulse():
     """2 p / ρ c with c = √(E/ρ) = 4000 m/s: 2 m/s; and nothing comes up again while it is whole."""
-    test = bd.labtests.spall(bar(), GRANITE, None, **PULSE)
+    test = bd.labtests.spall(bar(COUNT, LENGTH, DEPTH), GRANITE, None, **PULSE)
     assert test.highest == pytest.approx(2.0, rel=0.02)
     assert test.bar.velocity == pytest.approx(2.0)
     assert test.time[np.argmax(test.velocity)] == pytest.approx(PULSE["rise"] + LENGTH / 4000.0, rel=0.02)
@@ -179,7 +166,7 @@ def test_the_free_end_is_twice_as_fast_as_the_pulse():
 
 def test_a_brittle_bar_parts_where_tension_first_reaches_its_strength():
     """½ c t_fall f_t / p = 48 mm from the free end, within a cell; the pull-back is 2 f_t / ρ c."""
-    test = bd.labtests.spall(bar(), GRANITE, bd.Rankine(tension=4e6), **PULSE)
+    test = bd.labtests.spall(bar(COUNT, LENGTH, DEPTH), GRANITE, bd.Rankine(tension=4e6), **PULSE)
     assert test.bar.place(4e6) == pytest.approx(48e-3)
     assert test.place == pytest.approx(48e-3, abs=SIZE)
     assert test.peak == pytest.approx(4e6, rel=0.05)
@@ -188,7 +175,7 @@ def test_a_brittle_bar_parts_where_tension_first_reaches_its_strength():
     assert test.profile[: int(30e-3 / SIZE)].max() == 0.0
     about = np.abs(0.5 * (test.edges[1:] + test.edges[:-1]) - test.place) < 3.0 * SIZE
     assert test.profile[about].sum() > 0.95  # of the section, for it parts there
-    broken, facets = test.state.bond_integrity < 0.1, bar().facets
+    broken, facets = test.state.bond_integrity < 0.1, bar(COUNT, LENGTH, DEPTH).facets
     across = (facets.area * np.abs(facets.normal[:, 0]))[broken].sum() / DEPTH**2
     assert test.profile.sum() == pytest.approx(across)
     assert test.residual < 1e-3

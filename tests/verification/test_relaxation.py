@@ -9,18 +9,13 @@ import bondem as bd
 from bondem.errors import ConvergenceError, InputError
 from bondem.solve.relaxation import masses
 from bondem.solve.timestep import stiffest
+from tests.specimens import row
 
 LENGTH = 1.0
 THICK = bd.EulerBernoulli(E=200e9, nu=0.3, radius=0.01)
 BENDING = 200e9 * math.pi * 0.01**4 / 4.0
 # λ = F L² / EI: tip displacement against the axis and across, over L, and slope [rad]; Mattiasson (1981), table 1
 ELASTICA = {1.0: (0.05643, 0.30172, 0.46135), 5.0: (0.38763, 0.71379, 1.21537)}
-
-
-def rod(bonds: int) -> bd.Lattice:
-    position = np.zeros((bonds + 1, 3))
-    position[:, 0] = np.linspace(0.0, LENGTH, bonds + 1)
-    return bd.Lattice(bd.Particles(position, LENGTH / bonds / 2.0), [(k, k + 1) for k in range(bonds)])
 
 
 def bar(law, *conditions) -> bd.Model:
@@ -72,7 +67,7 @@ def test_a_cantilever_bends_to_the_elastica(load: float) -> None:
     """As far as the same lattice does under Newton's method; and that is the elastica, but for the bonds' length."""
     bonds = 30
     boundary = [bd.Fix(bd.Index(0)), bd.Load(bd.Index(bonds), force=(0.0, load * BENDING / LENGTH**2, 0.0))]
-    model = bd.Model(rod(bonds), THICK, 1.0, boundary=boundary)
+    model = bd.Model(row(bonds + 1, LENGTH / bonds), THICK, 1.0, boundary=boundary)
     relaxed, newton = bd.solve_relaxed(model, tolerance=1e-8), bd.solve_static(model, nonlinear=True)
     assert np.abs(newton.rotation).max() > 0.4
     assert far(relaxed.displacement, newton.displacement) < 1e-5
@@ -84,7 +79,9 @@ def test_a_cantilever_bends_to_the_elastica(load: float) -> None:
 
 
 def test_a_driven_turn_of_the_support_is_rigid() -> None:
-    model = bd.Model(rod(6), THICK, 1.0, boundary=[bd.Fix(bd.Index(0), rotation="xy"), bd.Drive(bd.Index(0), rz=2.0)])
+    model = bd.Model(
+        row(7, LENGTH / 6), THICK, 1.0, boundary=[bd.Fix(bd.Index(0), rotation="xy"), bd.Drive(bd.Index(0), rz=2.0)]
+    )
     relaxed = bd.solve_relaxed(model)
     x = model.lattice.particles.position[:, 0]
     expected = np.stack([x * (math.cos(2.0) - 1.0), x * math.sin(2.0), 0.0 * x], axis=1)
@@ -100,15 +97,15 @@ def test_the_masses_make_a_step_of_one_stable() -> None:
 
 def test_what_it_cannot_do_is_an_error() -> None:
     boundary = [bd.Fix(bd.Index(0)), bd.Load(bd.Index(6), force=(0.0, 1.0, 0.0))]
-    model = bd.Model(rod(6), THICK, 1.0, boundary=boundary)
+    model = bd.Model(row(7, LENGTH / 6), THICK, 1.0, boundary=boundary)
     with pytest.raises(InputError, match="tolerance"):
         bd.solve_relaxed(model, tolerance=0.0)
     with pytest.raises(InputError, match="use solve_explicit"):
-        bd.solve_relaxed(bd.Model(rod(6), THICK, 1.0, boundary=boundary, contact=bd.LinearContact(E=1e9)))
+        bd.solve_relaxed(bd.Model(row(7, LENGTH / 6), THICK, 1.0, boundary=boundary, contact=bd.LinearContact(E=1e9)))
     with pytest.raises(InputError, match="is held"):
-        bd.solve_relaxed(bd.Model(rod(6), THICK, 1000.0))
+        bd.solve_relaxed(bd.Model(row(7, LENGTH / 6), THICK, 1000.0))
     with pytest.raises(ConvergenceError, match="do not balance after 50 steps"):
         bd.solve_relaxed(model, most=50)
     fold = [bd.Fix(bd.Index(0)), bd.Load(bd.Index(2), moment=(0.0, 0.0, 6.0 * BENDING / LENGTH))]
     with pytest.raises(ConvergenceError, match="more and shorter bonds"):
-        bd.solve_relaxed(bd.Model(rod(2), THICK, 1.0, boundary=fold))
+        bd.solve_relaxed(bd.Model(row(3, LENGTH / 2), THICK, 1.0, boundary=fold))

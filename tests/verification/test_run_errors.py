@@ -10,35 +10,30 @@ import bondem as bd
 from bondem.cli.resume import command as resume_command
 from bondem.errors import ContactWarning, ImbalanceWarning, InputError, StepWarning
 from bondem.laws.damping import DampingTerms
-from bondem.model.state import State
 from bondem.solve.contact_check import SinkingCheck
 from bondem.solve.dashpot_rate import fastest_decay
-from bondem.solve.timestep import choose_step, critical_step, highest_frequency
+from bondem.solve.timestep import choose_step, highest_frequency
+from tests.models import moving, time_step
+from tests.specimens import loose, row, two_spheres
 
 VERLET = bd.VelocityVerlet()
-NO_BONDS = np.zeros((0, 2), dtype=int)
 
 
 def spheres(x: list[float], law, *, walls=()) -> bd.Model:
     """Spheres of radius 5 mm along x that nothing joins."""
     position = np.zeros((len(x), 3))
     position[:, 0] = x
-    lattice = bd.Lattice(bd.Particles(position, 0.005), NO_BONDS)
-    return bd.Model(lattice, None, density=2500.0, contact=law, walls=walls)
+    return bd.Model(loose(position, 0.005), None, density=2500.0, contact=law, walls=walls)
 
 
-def thrown(model: bd.Model, *speed: float) -> State:
-    state = State(model)
-    velocity = np.zeros((len(speed), 3))
-    velocity[:, 0] = speed
-    state.set_motion(velocity=velocity)
-    return state
+def thrown(model: bd.Model, *speed: float) -> bd.State:
+    return moving(model, [[one, 0.0, 0.0] for one in speed])
 
 
 def faster(factor: float, at: int):
     """A callback that multiplies all velocities at a step: energy from nowhere."""
 
-    def change(state: State, record) -> None:
+    def change(state: bd.State, record) -> None:
         if state.step == at:
             state.motion[:, :3] *= factor
 
@@ -94,7 +89,7 @@ def test_limits_that_mean_nothing_are_refused(given) -> None:
 def test_a_run_without_records_is_checked_too() -> None:
     """Hertzian spheres whose given step is far too long for their speed."""
     model = spheres([0.0, 0.0101], bd.HertzMindlin(E=1e9, nu=0.2, overlap=0.01))
-    dt = 0.9 * critical_step(model, VERLET)
+    dt = time_step(model, 0.9)
     with pytest.warns(ImbalanceWarning):
         bd.solve_explicit(
             model, duration=400 * dt, dt=dt, every=0, state=thrown(model, 3.0, -3.0), imbalance=(1e-4, 0.5)
@@ -157,7 +152,7 @@ def test_the_default_step_resolves_a_collision(speed: float) -> None:
     assert duration / dt >= 20.0
     touching = []
 
-    def look(state: State, record) -> None:
+    def look(state: bd.State, record) -> None:
         if len(state.touching):
             touching.append(state.time)
 
@@ -177,8 +172,9 @@ def test_a_linear_collision_has_twenty_steps_and_bonded_bodies_keep_theirs(walle
     model = spheres([0.0, 0.1], law, walls=walls)
     shortest = math.pi * math.sqrt(float(model.mass[0]) / (math.pi * 1e7 * 0.005))
     assert choose_step(model, VERLET, None, safety=0.9).dt == pytest.approx(shortest / 20.0)
-    lattice = bd.Lattice(bd.Particles([[0.0, 0, 0], [0.01, 0, 0]], 0.005), [[0, 1]])
-    body = bd.Model(lattice, bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.5), 2500.0, contact=law, walls=walls)
+    body = bd.Model(
+        two_spheres(0.01), bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.5), 2500.0, contact=law, walls=walls
+    )
     assert choose_step(body, VERLET, None, safety=0.9).remark == ""
 
 
@@ -196,19 +192,13 @@ def sliver() -> bd.Model:
 
 def test_dashpots_of_a_sliver_do_not_govern_the_step() -> None:
     model, damping = sliver(), bd.BondDamping(0.05)
-    assert critical_step(model, VERLET, damping) > 0.7 * critical_step(model, VERLET)
+    assert time_step(model, 1.0, damping) > time_step(model, 0.7)
     assert choose_step(model, VERLET, None, safety=0.9, damping=damping).remark == ""
 
 
 def test_the_fastest_decay_is_that_of_the_dashpots() -> None:
     """In a uniform chain along its axis C = (c / k) K, and shear and bending are slower by far."""
-    n = 30
-    position = np.zeros((n, 3))
-    position[:, 0] = np.arange(n)
-    pairs = np.column_stack([np.arange(n - 1), np.arange(1, n)])
-    model = bd.Model(
-        bd.Lattice(bd.Particles(position, 0.5), pairs), bd.EulerBernoulli(E=1e6, nu=0.3, radius_ratio=0.02), 1000.0
-    )
+    model = bd.Model(row(30, 1.0), bd.EulerBernoulli(E=1e6, nu=0.3, radius_ratio=0.02), 1000.0)
     delay = 2.0 * 0.3 * math.sqrt(0.5 * float(model.mass[0]) / float(model.stiffness.kn[0]))
     decay = fastest_decay(model, DampingTerms(eta=0.3))
     assert decay == pytest.approx(delay * highest_frequency(model) ** 2, rel=0.01)
@@ -275,8 +265,8 @@ def test_parted_elements_that_sink_into_each_other_give_a_warning() -> None:
     law, failure = bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.5), bd.PeripheralStress(tension=1e3, shear=1e3)
     model = bd.Model(lattice, law, 1000.0, failure=failure)
 
-    def end(first: float, **options) -> State:
-        state = State(model)
+    def end(first: float, **options) -> bd.State:
+        state = model.state()
         state.integrity[:] = (0.0, 1.0)
         motion = np.zeros((3, 3))
         motion[:, 0] = first, 0.0, 0.0
@@ -287,5 +277,5 @@ def test_parted_elements_that_sink_into_each_other_give_a_warning() -> None:
     assert apart.position[0, 0] < -0.4
     with pytest.warns(ContactWarning, match="separated elements overlap at t = .*no contact law"):
         end(1.0)
-    closed = State(model)
+    closed = model.state()
     SinkingCheck(model).look(closed)  # nothing is broken

@@ -7,6 +7,7 @@ import bondem as bd
 from bondem.errors import InputError
 from bondem.observe.energy import elastic_energy
 from tests.bits import assert_same_bits
+from tests.specimens import cells
 
 LAW = bd.CellBond(E=30e9, nu=0.2)
 LEFT, RIGHT = bd.Face("x_min"), bd.Face("x_max")
@@ -18,7 +19,7 @@ GAUGES = {"gauges": {"force": bd.Gauge(RIGHT, "force", "sum")}, "every": 5}
 
 @pytest.fixture(scope="module")
 def body() -> bd.Lattice:
-    return bd.connect(bd.pack(bd.Box(size=(0.1, 0.05, 0.05)), count=300, spread=0.2, seed=1), method="laguerre")
+    return cells(bd.Box((0.1, 0.05, 0.05)), 300, spread=0.2)
 
 
 def model_of(body: bd.Lattice, *boundary) -> bd.Model:

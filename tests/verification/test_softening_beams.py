@@ -5,16 +5,15 @@ import math
 from pathlib import Path
 
 import h5py
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
 from bondem.errors import InputError
 from bondem.solve.loop_cpu import CpuLoop
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
-from tests.bits import assert_resumes_to, assert_same_bits, flying_apart
+from tests.bits import assert_resumes_to, assert_same_bits, flying_apart, need_two_threads
+from tests.models import crooked_beams, time_step
+from tests.specimens import two_spheres
 
 R, L, RADIUS = 0.5e-3, 1.05e-3, 0.35e-3
 E, NU = 1e9, 0.3
@@ -23,6 +22,7 @@ KN = E * AREA / L
 FT, G_F, G_II = 1e6, 10.0, 30.0
 # N_t² / 2 kn over G_f A: 0.05, so that a beam that is torn opens to 20 times where it begins.
 LAW = bd.EulerBernoulli(E=E, nu=NU, radius=RADIUS)
+PAIR = two_spheres(L, R)
 VERLET = bd.VelocityVerlet()
 CRITERION = bd.MohrCoulomb(
     tension=FT, cohesion=FT, friction_angle=0.5, fracture_energy=G_F, fracture_energy_shear=G_II
@@ -31,17 +31,16 @@ CRITERION = bd.MohrCoulomb(
 
 def pulled(direction: tuple[float, float], reach: float) -> bd.Model:
     """Two spheres, bonded, one held, the other moved by `reach` [m] without turning."""
-    lattice = bd.Lattice(bd.Particles(np.array([[0.0, 0.0, 0.0], [L, 0.0, 0.0]]), R), np.array([[0, 1]]))
     x, y = (bd.Ramp(0.0, reach * part, 1e-3) for part in direction)
     drive = bd.Drive(bd.Index([1]), x=x, y=y, z=0.0, rx=0.0, ry=0.0, rz=0.0)
-    return bd.Model(lattice, LAW, density=1000.0, failure=CRITERION, boundary=[bd.Fix(bd.Index([0])), drive])
+    return bd.Model(PAIR, LAW, density=1000.0, failure=CRITERION, boundary=[bd.Fix(bd.Index([0])), drive])
 
 
 def test_a_torn_beam_takes_up_its_fracture_energy(one_thread: None) -> None:
     """Peak f_t A; the force falls on a line to 2 G_f / f_t; G_f A in all, and a ledger that closes."""
     last = 2.0 * G_F / FT
     model = pulled((1.0, 0.0), 1.1 * last)
-    dt = 0.2 * critical_step(model, VERLET)
+    dt = time_step(model, 0.2)
     gauges = {"grip": bd.Gauge(bd.Index([0]), "force", "sum")}
     run = bd.solve_explicit(model, duration=1e-3, dt=dt, every=1, gauges=gauges)
     energy = run.history.energy
@@ -59,7 +58,7 @@ def test_a_torn_beam_takes_up_its_fracture_energy(one_thread: None) -> None:
 def test_a_sheared_beam_takes_up_that_of_shear(one_thread: None) -> None:
     """G_II A, but for the part that the turning branch opens."""
     model = pulled((0.0, 1.0), 2.5e-4)
-    dt = 0.2 * critical_step(model, VERLET)
+    dt = time_step(model, 0.2)
     run = bd.solve_explicit(model, duration=1e-3, dt=dt, every=1)
     energy = run.history.energy
     assert energy["fracture"][-1] == pytest.approx(G_II * AREA, rel=1e-3)
@@ -70,21 +69,9 @@ def test_a_sheared_beam_takes_up_that_of_shear(one_thread: None) -> None:
 def test_a_bond_that_snaps_back_is_refused() -> None:
     with pytest.raises(InputError, match="snap back above 2 E G_f / f_t²"):
         bd.Model(
-            pulled((1.0, 0.0), 1e-6).lattice, LAW, density=1000.0,
+            PAIR, LAW, density=1000.0,
             failure=bd.PeripheralStress(tension=1e8, shear=1e8, fracture_energy=G_F),
         )  # fmt: skip
-
-
-def block(failure: bd.Criterion, boundary=(), contact: bd.LinearContact | None = None, count: int = 5) -> bd.Model:
-    """A crooked block of count³ elements."""
-    rng = np.random.default_rng(1)
-    grid = np.indices((count, count, count)).reshape(3, -1).T.astype(float)
-    radius = rng.uniform(0.3, 0.4, len(grid))
-    particles = bd.Particles(grid + rng.uniform(-0.1, 0.1, grid.shape), radius)
-    law = bd.Timoshenko(E=1e8, nu=0.2, radius_ratio=0.6)
-    return bd.Model(
-        bd.connect(particles, reach=2.0), law, density=1000.0, failure=failure, boundary=boundary, contact=contact
-    )
 
 
 #: 2 E G_f / f_t² is 3, the bonds are 1 to 2 long.
@@ -98,7 +85,7 @@ PULL = (bd.Fix(bd.Face("x_min", depth=0.5)), bd.Drive(bd.Face("x_max", depth=0.5
 def test_a_mixed_mode_takes_up_what_the_linear_rule_says(one_thread: None) -> None:
     """1 / (share_I / G_f + share_II / G_II), with the shares in the energy where softening begins."""
     model = pulled((1.0, 1.0), 5e-5)
-    run = bd.solve_explicit(model, duration=1e-3, dt=0.1 * critical_step(model, VERLET), every=1)
+    run = bd.solve_explicit(model, duration=1e-3, dt=time_step(model, 0.1), every=1)
     energy = run.history.energy
     begun = np.flatnonzero(energy["fracture"] > 0.0)[0] - 1
     opening = energy["normal"][begun] + energy["bending"][begun]
@@ -114,12 +101,11 @@ def test_unloaded_it_dissipates_nothing_and_presses_as_whole(one_thread: None) -
     """Opened to a third of its last opening, closed, pressed by as much, and opened again."""
     first, last = FT * AREA / KN, 2.0 * G_F / FT
     reach = last / 3.0
-    lattice = pulled((1.0, 0.0), 1.0).lattice
     way = bd.Table((0.0, 1e-3, 3e-3, 5e-3), (0.0, reach, -reach, 0.99 * reach))
     drive = bd.Drive(bd.Index([1]), x=way, y=0.0, z=0.0, rx=0.0, ry=0.0, rz=0.0)
-    model = bd.Model(lattice, LAW, density=1e3, failure=CRITERION, boundary=[bd.Fix(bd.Index([0])), drive])
+    model = bd.Model(PAIR, LAW, density=1e3, failure=CRITERION, boundary=[bd.Fix(bd.Index([0])), drive])
     gauges = {"grip": bd.Gauge(bd.Index([0]), "force", "sum")}
-    dt = 0.2 * critical_step(model, VERLET)
+    dt = time_step(model, 0.2)
     history = bd.solve_explicit(model, duration=5e-3, dt=dt, every=1, gauges=gauges).history
     t, lost = history.time, history.energy["fracture"]
     torn = lost[np.searchsorted(t, 1e-3)]
@@ -136,11 +122,11 @@ def test_torn_and_pressed_together_it_bears_as_whole(contact: bd.LinearContact |
     way = bd.Table((0.0, 1e-3, 2e-3), (0.0, 1.1 * last, -0.2 * last))
     drive = bd.Drive(bd.Index([1]), x=way, y=0.0, z=0.0, rx=0.0, ry=0.0, rz=0.0)
     model = bd.Model(
-        pulled((1.0, 0.0), 1.0).lattice, LAW, density=1e3, failure=CRITERION, contact=contact,
+        PAIR, LAW, density=1e3, failure=CRITERION, contact=contact,
         boundary=[bd.Fix(bd.Index([0])), drive],
     )  # fmt: skip
     gauges = {"grip": bd.Gauge(bd.Index([0]), "force", "sum")}
-    dt = 0.2 * critical_step(model, VERLET)
+    dt = time_step(model, 0.2)
     history = bd.solve_explicit(model, duration=2e-3, dt=dt, every=1, gauges=gauges).history
     moved = np.interp(history.time, *way.table)
     pressed = history.time > 1e-3
@@ -152,7 +138,7 @@ def test_torn_and_pressed_together_it_bears_as_whole(contact: bd.LinearContact |
 @pytest.mark.parametrize("contact", [None, bd.LinearContact(E=1e8, friction=0.3)])
 def test_forces_are_the_gradient_of_one_energy(contact: bd.LinearContact | None, one_thread: None) -> None:
     """Of beams of any integrity, opened or pressed, turned and slid; beside a contact none is broken."""
-    model = block(WEAK, contact=contact, count=3)
+    model = crooked_beams(3, WEAK, E=1e8, contact=contact)
     rng = np.random.default_rng(2)
     state, n, m = model.state(), 27, len(model.lattice.pairs)
     state.integrity[:] = rng.uniform(0.2, 1.0, m) if contact else rng.choice([0.0, 0.5, 0.9, 1.0], m)
@@ -166,7 +152,7 @@ def test_forces_are_the_gradient_of_one_energy(contact: bd.LinearContact | None,
     def look(moved: np.ndarray) -> tuple[float, np.ndarray]:
         now = state.copy()
         now.set_pose(position=place + moved, orientation=q)
-        loop = CpuLoop(model, Plan(duration=1.0, dt=1e-9, every=1), now, 1e-9)
+        loop = CpuLoop(model, bd.Plan(duration=1.0, dt=1e-9, every=1), now, 1e-9)
         energy = bd.History(loop.look()).energy
         own = sum(float(energy[part][0]) for part in ("normal", "shear", "bending", "twisting", "contact"))
         return own, (now.acceleration[:, :3] / now.motion[:, 3:4])[model.layout.rank]
@@ -182,8 +168,8 @@ def test_forces_are_the_gradient_of_one_energy(contact: bd.LinearContact | None,
 @pytest.mark.parametrize("scheme", [bd.VelocityVerlet(), bd.TchamwaWielgosz()])
 def test_the_ledger_is_second_order(scheme: bd.Scheme, one_thread: None) -> None:
     """A block that is torn: a hundred beams soften, some part."""
-    model = block(WEAK, PULL)
-    dt = 0.4 * critical_step(model, bd.VelocityVerlet())
+    model = crooked_beams(5, WEAK, E=1e8, boundary=PULL)
+    dt = time_step(model, 0.4)
     missed = []
     for count in (1, 2, 4):
         run = bd.solve_explicit(model, duration=1000 * dt, dt=dt / count, every=count, scheme=scheme)
@@ -197,10 +183,9 @@ def test_the_ledger_is_second_order(scheme: bd.Scheme, one_thread: None) -> None
 
 def test_the_same_bits_however_it_is_run(tmp_path: Path) -> None:
     """On one and two threads, with pauses, resumed from a file, with contacts between what has parted."""
-    if numba.config.NUMBA_NUM_THREADS < 2:
-        pytest.skip("numba may use one thread only (NUMBA_NUM_THREADS)")
+    need_two_threads()
     drive = bd.Drive(bd.Face("x_max", depth=0.5), vx=bd.Ramp(0.0, 20.0, 0.02), wx=2.0)
-    model = block(WEAK, (PULL[0], drive), bd.LinearContact(E=1e8, friction=0.3), count=14)
+    model = crooked_beams(14, WEAK, E=1e8, boundary=(PULL[0], drive), contact=bd.LinearContact(E=1e8, friction=0.3))
     run = flying_apart(model)
     whole = run(1, 100)
     assert len(whole.state.softened) > 2000
@@ -237,7 +222,7 @@ def test_energies_that_cannot_be_are_refused(what: type, options: dict, line: st
 def test_what_beams_that_soften_cannot_have_is_refused(failure: dict, options: dict, line: str) -> None:
     own = {"tension": FT, "cohesion": FT, "friction_angle": 0.5, "fracture_energy": G_F} | failure
     with pytest.raises(InputError, match=line):
-        bd.Model(pulled((1.0, 0.0), 1e-6).lattice, LAW, density=1e3, failure=bd.MohrCoulomb(**own), **options)
+        bd.Model(PAIR, LAW, density=1e3, failure=bd.MohrCoulomb(**own), **options)
 
 
 def test_a_run_file_of_before_is_read(tmp_path: Path) -> None:

@@ -14,12 +14,12 @@ import bondem as bd
 from bondem.errors import InputError, StepWarning
 from bondem.kernels.advance import GUARD_INTERVAL
 from bondem.model.matrices import mass_diagonal, stiffness_matrix
-from bondem.model.state import State
 from bondem.solve.explicit import integrate
-from bondem.solve.plan import Plan, Status
 from bondem.solve.threads import one_blas_thread
 from bondem.solve.timestep import critical_step, highest_frequency
+from tests.models import cloud, moving, stirred, time_step, walls_of_box
 from tests.recording import Record
+from tests.specimens import crooked_block, row, two_cubes
 
 LAW = bd.EulerBernoulli(E=2.0e6, nu=0.25, radius_ratio=0.5)
 THIN = bd.EulerBernoulli(E=1e6, nu=0.3, radius=0.2)
@@ -28,11 +28,8 @@ VERLET = bd.VelocityVerlet()
 
 def block(law=LAW, *, seed: int = 0, **options) -> bd.Model:
     """6 × 4 × 4 elements of unequal radii in rows pulled out of line, bonded to their neighbours."""
-    rng = np.random.default_rng(seed)
-    grid = np.indices((6, 4, 4)).reshape(3, -1).T.astype(float)
-    radius = rng.uniform(0.35, 0.55, len(grid))
-    particles = bd.Particles(grid + rng.uniform(-0.1, 0.1, grid.shape), radius)
-    return bd.Model(bd.connect(particles, reach=1.5), bond=law, density=1200.0, **options)
+    lattice = crooked_block((6, 4, 4), radius=(0.35, 0.55), reach=1.5, seed=seed)
+    return bd.Model(lattice, bond=law, density=1200.0, **options)
 
 
 @one_blas_thread
@@ -78,22 +75,22 @@ def test_one_element_lighter_than_a_thousand_others_is_found(heavier: float) -> 
 
 def test_broken_bonds_raise_the_critical_step() -> None:
     model = block()
-    state = State(model)
+    state = model.state()
     state.integrity[::2] = 0.0
     rest = bd.Lattice(model.lattice.particles, model.lattice.pairs[state.bond_integrity > 0.0])
     law = bd.EulerBernoulli(E=2.0e6, nu=0.25, radius=0.5 * model.lattice.particles.mean_radius)
     fewer = bd.Model(rest, law, 1200.0)
     found = critical_step(model, VERLET, integrity=state.integrity)
     assert found == pytest.approx(critical_step(fewer, VERLET), rel=2e-3)
-    assert found > 1.05 * critical_step(model, VERLET)
+    assert found > time_step(model, 1.05)
 
 
 def test_a_step_next_to_the_limit_is_warned_of_here_and_in_the_message() -> None:
     model = block()
-    limit = critical_step(model, VERLET)
+    limit = time_step(model, 1.0)
     with pytest.warns(StepWarning, match=r"0\.950 of the critical .*pass dt=None or at most"):
         run = bd.solve_explicit(model, duration=3 * limit, dt=0.95 * limit)
-    assert run.status is Status.COMPLETED
+    assert run.status is bd.Status.COMPLETED
     assert "0.950 of the critical" in run.message
     assert "critical" not in bd.solve_explicit(model, duration=3 * limit, dt=0.9 * limit).message
 
@@ -104,34 +101,27 @@ def test_a_step_next_to_the_limit_is_warned_of_here_and_in_the_message() -> None
 @pytest.mark.parametrize("scheme", [VERLET, bd.TchamwaWielgosz(1.3)], ids=["Verlet", "TW"])
 def test_a_run_above_the_critical_step_ends_in_time_with_a_good_state(scheme) -> None:
     model = block()
-    state = State(model)
-    velocity = np.random.default_rng(1).standard_normal((len(model.mass), 3)) * 1e-3
-    state.set_motion(velocity=velocity)
+    state = stirred(model, 1e-3, seed=1)
+    fastest = np.abs(state.velocity).max()
     dt = 1.05 * critical_step(model, scheme)
-    run = integrate(model, Plan(duration=2000 * dt, dt=dt, scheme=scheme, every=1), state=state)
-    assert run.status is Status.UNSTABLE
+    run = integrate(model, bd.Plan(duration=2000 * dt, dt=dt, scheme=scheme, every=1), state=state)
+    assert run.status is bd.Status.UNSTABLE
     stopped = int(run.message.split("step ")[1].split(":")[0])
     kinetic = run.history.energy["translation"] + run.history.energy["rotation"]
     grown = int(np.argmax(~(kinetic <= 1000.0 * kinetic[0])))
     assert grown < stopped <= grown + 2 * GUARD_INTERVAL
     for array in (run.state.pose, run.state.motion, run.state.acceleration):
         assert np.isfinite(array).all()
-    assert np.abs(run.state.velocity).max() <= 10.0 * np.abs(velocity).max()
+    assert np.abs(run.state.velocity).max() <= 10.0 * fastest
 
 
 def test_growth_that_turns_no_bond_and_stays_finite_is_caught_by_its_energy() -> None:
     """A stretched chain, above its limit: nothing turns; nothing overflows in the hundred steps until the look."""
-    position = np.zeros((20, 3))
-    position[:, 0] = np.arange(20.0)
-    pairs = np.column_stack([np.arange(19), np.arange(1, 20)])
-    model = bd.Model(bd.Lattice(bd.Particles(position, 0.5), pairs), THIN, 1.0)
-    state = State(model)
-    velocity = np.zeros((20, 3))
-    velocity[:, 0] = 1e-2 * (-1.0) ** np.arange(20)
-    state.set_motion(velocity=velocity)
-    dt = 1.002 * critical_step(model, VERLET)
-    run = integrate(model, Plan(duration=3000 * dt, dt=dt, every=1), state=state)
-    assert run.status is Status.UNSTABLE
+    model = bd.Model(row(20, 1.0), THIN, 1.0)
+    state = moving(model, 1e-2 * (-1.0) ** np.arange(20)[:, None] * [1.0, 0.0, 0.0])
+    dt = time_step(model, 1.002)
+    run = integrate(model, bd.Plan(duration=3000 * dt, dt=dt, every=1), state=state)
+    assert run.status is bd.Status.UNSTABLE
     assert "kinetic energy is a thousand times" in run.message
     kinetic = run.history.energy["translation"]
     assert np.isfinite(kinetic).all()
@@ -140,16 +130,16 @@ def test_growth_that_turns_no_bond_and_stays_finite_is_caught_by_its_energy() ->
 
 def test_the_state_given_back_is_no_older_than_ten_thousand_steps() -> None:
     model = block()
-    state = State(model)
-    dt = 0.5 * critical_step(model, VERLET)
+    state = model.state()
+    dt = time_step(model, 0.5)
     state.set_motion(velocity=np.full((len(model.mass), 3), 0.1))
 
-    def poison(state: State, record) -> None:
+    def poison(state: bd.State, record) -> None:
         if state.step == 11_000:
             state.motion[3, 0] = math.nan
 
-    run = integrate(model, Plan(duration=20_000 * dt, dt=dt, every=1000), state=state, callback=poison)
-    assert run.status is Status.UNSTABLE
+    run = integrate(model, bd.Plan(duration=20_000 * dt, dt=dt, every=1000), state=state, callback=poison)
+    assert run.status is bd.Status.UNSTABLE
     assert f"stopped at step {11_000 + GUARD_INTERVAL}: a number is not finite" in run.message
     assert "the state is that of step 10000" in run.message
     assert run.state.step == 10_000
@@ -160,35 +150,22 @@ def test_the_state_given_back_is_no_older_than_ten_thousand_steps() -> None:
 # ---- contacts, impact: guarded, and not stopped where they are well
 
 
-def grains(**options) -> tuple[bd.Model, State]:
-    """Loose spheres of many sizes, thrown about in a box."""
-    rng = np.random.default_rng(3)
-    position = 2.3 * np.indices((4, 4, 4)).reshape(3, -1).T + 1.15
-    walls = [bd.PlaneWall(np.zeros(3), axis) for axis in np.eye(3)]
-    walls += [bd.PlaneWall(9.2 * axis, -axis) for axis in np.eye(3)]
-    lattice = bd.Lattice(bd.Particles(position, rng.uniform(0.8, 1.1, 64)), np.zeros((0, 2), dtype=int))
-    model = bd.Model(lattice, None, 1000.0, contact=bd.LinearContact(E=1e7, **options), walls=walls)
-    state = State(model)
-    state.set_motion(velocity=10.0 * rng.standard_normal((64, 3)))
-    return model, state
-
-
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # soft grains at high speed
 @pytest.mark.parametrize("options", [{}, {"friction": 0.5, "damping": 0.2}], ids=["elastic", "rubbing"])
 def test_grains_that_collide_are_not_stopped(options: dict) -> None:
-    model, state = grains(**options)
-    dt = 0.9 * critical_step(model, VERLET)
-    run = integrate(model, Plan(duration=20_000 * dt, dt=dt, every=0, imbalance=None), state=state)
-    assert run.status is Status.COMPLETED
+    model, state = cloud(4, bd.LinearContact(E=1e7, **options), speed=10.0, walls=walls_of_box(9.2))
+    dt = time_step(model, 0.9)
+    run = integrate(model, bd.Plan(duration=20_000 * dt, dt=dt, every=0, imbalance=None), state=state)
+    assert run.status is bd.Status.COMPLETED
     assert np.abs(run.state.displacement).max() > 2.0
 
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # soft grains at high speed
 def test_grains_above_the_limit_are_stopped() -> None:
-    model, state = grains()
-    dt = 8.0 * critical_step(model, VERLET)  # which counts twelve contacts an element: the true limit is higher
-    run = integrate(model, Plan(duration=20_000 * dt, dt=dt, every=10), state=state)
-    assert run.status is Status.UNSTABLE
+    model, state = cloud(4, bd.LinearContact(E=1e7), speed=10.0, walls=walls_of_box(9.2))
+    dt = time_step(model, 8.0)  # which counts twelve contacts an element: the true limit is higher
+    run = integrate(model, bd.Plan(duration=20_000 * dt, dt=dt, every=10), state=state)
+    assert run.status is bd.Status.UNSTABLE
     assert np.isfinite(run.state.motion).all()
     kinetic = run.history.energy["translation"]
     assert len(kinetic) <= np.argmax(~(kinetic <= 1000.0 * kinetic[0])) + 1 + GUARD_INTERVAL / 10
@@ -197,11 +174,11 @@ def test_grains_above_the_limit_are_stopped() -> None:
 def test_a_block_thrown_against_a_wall_is_not_stopped() -> None:
     wall = bd.PlaneWall((-1.0, 0, 0), (1, 0, 0))
     model = block(contact=bd.LinearContact(E=2e6, friction=0.3), walls=[wall])
-    state = State(model)
+    state = model.state()
     state.set_motion(velocity=np.tile([-4.0, 0.5, 0.0], (len(model.mass), 1)))  # a tenth of the speed of sound
-    dt = 0.9 * critical_step(model, VERLET)
-    run = integrate(model, Plan(duration=8_000 * dt, dt=dt), state=state)
-    assert run.status is Status.COMPLETED
+    dt = time_step(model, 0.9)
+    run = integrate(model, bd.Plan(duration=8_000 * dt, dt=dt), state=state)
+    assert run.status is bd.Status.COMPLETED
     assert run.state.velocity[:, 0].mean() > 1.0  # it came back
     assert np.abs(run.state.displacement - run.state.displacement.mean(axis=0)).max() > 0.05
 
@@ -217,10 +194,10 @@ def test_a_block_set_in_motion_from_rest_is_not_stopped(condition) -> None:
     at_rest = block()
     particles = bd.Particles(at_rest.lattice.particles.position + 0.5, at_rest.lattice.particles.radius, shape=shape)
     model = bd.Model(bd.Lattice(particles, at_rest.lattice.pairs), LAW, 1200.0, boundary=[condition])
-    dt = 0.9 * critical_step(model, VERLET)
+    dt = time_step(model, 0.9)
     # large strains raise the frequencies: the pulse gains 3 % at this step
-    run = integrate(model, Plan(duration=3_000 * dt, dt=dt, imbalance=(0.05, 0.1)))
-    assert run.status is Status.COMPLETED
+    run = integrate(model, bd.Plan(duration=3_000 * dt, dt=dt, imbalance=(0.05, 0.1)))
+    assert run.status is bd.Status.COMPLETED
     assert np.abs(run.state.displacement).max() > 0.1
 
 
@@ -229,59 +206,56 @@ def test_a_block_set_in_motion_from_rest_is_not_stopped(condition) -> None:
 
 @pytest.mark.parametrize(
     ("resists", "spin", "ends"),
-    [("bending", (1.0, 0.0, 0.0), Status.COMPLETED), ("bending", (0.0, 0.0, 1.0), Status.UNSTABLE),
-     ("none", (1.0, 0.0, 0.0), Status.COMPLETED), ("full", (1.0, 0.0, 0.0), Status.UNSTABLE)],
+    [("bending", (1.0, 0.0, 0.0), bd.Status.COMPLETED), ("bending", (0.0, 0.0, 1.0), bd.Status.UNSTABLE),
+     ("none", (1.0, 0.0, 0.0), bd.Status.COMPLETED), ("full", (1.0, 0.0, 0.0), bd.Status.UNSTABLE)],
 )  # fmt: skip
 def test_a_cell_may_spin_about_a_facet_that_does_not_resist_it(
-    resists: str, spin: tuple[float, float, float], ends: Status, one_thread: None
+    resists: str, spin: tuple[float, float, float], ends: bd.Status, one_thread: None
 ) -> None:
     """Two cubes, turned against each other by three quarters of a turn, as what hangs on one facet may be."""
-    size, rate = 1e-3, 1e4
-    centre = np.array([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]]) * size
-    pair = bd.connect(bd.Particles(centre, 0.5 * size, shape=bd.Box((2.0 * size, size, size))), method="laguerre")
+    rate = 1e4
     turn = {name: rate * part for name, part in zip(("wx", "wy", "wz"), spin, strict=True)}
     drive = bd.Drive(bd.Index([1]), vx=0.0, vy=0.0, vz=0.0, **turn)
     law = bd.CellBond(E=1e9, nu=0.2, facet_rotation=resists)
-    model = bd.Model(pair, law, density=2000.0, boundary=[bd.Fix(bd.Index([0])), drive])
+    model = bd.Model(two_cubes(1e-3), law, density=2000.0, boundary=[bd.Fix(bd.Index([0])), drive])
     run = bd.solve_explicit(model, duration=1.5 * np.pi / rate, every=20)
     assert run.status is ends
 
 
-def shaken() -> tuple[bd.Model, State]:
-    """A block in noise: motions of the shortest waves, whose energy swings by a tenth at 0.8 of the limit."""
-    model = block()
-    state = State(model)
-    state.set_motion(velocity=0.1 * np.random.default_rng(0).standard_normal((len(model.mass), 3)))
-    return model, state
-
-
 def test_a_callback_sees_every_record_and_changes_no_bit() -> None:
-    model, state = shaken()
-    dt = 0.8 * critical_step(model, VERLET)
+    model = block()
+    state = stirred(model, 0.1)  # motions of the shortest waves: at 0.8 of the limit their energy swings by a tenth
+    dt = time_step(model, 0.8)
     plain = bd.solve_explicit(model, duration=1050 * dt, dt=dt, every=70, state=state.copy(), imbalance=None)
     seen = []
 
-    def look(now: State, record) -> None:
+    def look(now: bd.State, record) -> None:
         assert record.time[0] == pytest.approx(now.time)
         seen.append((now.step, record.records[0]))
 
     run = bd.solve_explicit(model, duration=1050 * dt, dt=dt, every=70, state=state, callback=look, imbalance=None)
-    assert run.status is Status.COMPLETED
+    assert run.status is bd.Status.COMPLETED
     assert [step for step, _ in seen] == list(range(0, 1051, 70))
     assert np.array_equal(np.array([row for _, row in seen]), plain.history.records)
     assert np.array_equal(run.history.records, plain.history.records)
-    for name in State.ARRAYS:
+    for name in bd.State.ARRAYS:
         assert np.array_equal(getattr(run.state, name), getattr(plain.state, name))
 
 
 def test_a_callback_may_stop_the_run() -> None:
-    model, state = shaken()
-    dt = 0.8 * critical_step(model, VERLET)
+    model = block()
+    state = stirred(model, 0.1)  # motions of the shortest waves: at 0.8 of the limit their energy swings by a tenth
+    dt = time_step(model, 0.8)
     run = bd.solve_explicit(
-        model, duration=1000 * dt, dt=dt, every=50, state=state, callback=lambda now, record: now.step >= 200,
+        model,
+        duration=1000 * dt,
+        dt=dt,
+        every=50,
+        state=state,
+        callback=lambda now, record: now.step >= 200,
         imbalance=None,
     )
-    assert run.status is Status.STOPPED
+    assert run.status is bd.Status.STOPPED
     assert run.steps == run.state.step == 200
     assert len(run.history) == 5
     assert "stopped by the callback" in run.message

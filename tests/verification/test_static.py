@@ -8,10 +8,11 @@ import pytest
 import bondem as bd
 from bondem.errors import ConvergenceError, InputError
 from bondem.model.matrices import stiffness_matrix
-from bondem.observe.bond_strain import BondStrain
 from bondem.observe.energy import linear_energy
 from bondem.solve.linear import Elimination, Iteration, System
 from bondem.solve.threads import one_blas_thread
+from tests.beam_theory import beam_stiffness
+from tests.specimens import crooked_block, two_spheres
 
 E, NU, RADIUS = 200e9, 0.3, 1.5e-3
 G = E / (2.0 * (1.0 + NU))
@@ -33,53 +34,17 @@ def ends(lattice: bd.Lattice) -> tuple[int, int]:
     return int(along.argmin()), int(along.argmax())
 
 
-def cloud(side: int, *, length: float = 2.0, seed: int = 0, coordination: float = 7.0) -> bd.Lattice:
-    """A jittered grid in a box, bonded to a given coordination number."""
-    rng = np.random.default_rng(seed)
-    shape = np.array([int(side * length), side, side])
-    grid = np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 3) + 0.5
-    position = (grid + rng.uniform(-0.2, 0.2, grid.shape)) * 1e-3
-    particles = bd.Particles(position, 0.35e-3, shape=bd.Box(size=tuple(shape * 1e-3)))
-    low, high = 1.0, 3.0
-    for _ in range(20):
-        reach = 0.5 * (low + high)
-        sparse = bd.connect(particles, reach=reach).coordination_number < coordination
-        low, high = (reach, high) if sparse else (low, reach)
-    return bd.connect(particles, reach=high)
-
-
 def shear_flexibility(law: str) -> float:
     """Φ of one bond of length 8 mm: 0, or as Chen et al. (2022)."""
     return 0.0 if law == "EulerBernoulli" else 20.0 * RADIUS**2 * (1.0 + NU) / (3.0 * 8e-3**2)
 
 
-def beam_matrix(length: float, phi: float) -> np.ndarray:
-    """12×12 stiffness along x of the textbooks (Przemieniecki 1968), (u, θ) at each end."""
-    K = np.zeros((12, 12))
-    k = E * INERTIA / (length**3 * (1.0 + phi))
-    for axis, stiffness in ((0, E * AREA / length), (3, G * 2.0 * INERTIA / length)):
-        K[np.ix_([axis, axis + 6], [axis, axis + 6])] = stiffness * np.array([[1, -1], [-1, 1]])
-    for u, turn, sign in ((1, 5, 1.0), (2, 4, -1.0)):
-        L = sign * length
-        block = k * np.array(
-            [
-                [12, 6 * L, -12, 6 * L],
-                [6 * L, (4 + phi) * L**2, -6 * L, (2 - phi) * L**2],
-                [-12, -6 * L, 12, -6 * L],
-                [6 * L, (2 - phi) * L**2, -6 * L, (4 + phi) * L**2],
-            ]
-        )
-        dofs = [u, turn, u + 6, turn + 6]
-        K[np.ix_(dofs, dofs)] = block
-    return K
-
-
 @pytest.mark.parametrize("law", ["EulerBernoulli", "Timoshenko"])
 def test_bond_matrix_is_the_textbook_beam(law):
-    lattice = bd.Lattice(bd.Particles([[0, 0, 0], [8e-3, 0, 0]], 4e-3), [(0, 1)])
+    lattice = two_spheres(8e-3)
     model = bd.Model(lattice, getattr(bd, law)(E=E, nu=NU, radius=RADIUS), 1000.0)
     K = stiffness_matrix(model).tocsc().toarray()
-    expected = beam_matrix(8e-3, shear_flexibility(law))
+    expected = beam_stiffness(8e-3, E * AREA, E * INERTIA, 2.0 * G * INERTIA, shear_flexibility(law))
     assert np.abs(K - expected).max() <= 1e-12 * np.abs(expected).max()
 
 
@@ -91,7 +56,8 @@ def test_cantilever_is_exact_at_the_elements(law, bonds):
     force = 3.0
     model = bd.Model(
         lattice,
-        getattr(bd, law)(E=E, nu=NU, radius=RADIUS), 1000.0,
+        getattr(bd, law)(E=E, nu=NU, radius=RADIUS),
+        1000.0,
         boundary=[bd.Fix(bd.Index(root)), bd.Load(bd.Index(tip), force=tuple(force * ACROSS))],
     )
     static = bd.solve_static(model)
@@ -114,7 +80,8 @@ def test_tension_and_torsion_of_a_chain():
     force, moment = 50.0, 0.2
     model = bd.Model(
         lattice,
-        bd.Timoshenko(E=E, nu=NU, radius=RADIUS), 1000.0,
+        bd.Timoshenko(E=E, nu=NU, radius=RADIUS),
+        1000.0,
         boundary=[
             bd.Fix(bd.Index(root)),
             bd.Load(bd.Index(tip), force=tuple(force * AXIS), moment=tuple(moment * AXIS)),
@@ -138,7 +105,8 @@ def test_a_free_chain_in_tension_stretches_about_its_middle(bonds):
     force = 50.0
     model = bd.Model(
         lattice,
-        bd.EulerBernoulli(E=E, nu=NU, radius=RADIUS), 1000.0,
+        bd.EulerBernoulli(E=E, nu=NU, radius=RADIUS),
+        1000.0,
         boundary=[
             bd.Load(bd.Index(first), force=tuple(-force * AXIS)),
             bd.Load(bd.Index(last), force=tuple(force * AXIS)),
@@ -155,7 +123,7 @@ def test_a_free_chain_in_tension_stretches_about_its_middle(bonds):
 @pytest.fixture(scope="module")
 def block() -> bd.Lattice:
     """More than elimination is used for."""
-    return cloud(10)
+    return crooked_block((20, 10, 10), edge=1e-3, jitter=0.2, radius=0.35, reach=1.83, seed=0, walled=True)
 
 
 LAW = bd.EulerBernoulli(E=E, nu=NU, radius_ratio=0.6)
@@ -269,7 +237,7 @@ def test_strains_of_bonds_give_the_energy_of_the_matrix(law):
     assert linear_energy(model, u, turn).total == pytest.approx(energy, rel=1e-12)
     # ... and their forces and products are parts of the same
     k = model.stiffness
-    strain = BondStrain.of(model.lattice, k.lever, u, turn)
+    strain = bd.BondStrain.of(model.lattice, k.lever, u, turn)
     work = strain.products(strain) * np.stack([k.kn, k.ks, k.kb, k.kt])
     assert 0.5 * work.sum() == pytest.approx(energy, rel=1e-12)
     slip = strain.normal[:, None] * strain.direction + strain.shear

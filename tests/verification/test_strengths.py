@@ -20,8 +20,9 @@ from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.solve.timestep import critical_step
+from tests.models import time_step
 from tests.recording import Record
+from tests.specimens import two_spheres
 
 R, L, RADIUS = 0.5e-3, 1.0e-3, 0.35e-3
 E, NU = 1e9, 0.3
@@ -143,9 +144,7 @@ WHOLE = Rotation.from_rotvec([0.5, -0.9, 0.4])
 
 def pair(failure: bd.Criterion, boundary=(), swapped: bool = False) -> bd.Model:
     """Two touching spheres along x."""
-    position = np.array([[0.0, 0.0, 0.0], [L, 0.0, 0.0]])
-    lattice = bd.Lattice(bd.Particles(position, R), np.array([[1, 0] if swapped else [0, 1]]))
-    return bd.Model(lattice, LAW, density=1000.0, failure=failure, boundary=boundary)
+    return bd.Model(two_spheres(L, swapped=swapped), LAW, density=1000.0, failure=failure, boundary=boundary)
 
 
 def turned(z: float, x: float = 0.0) -> np.ndarray:
@@ -213,7 +212,7 @@ STEPS = 400
 def test_a_pair_breaks_within_one_increment(criterion: str, way: str, one_thread: None, record: Record) -> None:
     """Driven at constant rates, in the first step that ends beyond its strength, in the mode of the closed form."""
     failure, shares = CRITERIA[criterion]
-    dt = 0.5 * critical_step(pair(failure), bd.VelocityVerlet())
+    dt = time_step(pair(failure), 0.5)
     broken = (criterion, way) not in UNBROKEN
     end = WAYS[way].times(1.2345 * strength(criterion, way) if broken else 1.0)
     rates = {"vx": L * end.x, "vy": L * end.y, "vz": 0.0, "wx": end.twist, "wy": 0.0, "wz": end.second}

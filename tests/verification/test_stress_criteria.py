@@ -4,18 +4,17 @@ import functools
 import math
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.errors import InputError, RunFileError
 from bondem.kernels.crack_tables import GAMMA
 from bondem.laws.failure.drucker_prager import cone_index
 from bondem.laws.plasticity import largest_pressure
-from bondem.model.state import State
-from bondem.solve.timestep import critical_step
+from tests.bits import assert_same_fracture, most_threads, threads
+from tests.models import slowly_torn, time_step, torn_then_pressed
+from tests.specimens import bar
 
 E, RHO = 40e9, 2500.0
 ROOT = math.sqrt(3.0)
@@ -42,12 +41,6 @@ def undefined(stress, limit):
     """No number at some stresses that are not tried as it is made."""
     _, two, three = np.linalg.eigvalsh(stress)
     return math.nan if 0.5 * limit < two < limit and three > 1.2 * two else three / limit
-
-
-@functools.cache
-def body(count: int) -> bd.Lattice:
-    particles = bd.pack(bd.Box(size=(16e-3, 8e-3, 8e-3)), count=count, method="even", seed=1)
-    return bd.connect(particles, method="laguerre")
 
 
 def test_the_largest_pressure_is_the_least_eigenvalue() -> None:
@@ -92,10 +85,10 @@ def strained(failure: bd.Criterion, stress: tuple[float, float, float], nu: floa
     Returns:
         Share of that stress, cracks, and cells that have yielded, after each step.
     """
-    lattice, law, steps = body(120), bd.CellBond(E=E, nu=nu), 400
+    lattice, law, steps = bar(120), bd.CellBond(E=E, nu=nu), 400
     wanted = np.array(stress)
     strain = ((1.0 + nu) * wanted - nu * wanted.sum()) / E
-    dt = 0.5 * critical_step(bd.Model(lattice, law, density=RHO), bd.VelocityVerlet())
+    dt = time_step(bd.Model(lattice, law, density=RHO), 0.5)
     rate, walls = strain / (steps * dt), []
     for a, axis in enumerate("xyz"):
         for end, place in zip(("min", "max"), lattice.particles.envelope.bounds, strict=True):
@@ -104,7 +97,7 @@ def strained(failure: bd.Criterion, stress: tuple[float, float, float], nu: floa
     state.set_motion(velocity=lattice.centre * rate)
     seen = []
 
-    def look(now: State, _: bd.History) -> bool:
+    def look(now: bd.State, _: bd.History) -> bool:
         yielded = int((now.plastic[:, GAMMA] > 0.0).sum()) if len(now.plastic) else 0
         seen.append((now.step / steps, len(now.cracks), yielded))
         return False
@@ -164,10 +157,7 @@ def torn(failure: bd.Criterion, share: float = 0.9) -> bd.ExplicitResult:
     """A bar that is pulled apart, slowly enough for its crack."""
     softening = failure.softening
     assert softening is not None
-    pull = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), vx=0.1)]
-    law = bd.CellBond(E=E, nu=0.2, facet_rotation="full")
-    model = bd.Model(body(250), law, density=RHO, failure=failure, boundary=pull)
-    dt = share * critical_step(model, bd.VelocityVerlet())
+    model, dt = slowly_torn(failure, share)
     opening = 1.2 * 2.0 * softening.fracture_energy / softening.tension or 1e-6
     return bd.solve_explicit(model, duration=(softening.tension / E * 16e-3 + opening) / 0.1, dt=dt, every=50)
 
@@ -183,8 +173,7 @@ ABRUPT = [bd.DruckerPrager(tension=4e6, compression=40e6), bd.Hydrostatic(tensio
 @pytest.mark.parametrize("failure", SOFT, ids=lambda one: type(one).__name__)
 def test_a_bar_gives_back_its_fracture_energy(failure: bd.Criterion) -> None:
     """And has the strength of its closed form, slowly torn between smooth platens (as `test_strength`)."""
-    particles = bd.pack(bd.Box((20e-3, 10e-3, 10e-3)), count=250, method="even", seed=1)
-    test = bd.labtests.direct_tension(bd.connect(particles, method="laguerre"), bd.CellBond(E=E, nu=0.2), failure)
+    test = bd.labtests.direct_tension(bar(250, 20e-3), bd.CellBond(E=E, nu=0.2), failure)
     assert test.peak == pytest.approx(4e6, rel=0.05)
     assert test.work == pytest.approx(50.0, rel=0.08)
 
@@ -200,12 +189,7 @@ def test_the_ledger_closes_and_is_of_second_order(failure: bd.Criterion) -> None
 
 def pulled(failure: bd.Criterion, steps: int = 240, **options) -> bd.ExplicitResult:
     """A body torn fast, and then pressed."""
-    way = bd.Table([0.0, 1e-5, 1.2e-5, 4e-5], [1.0, 1.0, -2.0, -2.0])
-    model = bd.Model(
-        body(1200), bd.CellBond(E=E, nu=0.2), density=RHO, failure=failure,
-        boundary=[bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), vx=way)],
-    )  # fmt: skip
-    dt = 0.9 * critical_step(model, bd.VelocityVerlet())
+    model, dt = torn_then_pressed(failure)
     return bd.solve_explicit(model, duration=steps * dt, dt=dt, every=0, **options)
 
 
@@ -230,16 +214,11 @@ def test_bits_do_not_depend_on_threads_or_restarts(tmp_path: Path) -> None:
     assert len(one.cracks) > 500
     assert len(one.broken) > 20
     assert (one.plastic[:, GAMMA] > 0.0).sum() > 20
-    if numba.config.NUMBA_NUM_THREADS > 1:
+    if most_threads() > 1:
         with threads(2):
-            same(one, pulled(MIXED).state)
+            assert_same_fracture(one, pulled(MIXED).state)
     pulled(MIXED, out=tmp_path / "run.h5", save_every=100)
-    same(one, bd.read_run(tmp_path / "run.h5").state)
-
-
-def same(one: State, other: State) -> None:
-    for name in ("pose", "motion", "integrity", "cracks", "plastic", "broken"):
-        np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
+    assert_same_fracture(one, bd.read_run(tmp_path / "run.h5").state)
 
 
 def test_a_run_by_a_function_goes_on_when_it_is_given_again(tmp_path: Path) -> None:
@@ -249,7 +228,7 @@ def test_a_run_by_a_function_goes_on_when_it_is_given_again(tmp_path: Path) -> N
     assert len(whole.broken) > 20
     model = whole.model
     assert isinstance(model, bd.Model)
-    dt = 0.9 * critical_step(model, bd.VelocityVerlet())
+    dt = time_step(model, 0.9)
     bd.solve_explicit(
         model, duration=steps * dt, dt=dt, every=50, save_every=50, out=kept, callback=lambda now, _: now.step >= 50
     )
@@ -261,7 +240,7 @@ def test_a_run_by_a_function_goes_on_when_it_is_given_again(tmp_path: Path) -> N
             bd.resume(kept, failure=wrong)
     with pytest.raises(InputError, match="the criterion of the run"):
         bd.resume(kept, failure=largest)  # type: ignore[arg-type]
-    same(whole, bd.resume(kept, failure=own).state)
+    assert_same_fracture(whole, bd.resume(kept, failure=own).state)
 
 
 @pytest.mark.parametrize(
@@ -277,4 +256,4 @@ def test_the_facets_of_calm_cells_are_let_be_without_a_miss(
     monkeypatch.setattr("bondem.model.softening_table._MARGIN", -1e6)
     every = pulled(failure, 100).state
     assert len(every.cracks) > 1000
-    same(few, every)
+    assert_same_fracture(few, every)

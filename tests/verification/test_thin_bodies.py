@@ -6,20 +6,10 @@ import pytest
 import bondem as bd
 from bondem.errors import ThinBodyWarning
 from bondem.solve.linear import System
+from tests.models import clamped
+from tests.specimens import crooked_cells, cubes
 
 LAW = bd.CellBond(E=1.0, nu=0.25)
-
-
-def layer(*counts, jitter=0.15):
-    """A box of unit cells, unequal but in the directions that are one cell thick."""
-    grid = np.stack(np.meshgrid(*(np.arange(n) for n in counts), indexing="ij"), axis=-1).reshape(-1, 3)
-    moved = np.random.default_rng(1).uniform(-jitter, jitter, grid.shape) * (np.array(counts) > 1)
-    return bd.connect(bd.Particles(grid + 0.5 + moved, 0.3, shape=bd.Box(counts)), method="laguerre")
-
-
-def clamped(body, law=LAW, **load):
-    loads = [bd.Load(bd.Face("x_max"), **load)] if load else []
-    return bd.Model(body, law, 1.0, boundary=[bd.Fix(bd.Face("x_min")), *loads])
 
 
 def softened(length, thickness, modulus):
@@ -32,7 +22,7 @@ def softened(length, thickness, modulus):
 def test_a_wall_holds_a_body_one_cell_thick_against_rotation(width, rotation):
     """A clamp is no hinge: one cell bends as a facet does, with 2 G = E / (1 + ν) in place of E."""
     law = bd.CellBond(E=1.0, nu=0.25, facet_rotation=rotation)
-    body = layer(24, width, 1, jitter=0.0)
+    body = cubes((24, width, 1))
     frequency = bd.solve_modes(clamped(body, law), count=4).frequency
     wanted = softened(24.0, 1.0, 1.0 / 1.25)
     # shear and rotary inertia take 0.5 % at this slenderness
@@ -47,7 +37,7 @@ def test_a_wall_holds_a_body_one_cell_thick_against_rotation(width, rotation):
 def test_a_clamped_beam_of_some_cells_bends_as_theory_says(thick, error):
     """Tip of a cantilever by Timoshenko: 2 cells 2.8 %, 4 cells 0.2 % too soft, the order being the second."""
     length = 6 * thick
-    static = bd.solve_static(clamped(layer(length, thick, thick), force=(0.0, 0.0, 1e-6)))
+    static = bd.solve_static(clamped(crooked_cells((length, thick, thick), jitter=0.15), LAW, force=(0.0, 0.0, 1e-6)))
     area, inertia = thick**2, thick**4 / 12.0
     wanted = length**3 / (3.0 * inertia) + length / (5.0 / 6.0 * LAW.G * area)
     assert 2.0 * static.energy.total / 1e-12 == pytest.approx(wanted, rel=error)
@@ -55,7 +45,7 @@ def test_a_clamped_beam_of_some_cells_bends_as_theory_says(thick, error):
 
 def test_a_smooth_platen_leaves_rotation_about_its_normal_free():
     """Held along x alone, a face resists rotation about y and z and not about x; four rigid motions less than six."""
-    body = layer(8, 2, 2)
+    body = crooked_cells((8, 2, 2), jitter=0.15)
     model = bd.Model(body, LAW, 1.0, boundary=[bd.Fix(bd.Face("x_min"), translation="x", rotation="")])
     frequency = bd.solve_modes(model, count=3).frequency
     assert (frequency > 1e-3).all()  # three motions of the whole are taken out: y, z and about x
@@ -66,23 +56,23 @@ def test_a_smooth_platen_leaves_rotation_about_its_normal_free():
 def test_one_held_facet_leaves_only_what_its_platen_leaves():
     for translation, loose in (("x", 3), ("y", 5), ("xyz", 0)):
         held = [bd.Fix(bd.Face("x_min"), translation=translation, rotation="")]
-        assert System.of(bd.Model(layer(8, 1, 1, jitter=0.0), LAW, 1.0, boundary=held)).loose.shape[1] == loose
+        assert System.of(bd.Model(cubes((8, 1, 1)), LAW, 1.0, boundary=held)).loose.shape[1] == loose
 
 
 def test_a_body_one_cell_thick_is_a_warning():
     with pytest.warns(ThinBodyWarning, match=r"one cell thick .* E / \(1 \+ ν\)"):
-        clamped(layer(8, 4, 1))
+        clamped(crooked_cells((8, 4, 1), jitter=0.15), LAW)
     with pytest.warns(ThinBodyWarning, match="both ways there: it twists 20 % too stiffly"):
-        clamped(layer(12, 1, 1))
+        clamped(crooked_cells((12, 1, 1), jitter=0.15), LAW)
     with pytest.warns(ThinBodyWarning, match="it twists 2.4 times too stiffly"):
-        clamped(layer(12, 1, 1), bd.CellBond(E=1.0, nu=0.0, facet_rotation="full"))
-    clamped(layer(8, 2, 2))
-    clamped(layer(8, 4, 1), bd.CellBond(E=1.0, nu=0.0))
+        clamped(crooked_cells((12, 1, 1), jitter=0.15), bd.CellBond(E=1.0, nu=0.0, facet_rotation="full"))
+    clamped(crooked_cells((8, 2, 2), jitter=0.15), LAW)
+    clamped(crooked_cells((8, 4, 1), jitter=0.15), bd.CellBond(E=1.0, nu=0.0))
 
 
 def test_an_uneven_layer_bends_as_an_even_one():
     """A cantilever strip whose facets lie askew: without their twist it bends 40 % too much."""
-    even, uneven = (layer(20, 6, 1, jitter=jitter) for jitter in (0.0, 0.25))
+    even, uneven = cubes((20, 6, 1)), crooked_cells((20, 6, 1), jitter=0.25)
     tips = []
     for body in (even, uneven):
         static = bd.solve_static(clamped(body, bd.CellBond(E=1.0, nu=0.0), force=(0.0, 0.0, 1e-6)))
@@ -93,7 +83,7 @@ def test_an_uneven_layer_bends_as_an_even_one():
 
 def test_a_column_one_cell_wide_resists_twist():
     """By 2 G h⁴ / 12 in place of Saint-Venant's 0.1406 G h⁴: 19 % more, and no mode of zero frequency."""
-    column = layer(12, 1, 1, jitter=0.0)
+    column = cubes((12, 1, 1))
     law = bd.CellBond(E=1.0, nu=0.0)
     twisted = bd.solve_static(clamped(column, law, moment=(1e-6, 0.0, 0.0)))
     wanted = 11.5 / (law.G * 0.1406)  # half a cell at the loaded end is rigid

@@ -6,31 +6,28 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from tests.specimens import cells, grid
 
 LEFT, RIGHT = bd.Face("x_min"), bd.Face("x_max")
 LONG = 60
-
-
-def bar() -> bd.Lattice:
-    grid = np.stack(np.meshgrid(np.arange(LONG + 1), np.arange(2), np.arange(2), indexing="ij"), axis=-1)
-    return bd.connect(bd.Particles(1e-3 * grid.reshape(-1, 3), 0.5e-3))
+BAR = (LONG + 1, 2, 2)  # spheres 1 mm apart
 
 
 def model_of(*boundary) -> bd.Model:
     law = bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5)
-    return bd.Model(bar(), law, 2000.0, boundary=[bd.Fix(LEFT), *boundary])
+    return bd.Model(grid(BAR), law, 2000.0, boundary=[bd.Fix(LEFT), *boundary])
 
 
 def moment_for(turn: float, axis: int = 2) -> tuple[float, ...]:
     """The moment that turns the end by `turn` [rad] as EI is found from a small one."""
     unit = np.eye(3)[axis]
     found = bd.solve_static(model_of(bd.Load(RIGHT, moment=tuple(1e-4 * unit))))
-    return tuple(turn / found.rotation[RIGHT.select(bar()), axis].mean() * 1e-4 * unit)
+    return tuple(turn / found.rotation[RIGHT.select(grid(BAR)), axis].mean() * 1e-4 * unit)
 
 
 def check_circle(displacement, rotation, turn: float) -> None:
     """Elastica: a cantilever under an end moment is an arc of M / EI, to the square of strains h / 2R."""
-    end = RIGHT.select(bar())
+    end = RIGHT.select(grid(BAR))
     length, strain = 1e-3 * LONG, turn / (2.0 * LONG)
     assert rotation[end, 2].mean() == pytest.approx(turn, rel=12.0 * strain**2)
     wanted = np.array([math.sin(turn) / turn - 1.0, (1.0 - math.cos(turn)) / turn, 0.0])
@@ -47,7 +44,7 @@ def test_a_face_under_a_moment_bends_a_bar_to_an_arc(turn: float) -> None:
 def test_a_bar_bends_to_a_full_circle() -> None:
     turn = 2.0 * math.pi
     found = bd.solve_static(model_of(bd.Load(RIGHT, moment=moment_for(turn))), nonlinear=True)
-    end = RIGHT.select(bar())
+    end = RIGHT.select(grid(BAR))
     tip = found.displacement[end].mean(axis=0) + np.array([1e-3 * LONG, 0.0, 0.0])
     assert np.linalg.norm(tip) < 0.05 * 1e-3 * LONG  # strains of 5 %
     assert abs(found.rotation[end, 2].mean()) < 0.25  # a full turn, as a rotation vector has it
@@ -71,7 +68,7 @@ def test_opposite_moments_leave_a_free_bar_where_it_is() -> None:
     M = np.array([0.02, 0.05, -0.04])
     loads = [bd.Load(face, moment=tuple(sign * M), schedule=bd.Ramp(0.0, 1.0, 1e-4))
              for face, sign in ((LEFT, -1.0), (RIGHT, 1.0))]  # fmt: skip
-    model = bd.Model(bar(), bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5), 2000.0, boundary=loads)
+    model = bd.Model(grid(BAR), bd.EulerBernoulli(E=70e9, nu=0.3, radius_ratio=0.5), 2000.0, boundary=loads)
     state = bd.solve_explicit(model, duration=2e-4).state
     speed = np.abs(state.velocity).max()
     assert speed > 0.1
@@ -84,8 +81,7 @@ def test_opposite_moments_leave_a_free_bar_where_it_is() -> None:
 
 def test_a_face_of_cells_under_a_moment_turns_by_what_it_is() -> None:
     """A bar of cells: as far as its own EI says."""
-    size = (0.06, 0.012, 0.012)
-    body = bd.connect(bd.pack(bd.Box(size=size), count=500, spread=0.2, seed=3), method="laguerre")
+    body = cells(bd.Box((0.06, 0.012, 0.012)), 500, spread=0.2, seed=3)
     law, end = bd.CellBond(E=1e9, nu=0.2), RIGHT.select(body)
     little = bd.Load(RIGHT, moment=(0.0, 0.0, 1e-3))
     small = bd.solve_static(bd.Model(body, law, 2e3, boundary=[bd.Fix(LEFT), little]))

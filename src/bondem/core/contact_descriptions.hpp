@@ -5,7 +5,7 @@
 #include "passes/contacts/contact_loads.hpp"
 #include "passes/contacts/handover.hpp"
 #include "passes/contacts/travel.hpp"
-#include "passes/contacts/walls.hpp"
+#include "passes/contacts/rigid_walls.hpp"
 
 namespace bondem {
 
@@ -26,7 +26,7 @@ BONDEM_TABLE(WallMotions, F(times, "wall_times"), F(values, "wall_times"), F(sta
              F(drive_wall, "wall_drives"), F(drive_component, "wall_drives"), F(drive_schedule, "wall_drives"),
              F(drive_rate, "wall_drives"), F(servo_wall, "servos"), F(servo_schedule, "servos"), F(servo_speed, "servos"),
              F(servo_mass, "servos"), F(free_wall, "free_walls"), F(free_mass, "free_walls"), F(free_force, "free_walls 3"))
-BONDEM_TABLE(PairSources, F(start, "n+1"), F(neighbour, "neighbours"), F(bond_start, "n+1"), F(bond_first, "m"),
+BONDEM_TABLE(PairSources, F(bond_start, "n+1"), F(bond_first, "m"),
              F(wanted, "m"), F(rest_start, "n+1"), F(rest_first, "rest"), F(rest_gap, "rest"), F(kept_start, "n+1"),
              F(kept_first, "kept"), F(kept_memory, "kept 6"))
 BONDEM_TABLE(FoundPairs, F(first, "room"), F(second, "room"), F(bond, "room"), F(start, "n+1"), F(gap, "room"),
@@ -44,12 +44,13 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
         described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<Walls>(),           \
         described<WallMotions>(), described<PairSources>(), described<FoundPairs>(), described<WallSources>(),           \
         described<FoundWalls>()
-#define BONDEM_CONTACT_SEARCH P(list_pairs, ""), P(count_wall_contacts, ""), P(list_wall_contacts, "")
+#define BONDEM_CONTACT_SEARCH P(list_pairs, "all_listed room_full"), P(count_wall_contacts, ""), P(list_wall_contacts, "")
 #define BONDEM_CONTACT_PASSES                                                                                            \
     S(serial, move_walls), S(of_elements, measure_travel), S(serial, check_travel), S(of_elements, press_pairs),         \
         S(of_ranges, add_pair_loads), S(of_elements, press_walls), S(of_elements, measure_wall_overlaps),                \
         S(serial, load_walls), S(serial, keep_measures), S(elements_of_blocks, add_contact_loads),                       \
         S(of_elements, sum_pair_energies), S(of_elements, sum_wall_energies), S(serial, write_contact_energy),           \
-        S(serial, count_wall_work), S(serial, write_walls), S(serial, begin_contacts)
+        S(serial, count_wall_work), S(serial, write_walls), S(serial, begin_contacts), S(serial, release_pressure),             \
+        S(serial, begin_softened_contacts)
 
 }  // namespace bondem

@@ -7,6 +7,7 @@
 #include "passes/cracks/crack_states.hpp"
 #include "passes/cracks/onset.hpp"
 #include "passes/cracks/opening.hpp"
+#include "passes/cracks/stress_onset.hpp"
 #include "passes/cracks/crack_strains.hpp"
 #include "passes/cracks/parted_faces.hpp"
 #include "passes/cracks/stress_state.hpp"
@@ -27,8 +28,11 @@ BONDEM_TABLE(FacetStrengths, F(area, "m"), F(strength, "m"), F(brittleness, "m")
              F(friction, "m"), F(plane, "m"), F(cohesion, "m"), F(slip_brittleness, "m"), F(planes, "*"), F(kink, ""),
              F(steep, ""), F(hot, ""))
 BONDEM_TABLE(CrackOnset, F(cracked, "n"), F(judged, "n"), F(marked, "m"), F(listed, "m"), F(found, "bond_portions+1"))
-BONDEM_TABLE(CohesiveCracks, F(shape, "facets 8"), F(face, "facets 8"), F(state, "facets 8"),
-             F(softening, "facets 8"), F(history, "facets 8"), F(pull, "facets 4"), F(pitch, "3"), F(order, "facets"), F(listed, "m"),
+BONDEM_TABLE(StressOnset, F(scale, "m"), F(area, "m"), F(tension, ""), F(least, ""), F(hot, ""), F(along, "m"),
+             F(bond, "candidates"), F(stress, "candidates 3 3"), F(found, "candidates"), F(number, "bond_portions"),
+             F(total, "1"))
+BONDEM_TABLE(CohesiveCracks, F(shape, "facets 8"), F(face, "facets 8"), F(state, "facets 8"), F(softening, "facets 8"),
+             F(history, "facets 8"), F(pull, "facets 4"), F(pitch, "3"), F(order, "facets"), F(listed, "m"),
              F(integrity, "facets"), F(size, "2"))
 BONDEM_TABLE(CellSlack, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(slack_i, "m"), F(slack_j, "m"),
              F(weight, "n"))
@@ -46,9 +50,13 @@ BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_
 #define BONDEM_CRACK_TABLES                                                                                   \
     described<SofteningSamples>(), described<CrackSamples>(), described<YieldSamples>(),                      \
         described<StressesOfCells>(), described<YieldingCells>(), described<FacetStrengths>(),                   \
-        described<CrackOnset>(), described<CohesiveCracks>(), described<CellSlack>(), described<CrackLists>(),        \
-        described<CrackEnergies>(), described<PartedReach>()
+        described<CrackOnset>(), described<StressOnset>(), described<CohesiveCracks>(), described<CellSlack>(),      \
+        described<CrackLists>(), described<CrackEnergies>(), described<PartedReach>()
 #define BONDEM_CRACK_PASSES P(evaluate_softening, ""), P(evaluate_cracks, ""), P(evaluate_yielding, "")
+#define BONDEM_STRESS_ONSET_PASSES                                                                            \
+    S(of_elements, judge_cells_by_mean_stress), S(of_elements, judge_cells_by_cone),                          \
+        S(of_elements, judge_cells_by_size), S(of_bonds, find_stress_candidates), S(serial, mark_failing_facets), \
+        S(serial, find_strengths_along)
 #define BONDEM_CRACK_STEP_PASSES                                                                              \
     S(of_elements, find_cell_stresses), S(serial, add_surface_stresses), S(of_elements, find_still_stresses), \
         S(serial, add_still_surface_stresses), S(serial, follow_levers), S(of_elements, judge_cells),         \

@@ -2,6 +2,7 @@
 #include "cell_descriptions.hpp"
 #include "crack_descriptions.hpp"
 #include "described.hpp"
+#include "device_descriptions.hpp"
 #include "instructions.hpp"
 #include "lagged_descriptions.hpp"
 #include "lanes.hpp"
@@ -85,6 +86,7 @@ const TableDescription tables[] = {
     described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
     described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
     described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
+    BONDEM_DEVICE_TABLES,
     BONDEM_LAGGED_TABLES,
     BONDEM_STATICS_TABLES,
     BONDEM_DAMAGE_TABLES,
@@ -162,8 +164,13 @@ const StepPassDescription step_passes[] = {
     BONDEM_CELL_STEP_PASSES,
     BONDEM_CONTACT_PASSES,
     BONDEM_CRACK_STEP_PASSES,
+    BONDEM_STRESS_ONSET_PASSES,
 };
 #undef S
+
+#define X(pass) IndexPass<pass>::described(#pass),
+const PassDescription index_passes[] = {BONDEM_INDEX_PASSES(X)};
+#undef X
 
 }  // namespace
 }  // namespace bondem
@@ -185,6 +192,10 @@ BONDEM_EXPORT const bondem::PassDescription *bondem_passes(bondem::Index *count)
 BONDEM_EXPORT const bondem::StepPassDescription *bondem_step_passes(bondem::Index *count) {
     *count = sizeof(bondem::step_passes) / sizeof(bondem::step_passes[0]);
     return bondem::step_passes;
+}
+BONDEM_EXPORT const bondem::PassDescription *bondem_index_passes(bondem::Index *count) {
+    *count = sizeof(bondem::index_passes) / sizeof(bondem::index_passes[0]);
+    return bondem::index_passes;
 }
 // The highest level of instructions that this CPU and its system offer: 2, 3 or 4 of x86-64, else 0.
 BONDEM_EXPORT bondem::Index bondem_level() { return bondem::instruction_level(); }

@@ -7,6 +7,17 @@
 
 namespace bondem {
 
+// -1, 0 or 1, as a number is below, at or above zero.
+BONDEM_INLINE double sign(double a) { return a > 0.0 ? 1.0 : a < 0.0 ? -1.0 : 0.0; }
+BONDEM_INLINE bool all_below(double a, double bound) { return a < bound; }
+
+// A row of eight numbers of a table, or as many rows as there are lanes, column by column.
+template <class T> struct Row {
+    T column[8];
+};
+
+#if defined(BONDEM_LANES)
+
 #if defined(__AVX512F__)
 constexpr int lanes = 8;
 #else
@@ -16,8 +27,6 @@ typedef double Lanes __attribute__((vector_size(lanes * 8)));
 typedef double LanesInMemory __attribute__((vector_size(lanes * 8), aligned(8)));
 typedef double FourInMemory __attribute__((vector_size(32), aligned(8)));
 typedef double Four __attribute__((vector_size(32)));
-
-#define BONDEM_INLINE inline __attribute__((always_inline))
 
 #if defined(__clang__)
 BONDEM_INLINE Lanes root(Lanes a) { return __builtin_elementwise_sqrt(a); }
@@ -39,13 +48,10 @@ BONDEM_INLINE Lanes absolute(Lanes a) {
 }
 #endif
 
-// -1, 0 or 1, as a number is below, at or above zero.
-BONDEM_INLINE double sign(double a) { return a > 0.0 ? 1.0 : a < 0.0 ? -1.0 : 0.0; }
 BONDEM_INLINE Lanes sign(Lanes a) {
     const Lanes zero = {}, one = zero + 1.0;
     return a > zero ? one : a < zero ? -one : zero;
 }
-BONDEM_INLINE bool all_below(double a, double bound) { return a < bound; }
 BONDEM_INLINE bool all_below(Lanes a, double bound) {
     bool below = true;
     for (int n = 0; n < lanes; n++) below &= a[n] < bound;
@@ -72,11 +78,6 @@ BONDEM_INLINE void store_behind(double *to, Lanes a, int known) {
     else
         for (int n = known; n < lanes; n++) to[n] = a[n];
 }
-
-// A row of eight numbers of a table, or as many rows as there are lanes, column by column.
-template <class T> struct Row {
-    T column[8];
-};
 
 BONDEM_INLINE void transpose_four(Four *r) {
     const Four low = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6);
@@ -176,5 +177,7 @@ BONDEM_INLINE void add_rows(double *table, const Short *first, const Short *seco
 BONDEM_INLINE void prefetch(const double *table, const Short *place) {
     for (int n = 0; n < lanes; n++) __builtin_prefetch(table + 8 * uint64_t(place[n]));
 }
+
+#endif
 
 }  // namespace bondem

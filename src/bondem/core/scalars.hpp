@@ -1,13 +1,33 @@
 // Names of the numbers that all of the core uses, and the few functions of one number that it needs.
 #pragma once
+#if defined(__CUDACC_RTC__)  // a GPU: its compiler has no headers, and functions of no other kind are its own
+using int32_t = int;
+using uint8_t = unsigned char;
+using uint32_t = unsigned int;
+using int64_t = long long;
+using uint64_t = unsigned long long;
+#define BONDEM_INLINE __forceinline__
+#else
 #include <stddef.h>
 #include <stdint.h>
+#define BONDEM_INLINE inline __attribute__((always_inline))
+#define BONDEM_LANES  // registers of several numbers
+#endif
 
 namespace bondem {
 
 using Index = int64_t;  // what NumPy's int64 is
 using Short = uint32_t;  // element numbers in lists that are read often
 
+#if defined(__CUDACC_RTC__)
+constexpr double infinity = __builtin_bit_cast(double, uint64_t(0x7ff0000000000000));
+
+inline double root(double a) { return ::sqrt(a); }
+inline double floor(double a) { return ::floor(a); }
+inline double nearest(double a) { return ::rint(a); }
+inline double absolute(double a) { return ::fabs(a); }
+inline double arc_tangent(double y, double x) { return ::atan2(y, x); }
+#else
 constexpr double infinity = __builtin_inf();
 
 inline double root(double a) { return __builtin_sqrt(a); }
@@ -15,6 +35,19 @@ inline double floor(double a) { return __builtin_floor(a); }
 // To the nearest whole number, halves to the even one.
 inline double nearest(double a) { return __builtin_rint(a); }
 inline double absolute(double a) { return __builtin_fabs(a); }
+inline double arc_tangent(double y, double x) { return __builtin_atan2(y, x); }
+#endif
+
+// Numbers that several threads write: any of them in the end, as all write one value; and a count.
+#if defined(__CUDACC_RTC__)
+template <class T> inline void put_shared(T &place, T value) { *const_cast<volatile T *>(&place) = value; }
+template <class T> inline T get_shared(const T &place) { return *const_cast<const volatile T *>(&place); }
+inline Index count_up(Index &count) { return Index(atomicAdd(reinterpret_cast<unsigned long long *>(&count), 1ull)); }
+#else
+template <class T> inline void put_shared(T &place, T value) { __atomic_store_n(&place, value, __ATOMIC_RELAXED); }
+template <class T> inline T get_shared(const T &place) { return __atomic_load_n(&place, __ATOMIC_RELAXED); }
+inline Index count_up(Index &count) { return __atomic_fetch_add(&count, Index(1), __ATOMIC_RELAXED); }
+#endif
 
 template <class T> inline T least(T a, T b) { return b < a ? b : a; }
 template <class T> inline T most(T a, T b) { return b > a ? b : a; }

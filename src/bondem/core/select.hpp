@@ -8,10 +8,12 @@ namespace bondem {
 template <class T> using Mask = decltype(T{} < T{});
 
 BONDEM_INLINE double select(bool first, double a, double b) { return first ? a : b; }
-BONDEM_INLINE Lanes select(Mask<Lanes> first, Lanes a, Lanes b) { return first ? a : b; }
-
 BONDEM_INLINE bool any(bool a) { return a; }
 BONDEM_INLINE bool opposite(bool a) { return !a; }
+
+#if defined(BONDEM_LANES)
+
+BONDEM_INLINE Lanes select(Mask<Lanes> first, Lanes a, Lanes b) { return first ? a : b; }
 BONDEM_INLINE Mask<Lanes> opposite(Mask<Lanes> a) { return ~a; }
 #if defined(__clang__)
 BONDEM_INLINE bool any(Mask<Lanes> a) { return __builtin_reduce_or(a) != 0; }
@@ -21,6 +23,8 @@ BONDEM_INLINE bool any(Mask<Lanes> a) {
     for (int n = 0; n < lanes; n++) found |= a[n] != 0;
     return found;
 }
+#endif
+
 #endif
 
 // One number in all lanes.

@@ -57,7 +57,7 @@ BONDEM_TABLE(Strain, F(schedule, "strains"), F(bond, "strained"), F(part, "strai
 BONDEM_TABLE(Portions, F(elements, "element_portions 4"), F(bonds, "bond_portions 4"), F(turned, "bond_portions 3"),
              F(budget, "3"), F(found, "4"))
 BONDEM_TABLE(Gauges, F(start, "gauges+1"), F(element, "gauged"), F(quantity, "gauges"), F(reduction, "gauges"))
-BONDEM_TABLE(HistoryRows, F(record, "records columns"))
+BONDEM_TABLE(HistoryRows, F(record, "* columns"))
 BONDEM_TABLE(StepPasses, F(present, "* 8"), F(opening, "* 8"), F(travel, "* 8"), F(forces, "* 8"), F(resume, "* 8"),
              F(reopening, "* 8"), F(guard, "* 8"), F(record, "* 8"))
 BONDEM_TABLE(StepSpan, F(step, ""), F(steps, ""), F(every, ""), F(looks, ""), F(stale, ""), F(moved, ""), F(n, ""),

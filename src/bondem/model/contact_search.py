@@ -10,6 +10,7 @@ import numpy as np
 from bondem._core import Pass
 from bondem._types import Floats, Ints
 from bondem.model.beam_tables import Poses
+from bondem.specimen.neighbours import SphereGrid
 
 #: Whether elements touch: 1 where they do.
 APART, TOUCHING = 0, 1
@@ -25,10 +26,8 @@ class Walls(NamedTuple):
 
 
 class PairSources(NamedTuple):
-    """Neighbours, bonds, and memories of contacts, of which the list of pairs is made."""
+    """Bonds and memories of contacts, of which the list of pairs is made."""
 
-    start: Ints  #: start of the neighbours of each element, (n + 1,)
-    neighbour: np.ndarray  #: uint32
     bond_start: Ints  #: start of the bonds of each later element, (n + 1,)
     bond_first: np.ndarray  #: their earlier elements, uint32
     wanted: np.ndarray  #: whether the pair of a bond is listed, however far apart, uint8, (m,)
@@ -83,19 +82,22 @@ class FoundWalls(NamedTuple):
     touch: np.ndarray  #: uint8, (b,)
 
 
-_list_pairs = Pass("list_pairs", PairSources, FoundPairs)
+_list_pairs = Pass("list_pairs", SphereGrid, PairSources, FoundPairs)
 _count_wall_contacts = Pass("count_wall_contacts", Poses, Walls, WallSources)
 _list_wall_contacts = Pass("list_wall_contacts", Poses, Walls, WallSources, FoundWalls)
 
 
-def found_pairs(sources: PairSources) -> FoundPairs:
-    """Return the neighbours that no bond joins and the wanted pairs of bonds, with the memory of those that touch."""
-    room = len(sources.neighbour) // 2 + int(sources.wanted.sum())
-    found = FoundPairs(
-        np.empty(room, np.uint32), np.empty(room, np.uint32), np.empty(room, np.int64), np.empty_like(sources.start),
-        np.empty(room), np.empty((room, 8)), np.empty(room, np.uint8),
-    )  # fmt: skip
-    _list_pairs(sources, found)
+def found_pairs(grid: SphereGrid, sources: PairSources) -> FoundPairs:
+    """Return near spheres that no bond joins and the wanted pairs of bonds, with the memory of those that touch."""
+    room = 4 * len(grid.sphere) + int(sources.wanted.sum())
+    while True:
+        found = FoundPairs(
+            np.empty(room, np.uint32), np.empty(room, np.uint32), np.empty(room, np.int64),
+            np.empty_like(sources.bond_start), np.empty(room), np.empty((room, 8)), np.empty(room, np.uint8),
+        )  # fmt: skip
+        if _list_pairs(grid, sources, found) == "all_listed":
+            break
+        room *= 2
     count = found.start[-1]
     return FoundPairs(
         found.first[:count], found.second[:count], found.bond[:count], found.start, found.gap[:count],

@@ -14,7 +14,7 @@ from bondem.model.layout import Layout
 from bondem.model.local_origin import local_rest
 from bondem.model.walls import WallTable
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.neighbours import neighbours
+from bondem.specimen.neighbours import SphereGrid, neighbours, sphere_grid
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,13 +100,23 @@ class ContactModel:
 
 def near(position: Floats, radius: Floats, period: Floats | None, skin: float) -> tuple[Ints, np.ndarray]:
     """Return neighbours with gaps up to `skin` [m], in the form of `specimen.neighbours.neighbours`."""
+    return neighbours(*_boxed(position, radius, period), skin, threads=current_threads())
+
+
+def grid_of(position: Floats, radius: Floats, period: Floats | None, skin: float) -> SphereGrid:
+    """Return elements sorted for the search of neighbours with gaps up to `skin` [m]."""
+    return sphere_grid(*_boxed(position, radius, period), skin)
+
+
+def _boxed(position: Floats, radius: Floats, period: Floats | None) -> tuple[Floats, Floats, Floats, Floats]:
+    """Return spheres, the corners of a box around their centres, and its periodic edges, 0 without any."""
     sphere = np.column_stack([position, radius])
     if period is None:
         lower, upper = sphere[:, :3].min(axis=0), sphere[:, :3].max(axis=0)
         margin = 1e-9 * max(float((upper - lower).max()), float(radius.max()))
-        return neighbours(sphere, lower - margin, upper + margin, np.zeros(3), skin, threads=current_threads())
+        return sphere, lower - margin, upper + margin, np.zeros(3)
     sphere[:, :3] %= period
-    return neighbours(sphere, np.zeros(3), period, period, skin, threads=current_threads())
+    return sphere, np.zeros(3), period, period
 
 
 def _starts(later: Ints, n: int) -> Ints:

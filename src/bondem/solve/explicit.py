@@ -14,7 +14,7 @@ from bondem.solve.contact_check import SinkingCheck
 from bondem.solve.energy_check import EnergyCheck
 from bondem.solve.halting import Halt
 from bondem.solve.history import History
-from bondem.solve.loop_on_cpu import loop_on_cpu
+from bondem.solve.loop_core import CoreLoop
 from bondem.solve.plan import Callback, ExplicitResult, Loop, Plan, Status, settled
 from bondem.solve.pulse import Pulse, heard, tell
 from bondem.solve.saving import Sink
@@ -66,7 +66,7 @@ def integrate(
     names = tuple(plan.gauges)
     history = History.empty(names) if history is None else history
     state = State(model) if state is None else state
-    loop = (loop_on_cpu if loop_of is None else loop_of)(model, plan, state, dt)
+    loop = (CoreLoop if loop_of is None else loop_of)(model, plan, state, dt)
     total = plan.steps
     joined, beyond = ("bonds", _BEAMS) if model.cells is None else ("facets", _CELLS)
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"

@@ -24,18 +24,6 @@ _take_steps = Pass("take_steps", StepPasses, StepCut, StepScheme, StepSpan, Port
 _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 
 
-def core_has(model: Model) -> bool:
-    """Return whether the core has all passes of a model.
-
-    It has those of beams of both formulations, which may break or soften, and of the non-local law, which may break;
-    of bodies of cells whose facets break or soften by the largest principal stress, and whose cells yield; and of
-    contacts and walls where no beams soften.
-    """
-    return (model.softening is None or model.softening.judge is None) and (
-        model.contacts is None or model.beam_softening is None
-    )
-
-
 class CoreLoop:
     """The lists of passes of one run, and the calls that go on with it."""
 

@@ -16,7 +16,7 @@ from bondem.model.contact_search import (
     found_pairs,
     found_walls,
 )
-from bondem.model.contacts import ContactModel, near
+from bondem.model.contacts import ContactModel, grid_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.contact_check import ListedContacts
@@ -82,8 +82,9 @@ class ContactSearch:
         skin = self._skin * float(radius.mean())
         position = state.pose[:, :3].copy()
         n = len(position)
-        pairs = found_pairs(PairSources(
-            *near(position, radius, self._period, skin), layout.in_start, layout.i, self._listed(position, skin),
+        grid = grid_of(position, radius, self._period, skin)
+        pairs = found_pairs(grid, PairSources(
+            layout.in_start, layout.i, self._listed(position, skin),
             contacts.pairs.start, contacts.pairs.partner, contacts.pairs.gap,
             _starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32), state.stretch,
         ))  # fmt: skip

@@ -53,6 +53,15 @@ def neighbours(
     Returns:
         Where the list of each sphere begins, shape (n + 1,), and the lists one after the other, uint32.
     """
+    grid = sphere_grid(sphere, lower, upper, period, skin)
+    _count(grid, threads=threads)
+    lists = NeighbourLists(np.empty(grid.start[len(sphere)], np.uint32))
+    _list(grid, lists, threads=threads)
+    return grid.start, lists.neighbour
+
+
+def sphere_grid(sphere: Floats, lower: Vector, upper: Vector, period: Vector, skin: float) -> SphereGrid:
+    """Sort spheres into the cells of a grid for the search of neighbours; arguments as of `neighbours`."""
     n = len(sphere)
     reach = 2.0 * float(sphere[:, 3].max(initial=0.0)) + skin
     extent = np.asarray(upper, dtype=float) - lower
@@ -63,7 +72,4 @@ def neighbours(
         np.empty(n + 1, np.int64),
     )  # fmt: skip
     _sort(grid)
-    _count(grid, threads=threads)
-    lists = NeighbourLists(np.empty(grid.start[n], np.uint32))
-    _list(grid, lists, threads=threads)
-    return grid.start, lists.neighbour
+    return grid

@@ -1,30 +1,30 @@
 // A beam of the incremental formulation: rates of force and moment, integrated step by step, and stored per bond.
 //
-// With v the velocity of j against i at the contact point, ω the angular velocity of j against i, n the unit branch from
-// i to j, and Ω the spin of the bond (that of its branch, and about it the mean of both elements),
+// With v the velocity of j against i at the contact point, ω the angular velocity of j against i, n the unit branch
+// from i to j, and Ω the spin of the bond (that of its branch, and about it the mean of both elements),
 //
 //     F' = Ω × F + kn (v·n) n + ks (v - (v·n) n)
 //     M' = Ω × M + kt (ω·n) n + kb (ω - (ω·n) n)
 //
-// F acts on i at the contact point and -F on j, M on i and -M on j; tension positive. The contact point is at the lever
-// a from i at rest, and both halves of the bond share a gain in length, so that
+// F acts on i at the contact point and -F on j, M on i and -M on j; tension positive. The contact point is at the
+// lever a from i at rest, and both halves of the bond share a gain in length, so that
 //
 //     torque on i = a' n × F + M      torque on j = (ℓ - a') n × F - M      a' = a + (ℓ - L) / 2
 //
-// The stiffnesses are those of the beams (`beam.hpp`). Plasticity and rate laws need this formulation, and users compare
-// with it.
+// The stiffnesses are those of the beams (`beam.hpp`). Plasticity and rate laws need this formulation, and users
+// compare with it.
 //
-// The papers do not say at which instant of a step the rates are taken. Here it is the middle, where the velocities are:
-// half of the rate is added, the stored vector is turned by the Cayley transform of Ω dt, which keeps its length (Hughes
-// and Winget 1980), and the other half is added. A rigid turn then leaves a stored force as it was, to second order in
-// the step. A step of 0 changes nothing.
+// The papers do not say at which instant of a step the rates are taken. Here it is the middle, where the velocities
+// are: half of the rate is added, the stored vector is turned by the Cayley transform of Ω dt, which keeps its length
+// (Hughes and Winget 1980), and the other half is added. A rigid turn then leaves a stored force as it was, to second
+// order in the step. A step of 0 changes nothing.
 //
 // Energy: the stored vectors over their stiffnesses,
 //
 //     U = ½ (F·n)² / kn + ½ (F² - (F·n)²) / ks + ½ (M·n)² / kt + ½ (M² - (M·n)²) / kb
 //
-// Limits: rotations do not commute. A closed cycle of bending and twisting leaves a force of second order in the angle,
-// at any step; the total formulation leaves none.
+// Limits: rotations do not commute. A closed cycle of bending and twisting leaves a force of second order in the
+// angle, at any step; the total formulation leaves none.
 //
 // Sources: Chen et al. (2022), eqs (1), (5) to (7), Tables 1, 2 and 8; Hughes and Winget (1980), Int. J. Numer. Meth.
 // Engng 15, 1862-1867.
@@ -79,15 +79,16 @@ BONDEM_INLINE Vector3<T> integrated(Vector3<T> stored, Vector3<T> spin, Vector3<
 
 // Force and moment after a step of dt that ends now. The rates are those of half a step ago.
 template <class T>
-BONDEM_INLINE StoredLoad<T> integrated(const StoredLoad<T> &stored, Vector3<T> branch, const RelativeMotion<T> &motion,
-                                       const StoredShape<T> &shape, const StoredStiffness<T> &k, double dt) {
+BONDEM_INLINE StoredLoad<T> integrated(const StoredLoad<T> &stored, Vector3<T> branch,
+                                       const RelativeMotion<T> &motion, const StoredShape<T> &shape, const StoredStiffness<T> &k, double dt) {
     const T h = T{} + 0.5 * dt;
     const PresentBond<T> middle(minus(branch, h, motion.velocity), shape);
     const Vector3<T> n = middle.axis, p = motion.spin_i, q = motion.spin_j;
     const T about = 0.5 * dot(p + q, n);
     const Vector3<T> spin = plus(middle.inverse * cross(n, motion.velocity), about, n);
     const Vector3<T> slip = motion.velocity - cross(plus(middle.near * p, middle.far, q), n);
-    return {integrated(stored.force, spin, slip, n, {k.kn, k.ks}, h), integrated(stored.moment, spin, q - p, n, {k.kt, k.kb}, h)};
+    return {integrated(stored.force, spin, slip, n, {k.kn, k.ks}, h),
+            integrated(stored.moment, spin, q - p, n, {k.kt, k.kb}, h)};
 }
 
 // What a stored load does to the elements of its bond.

@@ -1,15 +1,15 @@
 // The non-local law of Celigueta, Oñate et al. (2020): a bond follows the mean stress of its two elements.
 //
-// A bond of area A between centres L apart has two faces, at the levers b_i and b_j that turn with its elements; their
-// gap is δ, with the parts δ_n along the normal n and δ_t across it. σ is the mean stress of both elements, found by the
-// forces of the step before. With kn = A E / L and kt = A G / L, tension positive,
+// A bond of area A between centres L apart has two faces, at the levers b_i and b_j that turn with its elements;
+// their gap is δ, with the parts δ_n along the normal n and δ_t across it. σ is the mean stress of both elements,
+// found by the forces of the step before. With kn = A E / L and kt = A G / L, tension positive,
 //
 //     F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
 //     e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻      t = A (σ n - (n·σ n) n)
 //
-// where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t changes by kt (δ_t - δ_t⁻) from A τ: what
-// kt δ_t lacks is the other half of the engineering shear strain. F acts on i, and -F on j, both at the middle of the
-// gap, so that they make no moment together. The stress of an element of volume V is the symmetric part of
+// where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t changes by kt (δ_t - δ_t⁻) from A τ:
+// what kt δ_t lacks is the other half of the engineering shear strain. F acts on i, and -F on j, both at the middle
+// of the gap, so that they make no moment together. The stress of an element of volume V is the symmetric part of
 //
 //     σ = (1/V) Σ b ⊗ F                                                     eq (1)
 //
@@ -19,9 +19,9 @@
 // Energy: ½ kn δ_n² + ½ kt δ_t² in the springs. The law has no potential: the work of e is an entry of its own in the
 // ledger, by the trapezoidal rule in the frame of i.
 //
-// Limits: the stress lags a step behind, which adds energy where nothing damps; ω_max of the springs is no bound for the
-// time step. With `limited`, the length of t - kt δ_t⁻ is at most |t|; the text of the paper does not print a limiter,
-// but without it nothing except its own lag holds the rotation of an element.
+// Limits: the stress lags a step behind, which adds energy where nothing damps; ω_max of the springs is no bound for
+// the time step. With `limited`, the length of t - kt δ_t⁻ is at most |t|; the text of the paper does not print a
+// limiter, but without it nothing except its own lag holds the rotation of an element.
 #pragma once
 #include "stress.hpp"
 
@@ -88,7 +88,8 @@ template <class T> BONDEM_INLINE Vector3<T> spring_force(const PairPose<T> &now,
     return plus(k.kt * now.gap, along, now.normal);
 }
 
-// What a bond of integrity s stores after a step, from what it stored, and from the mean stress of its elements before.
+// What a bond of integrity s stores after a step, from what it stored, and from the mean stress of its elements
+// before.
 template <class T>
 BONDEM_INLINE PairStore<T> after_step(const PairStore<T> &before, const Stress<T> &mean, const PairPose<T> &now,
                                       Quaternion<T> i, T s, const PairStiffness<T> &k, const PairLaw &law) {

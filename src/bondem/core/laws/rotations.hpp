@@ -64,6 +64,7 @@ inline HalfAngle<double> half_angle(double h2) {
     }
     return {cosine, sinc};
 }
+#if defined(BONDEM_LANES)
 BONDEM_INLINE HalfAngle<Lanes> half_angle(Lanes h2) {
     if (__builtin_expect(all_below(h2, small_half_angle_square), 1)) return short_series(h2);
     HalfAngle<Lanes> all = {h2, h2};
@@ -74,6 +75,7 @@ BONDEM_INLINE HalfAngle<Lanes> half_angle(Lanes h2) {
     }
     return all;
 }
+#endif
 
 // The orientation q turned further by the rotation vector r [rad], and normalised: one Newton step towards unit length
 // is enough, because the exponential map itself leaves it to rounding.

@@ -3,9 +3,9 @@
 //     σ1 = p + 2 √(J2 / 3) cos(arccos(r) / 3)      r = ½ det(s) / (√(J2 / 3))³
 //     σ3 = p - 2 √(J2 / 3) cos(arccos(-r) / 3)
 //
-// with the mean p, the deviator s = σ - p 1, and J2 = ½ s : s. 2 cos(arccos(r) / 3) is a polynomial of √((1 + r) / 2), to
-// 4e-7 (interpolated at Chebyshev's points). A margin for that and for rounding is added, so that a criterion that is not
-// reached by the bounds is not reached.
+// with the mean p, the deviator s = σ - p 1, and J2 = ½ s : s. 2 cos(arccos(r) / 3) is a polynomial of √((1 + r) /
+// 2), to 4e-7 (interpolated at Chebyshev's points). A margin for that and for rounding is added, so that a criterion
+// that is not reached by the bounds is not reached.
 #pragma once
 #include "../select.hpp"
 #include "../symmetric3.hpp"
@@ -24,8 +24,10 @@ template <class T> BONDEM_INLINE Quaternion<T> inverse(Quaternion<T> q) { return
 // R σ Rᵀ, by R on the columns and then on the rows.
 template <class T> BONDEM_INLINE Stress<T> turned_by(Quaternion<T> q, const Stress<T> &s) {
     using V = Vector3<T>;
-    const V x = turned_by(q, V{s.xx, s.xy, s.xz}), y = turned_by(q, V{s.xy, s.yy, s.yz}), z = turned_by(q, V{s.xz, s.yz, s.zz});
-    const V a = turned_by(q, V{x.x, y.x, z.x}), b = turned_by(q, V{x.y, y.y, z.y}), c = turned_by(q, V{x.z, y.z, z.z});
+    const V x = turned_by(q, V{s.xx, s.xy, s.xz}), y = turned_by(q, V{s.xy, s.yy, s.yz});
+    const V z = turned_by(q, V{s.xz, s.yz, s.zz});
+    const V a = turned_by(q, V{x.x, y.x, z.x}), b = turned_by(q, V{x.y, y.y, z.y});
+    const V c = turned_by(q, V{x.z, y.z, z.z});
     return {a.x, b.y, c.z, a.y, a.z, b.z};
 }
 

@@ -4,6 +4,7 @@
 // (`steps.hpp`) owns the pairs whose later element is in it.
 #pragma once
 #include "damage_tables.hpp"
+#include "packing_tables.hpp"
 #include "step_tables.hpp"
 
 namespace bondem {
@@ -94,8 +95,6 @@ struct WallMotions {
 
 // Bonds and memories that the list of pairs is made of; partners of each element are the earlier ones, ascending.
 struct PairSources {
-    Array<const Index, 1> start;  // neighbours of each element, (n + 1,)
-    Array<const Short, 1> neighbour;
     Array<const Index, 1> bond_start;  // bonds whose later element is p, (n + 1,)
     Array<const Short, 1> bond_first;
     Array<const Byte, 1> wanted;  // whether the pair of a bond is listed, however far apart

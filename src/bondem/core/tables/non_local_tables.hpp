@@ -1,5 +1,5 @@
-// What passes over bonds of the non-local law take beside `Beams`, which has their ends and their integrity. Named once
-// more in `bondem/model/non_local_tables.py`.
+// What passes over bonds of the non-local law take beside `Beams`, which has their ends and their integrity. Named
+// once more in `bondem/model/non_local_tables.py`.
 #pragma once
 #include "../array.hpp"
 
@@ -20,7 +20,8 @@ struct LaggedStresses {
     Array<const double, 1> inverse;  // 1 / V [1/m³], (n,)
     Array<double, 2> stress;  // in the element's own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
     Array<double, 2> space;  // in space, and bounds of σ1 and σ3 [Pa], (n, 8)
-    Array<double, 2> moment;  // what forces add to V σ, zero between steps; rows of shared elements follow [N·m], (*, 8)
+    // contributions of forces to V σ, zero between steps; rows of shared elements follow [N·m], (*, 8)
+    Array<double, 2> moment;
     Array<const Short, 1> to_i;  // row of the moment of element i of each bond, (m,)
 };
 // Work of extra forces, over portions of bonds [J].

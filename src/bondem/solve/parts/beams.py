@@ -46,7 +46,7 @@ def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots |
     damage = damage_of(model, state, cut, len(table.i))
     soft, failure = None, []
     if damage is not None and model.beam_softening is not None:
-        soft = SofteningTables.of(model.beam_softening, damage, state, table, alike)
+        soft = SofteningTables.of(model.beam_softening, damage, state, table, alike, handed=model.hands_over)
         failure = [softening(soft, damage, state, shared, table)]
     elif damage is not None:
         failure = [breakage(damage, state, shared, table, alike, dashpots)]
@@ -58,7 +58,8 @@ def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots |
         {"present": present, "loads": loads, "guard": [(_check_beams, moving, table, portions)]},
         record=lambda _: [(_sum_beam_energies, moving, table, portions)],
     )
-    return BondParts([forces, *failure], Joints.of(model, state, table.integrity, damage))
+    pressed = None if soft is None else soft.bounds
+    return BondParts([forces, *failure], Joints.of(model, state, table.integrity, damage, pressed))
 
 
 def _loads(

@@ -36,6 +36,7 @@ from bondem.solve.parts.cells import BodyOfCells, cells, constants_of
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, HistoryRows, Moving, Portions
+from bondem.solve.stress_onset import OnsetByStress
 
 _find_cell_stresses = StepPass("find_cell_stresses", Moving, FacetForces, StressesOfCells)
 _add_surface_stresses = StepPass(
@@ -109,6 +110,7 @@ class CrackingBody:
         self.strengths = strengths_of(table, LOSS * np.minimum(dt * swing, 1.0))
         listed = np.zeros(len(body.facets.k), dtype=np.uint8)
         listed[m:] = 1  # no facets: they fill a group of lanes
+        self.by_stress = OnsetByStress.of(model, self.strengths, len(shared.portions.bonds))
         self.cracks = CohesiveCracks.of(state, listed)
         cracked, facet = np.zeros(n, dtype=np.uint8), state.cracks[:, FACET].astype(np.int64)
         cracked[layout.i[facet]] = cracked[layout.j[facet]] = 1
@@ -171,10 +173,11 @@ class CrackingBody:
     def _onset(self) -> Passes:
         """A step begins: cells yield, and facets begin to crack, by the forces of the step before."""
         moving, body, onset, stresses = self.shared.moving, self.body, self.onset, self.stresses
+        by, strengths = self.by_stress, self.strengths
         passes: Passes = [
             (_find_cell_stresses, moving, self.kept, stresses),
             (_add_surface_stresses, moving, body.walls, self.tractions, stresses),
-            (_judge_cells, self.strengths, stresses, onset),
+            (_judge_cells, self.strengths, stresses, onset) if by is None else by.judge(stresses, onset),
         ]
         if self.yielding is not None:
             passes += [
@@ -183,10 +186,14 @@ class CrackingBody:
                 (_add_yielding_work, self.tractions, stresses, self.yielding, self.shared.rows),
                 (_stretch_walls_and_cracks, body.facets, body.walls, self.yielding, self.cracks),
             ]
-        passes.append((_mark_cracking_facets, moving, body.facets, self.kept, self.strengths, stresses, onset))
+        if by is None:
+            passes.append((_mark_cracking_facets, moving, body.facets, self.kept, strengths, stresses, onset))
+        else:
+            passes += by.mark(moving, body.facets, self.kept, stresses, onset)
+            strengths = by.strengths
         if len(self.strengths.planes):
             passes.append((_mark_cracking_planes, moving, body.facets, self.kept, self.strengths, onset))
-        return [*passes, (_begin_cracks, body.facets, self.kept, self.strengths, onset, self.cracks)]
+        return [*passes, (_begin_cracks, body.facets, self.kept, strengths, onset, self.cracks)]
 
     def _cracks(self, powers: Passes) -> Part:
         """Cracks open, close, soften, rest and part, and bear forces."""
@@ -239,6 +246,8 @@ class CrackingBody:
 
     def keep(self) -> None:
         """Write cracks, forces and events of the last call into the state."""
+        if self.by_stress is not None:
+            self.by_stress.passes.check()
         self.cracks.keep(self.kept, self.state)
         count = int(self.log.written[0])
         if count:

@@ -21,7 +21,7 @@ from bondem.solve.contact_tables import (
     WallContacts,
     WallMotions,
 )
-from bondem.solve.damage_tables import EventLog, Postponed
+from bondem.solve.damage_tables import EventLog, Postponed, SofteningBounds
 from bondem.solve.neighbour_list import ContactSearch, FoundContacts
 from bondem.solve.parts.damage import Joints
 from bondem.solve.parts.part import Part, Passes
@@ -45,12 +45,19 @@ _count_wall_work = StepPass("count_wall_work", Walls, Portions)
 _begin_contacts = StepPass(
     "begin_contacts", Moving, ContactConstants, ContactPairs, NearPairs, EventLog, Postponed
 )
+_release_pressure = StepPass("release_pressure", EventLog, SofteningBounds)
+_begin_softened_contacts = StepPass(
+    "begin_softened_contacts", Moving, ContactConstants, ContactPairs, NearPairs, EventLog, ContactSums
+)
 _touch_parted_faces = StepPass(
     "touch_parted_faces", Moving, ContactPairs, NearPairs, CohesiveCracks, CrackLists, PartedReach
 )
 _write_walls = StepPass("write_walls", Walls, Gauges, HistoryRows)
 _add_pair_moments = StepPass("add_pair_moments", Moving, ContactConstants, ContactPairs, NearPairs, LaggedStresses)
 _add_wall_moments = StepPass("add_wall_moments", Moving, ContactConstants, WallContacts, Walls, LaggedStresses)
+_add_begun_contacts = StepPass(
+    "add_begun_contacts", Moving, ContactConstants, ContactPairs, LaggedStresses, EventLog
+)
 
 # Distances of all pairs are measured again when an element has moved this share of the reach of the list.
 _FRESH = 0.1
@@ -136,22 +143,27 @@ class ContactTables:
             guard.append((_count_wall_work, walls, s.portions))
         contacts.append((_keep_measures, self._near, self._travel))
         add: Passes = [(_add_contact_loads, s.moving, s.cut, self._sums)]
-        hand_over: Passes = []
-        if self._joints.damage is not None:
-            damage = self._joints.damage
-            hand_over.append(
-                (_begin_contacts, s.moving, law, self._pairs, self._near, damage.log, damage.postponed)
-            )
-        parted: Passes = []
-        if self._joints.cracks is not None:
-            cracks, lists = self._joints.cracks
-            reach = PartedReach(self._joints.apart)
-            parted.append((_touch_parted_faces, s.moving, self._pairs, self._near, cracks, lists, reach))
-        stages = {
-            "hand_over": hand_over, "constrain": parted, "travel": travel, "contacts": contacts, "add": add,
-            "guard": guard,
-        }  # fmt: skip
+        stages = {**self._after_failure(), "travel": travel, "contacts": contacts, "add": add, "guard": guard}
         return Part(stages, record=self._record, keep=self._keep, renewed=self._renewed)
+
+    def _after_failure(self) -> dict[str, Passes]:
+        """Return the passes that begin contact where bonds have failed."""
+        moving, law, pairs, near, joints = self._shared.moving, self._law, self._pairs, self._near, self._joints
+        if joints.cracks is not None:
+            cracks, lists = joints.cracks
+            reach = PartedReach(joints.apart)
+            return {"constrain": [(_touch_parted_faces, moving, pairs, near, cracks, lists, reach)]}
+        if joints.damage is None:
+            return {}
+        log = joints.damage.log
+        if joints.pressed is None:
+            return {"hand_over": [(_begin_contacts, moving, law, pairs, near, log, joints.damage.postponed)]}
+        return {
+            "loads": [
+                (_release_pressure, log, joints.pressed),
+                (_begin_softened_contacts, moving, law, pairs, near, log, self._sums),
+            ]
+        }
 
     def moments(self, stresses: LaggedStresses) -> Part:
         """Return the part of contacts in stresses of elements (`bondem.solve.parts.non_local`)."""
@@ -159,7 +171,10 @@ class ContactTables:
         passes: Passes = [(_add_pair_moments, s.moving, law, self._pairs, self._near, stresses)]
         if len(walls.body):
             passes.append((_add_wall_moments, s.moving, law, self._at_walls, walls, stresses))
-        return Part({"prepare": passes}, renewed=lambda: self.moments(stresses))
+        begun: Passes = []
+        if self._joints.damage is not None:
+            begun.append((_add_begun_contacts, s.moving, law, self._pairs, stresses, self._joints.damage.log))
+        return Part({"prepare": passes, "hand_over": begun}, renewed=lambda: self.moments(stresses))
 
     def _record(self, history: HistoryRows) -> Passes:
         moving, law, energies = self._shared.moving, self._law, self._energies

@@ -14,7 +14,7 @@ from bondem.model.non_local_tables import LaggedStresses
 from bondem.model.state import State
 from bondem.solve.cohesive_tables import CohesiveCracks, CrackLists
 from bondem.solve.cracks import joints
-from bondem.solve.damage_tables import Candidates, EventLog, FailureBounds, Postponed
+from bondem.solve.damage_tables import Candidates, EventLog, FailureBounds, Postponed, SofteningBounds
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, HistoryRows
@@ -112,18 +112,23 @@ class Joints:
         integrity: above 0 of bonds that join their elements, (m,) or longer; the passes write it.
         apart: distance of the centres at which the elements of a bond touch without it [m], (m,).
         damage: tables of the damage pipeline, or None if bonds do not fail.
+        pressed: pressure on beams that soften, or None if none do.
         cracks: cracked facets whose faces may part, and their lists, or None.
     """
 
     integrity: PerBond
     apart: PerBond
     damage: DamageTables | None
+    pressed: SofteningBounds | None = None
     cracks: tuple[CohesiveCracks, CrackLists] | None = None
 
     @classmethod
-    def of(cls, model: Model, state: State, integrity: PerBond, damage: DamageTables | None) -> "Joints":
+    def of(
+        cls, model: Model, state: State, integrity: PerBond, damage: DamageTables | None,
+        pressed: SofteningBounds | None = None,
+    ) -> "Joints":  # fmt: skip
         """Return those of a run, given the integrity in the form of the loop over the bonds."""
-        return cls(*joints(model, state, integrity), damage)
+        return cls(*joints(model, state, integrity), damage, pressed)
 
 
 @dataclass(frozen=True, eq=False)

@@ -49,15 +49,21 @@ class SofteningTables:
 
     @classmethod
     def of(
-        cls, energies: BeamSoftening, damage: DamageTables, state: State, beams: Beams, alike: AlikeBeams | None
-    ) -> "SofteningTables":
-        """Return the tables of a run from a state with the beams that have begun to soften."""
+        cls, energies: BeamSoftening, damage: DamageTables, state: State, beams: Beams, alike: AlikeBeams | None,
+        *, handed: bool,
+    ) -> "SofteningTables":  # fmt: skip
+        """Return the tables of a run from a state with the beams that have begun to soften.
+
+        Contacts carry the pressure on beams that have broken if it is `handed` to them.
+        """
         m, begun = len(state.integrity), len(state.softened)
         row = np.zeros((m, SOFT_COLUMNS))
         row[:begun] = state.softened
         bond = state.softened[:, SOFT_BOND].astype(np.int64)
         press = np.zeros(len(beams.i))
         press[bond] = (1.0 - state.integrity[bond]) * beams.kn[bond]
+        if handed:
+            press[bond[state.integrity[bond] <= 0.0]] = 0.0
         portions = -(-m // BONDS_OF_PORTION)
         listed, count = np.zeros(m, dtype=np.int64), np.zeros(portions, dtype=np.int64)
         for c in np.flatnonzero(state.integrity[bond] > 0.0):

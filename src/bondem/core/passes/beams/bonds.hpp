@@ -21,7 +21,9 @@ template <class T> BONDEM_INLINE Ends<T> ends_of(const Row<T> &i, const Row<T> &
 // The numbers of a column of one bond, or of the bonds from k on.
 template <class T> BONDEM_INLINE T number(const double *column, Index k);
 template <> BONDEM_INLINE double number<double>(const double *column, Index k) { return column[k]; }
+#if defined(BONDEM_LANES)
 template <> BONDEM_INLINE Lanes number<Lanes>(const double *column, Index k) { return load(column + k); }
+#endif
 
 template <class T> BONDEM_INLINE Vector3<T> direction_of(const Beams &beams, Index k) {
     return {number<T>(beams.X0.data, k), number<T>(beams.Y0.data, k), number<T>(beams.Z0.data, k)};
@@ -38,6 +40,8 @@ inline Ends<double> ends_of(const double *pose, const Beams &beams, Index k) {
     return ends_of(gather(pose, beams.i(k)), gather(pose, beams.j(k)), beams.period.data);
 }
 
+#if defined(BONDEM_LANES)
+
 // Groups of as many bonds as there are lanes.
 struct Group {
     Index first;
@@ -53,5 +57,7 @@ template <class On> BONDEM_INLINE void for_each_group(Index first, Index last, O
             on(Group{last - lanes, int(k + lanes - last)});
     }
 }
+
+#endif
 
 }  // namespace bondem

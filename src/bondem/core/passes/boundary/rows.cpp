@@ -1,7 +1,6 @@
 #include "rows.hpp"
 
-#include "../motion/elements.hpp"
-#include "timeline.hpp"
+#include "following.hpp"
 
 namespace bondem {
 
@@ -11,34 +10,11 @@ void clear_row_forces(const Turn &, const Rows &rows) {
 }
 
 void follow_loads(const Turn &turn, const Timeline &timeline, const RowLoads &loads, const Moving &all, const Rows &rows) {
-    for (Index e = 0; e < loads.row.size(); e++) {
-        const double amplitude = value_at(timeline, loads.schedule(e), turn.clock.time);
-        const Index r = loads.row(e), element = loads.turns(e);
-        const double *value = &loads.value(e, 0);
-        if (element < 0) {
-            for (Index c = 0; c < 6; c++) rows.force(r, c) += amplitude * value[c];
-            continue;
-        }
-        const Quaternion<double> q = orientation(gather(all.pose.data, Short(element)));
-        for (Index c = 0; c < 6; c += 3) {
-            const Vector a = rotate(q, Vector{value[c], value[c + 1], value[c + 2]});
-            for (Index axis = 0; axis < 3; axis++) rows.force(r, c + axis) += amplitude * a[axis];
-        }
-    }
+    for (Index e = 0; e < loads.row.size(); e++) add_load(e, turn.clock.time, timeline, loads, all, rows);
 }
 
 void follow_drives(const Turn &turn, const Timeline &timeline, const Drives &drives, const Rows &rows) {
-    const double t = turn.clock.time, dt = turn.clock.dt;
-    for (Index e = 0; e < drives.row.size(); e++) {
-        const Index s = drives.schedule(e), r = drives.row(e), c = drives.dof(e);
-        if (drives.rate(e)) {
-            rows.full(r, c) = value_at(timeline, s, t);
-            rows.half(r, c) = value_at(timeline, s, t + 0.5 * dt);
-        } else {
-            rows.half(r, c) = (value_at(timeline, s, t + dt) - value_at(timeline, s, t)) / dt;
-            rows.full(r, c) = rows.half(r, c);
-        }
-    }
+    for (Index e = 0; e < drives.row.size(); e++) drive_at(e, turn.clock, timeline, drives, rows);
 }
 
 }  // namespace bondem

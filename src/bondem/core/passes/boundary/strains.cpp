@@ -3,8 +3,8 @@
 //
 // Nothing is done in steps in which no strain changes. ∂U/∂ε* is also found one step before a change, because the
 // trapezoid needs it.
-#include "../beams/bonds.hpp"
 #include "rows.hpp"
+#include "strained_beam.hpp"
 #include "timeline.hpp"
 
 namespace bondem {
@@ -23,16 +23,8 @@ void follow_strains(const Turn &turn, const Timeline &timeline, const Strain &st
     if (!(changed || needed)) return;
     for (Index g = 0; g < count; g++) factor(3, g) = 0.0;
     for (Index e = 0; e < strain.bond.size(); e++) {
-        const Index k = strain.bond(e);
-        double stretch = strain.still(e);
-        for (Index g = 0; g < count; g++) stretch += factor(1, g) * strain.part(g, e);
-        if (changed) {
-            beams.length(k) = strain.length(e) * stretch;
-            beams.ks(k) = strain.shear(e) / (stretch * stretch);
-            beams.lever(k) = strain.lever(e) * stretch;
-        }
-        const double present = length(ends_of(all.pose.data, beams, k).branch);
-        const double tension = beams.integrity(k) * beams.kn(k) * (present - beams.length(k));
+        if (changed) stretch_beam(strain, beams, e);
+        const double tension = tension_of(all, strain, beams, e);
         for (Index g = 0; g < count; g++) factor(3, g) -= tension * strain.length(e) * strain.part(g, e);
     }
     for (Index g = 0; g < count; g++) {

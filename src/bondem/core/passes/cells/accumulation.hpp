@@ -4,6 +4,13 @@
 
 namespace bondem {
 
+BONDEM_INLINE void stress_cell(const Array<double, 2> &pose, const CellDilatation &cells, Index p) {
+    pose(p, stress_column) = cells.weight(p) * (cells.swelling(p) + cells.given(p));
+    cells.swelling(p) = 0.0;
+}
+
+#if defined(BONDEM_LANES)
+
 // Facets that cannot fail.
 struct NoFacetMarks {
     BONDEM_INLINE void mark(Index, int, const Row<Lanes> &, const Row<Lanes> &, const Ends<Lanes> &, const FacetColumns &) {}
@@ -35,9 +42,6 @@ BONDEM_INLINE void accumulate(Index first, Index last, const double *pose, const
     });
 }
 
-BONDEM_INLINE void stress_cell(const Array<double, 2> &pose, const CellDilatation &cells, Index p) {
-    pose(p, stress_column) = cells.weight(p) * (cells.swelling(p) + cells.given(p));
-    cells.swelling(p) = 0.0;
-}
+#endif
 
 }  // namespace bondem

@@ -11,8 +11,10 @@ constexpr int stress_column = 3;
 
 BONDEM_INLINE double widened(const int32_t *from, double) { return double(*from); }
 BONDEM_INLINE double widened(const float *from, double) { return double(*from); }
+#if defined(BONDEM_LANES)
 BONDEM_INLINE Lanes widened(const int32_t *from, Lanes) { return load(from); }
 BONDEM_INLINE Lanes widened(const float *from, Lanes) { return load(from); }
+#endif
 
 // Columns k … of a table with a row for each of three axes.
 template <class T, class Number> BONDEM_INLINE Vector3<T> three_rows(const Number *table, Index m, Index k) {
@@ -64,6 +66,8 @@ inline Vector normal_of(const ElasticFacets &facets, Index k) {
     return {facets.normal(0, k), facets.normal(1, k), facets.normal(2, k)};
 }
 
+#if defined(BONDEM_LANES)
+
 // Calls on(k, known, i, j, ends) for the groups of the facets first … last - 1, with the poses of their cells; rows that
 // are to come are asked for.
 template <class On>
@@ -71,12 +75,18 @@ BONDEM_INLINE void for_each_facets(Index first, const Index last, const double *
                                    const double *const period, On on) {
     constexpr Index ahead = 32;
     const Short *const i = facets.i.data, *const j = facets.j.data;
+    const bool periodic = period[3] != 0.0 || period[4] != 0.0 || period[5] != 0.0;
     for_each_group(first, last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
         prefetch(pose, i + least(k + ahead, last - lanes));
         const Row<Lanes> a = gather(pose, i + k), b = gather(pose, j + k);
-        on(k, group.known, a, b, ends_of(a, b, period));
+        Ends<Lanes> ends = {{b.column[0] - a.column[0], b.column[1] - a.column[1], b.column[2] - a.column[2]},
+                            orientation(a), orientation(b)};
+        if (__builtin_expect(periodic, 0)) ends.branch = branch(a, b, period);
+        on(k, group.known, a, b, ends);
     });
 }
+
+#endif
 
 }  // namespace bondem

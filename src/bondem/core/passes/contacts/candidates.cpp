@@ -3,6 +3,7 @@
 // Each pair stands once, sorted by its later element, then by its earlier one, as bonds are.
 #include "candidates.hpp"
 
+#include "../packing/grid_visits.hpp"
 #include "pairs.hpp"
 #include "wall_shapes.hpp"
 
@@ -42,19 +43,28 @@ double gap_of(const Poses &all, const Walls &walls, const WallSources &from, Ind
 
 }  // namespace
 
-Index list_pairs(Index, const PairSources &from, const FoundPairs &found) {
-    const Index n = from.start.size() - 1;
+Index list_pairs(Index, const SphereGrid &grid, const PairSources &from, const FoundPairs &found) {
+    const Period period(grid.period);
+    const Index n = grid.sphere.size(), room = found.first.size();
     Index count = 0;
     found.start(0) = 0;
     for (Index p = 0; p < n; p++) {
         const Index begin = count;
-        for (Index e = from.start(p); e < from.start(p + 1); e++) {
-            const Short q = from.neighbour(e);
-            if (q < p && place_of(from.bond_first, from.bond_start(p), from.bond_start(p + 1), q) < 0)
-                insert(found, begin, count++, q, -1);
-        }
+        bool full = false;
+        const auto add = [&](Index q, Index bond) {
+            if (count < room)
+                insert(found, begin, count++, Short(q), bond);
+            else
+                full = true;
+        };
+        visit_neighbours(
+            grid, period, p, [&](Index q) { return q < p; },
+            [&](Index q) {
+                if (place_of(from.bond_first, from.bond_start(p), from.bond_start(p + 1), Short(q)) < 0) add(q, -1);
+            });
         for (Index b = from.bond_start(p); b < from.bond_start(p + 1); b++)
-            if (from.wanted(b)) insert(found, begin, count++, from.bond_first(b), b);
+            if (from.wanted(b)) add(from.bond_first(b), b);
+        if (full) return 1;
         for (Index k = begin; k < count; k++) {
             const Short q = found.first(k);
             found.second(k) = Short(p);

@@ -61,6 +61,8 @@ Index find_close(const Turn &turn, const Moving &all, const ContactPairs &pairs,
     return found;
 }
 
+#if defined(BONDEM_LANES)
+
 // Pairs that stand one after the other in a list; behind the end, the last one again and again.
 struct SeveralPairs {
     Short pair[lanes], first[lanes], second[lanes], place[lanes];
@@ -96,7 +98,11 @@ BONDEM_INLINE void press(const Law &law, const SeveralPairs &who, const Moving &
     for (int n = 0; n < lanes; n++) pairs.touch.data[who.pair[n]] = loads.overlap[n] > 0.0 ? touching : parted;
 }
 
+#endif
+
 }  // namespace
+
+#if defined(BONDEM_LANES)
 
 void press_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                  const NearPairs &near, const Travel &travel) {
@@ -129,6 +135,8 @@ void add_pair_loads(const Turn &turn, const ContactConstants &c, const ContactPa
         }
     }
 }
+
+#endif
 
 void add_contact_loads(const Turn &turn, const Moving &all, const StepCut &cut, const ContactSums &contacts) {
     for (Index e = turn.first; e < turn.last; e++) {

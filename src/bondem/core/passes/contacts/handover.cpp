@@ -66,4 +66,13 @@ void begin_contacts(const Turn &, const Moving &all, const ContactConstants &c, 
     });
 }
 
+void release_pressure(const Turn &, const EventLog &log, const SofteningBounds &bounds) {
+    for_each_event(log, [&](Index bond, Index) { bounds.press(bond) = 0.0; });
+}
+
+void begin_softened_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                             const NearPairs &near, const EventLog &log, const ContactSums &to) {
+    for_each_event(log, [&](Index bond, Index) { hand_over(all, c, pairs, near, bond, to.sums.data); });
+}
+
 }  // namespace bondem

@@ -3,6 +3,8 @@
 // What presses the two together bears on at once, with the tangential spring at rest, at the end of the step in which the
 // bond fails. The contact takes over the energy that it stores.
 #pragma once
+#include "../../steps.hpp"
+#include "../../tables/beam_softening_tables.hpp"
 #include "pairs.hpp"
 
 namespace bondem {
@@ -30,5 +32,11 @@ double let_touch(const Moving &all, const ContactPairs &pairs, const NearPairs &
 // Begins contact where beams have broken in this step, on the sums that are kept for their ends.
 void begin_contacts(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                     const NearPairs &near, const EventLog &log, const Postponed &postponed);
+
+// Beams that soften and have broken at the beginning of this step: contact takes the place of the pressure on them, which
+// `release_pressure` ends. Its energy was that of the pressure.
+void release_pressure(const Turn &turn, const EventLog &log, const SofteningBounds &bounds);
+void begin_softened_contacts(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                             const NearPairs &near, const EventLog &log, const ContactSums &to);
 
 }  // namespace bondem

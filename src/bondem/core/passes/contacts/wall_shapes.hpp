@@ -11,6 +11,17 @@ enum ShapeColumn : Index { axis_column = 3, radius_column = 6, kind_column = 7, 
 // A plane, a cylinder around the elements and one among them, a sphere around them and one among them, a disc.
 enum WallKind : Index { plane_wall, cylinder_around, cylinder_among, sphere_around, sphere_among, disc_wall };
 
+// What a gauge reads of a wall, beside the quantities of elements.
+namespace gauge_of_wall {
+enum Quantity : Index { displacement = 5, force, growth_and_force, velocity };
+}
+inline void write_wall(const double *body, Index quantity, double *to) {
+    using namespace gauge_of_wall;
+    const double *const from = quantity == displacement ? body : quantity == velocity ? body + rate : body + wall_force;
+    for (Index c = 0; c < 3; c++) to[c] = from[c];
+    if (quantity == growth_and_force) to[0] = body[growth], to[1] = body[wall_force + 3], to[2] = body[normal_force];
+}
+
 struct WallSurface {
     double gap;  // from the surface of the sphere to the wall [m]
     Vector normal;  // from the wall to the sphere

@@ -9,6 +9,7 @@
 // Most facets bear far less: σ1(σ*) is at most (1 + √2) |σ| + √2 (|t| + T_b).
 #include "onset.hpp"
 
+#include "../../laws/agreed_stress.hpp"
 #include "single_cracks.hpp"
 
 namespace bondem {
@@ -18,13 +19,6 @@ constexpr double root_two = 1.4142135623730951;
 // Share of the strength that the bound has to reach; T_b in it is that of the last step.
 constexpr double near_strength = 0.8;
 
-template <class T> BONDEM_INLINE Symmetric3<T> agreed_stress(const Symmetric3<T> &s, Vector3<T> n, Vector3<T> t) {
-    const Vector3<T> r = t - s * n;
-    const T along = dot(r, n);
-    return {s.xx + 2.0 * r.x * n.x - along * n.x * n.x, s.yy + 2.0 * r.y * n.y - along * n.y * n.y,
-            s.zz + 2.0 * r.z * n.z - along * n.z * n.z, s.xy + r.x * n.y + r.y * n.x - along * n.x * n.y,
-            s.xz + r.x * n.z + r.z * n.x - along * n.x * n.z, s.yz + r.y * n.z + r.z * n.y - along * n.y * n.z};
-}
 // Whether a facet of traction t begins, `bent` being what bending opens of it.
 template <class T>
 BONDEM_INLINE Mask<T> begins(Vector3<T> t, Vector3<T> n, const Symmetric3<T> &mean, T bent, T strength) {

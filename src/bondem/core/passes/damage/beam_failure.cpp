@@ -19,6 +19,8 @@ inline void judge_beams(const Turn &turn, const Moving &all, const Beams &beams,
         });
 }
 
+#if defined(BONDEM_LANES)
+
 // Number c of the strengths of the bonds from k on; behind the last bond, that of the last one again.
 Lanes coefficients_of(const Strengths &strengths, Index k, Index c) {
     Lanes all;
@@ -49,6 +51,8 @@ inline Index index_beams(const double *pose, const Beams &beams, const Strengths
     });
     return 0;
 }
+
+#endif
 
 Removal break_beam(const double *pose, const Beams &beams, const BeamIntegrity &state, const Postponed &postponed, Index k) {
     const Short i = beams.i(k), j = beams.j(k);
@@ -84,6 +88,7 @@ void withdraw_dashpot(const Moving &all, const Beams &beams, const Dashpots &das
 
 }  // namespace
 
+#if defined(BONDEM_LANES)
 #define BONDEM_CRITERION(name, Criterion)                                                                                \
     void judge_beams_by_##name(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,      \
                                const Candidates &candidates, const Postponed &postponed) {                               \
@@ -98,6 +103,7 @@ BONDEM_CRITERION(mohr_coulomb, MohrCoulomb)
 BONDEM_CRITERION(linear_sum, LinearSum)
 BONDEM_CRITERION(ellipse, Elliptic)
 #undef BONDEM_CRITERION
+#endif
 
 void withdraw_dashpots(const Turn &, const Moving &all, const Beams &beams, const Dashpots &dashpots,
                        const Candidates &candidates, const Postponed &postponed) {

@@ -45,6 +45,8 @@ struct Removal {
 
 // ---- marks
 
+#if defined(BONDEM_LANES)
+
 BONDEM_INLINE Lanes limits_of(const float *limit) {
     typedef float Floats __attribute__((vector_size(lanes * 4), aligned(4)));
     return __builtin_convertvector(*reinterpret_cast<const Floats *>(limit), Lanes);
@@ -83,16 +85,18 @@ class Marks {
     Index *const first, *next;
 };
 
+#endif
+
 // ---- judging
 
 // Holds an element at the end of the step. Several threads may hold an element that domains share.
 inline void hold(const Postponed &postponed, Index element, Byte as = 1) {
-    __atomic_store_n(&postponed.held(element), as, __ATOMIC_RELAXED);
+    put_shared(postponed.held(element), as);
 }
 inline bool is_held(const Postponed &postponed, Index element) {
-    return __atomic_load_n(&postponed.held(element), __ATOMIC_RELAXED) != 0;
+    return get_shared(postponed.held(element)) != 0;
 }
-inline bool any_fails(const Candidates &candidates) { return __atomic_load_n(candidates.any.data, __ATOMIC_RELAXED) != 0; }
+inline bool any_fails(const Candidates &candidates) { return get_shared(candidates.any(0)) != 0; }
 
 // Keeps those of the marked bonds of a block that fail. Nothing fails where the time was not reached by a step.
 //
@@ -115,7 +119,7 @@ inline void judge(const Turn &turn, const Candidates &candidates, MayFail may_fa
             postpone(k);
         }
     candidates.count(turn.block) = kept;
-    if (kept > 0) __atomic_store_n(candidates.any.data, Index(1), __ATOMIC_RELAXED);
+    if (kept > 0) put_shared(candidates.any(0), Index(1));
 }
 
 // ---- removal

@@ -16,7 +16,8 @@
 namespace bondem {
 
 // Writes a candidate of a portion; returns the place of the next one.
-inline Index write_candidate(const StressCandidates &candidates, Index place, Index bond, const Stress<double> &s) {
+template <class Candidates>
+inline Index write_candidate(const Candidates &candidates, Index place, Index bond, const Stress<double> &s) {
     candidates.bond(place) = bond;
     const double all[9] = {s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz};
     for (Index c = 0; c < 9; c++) candidates.stress.data[9 * place + c] = all[c];

@@ -16,7 +16,8 @@ template <class T> class StoredColumns {
     explicit StoredColumns(const StoredLoads &stored) : first(stored.history.data), m(stored.history.shape[1]) {}
 
     BONDEM_INLINE StoredLoad<T> operator()(Index k) const { return {vector_at(0, k), vector_at(3, k)}; }
-    // Writes to the bonds of a group, but not to those that belong to the group before: they are a step further already.
+    // Writes to the bonds of a group, but not to those that belong to the group before: they are a step further
+    // already.
     BONDEM_INLINE void keep(Group group, const StoredLoad<T> &load) const {
         for (Index c = 0; c < 3; c++) {
             store_behind(first + c * m + group.first, load.force[c], group.known);
@@ -34,7 +35,8 @@ template <class T> class StoredColumns {
     const Index m;
 };
 
-template <class T> BONDEM_INLINE StoredStiffness<T> stored_stiffness(const Beams &beams, const StoredLoads &stored, Index k) {
+template <class T>
+BONDEM_INLINE StoredStiffness<T> stored_stiffness(const Beams &beams, const StoredLoads &stored, Index k) {
     return {number<T>(beams.kn.data, k), number<T>(beams.ks.data, k), number<T>(beams.kt.data, k),
             number<T>(stored.kb.data, k)};
 }
@@ -47,7 +49,8 @@ inline Vector branch_of(const double *pose, const Beams &beams, Index k) {
 
 }  // namespace
 
-void add_stored_loads(const Turn &turn, const Moving &all, const Beams &beams, const StoredLoads &stored, const StepCut &cut) {
+void add_stored_loads(const Turn &turn, const Moving &all, const Beams &beams, const StoredLoads &stored,
+                      const StepCut &cut) {
     const Short *const i = beams.i.data, *const j = beams.j.data;
     const double *const pose = all.pose.data, *const motion = all.motion.data, *const period = beams.period.data;
     const StoredColumns<Lanes> history(stored);
@@ -64,8 +67,8 @@ void add_stored_loads(const Turn &turn, const Moving &all, const Beams &beams, c
         const Lanes s = load(beams.integrity.data + k), zero = {};
         const BeamLoads<Lanes> loads = stored_loads(now, apart, shape);
         const Vector3<Lanes> f = s * loads.force, t = s * loads.on_i, u = s * loads.on_j;
-        add_rows(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k, {{-f.x, -f.y, -f.z, zero, t.x, t.y, t.z, zero}},
-                 {{f.x, f.y, f.z, zero, u.x, u.y, u.z, zero}}, group.known);
+        add_rows(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k,
+                 {{-f.x, -f.y, -f.z, zero, t.x, t.y, t.z, zero}}, {{f.x, f.y, f.z, zero, u.x, u.y, u.z, zero}}, group.known);
     });
 }
 
@@ -86,7 +89,8 @@ void sum_stored_energies(const Turn &turn, const Moving &all, const Beams &beams
     }
 }
 
-Index load_stored_beams(Index, const Poses &all, const Beams &beams, const StoredLoads &stored, const LoadsOfEach &loads) {
+Index load_stored_beams(Index, const Poses &all, const Beams &beams, const StoredLoads &stored,
+                        const LoadsOfEach &loads) {
     const StoredColumns<double> history(stored);
     for (Index k = 0; k < beams.i.size(); k++) {
         const BeamLoads<double> one =

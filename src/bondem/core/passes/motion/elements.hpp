@@ -14,6 +14,24 @@ struct One {
     One(const Turn &turn, Index e) : element(turn.element[e]), row(turn.row[e]) {}
     explicit One(Index element) : element(Short(element)), row(0) {}
 };
+BONDEM_INLINE Row<double> &row_at(double *table, Short place) {
+    return *reinterpret_cast<Row<double> *>(table + 8 * uint64_t(place));
+}
+BONDEM_INLINE Row<double> gather(const double *table, const Short &place) {
+    return *reinterpret_cast<const Row<double> *>(table + 8 * uint64_t(place));
+}
+BONDEM_INLINE void scatter(double *table, const Short &place, const Row<double> &row) { row_at(table, place) = row; }
+BONDEM_INLINE void clear(double *table, const Short &place) { row_at(table, place) = {}; }
+// A number of each element, in a table of so many columns.
+BONDEM_INLINE double number_at(const double *table, Index columns, Index c, const Short &place) {
+    return table[columns * place + c];
+}
+BONDEM_INLINE void put_number(double *table, Index columns, Index c, const Short &place, double value) {
+    table[columns * place + c] = value;
+}
+
+#if defined(BONDEM_LANES)
+
 // The elements from number e of the list on; behind the end, the last one again and again. All of them are read before
 // any of them is written.
 struct Several {
@@ -29,32 +47,19 @@ struct Several {
     }
 };
 
-BONDEM_INLINE Row<double> &row_at(double *table, Short place) {
-    return *reinterpret_cast<Row<double> *>(table + 8 * uint64_t(place));
-}
-BONDEM_INLINE Row<double> gather(const double *table, const Short &place) {
-    return *reinterpret_cast<const Row<double> *>(table + 8 * uint64_t(place));
-}
-BONDEM_INLINE void scatter(double *table, const Short &place, const Row<double> &row) { row_at(table, place) = row; }
-BONDEM_INLINE void clear(double *table, const Short &place) { row_at(table, place) = {}; }
 BONDEM_INLINE void clear(double *table, const Short (&place)[lanes]) {
     for (int n = 0; n < lanes; n++) row_at(table, place[n]) = {};
-}
-// A number of each element, in a table of so many columns.
-BONDEM_INLINE double number_at(const double *table, Index columns, Index c, const Short &place) {
-    return table[columns * place + c];
 }
 BONDEM_INLINE Lanes number_at(const double *table, Index columns, Index c, const Short (&place)[lanes]) {
     Lanes all;
     for (int n = 0; n < lanes; n++) all[n] = table[columns * place[n] + c];
     return all;
 }
-BONDEM_INLINE void put_number(double *table, Index columns, Index c, const Short &place, double value) {
-    table[columns * place + c] = value;
-}
 BONDEM_INLINE void put_number(double *table, Index columns, Index c, const Short (&place)[lanes], Lanes value) {
     for (int n = 0; n < lanes; n++) table[columns * place[n] + c] = value[n];
 }
+
+#endif
 
 // What a row of the motion holds.
 template <class T> struct Motion {

@@ -1,4 +1,5 @@
-// Bonds of the non-local law: extra forces by the stresses of a step before, then what they add to the stresses of now.
+// Bonds of the non-local law: extra forces by the stresses of a step before, then what they add to the stresses of
+// now.
 //
 // A step finds the forces of all bonds, and then the stresses of all elements, before the blocks add the forces up as
 // those of other bonds. A step of 0 finds the forces of a state again: extra forces stay what they are, and gaps and
@@ -66,8 +67,9 @@ BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams
         keep(bonds, group, s, after, before);
         const NonLocalLoads<Lanes> loads = non_local_loads(now, turned_by(ends.i, after.extra), stiffness);
         const Vector3<Lanes> force = s * loads.force;
-        add_rows(stresses.moment.data, stresses.to_i.data + k, j + k, moment_row(symmetric_product(now.lever_i, force)),
-                 moment_row(symmetric_product(-now.lever_j, force)), group.known);
+        add_rows(stresses.moment.data, stresses.to_i.data + k, j + k,
+                 moment_row(symmetric_product(now.lever_i, force)), moment_row(symmetric_product(-now.lever_j, force)),
+                 group.known);
         put_output(bonds, group, s, loads);
     });
 }
@@ -88,7 +90,8 @@ void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const Ste
     for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
         const Lanes zero = {};
-        const Vector3<Lanes> f = vector_at<Lanes>(data, m, force_column, k), t = vector_at<Lanes>(data, m, on_i_column, k);
+        const Vector3<Lanes> f = vector_at<Lanes>(data, m, force_column, k);
+        const Vector3<Lanes> t = vector_at<Lanes>(data, m, on_i_column, k);
         const Vector3<Lanes> u = vector_at<Lanes>(data, m, on_j_column, k);
         add_rows(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k, {{f.x, f.y, f.z, zero, t.x, t.y, t.z, zero}},
                  {{-f.x, -f.y, -f.z, zero, -u.x, -u.y, -u.z, zero}}, group.known);
@@ -123,7 +126,8 @@ Index find_small_extra_forces(Index, const SmallPairs &pairs, const ExtraForces 
     const PairLaw law = {pairs.nu, pairs.limited != 0};
     for (Index k = 0; k < pairs.area.size(); k++) {
         const auto stress = [&](Index end) { return pairs.stress.row<const Stress<double>>(pairs.pairs(k, end)); };
-        const Vector n = pairs.normal.row<const Vector>(k), slip = pairs.kt(k) * across(pairs.gap.row<const Vector>(k), n);
+        const Vector n = pairs.normal.row<const Vector>(k);
+        const Vector slip = pairs.kt(k) * across(pairs.gap.row<const Vector>(k), n);
         extra.force.row<Vector>(k) = extra_force(mean_of(stress(0), stress(1)), n, pairs.area(k), slip, law);
     }
     return 0;
@@ -132,11 +136,12 @@ Index find_small_extra_forces(Index, const SmallPairs &pairs, const ExtraForces 
 Index load_non_local_bonds(Index, const Poses &all, const Beams &beams, const NonLocalBonds &bonds) {
     for_each_group(0, beams.i.size(), [&](Group group) {
         const Index k = group.first;
-        const Ends<Lanes> ends = ends_of(gather(all.pose.data, beams.i.data + k), gather(all.pose.data, beams.j.data + k),
-                                         beams.period.data);
+        const Row<Lanes> i = gather(all.pose.data, beams.i.data + k), j = gather(all.pose.data, beams.j.data + k);
+        const Ends<Lanes> ends = ends_of(i, j, beams.period.data);
         const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
         const Vector3<Lanes> extra = turned_by(ends.i, stored_at(bonds, k).extra);
-        put_output(bonds, group, load(beams.integrity.data + k), non_local_loads(now, extra, pair_stiffness<Lanes>(bonds, k)));
+        const NonLocalLoads<Lanes> loads = non_local_loads(now, extra, pair_stiffness<Lanes>(bonds, k));
+        put_output(bonds, group, load(beams.integrity.data + k), loads);
     });
     return 0;
 }

@@ -4,8 +4,8 @@
 
 namespace bondem {
 
-// Finds forces and torques of the bonds of a block, integrates what they store over the step, and adds what they do to
-// the stresses of their elements.
+// Finds forces and torques of the bonds of a block, integrates what they store over the step, and adds what they do
+// to the stresses of their elements.
 void find_non_local_forces(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                            const LaggedStresses &stresses);
 // Adds those forces and torques to the sums of the elements, in the order of the bonds.

@@ -1,9 +1,9 @@
 // Bonds of the non-local law that fail: judged by the mean stress of their two elements.
 //
-// They are judged when the stresses of the step are known. σ1 of a mean is at most the mean of both σ1, and σ3 at least
-// the mean of both σ3, so that only bonds that reach their criterion by these are evaluated exactly. The energy released
-// is that of the springs; the work of extra forces stays in an entry of its own. The stresses of the elements,
-// which the next step takes, are then without the bond.
+// They are judged when the stresses of the step are known. σ1 of a mean is at most the mean of both σ1, and σ3 at
+// least the mean of both σ3, so that only bonds that reach their criterion by these are evaluated exactly. The energy
+// released is that of the springs; the work of extra forces stays in an entry of its own. The stresses of the
+// elements, which the next step takes, are then without the bond.
 #include "pair_failure.hpp"
 
 #include "../../laws/criteria/principal_stress.hpp"
@@ -21,7 +21,8 @@ Verdict<double> verdict_of(const Beams &beams, const LaggedStresses &stresses, c
     const auto stress = [&](Short p) { return stresses.space.row<const Stress<double>>(p); };
     const PrincipalStress<double> found = principal(mean_of(stress(beams.i(k)), stress(beams.j(k))));
     const double *c = &strengths.coefficient(k, 0);
-    return PrincipalStressCriterion::verdict(largest_of(found), least_of(found), Coefficients<double>{c[0], c[1], c[2], c[3]});
+    const Coefficients<double> own = {c[0], c[1], c[2], c[3]};
+    return PrincipalStressCriterion::verdict(largest_of(found), least_of(found), own);
 }
 
 // Takes from the stress of an element, in its own frame, what ± a force does at a lever.
@@ -44,7 +45,8 @@ void mark_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stre
     Index next = first;
     for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
-        const Row<Lanes> i = gather(stresses.space.data, beams.i.data + k), j = gather(stresses.space.data, beams.j.data + k);
+        const double *const space = stresses.space.data;
+        const Row<Lanes> i = gather(space, beams.i.data + k), j = gather(space, beams.j.data + k);
         Short place[lanes];
         for (int n = 0; n < lanes; n++) place[n] = Short(least(k + n, last - 1));
         const auto coefficient = [&](Index c) { return number_at(strengths.coefficient.data, 4, c, place); };

@@ -4,6 +4,7 @@
 
 #include "../contacts/pairs.hpp"
 #include "../contacts/wall_shapes.hpp"
+#include "../damage/pipeline.hpp"
 #include "bond_columns.hpp"
 
 namespace bondem {
@@ -15,7 +16,43 @@ void add_moment(const LaggedStresses &stresses, Short p, Vector lever, Vector fo
     for (Index c = 0; c < 6; c++) stresses.moment(p, c) += all[c];
 }
 
+// Adds to the stress of an element, in its own frame, what a force does at a lever.
+void add_to_stress(const double *pose, const LaggedStresses &stresses, Short p, Vector lever, Vector force) {
+    const Quaternion<double> back = inverse(orientation(gather(pose, p)));
+    const Stress<double> s = stresses.inverse(p) * symmetric_product(turned_by(back, lever), turned_by(back, force));
+    const double all[6] = {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz};
+    for (Index c = 0; c < 6; c++) stresses.stress(p, c) += all[c];
+}
+
+// Force of a pair on its later element, with the memory that it has [N].
+Vector present_force(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k) {
+    const Short a = pairs.first(k), b = pairs.second(k);
+    const Motion<double> of_a(gather(all.motion.data, a)), of_b(gather(all.motion.data, b));
+    const Vector d = branch_of(all.pose.data, pairs, k);
+    const Spheres2<double> pair(c.radius(a), c.radius(b), pairs.reach(k), d, of_a, of_b);
+    const Vector *const kept = &pairs.memory.row<Vector>(k);
+    Vector force;
+    with_law(c, [&](auto law) {
+        force = pair_loads(law, c, pair, pairs.own(k), ContactMemory<double>{kept[0], kept[1]}, 0.0).contact.force;
+    });
+    return force;
+}
+
 }  // namespace
+
+void add_begun_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                        const LaggedStresses &stresses, const EventLog &log) {
+    const double *const pose = all.pose.data;
+    for_each_event(log, [&](Index bond, Index) {
+        const Index k = pairs.of_bond(bond);
+        if (k < 0 || pairs.touch(k) != touching) return;
+        const Short a = pairs.first(k), b = pairs.second(k);
+        const double ra = c.radius(a), rb = c.radius(b);
+        const Vector d = branch_of(pose, pairs, k), force = present_force(all, c, pairs, k);
+        add_to_stress(pose, stresses, a, (ra / (ra + rb)) * d, -force);
+        add_to_stress(pose, stresses, b, (-rb / (ra + rb)) * d, force);
+    });
+}
 
 void add_pair_moments(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                       const NearPairs &near, const LaggedStresses &stresses) {

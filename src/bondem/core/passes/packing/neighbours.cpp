@@ -5,49 +5,16 @@
 #include "neighbours.hpp"
 
 #include "../../threads.hpp"
-#include "../../vector3.hpp"
-#include "periodic.hpp"
+#include "grid_visits.hpp"
 
 namespace bondem {
 namespace {
 
 constexpr Index block = 256;  // spheres in a task
 
-struct Span {
-    Index first, last;
-};
-
-// Cells to visit along an axis; a periodic axis of one or two cells visits each once.
-Span visited(Index centre, Index cells, bool periodic) {
-    if (!periodic) return {most(centre - 1, Index(0)), least(centre + 1, cells - 1)};
-    if (cells < 3) return {0, cells - 1};
-    return {centre - 1, centre + 1};
-}
-
 Index cell_along(const SphereGrid &grid, Index i, Index axis) {
     const Index at = Index((grid.sphere(i, axis) - grid.lower(axis)) / grid.edge(axis));
     return within(at, Index(0), grid.cells(axis) - 1);
-}
-
-// Calls found(j) for every neighbour j of sphere i, cell by cell.
-template <class Found> void visit_neighbours(const SphereGrid &grid, const Period &period, Index i, Found found) {
-    const Index a = grid.cells(0), b = grid.cells(1), c = grid.cells(2);
-    const Vector centre = grid.sphere.row<const Vector>(i);
-    const double radius = grid.sphere(i, 3);
-    const Span x = visited(grid.cell(i) / (c * b), a, period.edge.x > 0.0);
-    const Span y = visited(grid.cell(i) / c % b, b, period.edge.y > 0.0);
-    const Span z = visited(grid.cell(i) % c, c, period.edge.z > 0.0);
-    for (Index u = x.first; u <= x.last; u++)
-        for (Index v = y.first; v <= y.last; v++)
-            for (Index w = z.first; w <= z.last; w++) {
-                const Index cell = ((u + a) % a * b + (v + b) % b) * c + (w + c) % c;
-                for (Index p = grid.first(cell); p < grid.first(cell + 1); p++) {
-                    const Index j = grid.member(p);
-                    const Vector apart = period.nearest_image(grid.sphere.row<const Vector>(j) - centre);
-                    const double reach = radius + grid.sphere(j, 3) + grid.skin;
-                    if (dot(apart, apart) <= reach * reach && j != i) found(j);
-                }
-            }
 }
 
 }  // namespace
@@ -74,7 +41,7 @@ Index count_neighbours(Index threads, const SphereGrid &grid) {
     for_each_task(threads, (n + block - 1) / block, [&](Index task) {
         for (Index i = task * block; i < least((task + 1) * block, n); i++) {
             Index count = 0;
-            visit_neighbours(grid, period, i, [&](Index) { count++; });
+            visit_neighbours(grid, period, i, [&](Index j) { return j != i; }, [&](Index) { count++; });
             grid.start(i + 1) = count;
         }
     });
@@ -89,7 +56,8 @@ Index list_neighbours(Index threads, const SphereGrid &grid, const NeighbourList
     for_each_task(threads, (n + block - 1) / block, [&](Index task) {
         for (Index i = task * block; i < least((task + 1) * block, n); i++) {
             Index k = grid.start(i);
-            visit_neighbours(grid, period, i, [&](Index j) { lists.neighbour(k++) = Short(j); });
+            visit_neighbours(
+                grid, period, i, [&](Index j) { return j != i; }, [&](Index j) { lists.neighbour(k++) = Short(j); });
         }
     });
     return 0;

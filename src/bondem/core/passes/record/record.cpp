@@ -1,16 +1,14 @@
 // A row of the history: time, the energy ledger, and gauges. And the guard of the energy.
 #include "record.hpp"
 
-#include "../motion/elements.hpp"
 #include "columns.hpp"
+#include "reading.hpp"
 
 namespace bondem {
 namespace {
 
 using namespace column;
-// What a gauge reads of an element, and how it makes one number of many.
-enum Quantity : Index { displacement, velocity, angle, spin, force, of_walls };
-enum Reduction : Index { mean, sum, largest };
+
 // Kinetic energy over all there ever was from which on a run is taken for unstable. It never exceeds one but by the error
 // of the scheme, and what grows does so by orders of magnitude in a hundred steps.
 constexpr double beyond = 1000.0;
@@ -21,28 +19,6 @@ struct Kinetic {
 Kinetic kinetic_energy(double *motion, Index p) {
     const Motion<double> moving(gather(motion, Short(p)));
     return {0.5 * dot(moving.v, moving.v) / moving.m, 0.5 * dot(moving.w, moving.w) / moving.u};
-}
-
-// Component of the rotation vector of a unit quaternion [rad], of length at most π.
-double rotation_component(Quaternion<double> q, Index axis) {
-    const Vector v = {q.x, q.y, q.z};
-    const double sine = length(v);
-    if (sine < 1e-12) return 2.0 * v[axis];
-    return 2.0 * __builtin_atan2(sine, absolute(q.w)) * v[axis] / sine * (q.w >= 0.0 ? 1.0 : -1.0);
-}
-
-double read(const Moving &all, const Rows &rows, Index quantity, Index p, Index axis) {
-    switch (quantity) {
-        case displacement: return all.pose(p, axis) - all.rest(p, axis);
-        case velocity: return all.motion(p, axis);
-        case angle: return rotation_component(orientation(gather(all.pose.data, Short(p))), axis);
-        case spin: return all.motion(p, 4 + axis);
-        default: break;
-    }
-    const Index r = rows.of(p);
-    if (r < 0) return 0.0;
-    const double of_walls = rows.grip.size() > 0 ? rows.grip(r, axis) : 0.0;  // that hold facets of the cell
-    return of_walls + (rows.fixed(r, axis) ? rows.reaction(r, axis) : rows.force(r, axis));
 }
 
 }  // namespace
@@ -95,15 +71,15 @@ void read_gauges(const Turn &turn, const Moving &all, const Rows &rows, const Ga
     for (Index g = 0; g < gauges.quantity.size(); g++) {
         const Index quantity = gauges.quantity(g), reduction = gauges.reduction(g);
         const Index first = gauges.start(g), last = gauges.start(g + 1);
-        if (quantity >= of_walls) continue;
+        if (quantity >= gauge::of_walls) continue;
         for (Index axis = 0; axis < 3; axis++) {
-            double value = reduction == largest ? -infinity : 0.0;
+            double value = reduction == gauge::largest ? -infinity : 0.0;
             for (Index e = first; e < last; e++) {
-                const double x = read(all, rows, quantity, gauges.element(e), axis);
-                value = reduction == largest ? most(value, absolute(x)) : value + x;
+                const double x = gauge::read(all, rows, quantity, gauges.element(e), axis);
+                value = reduction == gauge::largest ? most(value, absolute(x)) : value + x;
             }
             history.record(turn.clock.record, fixed_columns + 3 * g + axis) =
-                reduction == mean ? value / double(last - first) : value;
+                reduction == gauge::mean ? value / double(last - first) : value;
         }
     }
 }

@@ -1,13 +1,13 @@
 // Dynamic relaxation: motion with masses of no physical meaning and a time step of 1, damped until it rests.
 //
-// Each step damps by c = 2 ω, the critical rate of the frequency at which the free elements move at present, Rayleigh's
-// quotient of the last steps:
+// Each step damps by c = 2 ω, the critical rate of the frequency at which the free elements move at present,
+// Rayleigh's quotient of the last steps:
 //
 //     ω² = Σ v·ΔF / Σ m v²      ΔF = K v
 //
-// averaged over about as many steps as that motion lasts. Loads and prescribed motions grow linearly over the ramp. The
-// motion ends where the unbalanced force is small against applied and supporting forces, roots of sums of squares, with
-// torques divided by a length.
+// averaged over about as many steps as that motion lasts. Loads and prescribed motions grow linearly over the ramp.
+// The motion ends where the unbalanced force is small against applied and supporting forces, roots of sums of
+// squares, with torques divided by a length.
 #include "dynamic_relaxation.hpp"
 
 #include "../beams/beam_loads.hpp"

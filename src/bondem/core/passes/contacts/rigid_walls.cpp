@@ -4,7 +4,7 @@
 // against the force of the elements; its speed is limited. A free wall moves by the force of the elements and one of its
 // own: half a kick before it moves, half when the forces on it are known. The work of a wall on the elements is the
 // trapezoid of its power.
-#include "walls.hpp"
+#include "rigid_walls.hpp"
 
 #include "../boundary/timeline.hpp"
 #include "../record/columns.hpp"
@@ -179,18 +179,13 @@ void count_wall_work(const Turn &, const Walls &walls, const Portions &portions)
 }
 
 void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, const HistoryRows &history) {
-    // what a gauge reads of a wall, beside the quantities of elements
-    enum Quantity : Index { displacement = 5, force, growth_and_force, velocity };
     for (Index w = 0; w < walls.body.size(); w++)
         history.record(turn.clock.record, column::work) += walls.body(w, wall_work);
     for (Index g = 0; g < gauges.quantity.size(); g++) {
         const Index quantity = gauges.quantity(g);
-        if (quantity < displacement) continue;
-        const double *const body = &walls.body(gauges.element(gauges.start(g)), 0);
-        double *const to = &history.record(turn.clock.record, column::fixed_columns + 3 * g);
-        const double *const from = quantity == displacement ? body : quantity == velocity ? body + rate : body + wall_force;
-        for (Index c = 0; c < 3; c++) to[c] = from[c];
-        if (quantity == growth_and_force) to[0] = body[growth], to[1] = body[wall_force + 3], to[2] = body[normal_force];
+        if (quantity < gauge_of_wall::displacement) continue;
+        write_wall(&walls.body(gauges.element(gauges.start(g)), 0), quantity,
+                   &history.record(turn.clock.record, column::fixed_columns + 3 * g));
     }
 }
 

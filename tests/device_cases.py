@@ -1,25 +1,18 @@
-"""Small runs for the CPU and for the simulator of CUDA devices: python tests/cuda_cases.py gpu|cpu OUT.npz BODIES.
+"""Small models for devices: bodies of beams and of cells, with all that acts on them, and moving states of them.
 
-In a process of its own, because the simulator must be chosen before anything is imported. BODIES is a file of the
-bodies that the CPU has cut, which the device takes: cut by plain Python they differ by rounding, and levers, which
-are whole numbers of a grid, then by 1e-9.
+Scripts of simulated devices take the bodies that the CPU has cut: cut by plain Python they differ by rounding, and
+levers, which are whole numbers of a grid, then by 1e-9.
 """
 
 import importlib
 import os
-import pickle
-import sys
-from collections.abc import Iterator
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.kernels.cell_pass import STRESS
 from bondem.model.state import State
-from bondem.solve.explicit import integrate
-from bondem.solve.plan import ExplicitResult, Plan
 
 if "NUMBA_ENABLE_CUDASIM" in os.environ:
     importlib.import_module("cuda_in_turn").simulate_in_turn()
@@ -68,6 +61,26 @@ def bar() -> bd.Model:
     return bd.Model(lattice, law, density=rng.uniform(900.0, 1100.0, len(grid)), boundary=boundary)
 
 
+CRITERIA: dict[str, Any] = {
+    "peripheral": bd.PeripheralStress(tension=1.5e5, shear=1e5, scatter=bd.Weibull(modulus=6.0, volume=0.3, seed=2)),
+    "mohr coulomb": bd.MohrCoulomb(tension=6e4, cohesion=5e4, friction_angle=0.5),
+    "linear": bd.LinearSum(force=1.5e4, shear=1.5e4, bending=5e3, twisting=5e3, scatter=bd.Normal(deviation=0.1)),
+    "elliptic": bd.Elliptic(elongation=0.011, rotation=0.04),
+}
+
+
+def breaking_bar(criterion: Any) -> bd.Model:
+    """The bar, whose bonds break."""
+    model = bar()
+    return bd.Model(model.lattice, model.bond, model.density, boundary=model.boundary, failure=criterion)
+
+
+def breaking_cell() -> bd.Model:
+    """The periodic cell, whose bonds are alike but for their length."""
+    model = cell()
+    return bd.Model(model.lattice, model.bond, model.density, failure=bd.PeripheralStress(tension=4e5, shear=2e5))
+
+
 def cell() -> bd.Model:
     """27 elements in a periodic cell, with bonds that are alike but for their length."""
     rng = np.random.default_rng(2)
@@ -76,9 +89,9 @@ def cell() -> bd.Model:
     return bd.Model(bd.connect(particles, reach=1.15), bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6), 1000.0)
 
 
-def body(*counts: int, periodic: bool = False) -> bd.Lattice:
+def body(a: int, b: int, c: int, *, periodic: bool = False) -> bd.Lattice:
     """A crooked box, or periodic cell, of unit cells."""
-    rng = np.random.default_rng(1)
+    rng, counts = np.random.default_rng(1), (a, b, c)
     grid = np.indices(counts).reshape(3, -1).T + 0.5
     shape = bd.Cell(size=counts) if periodic else bd.Box(counts)
     centre, radius = grid + rng.uniform(-0.2, 0.2, grid.shape), rng.uniform(0.25, 0.3, len(grid))
@@ -134,7 +147,7 @@ def cubes(nu: float, *, walls: bool) -> tuple[bd.Model, State]:
     held = [bd.Fix(bd.Face(face), "x", "") for face in ("x_min", "x_max")] if walls else []
     model = bd.Model(cut("cubes", particles), bd.CellBond(E=1e7, nu=nu), 1000.0, boundary=held)
     state = model.state()
-    state.set_motion(velocity=[[1.0 if walls else -1.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+    state.set_motion(velocity=np.array([[1.0 if walls else -1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]))
     return model, state
 
 
@@ -145,63 +158,3 @@ def moving(model: bd.Model, speed: float = 0.5) -> State:
     state = State(model)
     state.set_motion(velocity=rng.uniform(-speed, speed, (n, 3)), angular_velocity=rng.uniform(-speed, speed, (n, 3)))
     return state
-
-
-def results(device: str) -> Iterator[tuple[str, ExplicitResult]]:
-    """The cases, carried out."""
-    loop_of = importlib.import_module("bondem.solve.loop_cuda").GpuLoop if device == "gpu" else None
-
-    def go(model: bd.Model, state: State, steps: int, dt: float, **options) -> ExplicitResult:
-        return integrate(model, Plan(duration=steps * dt, dt=dt, **options), state=state, loop_of=loop_of)
-
-    damped = bd.LocalDamping(0.1)
-    model = bar()
-    yield "bar", go(model, moving(model), 36, 2e-3, damping=damped, gauges=GAUGES, every=6)
-    yield "paused", go(model, moving(model), 36, 2e-3, damping=damped, gauges=GAUGES, every=0, save_every=17)
-    scheme = bd.TchamwaWielgosz(1.2)
-    yield "dissipative", go(model, moving(model), 24, 2e-3, scheme=scheme, gauges=GAUGES, every=5)
-    model = cell()
-    state = moving(model)
-    state.set_eigenstrain(1e-3 * np.random.default_rng(3).standard_normal(len(model.lattice.pairs)))
-    yield "cell", go(model, state, 36, 2e-3, every=6)
-    model, state = free_body()
-    yield "free cells", go(model, state, 15, 1e-3, every=3)
-    model = held_bar()
-    yield "held cells", go(model, moving(model), 24, 1e-3, damping=damped, gauges=CELL_GAUGES, every=6)
-    yield "paused cells", go(model, moving(model), 24, 1e-3, damping=damped, every=0, save_every=13)
-    begun = go(model, moving(model), 11, 1e-3, damping=damped, gauges=CELL_GAUGES, every=0).state
-    yield "resumed cells", go(model, begun, 24, 1e-3, damping=damped, gauges=CELL_GAUGES, every=6)
-    model = pressed_bar()
-    yield "pressed cells", go(model, moving(model), 24, 8e-4, scheme=scheme, gauges=CELL_GAUGES, every=5)
-    model = bd.Model(body(3, 3, 3, periodic=True), bd.CellBond(E=1e7, nu=0.2), density=1000.0)
-    state = moving(model)
-    state.set_eigenstrain(1e-2 * np.random.default_rng(3).standard_normal(len(model.lattice.pairs)))
-    yield "periodic cells", go(model, state, 15, 1e-3, damping=damped, every=3)
-    for nu in NUS:
-        for walls in (False, True):
-            one, start = cubes(nu, walls=walls)
-            yield f"cubes {nu} {walls}", go(one, start, CUBE_STEPS, CUBE_DT, every=0)
-    yield "wild cells", go(model, moving(model, speed=300.0), 12, 2e-3, every=3)
-    model = cell()
-    yield "wild", go(model, moving(model, speed=300.0), 12, 2e-3, every=3)
-
-
-def main() -> None:
-    device, out, bodies = sys.argv[1:]
-    if device == "gpu":
-        BODIES.update(pickle.loads(Path(bodies).read_bytes()))
-    arrays = {}
-    for name, result in results(device):
-        for field in ("motion", "acceleration", "loss", "work", "reaction"):
-            arrays[f"{name}/{field}"] = getattr(result.state, field)
-        arrays[f"{name}/pose"] = np.delete(result.state.pose, STRESS, axis=1)
-        arrays[f"{name}/stress"] = result.state.pose[:, STRESS]
-        arrays[f"{name}/records"] = result.history.records
-        arrays[f"{name}/end"] = np.array([result.status.name, result.message])
-    np.savez(out, **arrays)
-    if device == "cpu":
-        Path(bodies).write_bytes(pickle.dumps(BODIES))
-
-
-if __name__ == "__main__":
-    main()

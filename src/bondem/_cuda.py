@@ -1,0 +1,202 @@
+"""A CUDA device: passes over an index are compiled by NVRTC from the sources of the core, and launched.
+
+Loaded only where `device="gpu"` is asked for, and the only module that imports NVIDIA's `cuda.core`. Each pass is a
+program of its own, compiled when a run first needs it. What is compiled is kept in the folder `kernels` of bondem's
+cache, by the sources, the compiler and the architecture.
+"""
+
+import hashlib
+import io
+import os
+import re
+import tempfile
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import cuda.bindings.nvrtc as cuda_nvrtc
+import cuda.core as cuda_core
+import numpy as np
+
+from bondem._compile import cache_directory
+from bondem._core_build import SOURCES, core_sources
+from bondem._device import Enqueue, IndexPass
+
+__all__ = ["CudaDevice", "Registers", "compiled_passes", "lacks_gpu"]
+
+# their attributes depend on the version of CUDA, so that type checkers do not know them
+core: Any = cuda_core
+nvrtc: Any = cuda_nvrtc
+# Threads of a block.
+_BLOCK = 128
+# Tables of a kernel; before them are how many indices there are, and where it stands whether anything is to be done.
+_TABLES = 8
+
+
+def lacks_gpu() -> str | None:
+    """Return a sentence that says what a run on a device lacks here, or None."""
+    try:
+        if core.Device.get_all_devices():
+            return None
+    except Exception:  # no driver, or one that is too old: the kind of the error depends on the version
+        pass
+    return "no CUDA device or driver was found: install an NVIDIA driver for CUDA 12 or newer, or use device='cpu'"
+
+
+# ---- compiling
+
+
+@dataclass(frozen=True)
+class Registers:
+    """Registers and memory of a thread of a kernel, as the compiler reports them.
+
+    Attributes:
+        registers: number of registers.
+        spilled: number of bytes that a thread writes and reads because registers are lacking.
+        stack: number of bytes on the stack.
+    """
+
+    registers: int
+    spilled: int
+    stack: int
+
+
+def compiled_passes(architecture: str, name: str | None = None) -> tuple[bytes, dict[str, Registers]]:
+    """Compile passes over an index; no device is needed.
+
+    Args:
+        architecture: architecture of the device, such as "sm_90".
+        name: name of a pass; None for all of them.
+
+    Returns:
+        The compiled passes, and the registers of a thread of each.
+    """
+    source, log = SOURCES / "gpu" / "kernels.cu", io.StringIO()
+    options = core.ProgramOptions(
+        name=str(source), arch=architecture, std="c++17", device_as_default_execution_space=True,
+        include_path=[str(source.parent)], define_macro=None if name is None else [("BONDEM_PASS", name)],
+        ptxas_options=["-v"],
+    )  # fmt: skip
+    compiled = core.Program(source.read_text(), "c++", options).compile("cubin", logs=log)
+    return bytes(compiled.code), _registers(log.getvalue())
+
+
+def _registers(log: str) -> dict[str, Registers]:
+    """Read the report of the compiler on each kernel."""
+    found = {}
+    for part in log.split("Compiling entry function '")[1:]:
+        kernel = part.partition("'")[0]
+        spilled = re.search(r"(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes spill loads", part)
+        used = re.search(r"Used (\d+) registers", part)
+        if spilled is not None and used is not None:
+            found[kernel] = Registers(int(used[1]), int(spilled[2]) + int(spilled[3]), int(spilled[1]))
+    return found
+
+
+@cache
+def _kept() -> Path:
+    """Return the folder of what is compiled from these sources by this compiler."""
+    digest = hashlib.sha256(str(nvrtc.nvrtcVersion()).encode())
+    for path in core_sources("*.cpp", "*.hpp", "*.cu"):
+        digest.update(path.read_bytes())
+    return cache_directory.parent / "kernels" / digest.hexdigest()[:16]
+
+
+def _cubin(name: str, architecture: str) -> bytes:
+    """Return a compiled pass, from the cache where it is there."""
+    place = _kept() / f"{architecture}.{name}.cubin"
+    try:
+        return place.read_bytes()
+    except OSError:
+        made, _ = compiled_passes(architecture, name)
+    try:
+        place.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile(dir=place.parent, delete=False) as aside:
+            aside.write(made)
+        os.replace(aside.name, place)
+    except OSError:  # a folder that cannot be written to: it is compiled again next time
+        pass
+    return made
+
+
+# ---- the device
+
+
+class CudaDevice:
+    """The first CUDA device, with a stream of its own; see `bondem._device.Device`."""
+
+    def __init__(self) -> None:
+        self._device = core.Device()
+        self._device.set_current()
+        self._stream = self._device.create_stream()
+        self._architecture = f"sm_{self._device.arch}"
+        self._kernels: dict[str, Any] = {}
+
+    @property
+    def name(self) -> str:
+        """Name of the device."""
+        return str(self._device.name)
+
+    def allocate(self, size: int) -> tuple[int, object]:
+        """See `Device`."""
+        memory = self._device.allocate(max(size, 8), stream=self._stream)
+        memory.fill(0, stream=self._stream)
+        return int(memory.handle), memory
+
+    def send(self, array: np.ndarray, to: int) -> None:
+        """See `Device`."""
+        self._copy(array.ctypes.data, to, array.nbytes)
+
+    def fetch(self, source: int, array: np.ndarray) -> None:
+        """See `Device`."""
+        self._copy(source, array.ctypes.data, array.nbytes)
+
+    def _copy(self, source: int, to: int, size: int) -> None:
+        """Copy between the memories of host and device; the stream is at rest then."""
+        if size:
+            there, here = (core.Buffer.from_handle(address, size) for address in (to, source))
+            there.copy_from(here, stream=self._stream)
+            self._stream.sync()
+
+    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+        """See `Device`."""
+        kernel, device_stream = self._kernel(one.name), self._stream
+        config = core.LaunchConfig(grid=-(-count // _BLOCK), block=_BLOCK)
+        arguments = [np.int64(count), np.uint64(halted), *(np.uint64(table) for table in tables)]
+        arguments += [np.uint64(0)] * (_TABLES - len(tables))
+
+        def enqueue(stream: Any) -> None:
+            core.launch(device_stream if stream is None else stream, config, kernel, *arguments)
+
+        return enqueue
+
+    def compile(self, names: Sequence[str]) -> None:
+        """Compile passes on several threads, or take them from the cache."""
+        lacking = [name for name in dict.fromkeys(names) if name not in self._kernels]
+        with ThreadPoolExecutor() as pool:
+            made_each = pool.map(lambda name: _cubin(name, self._architecture), lacking)
+            for name, made in zip(lacking, made_each, strict=True):
+                self._kernels[name] = core.ObjectCode.from_cubin(made, name=name).get_kernel(name)
+
+    def _kernel(self, name: str) -> Any:
+        self.compile([name])
+        return self._kernels[name]
+
+    def recorded(self, work: Sequence[Enqueue]) -> Callable[[], None]:
+        """See `Device`: a CUDA graph, unless BONDEM_CUDA_GRAPHS is "off"."""
+        if os.environ.get("BONDEM_CUDA_GRAPHS") == "off":
+
+            def one_by_one() -> None:
+                for enqueue in work:
+                    enqueue(None)
+
+            return one_by_one
+        builder = self._device.create_graph_builder()
+        builder.begin_building()
+        for enqueue in work:
+            enqueue(builder)
+        graph = builder.end_building().complete()
+        return lambda: graph.launch(self._stream)

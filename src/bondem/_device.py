@@ -1,0 +1,233 @@
+"""Passes over an index, and the tables of a run on the device that carries them out.
+
+A device is a GPU (`bondem._cuda`), or the CPU itself (`Host`), on which tests run the same passes in a loop. Tables
+are those of the core, named tuples of NumPy arrays. `DeviceTables` checks them, copies their arrays to the device and
+lays the tables out there.
+"""
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+
+from bondem._core import checked_fields, filled_table, index_pass
+
+__all__ = ["Device", "DeviceTables", "Enqueue", "Host", "IndexPass", "Launch"]
+
+# Bytes of a line of the memory.
+_LINE = 128
+#: Enqueues one launch to a stream or a graph; None is the stream of the device.
+Enqueue = Callable[[Any], None]
+
+
+class IndexPass:
+    """A pass over an index of the core.
+
+    Args:
+        name: name of the pass.
+        kinds: named tuples of its tables, each with the name and the fields that the header declares.
+
+    Raises:
+        ImportError: tables other than those of the library.
+    """
+
+    def __init__(self, name: str, *kinds: type[tuple[Any, ...]]) -> None:
+        self.name = name
+        self.on_host, tables = index_pass(name)
+        if tables != tuple(kind.__name__ for kind in kinds):
+            raise ImportError(f"{name} takes the tables {', '.join(tables)}")
+        self.fields = tuple((kind.__name__, checked_fields(kind)) for kind in kinds)
+
+
+#: A pass, how many indices there are, and its tables.
+Launch = tuple[IndexPass, int, tuple[Any, ...]]
+
+
+class Device(Protocol):
+    """Memory and launches of a device, in the order in which they are asked for."""
+
+    def allocate(self, size: int) -> tuple[int, object]:
+        """Return the address of memory filled with zeros [bytes], and what keeps it."""
+        ...
+
+    def send(self, array: np.ndarray, to: int) -> None:
+        """Copy a contiguous array to an address of the device."""
+        ...
+
+    def fetch(self, source: int, array: np.ndarray) -> None:
+        """Copy from an address of the device into a contiguous array, when all launches so far are done."""
+        ...
+
+    def compile(self, names: Sequence[str]) -> None:
+        """Compile passes, which `prepared` would compile one by one."""
+        ...
+
+    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+        """Return a function that enqueues a pass over 0 … count - 1 with tables at some addresses.
+
+        Args:
+            one: the pass.
+            count: number of indices.
+            tables: addresses of the tables.
+            halted: address of a number that is not 0 where the pass is to do nothing, or 0.
+        """
+        ...
+
+    def recorded(self, work: Sequence[Enqueue]) -> Callable[[], None]:
+        """Return a function that enqueues several launches as one."""
+        ...
+
+
+class DeviceTables:
+    """Tables of a run on a device. Arrays and tables are copied once, and views of one array remain views of it.
+
+    Args:
+        device: the device.
+        lengths: lengths of axes known so far, see `bondem._core.filled_table`.
+    """
+
+    def __init__(self, device: Device, lengths: dict[str, tuple[int, str]] | None = None) -> None:
+        self.device = device
+        self.lengths = {} if lengths is None else lengths
+        self._arrays: dict[int, tuple[np.ndarray, int, object]] = {}
+        self._unread: set[int] = set()
+        self._written: dict[int, np.ndarray] = {}
+        self._uses: dict[int, int] = {}
+        self._tables: dict[int, tuple[tuple[Any, ...], int, object]] = {}
+
+    def work_space(self, *arrays: np.ndarray) -> None:
+        """Name arrays of zeros that the CPU does not read: they are not copied."""
+        self._unread |= {id(_whole(array)) for array in arrays}
+
+    def address(self, array: np.ndarray) -> int:
+        """Return the address of an array on the device, where it is copied when it is first asked for."""
+        whole = _whole(array)
+        if id(whole) not in self._arrays:
+            address, kept = self.device.allocate(whole.nbytes + _LINE)
+            address += (whole.ctypes.data - address) % _LINE  # the same place of a line as on the CPU
+            self._arrays[id(whole)] = whole, address, kept
+            if id(whole) not in self._unread:
+                self.device.send(whole, address)
+        return self._arrays[id(whole)][1] + array.ctypes.data - whole.ctypes.data
+
+    def fetch_written(self) -> None:
+        """Copy all arrays from the device that passes write and the CPU may read."""
+        self.fetch(*self._written.values())
+
+    def fetch(self, *arrays: np.ndarray) -> None:
+        """Copy arrays from the device."""
+        for array in arrays:
+            if array.size:
+                self.device.fetch(self.address(array), array)
+
+    def send(self, *arrays: np.ndarray) -> None:
+        """Copy arrays to the device again, after a change."""
+        for array in arrays:
+            if array.size:
+                self.device.send(array, self.address(array))
+
+    def forget(self, *tables: tuple[Any, ...]) -> None:
+        """Free the memory of tables, and of the arrays that no other table has; lengths are no longer known."""
+        self.lengths.clear()
+        for table in tables:
+            if self._tables.pop(id(table), None) is None:
+                continue
+            for whole in _arrays_of(table):
+                self._uses[id(whole)] -= 1
+                if self._uses[id(whole)] == 0:
+                    self._arrays.pop(id(whole))
+                    self._written.pop(id(whole), None)
+                    self._uses.pop(id(whole))
+
+    def prepared(self, launches: Iterable[Launch], halted: np.ndarray | None = None) -> list[Enqueue]:
+        """Return functions that enqueue launches; those over no index are left out.
+
+        Args:
+            launches: launches in their order.
+            halted: number that makes launches do nothing where it is not 0, (1,), or None.
+        """
+        flag = 0 if halted is None else self.address(halted)
+        launches = list(launches)
+        self.device.compile([one.name for one, count, _ in launches if count > 0])
+        return [
+            self.device.prepared(
+                one, count, [self._table(*kind, table) for kind, table in zip(one.fields, tables, strict=True)], flag
+            )
+            for one, count, tables in launches
+            if count > 0
+        ]  # fmt: skip
+
+    def _table(self, name: str, fields: Any, table: tuple[Any, ...]) -> int:
+        """Return the address of a table on the device."""
+        if id(table) not in self._tables:
+            words = np.frombuffer(filled_table(name, fields, table, self.lengths), dtype=np.int64).copy()
+            words[[field.offset // words.itemsize for field in fields if field.written is not None]] = 0
+            for field, value in zip(fields, table, strict=True):
+                if field.written is None or not value.size:
+                    continue
+                words[field.offset // words.itemsize] = self.address(value)
+                if field.written and id(_whole(value)) not in self._unread:
+                    self._written[id(_whole(value))] = _whole(value)
+            for whole in _arrays_of(table):
+                self._uses[id(whole)] = self._uses.get(id(whole), 0) + 1
+            address, kept = self.device.allocate(words.nbytes)
+            self.device.send(words, address)
+            self._tables[id(table)] = table, address, kept
+        return self._tables[id(table)][1]
+
+
+class Host:
+    """The CPU as a device with memory of its own: passes over an index are loops."""
+
+    def allocate(self, size: int) -> tuple[int, object]:
+        """See `Device`."""
+        memory = np.zeros(max(size, 8) // 8 + 1)
+        return memory.ctypes.data, memory
+
+    def send(self, array: np.ndarray, to: int) -> None:
+        """See `Device`."""
+        _bytes_at(to, array.nbytes)[:] = array.reshape(-1).view(np.uint8)
+
+    def fetch(self, source: int, array: np.ndarray) -> None:
+        """See `Device`."""
+        array.reshape(-1).view(np.uint8)[:] = _bytes_at(source, array.nbytes)
+
+    def compile(self, names: Sequence[str]) -> None:
+        """See `Device`: they are compiled."""
+
+    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+        """See `Device`."""
+        addresses = np.array(tables, dtype=np.int64)
+        return lambda _: one.on_host(count, halted, addresses.ctypes.data)
+
+    def recorded(self, work: Sequence[Enqueue]) -> Callable[[], None]:
+        """See `Device`."""
+
+        def run() -> None:
+            for enqueue in work:
+                enqueue(None)
+
+        return run
+
+
+def _whole(array: np.ndarray) -> np.ndarray:
+    """Return the array that an array is a view of."""
+    while isinstance(array.base, np.ndarray):
+        array = array.base
+    return array
+
+
+def _arrays_of(table: tuple[Any, ...]) -> list[np.ndarray]:
+    """Return the arrays that the arrays of a table are views of, as often as they occur, without empty ones."""
+    return [_whole(value) for value in table if isinstance(value, np.ndarray) and value.size]
+
+
+class _Memory:
+    """Bytes at an address, as NumPy sees them."""
+
+    def __init__(self, address: int, size: int) -> None:
+        self.__array_interface__ = {"version": 3, "shape": (size,), "typestr": "|u1", "data": (address, False)}
+
+
+def _bytes_at(address: int, size: int) -> np.ndarray:
+    return np.asarray(_Memory(address, size))

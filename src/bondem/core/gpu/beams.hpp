@@ -1,0 +1,50 @@
+// Beams on a device: a thread computes one, and writes what it does to its ends into rows of its own.
+#pragma once
+#include "../laws/damping.hpp"
+#include "../passes/beams/beam_report.hpp"
+#include "../passes/beams/bonds.hpp"
+#include "turns.hpp"
+
+namespace bondem {
+
+BONDEM_INLINE void put(const LoadsOfBonds &to, Index k, const BeamLoads<double> &loads) {
+    const Index m = to.load.shape[1];
+    const double all[9] = {loads.force.x, loads.force.y, loads.force.z, loads.on_i.x, loads.on_i.y,
+                           loads.on_i.z,  loads.on_j.x,  loads.on_j.y,  loads.on_j.z};
+    for (Index c = 0; c < 9; c++) to.load.data[c * m + k] = all[c];
+}
+
+BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams &beams) {
+    const BeamStiffness<double> stiffness = stiffness_of(beams, k, beams.integrity(k));
+    return beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness);
+}
+// Of one of those that differ in length only.
+BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike) {
+    const double h = alike.hold(k);
+    const BeamStiffness<double> stiffness = {alike.knL * h, alike.AL * h, alike.BL * h, alike.AL * h, alike.ktL * h};
+    return beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness);
+}
+
+inline void load_beam(Index k, const Moving &all, const Beams &beams, const LoadsOfBonds &to) {
+    put(to, k, loads_of(k, all, beams));
+}
+inline void load_alike_beam(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike, const LoadsOfBonds &to) {
+    put(to, k, loads_of(k, all, beams, alike));
+}
+inline void load_dashpot(Index k, const Moving &all, const Beams &beams, const Dashpots &dashpots, const LoadsOfBonds &to) {
+    const Short i = beams.i(k), j = beams.j(k);
+    const Motion<double> a(gather(all.motion.data, i)), b(gather(all.motion.data, j));
+    const double s = beams.integrity(k);
+    const BeamDashpots<double> c = {s * dashpots.c(0, k), s * dashpots.c(1, k), s * dashpots.c(2, k), s * dashpots.c(3, k)};
+    put(to, k, dashpot_loads(ends_of(all.pose.data, beams, k).branch, {b.v - a.v, a.w, b.w}, dashpots.share(k), c));
+}
+
+inline void check_portion(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams, const Portions &portions) {
+    check_beams(portion_of(span, b, bonds_of_portion, span.m), all, beams, portions);
+}
+inline void sum_portion_of_beams(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                                 const Portions &portions) {
+    sum_beam_energies(portion_of(span, b, bonds_of_portion, span.m), all, beams, portions);
+}
+
+}  // namespace bondem

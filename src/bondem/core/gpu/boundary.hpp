@@ -1,0 +1,35 @@
+// Boundary conditions on a device: a thread brings one row, one driven degree of freedom or one group of elements to the
+// time of the clock.
+#pragma once
+#include "../passes/boundary/following.hpp"
+#include "../passes/boundary/rows.hpp"
+#include "turns.hpp"
+
+namespace bondem {
+
+inline void clear_row(Index r, const Rows &rows) {
+    for (Index c = 0; c < 6; c++) rows.force(r, c) = 0.0;
+}
+inline void follow_loads_of_row(Index r, const DeviceSpan &span, const Timeline &timeline, const RowLoads &loads,
+                                const RowOrder &order, const Moving &all, const Rows &rows) {
+    for (Index e = order.start(r); e < order.start(r + 1); e++)
+        add_load(order.load(e), clock_of(span).time, timeline, loads, all, rows);
+}
+// One thread, as the elements of several moments may be the same.
+inline void follow_all_couples(Index, const DeviceSpan &span, const Timeline &timeline, const CoupleTable &couples,
+                               const Moving &all, const Rows &rows) {
+    follow_couples(turn_of(span, 0), timeline, couples, all, rows);
+}
+inline void follow_drive(Index e, const DeviceSpan &span, const Timeline &timeline, const Drives &drives, const Rows &rows) {
+    drive_at(e, clock_of(span), timeline, drives, rows);
+}
+inline void follow_body_group(Index g, const DeviceSpan &span, const Timeline &timeline, const BodyForces &body) {
+    Vector sum = {0.0, 0.0, 0.0};
+    for (Index b = 0; b < body.schedule.size(); b++) {
+        const double factor = value_at(timeline, body.schedule(b), clock_of(span).time);
+        for (Index d = 0; d < 3; d++) sum[d] += body.member(g, b) * factor * body.pull(b, d);
+    }
+    for (Index d = 0; d < 3; d++) body.present(g, d) = sum[d];
+}
+
+}  // namespace bondem

@@ -1,0 +1,150 @@
+// Bodies of cells on a device: a thread computes one facet, or adds up one cell, or brings the walls and the tractions of
+// one row of the boundary up to date. The work of walls and tractions is added to the rows of their cells, where the CPU
+// has one number for all of them.
+#pragma once
+#include "../passes/cells/accumulation.hpp"
+#include "../passes/cells/cell_report.hpp"
+#include "../passes/cells/energies.hpp"
+#include "../passes/cells/walls.hpp"
+#include "turns.hpp"
+
+namespace bondem {
+
+// ---- dilatation, which stands in two rows of the loads until the forces are found
+
+constexpr Index of_i = 0, of_j = 1;
+
+inline void dilate_facet(Index k, const Moving &all, const ElasticFacets &facets, const LoadsOfBonds &to) {
+    const FacetColumns columns(facets);
+    const OfCells<double> grown = dilatation(ends_of(all.pose.data, facets, k), columns.shape<double>(k));
+    const double s = facets.integrity(k);
+    to.load(of_i, k) = s * grown.i;
+    to.load(of_j, k) = s * grown.j;
+}
+inline void gather_dilatation(Index p, const CellDilatation &cells, const BondsOfElements &bonds, const LoadsOfBonds &from) {
+    double sum = cells.swelling(p);
+    for (Index k = bonds.in_start(p); k < bonds.in_start(p + 1); k++) sum += from.load(of_j, k);
+    for (Index e = bonds.out_start(p); e < bonds.out_start(p + 1); e++) sum += from.load(of_i, bonds.out_bond(e));
+    cells.swelling(p) = sum;
+}
+inline void set_stress(Index p, const Moving &all, const CellDilatation &cells) { stress_cell(all.pose, cells, p); }
+
+// ---- forces
+
+inline void load_facet(Index k, const Moving &all, const ElasticFacets &facets, const LoadsOfBonds &to) {
+    const FacetColumns columns(facets);
+    const Row<double> i = gather(all.pose.data, facets.i(k)), j = gather(all.pose.data, facets.j(k));
+    const double s = facets.integrity(k);
+    const FacetLoads<double> loads = facet_loads(ends_of(i, j, facets.period.data), columns.shape<double>(k),
+                                                 columns.stiffness<double>(k, s), stresses_of(i, j, s));
+    const Index m = to.load.shape[1];
+    const double each[9] = {loads.force.x, loads.force.y, loads.force.z, loads.on_i.x, loads.on_i.y,
+                            loads.on_i.z,  loads.on_j.x,  loads.on_j.y,  loads.on_j.z};
+    for (Index c = 0; c < 9; c++) to.load.data[c * m + k] = each[c];
+}
+
+// ---- walls that hold facets
+
+inline void place_wall(Index g, const DeviceSpan &span, const WallConstraints &walls) {
+    place_hold(walls, clock_of(span).time, g);
+    if (clock_of(span).first)
+        for (Index axis = 0; axis < 3; axis++) walls.came(g, axis) = 0.0;
+}
+// Forces of the walls of row r, and their sum.
+BONDEM_INLINE void load_row(Index r, const Moving &all, const WallConstraints &walls, const RowOrder &order,
+                            const Rows &rows) {
+    double sum[6] = {};
+    for (Index e = order.start(r); e < order.start(r + 1); e++) {
+        const Index g = order.load(e);
+        load_hold(all.pose, all.rest, walls, g);
+        for (Index c = 0; c < 6; c++) sum[c] += walls.load(g, c);
+    }
+    for (Index c = 0; c < 6; c++) rows.grip(r, c) = sum[c];
+}
+BONDEM_INLINE double half_work(Index r, const WallConstraints &walls, const RowOrder &order) {
+    double work = 0.0;
+    for (Index e = order.start(r); e < order.start(r + 1); e++)
+        for (Index axis = 0; axis < 3; axis++)
+            work += 0.5 * walls.load(order.load(e), axis) * walls.came(order.load(e), axis);
+    return work;
+}
+// Where the time of the clock was not reached by a step.
+inline void begin_walls_of_row(Index r, const DeviceSpan &span, const Moving &all, const WallConstraints &walls,
+                               const RowOrder &order, const Rows &rows) {
+    if (clock_of(span).first) load_row(r, all, walls, order, rows);
+}
+inline void dilate_walls_of_row(Index r, const Moving &all, const WallConstraints &walls, const RowOrder &order,
+                                const CellDilatation &cells) {
+    for (Index e = order.start(r); e < order.start(r + 1); e++)
+        cells.swelling(walls.cell(order.load(e))) += dilatation_of_hold(all.pose, all.rest, walls, order.load(e));
+}
+inline void apply_walls_of_row(Index r, const Moving &all, const WallConstraints &walls, const RowOrder &order,
+                               const Rows &rows) {
+    const double before = half_work(r, walls, order);
+    load_row(r, all, walls, order, rows);
+    rows.work(r) += before + half_work(r, walls, order);
+}
+// Number h of the elements that own rows.
+inline void add_wall_load(Index h, const Rows &rows, const StepCut &cut) {
+    const Index e = cut.held(0) + h;
+    const double *load = &rows.grip(rows.of(cut.ready(e)), 0);
+    for (Index axis = 0; axis < 3; axis++) {
+        cut.sums(cut.ready_row(e), axis) += load[axis];
+        cut.sums(cut.ready_row(e), 4 + axis) += load[3 + axis];
+    }
+}
+
+// ---- tractions on free facets
+
+inline void follow_traction(Index l, const DeviceSpan &span, const Timeline &timeline, const FacetTractions &tractions) {
+    const double now = value_at(timeline, tractions.schedule(l), clock_of(span).time);
+    tractions.came(l) = clock_of(span).first ? 0.0 : now - tractions.factor(l);
+    tractions.factor(l) = now;
+}
+inline void give_dilatation(Index p, const DeviceSpan &span, const FacetTractions &tractions, const CellDilatation &cells) {
+    const Index count = tractions.schedule.size();
+    bool changed = clock_of(span).first;
+    for (Index l = 0; l < count; l++) changed |= tractions.came(l) != 0.0;
+    if (!changed) return;
+    double sum = 0.0;
+    for (Index l = 0; l < count; l++) sum += tractions.factor(l) * tractions.value(l, p);
+    cells.given(p) = sum;
+}
+// Number h of the elements that own rows, as cells with tractions do.
+inline void add_traction_work_of_row(Index h, const Moving &all, const StepCut &cut, const FacetTractions &tractions,
+                                     const Rows &rows) {
+    const Index p = cut.ready(cut.held(0) + h);
+    double work = 0.0;
+    for (Index l = 0; l < tractions.schedule.size(); l++)
+        work += 0.5 * tractions.came(l) * all.pose(p, stress_column) * tractions.value(l, p);
+    rows.work(rows.of(p)) += work;
+}
+
+// ---- what the guard and the history need
+
+inline void check_portion_of_facets(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                                    const ElasticFacets &facets, const Portions &portions) {
+    check_facets(portion_of(span, b, bonds_of_portion, span.m), all, beams, facets, portions);
+}
+inline void sum_portion_of_facets(Index b, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                                  const Portions &portions) {
+    sum_facet_energies(portion_of(span, b, bonds_of_portion, span.m), all, facets, portions);
+}
+inline void sum_portion_of_cells(Index b, const DeviceSpan &span, const CellDilatation &cells,
+                                 const DilatationEnergy &found) {
+    sum_dilatation_energies(portion_of(span, b, elements_of_portion, span.n), cells, found);
+}
+inline void sum_portion_of_walls(Index b, const Moving &all, const WallConstraints &walls, const WallEnergy &found) {
+    const Index last = least((b + 1) * works_of_portion, walls.cell.size());
+    double sum = 0.0;
+    for (Index g = b * works_of_portion; g < last; g++) sum += energy_of_hold(all.pose, all.rest, walls, g);
+    found.energy(b) = sum;
+}
+inline void add_energies(Index, const DilatationEnergy &of_cells, const WallEnergy &of_walls, const Portions &portions) {
+    double sum = 0.0;
+    for (Index q = 0; q < of_cells.energy.size(); q++) sum += of_cells.energy(q);
+    for (Index q = 0; q < of_walls.energy.size(); q++) sum += of_walls.energy(q);
+    if (portions.bonds.size() > 0) portions.bonds(0, 0) += sum;
+}
+
+}  // namespace bondem

@@ -1,0 +1,172 @@
+// Contacts on a device: a thread computes one pair of the list, then one adds what pairs and walls do to one element.
+//
+// Every pair of the list is evaluated in each step, so that distances need not be measured between two lists. A list that
+// an element or a wall has left stops the run: what follows in a graph does nothing, and the CPU makes the list anew.
+#pragma once
+#include "../passes/contacts/contact_loads.hpp"
+#include "../passes/contacts/handover.hpp"
+#include "../passes/contacts/pairs.hpp"
+#include "../passes/contacts/wall_shapes.hpp"
+#include "../passes/contacts/rigid_walls.hpp"
+#include "record.hpp"
+
+namespace bondem {
+
+// ---- how long the list holds
+
+inline void check_travel_of_element(Index p, const DeviceSpan &span, const Moving &all, const Travel &travel) {
+    const Vector moved = centre(all.pose.data, Short(p)) - travel.listed.row<const Vector>(p);
+    if (!(dot(moved, moved) < travel.reach * travel.reach)) put_shared(span.halted(0), Index(1));
+}
+inline void check_travel_of_wall(Index w, const DeviceSpan &span, const Travel &travel, const Walls &walls) {
+    const Vector moved = walls.body.row<const Vector>(w) - walls.listed.row<const Vector>(w);
+    const double grown = absolute(walls.body(w, growth) - walls.listed(w, growth));
+    if (!(length(moved) + grown < travel.reach)) put_shared(span.halted(0), Index(1));
+}
+inline void move_all_walls(Index, const DeviceSpan &span, const WallMotions &motions, const Walls &walls) {
+    move_walls(turn_of(span, 0), motions, walls);
+}
+
+// ---- forces
+
+template <class Law>
+BONDEM_INLINE void press_one(const Law &law, Index k, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                             const NearPairs &near, double dt) {
+    const Short a = pairs.first(k), b = pairs.second(k);
+    const Row<double> i = gather(all.pose.data, a), j = gather(all.pose.data, b), past = gather(pairs.memory.data, Short(k));
+    const Spheres2<double> pair(c.radius(a), c.radius(b), pairs.reach(k), branch(i, j, pairs.period.data),
+                                Motion<double>(gather(all.motion.data, a)), Motion<double>(gather(all.motion.data, b)));
+    const ContactMemory<double> memory = {{past.column[0], past.column[1], past.column[2]},
+                                          {past.column[3], past.column[4], past.column[5]}};
+    const PairLoads<double> loads = pair_loads(law, c, pair, pairs.own(k), memory, dt);
+    const Vector s = loads.contact.memory.stretch, h = loads.contact.memory.viscous, f = loads.contact.force;
+    const Vector t = loads.torque;
+    row_at(pairs.memory.data, Short(k)) = {{s.x, s.y, s.z, h.x, h.y, h.z, 0.0, 0.0}};
+    row_at(near.output.data, Short(k)) = {{f.x, f.y, f.z, loads.contact.damped, t.x, t.y, t.z, loads.contact.rubbed}};
+    pairs.touch(k) = loads.overlap > 0.0 ? touching : parted;
+}
+inline void press_pair(Index k, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
+                       const ContactPairs &pairs, const NearPairs &near) {
+    if (bonded(pairs, k)) return;
+    const Vector d = branch_of(all.pose.data, pairs, k);
+    if (dot(d, d) >= pairs.reach(k) * pairs.reach(k) && pairs.touch(k) != touching) {
+        pairs.touch(k) = separate;
+        return;
+    }
+    with_law(c, [&](auto law) { press_one(law, k, all, c, pairs, near, clock_of(span).dt); });
+}
+// Adds what pairs do to element p: those whose later element it is, then those whose earlier one, in their order.
+inline void add_pairs_of_element(Index p, const ContactConstants &c, const ContactPairs &pairs, const EarlierPairs &earlier,
+                                 const NearPairs &near, const ContactSums &to) {
+    Row<double> sum = {};
+    bool loaded = false;
+    const double r = c.radius(p);
+    for (Index k = pairs.start(p); k < pairs.start(p + 1); k++) {
+        if (pairs.touch(k) == separate) continue;
+        const Row<double> &out = row_at(near.output.data, Short(k));
+        for (Index x = 0; x < 4; x++) sum.column[x] += out.column[x];
+        for (Index x = 4; x < 7; x++) sum.column[x] += r * out.column[x];
+        sum.column[7] += out.column[7];
+        loaded = true;
+    }
+    for (Index e = earlier.start(p); e < earlier.start(p + 1); e++) {
+        const Short k = earlier.pair(e);
+        if (pairs.touch(k) == separate) continue;
+        const Row<double> &out = row_at(near.output.data, k);
+        for (Index x = 0; x < 3; x++) {
+            sum.column[x] -= out.column[x];
+            sum.column[4 + x] += r * out.column[4 + x];
+        }
+        loaded = true;
+    }
+    if (loaded) row_at(to.sums.data, Short(p)) = sum;
+}
+inline void press_walls_on_element(Index p, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
+                                   const WallContacts &contacts, const Walls &walls, const ContactSums &to) {
+    press_walls(turn_of(span, p), all, c, contacts, walls, to);
+}
+inline void add_contact_load(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+                             const ContactSums &contacts) {
+    add_contact_loads(turn_of(span, cut, e), all, cut, contacts);
+}
+// Sums the forces of elements on wall w, and adds its work.
+inline void load_wall(Index w, const DeviceSpan &span, const WallContacts &contacts, const RowOrder &order,
+                      const Walls &walls) {
+    const double half = 0.5 * clock_of(span).dt;
+    const auto power = [&] {
+        double sum = 0.0;
+        for (Index c = 0; c < 4; c++) sum += walls.body(w, wall_force + c) * walls.body(w, rate + c);
+        return sum;
+    };
+    walls.body(w, wall_work) -= half * power();
+    double force[4] = {};
+    for (Index e = order.start(w); e < order.start(w + 1); e++)
+        for (Index c = 0; c < 4; c++) force[c] += contacts.output(order.load(e), c);
+    const WallPlace wall(walls, w);
+    for (Index c = 0; c < 3; c++) walls.body(w, wall_force + c) = force[c];
+    walls.body(w, wall_force + 3) = wall.flat() ? 0.0 : wall.among() ? -force[3] : force[3];
+    walls.body(w, normal_force) = force[3];
+    walls.body(w, wall_work) -= half * power();
+}
+// Half a kick of free wall e, when the forces on it are known.
+inline void kick_free_wall(Index e, const DeviceSpan &span, const WallMotions &motions, const Walls &walls) {
+    const Index w = motions.free_wall(e);
+    for (Index c = 0; c < 3; c++)
+        walls.body(w, rate + c) +=
+            0.5 * clock_of(span).dt * (walls.body(w, wall_force + c) + motions.free_force(e, c)) / motions.free_mass(e);
+}
+
+// Begins contact where beams have broken in this step, on the sums that are kept for their ends.
+inline void begin_all_contacts(Index, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
+                               const ContactPairs &pairs, const NearPairs &near, const EventLog &log,
+                               const Postponed &postponed) {
+    begin_contacts(turn_of(span, 0), all, c, pairs, near, log, postponed);
+}
+
+// ---- what the guard and the history need
+
+// The deepest overlap of the pairs and the contacts with walls of a portion of elements, over the smaller radius.
+inline void measure_overlaps(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
+                             const ContactPairs &pairs, const WallContacts &contacts, const Walls &walls,
+                             const Travel &travel) {
+    const Turn turn = portion_of(span, b, elements_of_portion, span.n);
+    double deepest = travel.portion(b, 2);
+    for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++)
+        if (pairs.touch(k) == touching) {
+            const double overlap = pairs.reach(k) - length(branch_of(all.pose.data, pairs, k));
+            deepest = most(deepest, overlap / least(c.radius(pairs.first(k)), c.radius(pairs.second(k))));
+        }
+    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+        const Short p = contacts.element(e);
+        const WallSurface at = WallPlace(walls, contacts.wall(e)).surface(centre(all.pose.data, p), c.radius(p));
+        deepest = most(deepest, (contacts.gap(e) - at.gap) / c.radius(p));
+    }
+    travel.portion(b, 2) = deepest;
+}
+inline void sum_portion_of_pairs(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
+                                 const ContactPairs &pairs, const ContactEnergies &energies) {
+    sum_pair_energies(portion_of(span, b, elements_of_portion, span.n), all, c, pairs, energies);
+}
+inline void sum_portion_at_walls(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
+                                 const WallContacts &contacts, const Walls &walls, const ContactEnergies &energies) {
+    sum_wall_energies(portion_of(span, b, elements_of_portion, span.n), all, c, contacts, walls, energies);
+}
+inline void write_energy_of_contacts(Index, const DeviceSpan &span, const ContactEnergies &energies,
+                                     const HistoryRows &history) {
+    double sum = 0.0;
+    for (Index q = 0; q < energies.energy.size(); q++) sum += energies.energy(q);
+    history.record(clock_of(span).record, of_contacts) = sum;
+}
+inline void write_work_of_walls(Index, const DeviceSpan &span, const Walls &walls, const HistoryRows &history) {
+    double sum = 0.0;
+    for (Index w = 0; w < walls.body.size(); w++) sum += walls.body(w, wall_work);
+    history.record(clock_of(span).record, of_walls_work) = sum;
+}
+inline void write_gauge_of_wall(Index g, const DeviceSpan &span, const Walls &walls, const Gauges &gauges,
+                                const HistoryRows &history) {
+    if (gauges.quantity(g) < gauge::of_walls) return;
+    const double *const body = &walls.body(gauges.element(gauges.start(g)), 0);
+    write_wall(body, gauges.quantity(g), &history.record(clock_of(span).record, before_gauges + 3 * g));
+}
+
+}  // namespace bondem

@@ -1,0 +1,28 @@
+// Calls a pass over an index for each index: a loop on the CPU, a thread each on a device.
+#pragma once
+#include "../steps.hpp"
+
+namespace bondem {
+
+// Tables of a pass at most.
+constexpr Index tables_of_index_pass = 8;
+
+template <auto pass> struct ForEach;
+template <class... Tables, void (*pass)(Index, const Tables &...)> struct ForEach<pass> {
+    // Tables are read once: what a pass writes cannot change them.
+    template <Index... n> static void with(Index k, const void *const *tables, Numbers<n...>) {
+        on(k, Tables(*static_cast<const Tables *>(tables[n]))...);
+    }
+    static void on(Index k, const Tables... tables) { pass(k, tables...); }
+    static void at(Index k, const void *const *tables) {
+        with(k, tables, typename CountTo<sizeof...(Tables)>::type{});
+    }
+    // Nothing is done where a number that is given is not 0.
+    static Index on_host(Index count, const Index *halted, const void *const *tables) {
+        if (halted && *halted) return 0;
+        for (Index k = 0; k < count; k++) at(k, tables);
+        return 0;
+    }
+};
+
+}  // namespace bondem

@@ -1,0 +1,101 @@
+// The passes over an index: what a thread of a device does, by number. `X(pass)` is called for each.
+#pragma once
+#include "beams.hpp"
+#include "boundary.hpp"
+#include "breakage.hpp"
+#include "cells.hpp"
+#include "contacts.hpp"
+#include "motion.hpp"
+#include "record.hpp"
+#include "strains.hpp"
+
+#define BONDEM_INDEX_PASSES(X)          \
+    X(set_clock)                        \
+    X(count_record)                     \
+    X(clear_row)                        \
+    X(follow_loads_of_row)              \
+    X(follow_all_couples)               \
+    X(follow_drive)                     \
+    X(follow_body_group)                \
+    X(open_element)                     \
+    X(open_element_or_row)              \
+    X(open_work_of_body)                \
+    X(load_beam)                        \
+    X(load_alike_beam)                  \
+    X(load_dashpot)                     \
+    X(gather_loads)                     \
+    X(gather_dashpots)                  \
+    X(add_body_force)                   \
+    X(add_work_of_body)                 \
+    X(move_gathered)                    \
+    X(move_gathered_resisted)           \
+    X(move_gathered_row)                \
+    X(move_gathered_resisted_row)       \
+    X(move_summed)                      \
+    X(move_summed_resisted)             \
+    X(move_summed_row)                  \
+    X(move_summed_resisted_row)         \
+    X(check_portion)                    \
+    X(sum_portion_of_beams)             \
+    X(sum_portion_of_elements)          \
+    X(sum_portion_of_works)             \
+    X(fold_portions)                    \
+    X(write_sum)                        \
+    X(read_part_of_gauge)               \
+    X(write_gauge)                      \
+    X(dilate_facet)                     \
+    X(gather_dilatation)                \
+    X(set_stress)                       \
+    X(load_facet)                       \
+    X(place_wall)                       \
+    X(begin_walls_of_row)               \
+    X(dilate_walls_of_row)              \
+    X(apply_walls_of_row)               \
+    X(add_wall_load)                    \
+    X(follow_traction)                  \
+    X(give_dilatation)                  \
+    X(add_traction_work_of_row)         \
+    X(check_portion_of_facets)          \
+    X(sum_portion_of_facets)            \
+    X(sum_portion_of_cells)             \
+    X(sum_portion_of_walls)             \
+    X(add_energies)                     \
+    X(load_marked_beam)                 \
+    X(load_marked_alike_beam)           \
+    X(judge_beam_by_peripheral_stress)  \
+    X(judge_beam_by_mohr_coulomb)       \
+    X(judge_beam_by_linear_sum)         \
+    X(judge_beam_by_ellipse)            \
+    X(sort_failing)                     \
+    X(keep_gathered_sum)                \
+    X(keep_sum)                         \
+    X(keep_dashed_sum)                  \
+    X(withdraw_all_dashpots)            \
+    X(break_all_beams)                  \
+    X(resume_free)                      \
+    X(resume_resisted)                  \
+    X(resume_row)                       \
+    X(resume_resisted_row)              \
+    X(reopen_work_of_body)              \
+    X(release_element)                  \
+    X(end_all_failures)                 \
+    X(write_released_energy)            \
+    X(check_travel_of_element)          \
+    X(check_travel_of_wall)             \
+    X(move_all_walls)                   \
+    X(press_pair)                       \
+    X(add_pairs_of_element)             \
+    X(press_walls_on_element)           \
+    X(add_contact_load)                 \
+    X(load_wall)                        \
+    X(kick_free_wall)                   \
+    X(begin_all_contacts)               \
+    X(measure_overlaps)                 \
+    X(sum_portion_of_pairs)             \
+    X(sum_portion_at_walls)             \
+    X(write_energy_of_contacts)         \
+    X(write_work_of_walls)              \
+    X(write_gauge_of_wall)              \
+    X(follow_strain_factors)            \
+    X(strain_portion)                   \
+    X(add_work_of_strains)

@@ -1,0 +1,28 @@
+// The program of a device: a thread for each index of a pass, of the one that BONDEM_PASS names, or of each. NVRTC compiles
+// it, with the sources of the passes that a thread calls for one element or one portion.
+#include "../passes/beams/beam_report.cpp"
+#include "../passes/boundary/couples.cpp"
+#include "../passes/cells/cell_report.cpp"
+#include "../passes/contacts/contact_loads.cpp"
+#include "../passes/contacts/handover.cpp"
+#include "../passes/contacts/rigid_walls.cpp"
+#include "../passes/damage/beam_failure.cpp"
+#include "../passes/motion/body_forces.cpp"
+#include "../passes/record/record.cpp"
+#include "for_each.hpp"
+#include "index_passes.hpp"
+
+using bondem::Index;
+
+#define BONDEM_KERNEL(pass)                                                                                              \
+    extern "C" __global__ void pass(Index count, const Index *halted, const void *a, const void *b, const void *c,       \
+                                    const void *d, const void *e, const void *f, const void *g, const void *h) {         \
+        const Index k = Index(blockIdx.x) * blockDim.x + threadIdx.x;                                                    \
+        const void *const tables[bondem::tables_of_index_pass] = {a, b, c, d, e, f, g, h};                               \
+        if (k < count && !(halted && *halted)) bondem::ForEach<bondem::pass>::at(k, tables);                             \
+    }
+#if defined(BONDEM_PASS)
+BONDEM_KERNEL(BONDEM_PASS)
+#else
+BONDEM_INDEX_PASSES(BONDEM_KERNEL)
+#endif

@@ -1,0 +1,132 @@
+// Motion on a device: a thread adds up the loads of one element in the order of its bonds, which is the order of the
+// CPU, and moves it.
+#pragma once
+#include "../passes/motion/body_forces.hpp"
+#include "../passes/motion/moving.hpp"
+#include "turns.hpp"
+
+namespace bondem {
+
+// A row of sums, and what bonds do to element p.
+BONDEM_INLINE Row<double> gathered(Row<double> sum, Index p, const BondsOfElements &bonds, const LoadsOfBonds &from) {
+    const Index m = from.load.shape[1];
+    const auto load = [&](Index c, Index k) { return from.load.data[c * m + k]; };
+    for (Index k = bonds.in_start(p); k < bonds.in_start(p + 1); k++)
+        for (Index c = 0; c < 3; c++) {
+            sum.column[c] += load(c, k);
+            sum.column[4 + c] += load(6 + c, k);
+        }
+    for (Index e = bonds.out_start(p); e < bonds.out_start(p + 1); e++) {
+        const Index k = bonds.out_bond(e);
+        for (Index c = 0; c < 3; c++) {
+            sum.column[c] -= load(c, k);
+            sum.column[4 + c] += load(3 + c, k);
+        }
+    }
+    return sum;
+}
+// Where further loads act on elements, sums are in memory.
+inline void gather_loads(Index e, const StepCut &cut, const BondsOfElements &bonds, const LoadsOfBonds &from) {
+    const Short row = cut.ready_row(e);
+    scatter(cut.sums.data, row, gathered(gather(cut.sums.data, row), cut.ready(e), bonds, from));
+}
+inline void gather_dashpots(Index e, const StepCut &cut, const BondsOfElements &bonds, const LoadsOfBonds &from,
+                            const Dashpots &dashpots) {
+    const Short row = cut.ready_row(e);
+    const Row<double> sum = gathered({}, cut.ready(e), bonds, from);
+    scatter(dashpots.sums.data, row, sum);
+    for (Index c = 0; c < 8; c++) cut.sums(row, c) += sum.column[c];
+}
+
+// The load of an element: what its bonds do to it, or the sum in memory, which is left at zero.
+struct Gathered {
+    const BondsOfElements &bonds;
+    const LoadsOfBonds &from;
+    BONDEM_INLINE Wrench<double> on(const One &one) const { return Wrench<double>(gathered({}, one.element, bonds, from)); }
+};
+struct Summed {
+    const StepCut &cut;
+    BONDEM_INLINE Wrench<double> on(const One &one) const {
+        const Wrench<double> load(gather(cut.sums.data, one.row));
+        clear(cut.sums.data, one.row);
+        return load;
+    }
+};
+
+// The clock of an element: those that a failure postpones do not open the next step.
+BONDEM_INLINE Clock clock_on(const DeviceSpan &span, Index p) {
+    Clock clock = clock_of(span);
+    if (span.postponed.size() > 0 && span.postponed(p) != 0) clock.goes_on = 0;
+    return clock;
+}
+
+// Moves element number e of the list, which owns no row of the boundary, and number h of those that own one.
+template <class Load, class Resisted>
+BONDEM_INLINE void move_free_one(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Load &load,
+                                 const Resisted &resistance) {
+    const One one(turn_of(span, cut, e), e);
+    move(one, clock_on(span, one.element), all, load.on(one), NoRow{}, resistance, -1);
+}
+template <class Load, class Resisted>
+BONDEM_INLINE void move_held_one(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Rows &rows,
+                                 const Load &load, const Resisted &resistance) {
+    const Index e = cut.held(0) + h;
+    const One one(turn_of(span, cut, e), e);
+    const Index r = rows.of(one.element);
+    move(one, clock_on(span, one.element), all, load.on(one), BoundaryRow(rows, r), resistance, r);
+}
+
+inline void move_gathered(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+                          const BondsOfElements &bonds, const LoadsOfBonds &from) {
+    move_free_one(e, span, all, cut, Gathered{bonds, from}, NoRow{});
+}
+inline void move_gathered_resisted(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+                                   const BondsOfElements &bonds, const LoadsOfBonds &from, const Resistance &resistance) {
+    move_free_one(e, span, all, cut, Gathered{bonds, from}, resistance);
+}
+inline void move_summed(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut) {
+    move_free_one(e, span, all, cut, Summed{cut}, NoRow{});
+}
+inline void move_summed_resisted(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+                                 const Resistance &resistance) {
+    move_free_one(e, span, all, cut, Summed{cut}, resistance);
+}
+inline void move_gathered_row(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Rows &rows,
+                              const BondsOfElements &bonds, const LoadsOfBonds &from) {
+    move_held_one(h, span, all, cut, rows, Gathered{bonds, from}, NoRow{});
+}
+inline void move_gathered_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+                                       const Rows &rows, const BondsOfElements &bonds, const LoadsOfBonds &from,
+                                       const Resistance &resistance) {
+    move_held_one(h, span, all, cut, rows, Gathered{bonds, from}, resistance);
+}
+inline void move_summed_row(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Rows &rows) {
+    move_held_one(h, span, all, cut, rows, Summed{cut}, NoRow{});
+}
+inline void move_summed_resisted_row(Index h, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+                                     const Rows &rows, const Resistance &resistance) {
+    move_held_one(h, span, all, cut, rows, Summed{cut}, resistance);
+}
+
+// ---- the opening of a step after a pause, and body forces
+
+inline void open_element(Index p, const DeviceSpan &span, const Moving &all) { open_one(p, clock_of(span), all, NoRow{}); }
+inline void open_element_or_row(Index p, const DeviceSpan &span, const Moving &all, const Rows &rows) {
+    const Index r = rows.of(p);
+    if (r < 0)
+        open_one(p, clock_of(span), all, NoRow{});
+    else
+        open_one(p, clock_of(span), all, BoundaryRow(rows, r));
+}
+inline void open_work_of_body(Index p, const DeviceSpan &span, const Moving &all, const BodyForces &body) {
+    open_body_work(turn_of(span, p), all, body);
+}
+inline void add_body_force(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut, const BodyForces &body) {
+    add_body_forces(turn_of(span, cut, e), all, cut, body);
+}
+inline void add_work_of_body(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
+                             const BodyForces &body) {
+    if (clock_on(span, cut.ready(e)).goes_on) add_body_work(turn_of(span, cut, e), all, body);
+}
+
+}  // namespace bondem

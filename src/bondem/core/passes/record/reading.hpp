@@ -1,0 +1,33 @@
+// What gauges read of elements.
+#pragma once
+#include "../motion/elements.hpp"
+
+namespace bondem::gauge {
+
+// What a gauge reads of an element, and how it makes one number of many. Gauges of walls read no elements.
+enum Quantity : Index { displacement, velocity, angle, spin, force, of_walls };
+enum Reduction : Index { mean, sum, largest };
+
+// Component of the rotation vector of a unit quaternion [rad], of length at most π.
+inline double rotation_component(Quaternion<double> q, Index axis) {
+    const Vector v = {q.x, q.y, q.z};
+    const double sine = length(v);
+    if (sine < 1e-12) return 2.0 * v[axis];
+    return 2.0 * arc_tangent(sine, absolute(q.w)) * v[axis] / sine * (q.w >= 0.0 ? 1.0 : -1.0);
+}
+
+inline double read(const Moving &all, const Rows &rows, Index quantity, Index p, Index axis) {
+    switch (quantity) {
+        case displacement: return all.pose(p, axis) - all.rest(p, axis);
+        case velocity: return all.motion(p, axis);
+        case angle: return rotation_component(orientation(gather(all.pose.data, Short(p))), axis);
+        case spin: return all.motion(p, 4 + axis);
+        default: break;
+    }
+    const Index r = rows.of(p);
+    if (r < 0) return 0.0;
+    const double of_walls = rows.grip.size() > 0 ? rows.grip(r, axis) : 0.0;  // that hold facets of the cell
+    return of_walls + (rows.fixed(r, axis) ? rows.reaction(r, axis) : rows.force(r, axis));
+}
+
+}  // namespace bondem::gauge

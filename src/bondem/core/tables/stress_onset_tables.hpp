@@ -1,0 +1,22 @@
+// What passes over facets that crack by a function of the stress take. Named once more in `bondem/solve/stress_onset.py`.
+#pragma once
+#include "damage_tables.hpp"
+
+namespace bondem {
+
+// Facets that begin to crack by a function of the stress.
+struct StressOnset {
+    Array<const double, 1> scale;  // f_t without scatter over f_t of each facet, 0 of material planes [-], (m,)
+    Array<const double, 1> area;  // [m²], (m,)
+    double tension;  // f_t without scatter [Pa]
+    double least;  // size √(σ:σ) below which no stress reaches the criterion [Pa]
+    double hot;  // f_t below which the facets of a cell are not evaluated [Pa]
+    Array<double, 1> along;  // largest principal stress at which a facet began to crack, else its f_t [Pa], (m,)
+    Array<Index, 1> bond;  // arrays of `StressCandidates`
+    Array<double, 3> stress;
+    Array<const double, 1> found;
+    Array<Index, 1> number;
+    Array<const Index, 1> total;
+};
+
+}  // namespace bondem

@@ -1,0 +1,161 @@
+"""Steps on a device: passes over an index, which the CPU carries out one by one, against the passes of the CPU."""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem._core import index_pass_names
+from bondem._device import DeviceTables, Enqueue, Host, IndexPass
+from bondem.kernels.cell_pass import STRESS
+from bondem.kernels.tables import BROKEN_STEP, FIXED_COLUMNS, FRACTURE, TRANSLATION, WORK
+from bondem.model.state import State
+from bondem.solve.explicit import integrate
+from bondem.solve.loop_core import CoreLoop
+from bondem.solve.loop_device import DeviceLoop, device_has
+from bondem.solve.plan import ExplicitResult, Plan
+from tests.bits import assert_same_bits
+from tests.device_cases import CRITERIA, CUBE_DT, CUBE_STEPS, NUS, cell, cubes, moving, pressed_bar
+from tests.device_runs import CASES, deviation
+
+# Cases of contact are fast and soft, so that much happens in few steps.
+pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
+LAUNCHED: set[str] = set()
+
+
+class Noting(Host):
+    """The CPU as a device, which notes what it has been asked for."""
+
+    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+        LAUNCHED.add(one.name)
+        return super().prepared(one, count, tables, halted)
+
+
+def on_device(model: bd.Model, plan: Plan, state: State, dt: float) -> DeviceLoop:
+    assert device_has(model)
+    return DeviceLoop(model, plan, state, dt, Noting())
+
+
+def outcomes(case: str) -> tuple[ExplicitResult, ExplicitResult]:
+    """A run by the CPU, and by the device."""
+    model, start, steps, dt, options = CASES[case]()
+    plan = Plan(duration=steps * dt, dt=dt, **options)
+    cpu, device = (integrate(model, plan, state=start(model), loop_of=loop) for loop in (CoreLoop, on_device))
+    return cpu, device
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_device_agrees_with_the_cpu(case: str) -> None:
+    cpu, device = outcomes(case)
+    assert deviation(cpu, device) < 1e-12
+    assert ("brittle" in case or "break" in case or case in CRITERIA) == (len(cpu.state.broken) > 3)
+
+
+def test_these_runs_have_all_that_acts_on_bodies() -> None:
+    """Leaving a pass out would be seen, because what it does counts in these runs."""
+    for case in ("held cells", "pressed cells"):
+        cpu, _ = outcomes(case)
+        records, work = cpu.history.records, cpu.state.work
+        assert np.abs(cpu.state.pose[:, STRESS]).max() > 1e3
+        assert abs(records[-1, WORK]) > 0.1 * records[-1, TRANSLATION:WORK].sum()
+        assert abs(work[-1]) > 0.01 * np.abs(work).max()  # of walls and tractions
+        assert (np.abs(records[-1, FIXED_COLUMNS:]) > 0.0).all()
+    for case in CASES:
+        model, start, _, dt, options = CASES[case]()
+        DeviceLoop(model, Plan(duration=dt, dt=dt, **options), start(model), dt, Noting()).look()
+    assert set(index_pass_names()) == LAUNCHED
+
+
+@pytest.mark.parametrize("case", ["bar", "held cells", "peripheral", "beams break, Hertzian"])
+def test_pausing_changes_no_bit(case: str) -> None:
+    model, start, steps, dt, options = CASES[case]()
+    options["every"] = 0
+    plans = [Plan(duration=steps * dt, dt=dt, save_every=interval, **options) for interval in (0, 17)]
+    whole, parted = (integrate(model, plan, state=start(model), loop_of=on_device) for plan in plans)
+    half = integrate(model, Plan(duration=11 * dt, dt=dt, **options), state=start(model), loop_of=on_device).state
+    resumed = integrate(model, plans[0], state=half, loop_of=on_device)
+    for other in (parted, resumed):
+        assert_same_bits(whole, other)
+
+
+def test_a_run_goes_on_on_the_other_side() -> None:
+    """From the CPU to the device and back, while bonds break."""
+    model, start, steps, dt, options = CASES["peripheral"]()
+    whole = Plan(duration=steps * dt, dt=dt, **options)
+    half = Plan(duration=steps // 2 * dt, dt=dt, **options)
+    cpu = integrate(model, whole, state=start(model), loop_of=CoreLoop)
+    for first, second in ((CoreLoop, on_device), (on_device, CoreLoop)):
+        begun = integrate(model, half, state=start(model), loop_of=first)
+        assert 0 < len(begun.state.broken) < len(cpu.state.broken)
+        assert_same_bits(cpu, integrate(model, whole, state=begun.state, history=begun.history, loop_of=second))
+
+
+def test_breakage_is_spread_over_bonds_and_steps() -> None:
+    """Several bonds break in one step, so that their order counts, and the ledger closes with what they release."""
+    _, device = outcomes("alike and brittle")
+    steps = device.state.broken[:, BROKEN_STEP]
+    assert len(steps) - 5 >= len(np.unique(steps)) > 3
+    assert (device.state.integrity > 0.0).any()
+    records = device.history.records
+    total = records[:, TRANSLATION:WORK].sum(axis=1) + records[:, FRACTURE]
+    assert records[-1, FRACTURE] > 0.1 * total[0]
+    assert abs(total[-1] - total[0]) < 0.02 * total[0]
+
+
+@pytest.mark.parametrize("walls", [False, True], ids=["free", "between walls"])
+@pytest.mark.parametrize("nu", NUS)
+def test_two_cubes_move_as_one_oscillator(nu: float, walls: bool) -> None:
+    """Free: U = ½ 2G δ² + 2 · ½ λ' (δ/2)², λ' of five free facets; between walls, of four: U = ½ (4G + λ') u² each.
+
+    With ω² from it and cos φ = 1 - ω² dt²/2, velocity Verlet gives u = v dt sin(n φ) / sin φ exactly.
+    """
+    E, rho, v = 1e7, 1000.0, 1.0
+    G, lame = E / (2.0 * (1.0 + nu)), E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))
+    # c = Σ A d / V over the free facets, each with A = 1 m² and d = ½ m
+    relaxed = lame / (1.0 + (4 if walls else 5) * 0.5 * lame / (2.0 * G))
+    square = (4.0 * G + relaxed if walls else 2.0 * (2.0 * G + 0.5 * relaxed)) / rho
+    phi = np.arccos(1.0 - 0.5 * square * CUBE_DT**2)
+    moved = v * CUBE_DT * np.sin(CUBE_STEPS * phi) / np.sin(phi)
+    model, state = cubes(nu, walls=walls)
+    plan = Plan(duration=CUBE_STEPS * CUBE_DT, dt=CUBE_DT, every=0)
+    found = integrate(model, plan, state=state, loop_of=on_device).state.pose[:, 0] - [0.5, 1.5]
+    expected = [moved, moved] if walls else [-moved, moved]
+    # of a displacement of 7 mm a position of 1 m keeps 14 digits
+    np.testing.assert_allclose(found, expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("make", [cell, lambda: pressed_bar()], ids=["beams", "cells"])
+def test_a_wild_run_ends_as_on_the_cpu(make: Callable[[], bd.Model]) -> None:
+    model = make()
+    plan = Plan(duration=12 * 2e-3, dt=2e-3, every=3)
+    cpu, device = (
+        integrate(model, plan, state=moving(model, speed=300.0), loop_of=loop) for loop in (CoreLoop, on_device)
+    )
+    assert cpu.status.name == device.status.name == "UNSTABLE"
+    assert cpu.message == device.message
+    np.testing.assert_array_equal(cpu.state.pose, device.state.pose)  # the start is kept
+
+
+# ---- tables of a device
+
+
+def test_views_of_an_array_are_views_of_its_copy() -> None:
+    tables = DeviceTables(Host())
+    whole = np.arange(12.0)
+    part = whole[4:10].reshape(3, 2)
+    assert tables.address(part) - tables.address(whole) == 32
+    whole[:] = 0.0
+    tables.fetch(part)
+    np.testing.assert_array_equal(whole, [0, 0, 0, 0, 4, 5, 6, 7, 8, 9, 0, 0])
+    whole[:] = 7.0
+    tables.send(part)
+    whole[:] = 0.0
+    tables.fetch(whole)
+    np.testing.assert_array_equal(whole, [0, 1, 2, 3, 7, 7, 7, 7, 7, 7, 10, 11])
+    assert (tables.address(whole) - whole.ctypes.data) % 128 == 0
+
+
+def test_a_pass_over_an_index_of_other_tables_is_refused() -> None:
+    with pytest.raises(ImportError, match="load_beam takes the tables Moving, Beams, LoadsOfBonds"):
+        IndexPass("load_beam")

@@ -1,0 +1,168 @@
+"""Passes over an index as programs of a GPU: NVRTC compiles them without a device, and a device is asked in order."""
+
+import ctypes
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem._core import index_pass, index_pass_names
+from bondem.errors import InputError
+from bondem.solve.explicit import integrate
+from bondem.solve.loop_core import CoreLoop
+from bondem.solve.plan import Plan
+from tests.bits import assert_same_bits
+from tests.device_cases import GAUGES, bar, moving
+
+_cuda = pytest.importorskip("bondem._cuda", reason="needs cuda-core and NVRTC: pip install -e '.[gpu]'")
+
+
+def has_nvrtc() -> bool:
+    try:
+        return bool(_cuda.nvrtc.nvrtcVersion())
+    except Exception:  # the library is not there: the kind of the error depends on the version
+        return False
+
+
+@pytest.mark.skipif(not has_nvrtc(), reason="needs NVRTC: pip install -e '.[gpu]'")
+@pytest.mark.parametrize("architecture", [pytest.param("sm_80", marks=pytest.mark.validate), "sm_90"])
+def test_all_passes_over_an_index_compile_without_a_device(architecture: str) -> None:
+    cubin, found = _cuda.compiled_passes(architecture)
+    assert cubin[:4] == b"\x7fELF"
+    assert set(found) == set(index_pass_names())
+    assert {name for name, thread in found.items() if thread.spilled or thread.registers > 168} == set()
+    # those that all bonds or elements go through in every step
+    for name in ("load_beam", "load_alike_beam", "move_gathered", "dilate_facet", "load_facet"):
+        assert found[name].registers <= 96
+
+
+@pytest.mark.skipif(not has_nvrtc(), reason="needs NVRTC: pip install -e '.[gpu]'")
+def test_what_is_compiled_is_kept(monkeypatch, tmp_path) -> None:
+    monkeypatch.setattr(_cuda, "cache_directory", tmp_path / "numba")
+    _cuda._kept.cache_clear()
+    try:
+        first = _cuda._cubin("set_clock", "sm_80")
+        monkeypatch.setattr(_cuda, "compiled_passes", None)
+        assert _cuda._cubin("set_clock", "sm_80") == first
+    finally:
+        _cuda._kept.cache_clear()
+
+
+# ---- a device of which only the memory and the order are real
+
+
+class FakeBuffer:
+    """Memory of a device: bytes of this process."""
+
+    def __init__(self, address: int, size: int, kept: object = None) -> None:
+        self.handle, self.size, self._kept = address, size, kept
+
+    @staticmethod
+    def from_handle(address: int, size: int) -> "FakeBuffer":
+        return FakeBuffer(address, size)
+
+    def fill(self, value: int, *, stream: Any) -> None:
+        ctypes.memset(self.handle, value, self.size)
+
+    def copy_from(self, source: "FakeBuffer", *, stream: Any) -> None:
+        assert source.size == self.size
+        assert stream.calls == []  # on a stream copies come behind launches
+        ctypes.memmove(self.handle, source.handle, self.size)
+
+
+class FakeStream:
+    """Launches that wait until somebody asks."""
+
+    def __init__(self) -> None:
+        self.calls: list[Any] = []
+
+    def sync(self) -> None:
+        for call in self.calls:
+            call()
+        self.calls.clear()
+
+
+class FakeDevice:
+    """The calls of `cuda.core` that a run needs."""
+
+    arch, name = "90", "a device"
+    graphs = 0
+
+    def set_current(self) -> None: ...
+
+    def create_stream(self) -> FakeStream:
+        return FakeStream()
+
+    def allocate(self, size: int, *, stream: FakeStream) -> FakeBuffer:
+        memory = np.zeros(size + 256, dtype=np.uint8)
+        return FakeBuffer(memory.ctypes.data + (-memory.ctypes.data) % 256, size, memory)
+
+    def create_graph_builder(self) -> Any:
+        builder = FakeStream()
+
+        def complete() -> SimpleNamespace:
+            FakeDevice.graphs += 1
+            return SimpleNamespace(launch=lambda stream: stream.calls.extend(builder.calls))
+
+        return SimpleNamespace(
+            calls=builder.calls, begin_building=lambda: None, end_building=lambda: SimpleNamespace(complete=complete)
+        )
+
+
+def fake_launch(stream: Any, config: Any, kernel: Any, count: Any, halted: Any, *tables: Any) -> None:
+    assert config.grid * config.block >= count > (config.grid - 1) * config.block
+    assert len(tables) == 8
+    on_host, names = index_pass(kernel)
+    assert all((int(table) != 0) == (k < len(names)) for k, table in enumerate(tables))
+    addresses = np.array([int(table) for table in tables], dtype=np.int64)
+    stream.calls.append(lambda: on_host(int(count), int(halted), addresses.ctypes.data))
+
+
+@pytest.fixture
+def fake_cuda(monkeypatch) -> None:
+    """`cuda.core` whose kernels are the passes of the CPU."""
+    loaded = SimpleNamespace(from_cubin=lambda _, name: SimpleNamespace(get_kernel=lambda kernel: kernel))
+    fakes = {
+        "Device": FakeDevice, "Buffer": FakeBuffer, "launch": fake_launch, "ObjectCode": loaded,
+        "LaunchConfig": lambda grid, block: SimpleNamespace(grid=grid, block=block),
+    }  # fmt: skip
+    monkeypatch.setattr(_cuda, "core", SimpleNamespace(**fakes))
+    monkeypatch.setattr(_cuda, "_cubin", lambda name, architecture: b"")
+    monkeypatch.setattr(FakeDevice, "graphs", 0)
+
+
+def test_a_run_asks_a_device_in_order(monkeypatch, fake_cuda) -> None:
+    gpu = pytest.importorskip("bondem.solve.loop_on_gpu")
+    model, dt = bar(), 2e-3
+    plan = Plan(duration=250 * dt, dt=dt, damping=bd.LocalDamping(0.1), gauges=GAUGES, every=40)
+    monkeypatch.setattr(_cuda.CudaDevice, "fetch", _synchronous(_cuda.CudaDevice.fetch))
+    monkeypatch.setattr(_cuda.CudaDevice, "send", _synchronous(_cuda.CudaDevice.send))
+    cpu, device = (integrate(model, plan, state=moving(model), loop_of=loop) for loop in (CoreLoop, gpu.loop_on_gpu))
+    assert_same_bits(cpu, device)
+    np.testing.assert_array_equal(cpu.history.records, device.history.records)
+    assert FakeDevice.graphs > 2
+    monkeypatch.setenv("BONDEM_CUDA_GRAPHS", "off")
+    monkeypatch.setattr(FakeDevice, "graphs", 0)
+    assert_same_bits(cpu, integrate(model, plan, state=moving(model), loop_of=gpu.loop_on_gpu))
+    assert FakeDevice.graphs == 0
+
+
+def _synchronous(copy: Any) -> Any:
+    """A copy behind all launches, as the stream of a device has it."""
+
+    def behind(self: Any, *arguments: Any) -> None:
+        self._stream.sync()
+        copy(self, *arguments)
+
+    return behind
+
+
+def test_a_user_without_a_device_learns_what_is_missing(monkeypatch) -> None:
+    gpu = pytest.importorskip("bondem.solve.loop_on_gpu")
+    monkeypatch.setattr(_cuda, "lacks_gpu", lambda: "no CUDA device or driver was found: …")
+    with pytest.raises(InputError, match="device='gpu': no CUDA device"):
+        gpu.require_gpu(bar(), Plan(duration=1.0))
+    with pytest.raises(InputError, match="no CUDA device"):
+        bd.solve_explicit(bar(), duration=1e-6, device="gpu")

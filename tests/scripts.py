@@ -1,0 +1,40 @@
+"""Modules beside the scripts of benchmarks, and commands in processes of their own."""
+
+import importlib
+import os
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+
+ROOT = Path(__file__).parents[1]
+
+
+def scripts(folder: str, **modules: str) -> dict[str, ModuleType]:
+    """Modules of a folder of the repository by the names given, which import their neighbours as its scripts do."""
+    path = str(ROOT / folder)
+    sys.path.insert(0, path)
+    try:
+        return {name: importlib.import_module(module) for name, module in modules.items()}
+    finally:
+        sys.path.remove(path)
+
+
+def command(*arguments: object, cwd: Path, package: str = "bondem", **options) -> subprocess.CompletedProcess[str]:
+    """Run `python -m bondem` with arguments in a folder."""
+    words = [sys.executable, "-m", package, *map(str, arguments)]
+    return subprocess.run(words, cwd=cwd, capture_output=True, text=True, timeout=300, **options)
+
+
+def python(code: str, *arguments: object, threads: int = 4) -> list[str]:
+    """Run code in a process of its own, which may use a number of threads; return the lines that it prints."""
+    environment = os.environ | {"NUMBA_NUM_THREADS": str(threads)}
+    words = [sys.executable, "-c", code, *map(str, arguments)]
+    done = subprocess.run(words, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout.splitlines()
+
+
+def files(folder: Path) -> dict[Path, int]:
+    """Files below a folder, and when each was written [ns]."""
+    return {path.relative_to(folder): path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()}
