@@ -1,5 +1,6 @@
-"""Laws of cracks, softening and yielding of the core, at one number and in lanes, against the functions of Numba."""
+"""Laws of softening, cracks and yielding on a thousand random states: by numbers, by lanes, by plain functions."""
 
+import itertools
 import math
 from typing import NamedTuple
 
@@ -66,9 +67,7 @@ def softening_samples(kind: str, curve: str) -> SofteningSamples:
     normal, stress = unit(rng, 3), 4e6 * rng.standard_normal((6, COUNT))
     stress[:, ::7] *= [[1.0], [1.0], [1.0], [0.0], [0.0], [0.0]]  # along the axes
     stress[:3, ::5] -= 6e6
-    tensor = np.array(
-        [[stress[0], stress[3], stress[4]], [stress[3], stress[1], stress[5]], [stress[4], stress[5], stress[2]]]
-    )
+    tensor = stress[[[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
     traction = np.einsum("abk,bk->ak", tensor, normal) * rng.uniform(0.3, 2.0, COUNT)
     traction += 1e6 * rng.standard_normal((3, COUNT))
     integrity = rng.choice([1.0, 0.9, 0.5, 0.1, 1e-3], COUNT)
@@ -81,24 +80,18 @@ def softening_samples(kind: str, curve: str) -> SofteningSamples:
     elif kind == "slipping":
         cohesion[::2], slip[::4] = 4e6, 2e7
     with np.errstate(divide="ignore"):
-        strength = np.array(
-            [tension, 1.0 / last, cohesion, 1.0 / slip, friction, np.full(COUNT, kind in ("plane", "slipping"))]
-        )
+        on_plane = np.full(COUNT, float(kind in ("plane", "slipping")))
+        strength = np.array([tension, 1.0 / last, cohesion, 1.0 / slip, friction, on_plane])
     bent = np.where(rng.random(COUNT) < 0.5, 0.0, rng.uniform(0.0, 4e6, COUNT))
     kink, steep = CURVES[curve]
     return SofteningSamples(
-        traction, normal, stress, bent, integrity, strength.astype(float), kink, steep, False, np.empty((2, COUNT))
+        traction, normal, stress, bent, integrity, strength, kink, steep, False, np.empty((2, COUNT))
     )
 
 
 def left_by_python(s: SofteningSamples, k: int) -> tuple[float, float]:
-    t, n, stress, bent, left = (
-        tuples(s.traction, k),
-        tuples(s.normal, k),
-        tuples(s.stress, k),
-        s.bent[k],
-        s.integrity[k],
-    )
+    t, n, stress = tuples(s.traction, k), tuples(s.normal, k), tuples(s.stress, k)
+    bent, left = s.bent[k], s.integrity[k]
     tension, brittle, cohesion, slip, friction, plane = tuples(s.strength, k)
     last, last_slip = (1.0 / one if one > 0.0 else math.inf for one in (brittle, slip))
     least = math.inf
@@ -203,11 +196,8 @@ def crack_by_python(x: list[float]) -> list[float]:
     rate = 0.5 / K * (w * scalar(one, one) + (1.0 - w) * scalar(other, other))
     across, shear = energies.crack_energy.py_func(K, w, s, gap, n, (one, other), rub)
     rows, outputs = np.zeros((1, 13)), np.zeros((1, 8))
-    rows[0, cracking.BEFORE], rows[0, cracking.RATE], rows[0, cracking.RUB : cracking.RUB + 3] = (
-        before,
-        rate_before,
-        rub_before,
-    )
+    rows[0, cracking.BEFORE], rows[0, cracking.RATE] = before, rate_before
+    rows[0, cracking.RUB : cracking.RUB + 3] = rub_before
     cracking._book(rows, outputs, 0, K, s, rate + bent, rub, tuple(np.subtract(now, slip).tolist()))
     swollen = [
         scalar(g, gap) - (1.0 - s) * scalar(g, opening) / K for g, opening in ((gi, one), (gj, other))
@@ -223,18 +213,8 @@ def test_what_cracks_bear_store_and_dissipate():
     evaluate_cracks(samples)
     with np.errstate(all="ignore"):
         expected = np.array([crack_by_python(samples.given[:, k].tolist()) for k in range(COUNT)]).T
-    for first, last in (
-        (0, 3),
-        (3, 9),
-        (9, 12),
-        (12, 15),
-        (15, 17),
-        (17, 20),
-        (20, 22),
-        (22, 23),
-        (23, 24),
-        (24, 26),
-    ):
+    ends = 0, 3, 9, 12, 15, 17, 20, 22, 23, 24, 26
+    for first, last in itertools.pairwise(ends):
         a, b = samples.found[first:last], expected[first:last]
         np.testing.assert_allclose(a, b, rtol=1e-9, atol=1e-11 * np.abs(b).max())
     wide = samples._replace(wide=True, found=np.empty((26, COUNT)))
@@ -257,9 +237,8 @@ def test_torques_of_a_crack_balance_its_force():
 @pytest.mark.parametrize("cone", [False, True], ids=["mohr-coulomb", "drucker-prager"])
 def test_a_step_of_plastic_strain(cone):
     rng = np.random.default_rng(3)
-    stress = 1e7 * rng.standard_normal((6, COUNT)) - np.array([[2e7], [2e7], [2e7], [0], [0], [0]]) * rng.random(
-        COUNT
-    )
+    stress = 1e7 * rng.standard_normal((6, COUNT))
+    stress[:3] -= 2e7 * rng.random(COUNT)
     stress[3:, ::5] = 0.0
     stress[0, ::5] = stress[1, ::5]
     strength = np.array([

@@ -16,14 +16,14 @@ namespace bondem {
 
 #define F BONDEM_FIELD
 
-BONDEM_TABLE(SofteningSamples, F(traction, "3 m"), F(normal, "3 m"), F(stress, "6 m"), F(bent, "m"), F(integrity, "m"),
-             F(strength, "6 m"), F(kink, ""), F(steep, ""), F(wide, ""), F(left, "2 m"))
+BONDEM_TABLE(SofteningSamples, F(traction, "3 m"), F(normal, "3 m"), F(stress, "6 m"), F(bent, "m"),
+             F(integrity, "m"), F(strength, "6 m"), F(kink, ""), F(steep, ""), F(wide, ""), F(left, "2 m"))
 BONDEM_TABLE(CrackSamples, F(given, "46 m"), F(wide, ""), F(found, "26 m"))
 BONDEM_TABLE(YieldSamples, F(stress, "6 m"), F(strength, "4 m"), F(cone, ""), F(wide, ""), F(found, "11 m"))
 
 BONDEM_TABLE(StressesOfCells, F(volume, "n"), F(tensor, "n 8"), F(carried, "n 12"), F(pressed, "* n 6"))
-BONDEM_TABLE(YieldingCells, F(cone, ""), F(cohesion, "n"), F(slope, "n"), F(dilation, "n"), F(stiffness, "n"), F(fade, "n"),
-             F(plastic, "n 17"), F(base_i, "3 m"), F(base_j, "3 m"), F(base_wall, "held 3"))
+BONDEM_TABLE(YieldingCells, F(cone, ""), F(cohesion, "n"), F(slope, "n"), F(dilation, "n"), F(stiffness, "n"),
+             F(fade, "n"), F(plastic, "n 17"), F(base_i, "3 m"), F(base_j, "3 m"), F(base_wall, "held 3"))
 BONDEM_TABLE(FacetStrengths, F(area, "m"), F(strength, "m"), F(brittleness, "m"), F(part, "m"), F(fastest, "m"),
              F(friction, "m"), F(plane, "m"), F(cohesion, "m"), F(slip_brittleness, "m"), F(planes, "*"), F(kink, ""),
              F(steep, ""), F(hot, ""))
@@ -37,8 +37,8 @@ BONDEM_TABLE(CohesiveCracks, F(shape, "facets 8"), F(face, "facets 8"), F(state,
 BONDEM_TABLE(CellSlack, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(slack_i, "m"), F(slack_j, "m"),
              F(weight, "n"))
 BONDEM_TABLE(CrackLists, F(size, "4"), F(treated, "places"), F(resting, "places"), F(treated_i, "places"),
-             F(treated_j, "places"), F(resting_i, "places"), F(resting_j, "places"), F(parted, "places"), F(cell, "*"), F(head, "n"),
-             F(node, "halves 4"), F(flag, "places"), F(waking, "places"), F(flagged, "crack_portions"),
+             F(treated_j, "places"), F(resting_i, "places"), F(resting_j, "places"), F(parted, "places"), F(cell, "*"),
+             F(head, "n"), F(node, "halves 4"), F(flag, "places"), F(waking, "places"), F(flagged, "crack_portions"),
              F(woken, "crack_portions"), F(stale, "n"), F(base, "n"), F(half, "halves 8"), F(output, "halves 8"),
              F(lost, "crack_portions 2"))
 BONDEM_TABLE(PartedReach, F(apart, "*"))
@@ -69,6 +69,7 @@ BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_
         S(serial, watch_resting_cracks), S(serial, wake_cracks), S(serial, soften_cracks),                    \
         S(serial, leave_cracks), S(serial, relax_stale_cells), S(serial, load_cracks), S(serial, log_cracks), \
         S(elements_of_blocks, add_crack_loads), S(of_elements, sum_stressed_dilatation),                      \
-        S(of_elements, sum_heat), S(serial, sum_crack_energies), S(serial, add_crack_energies), S(serial, write_heat), S(serial, touch_parted_faces)
+        S(of_elements, sum_heat), S(serial, sum_crack_energies), S(serial, add_crack_energies),                   \
+        S(serial, write_heat), S(serial, touch_parted_faces)
 
 }  // namespace bondem

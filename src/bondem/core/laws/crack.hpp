@@ -1,9 +1,10 @@
-// A cracked facet: two halves in series with springs that stand for what has been lost, and friction where it has closed.
+// A cracked facet: two halves in series with springs that stand for what has been lost, and friction where it has
+// closed.
 //
-// Half p of a facet of stiffness k has the part w_p of its compliance, so its own stiffness is k / w_p. Integrity s puts a
-// spring s / (1 - s) k / w_p in series with it, whose opening u_p is eliminated. With δ the gap of the two faces, σ_p = λ θ
-// of the cell, g_p = R_p (A w M⁻¹ n)_p its share in the swelling, and n the normal of the reference turned with both cells,
-// in the middle,
+// Half p of a facet of stiffness k has the part w_p of its compliance, so its own stiffness is k / w_p. Integrity s
+// puts a spring s / (1 - s) k / w_p in series with it, whose opening u_p is eliminated. With δ the gap of the two
+// faces, σ_p = λ θ of the cell, g_p = R_p (A w M⁻¹ n)_p its share in the swelling, and n the normal of the reference
+// turned with both cells, in the middle,
 //
 //     F_p = k δ + σ_p g_p / w_p        the force of that half as if it were whole
 //     F⁺ = F - min(F·n, 0) n           what of it opens or shears
@@ -11,18 +12,18 @@
 //     f = Σ_p w_p [s F_p + (1 - s) min(F_p·n, 0) n] + q
 //     -∂U/∂s = Σ_p w_p |F⁺_p|² / 2 k + bending - friction spring ≥ 0
 //
-// so a closed crack carries pressure with Lamé's λ, as whole material does. q = (1 - s) k (δ_t - slip) is friction on what is
-// broken, cut at μ times the pressure on it. An open crack has no friction (Alfano and Sacco 2006).
+// so a closed crack carries pressure with Lamé's λ, as whole material does. q = (1 - s) k (δ_t - slip) is friction on
+// what is broken, cut at μ times the pressure on it. An open crack has no friction (Alfano and Sacco 2006).
 //
-// Energy U: halves store ½ k / w |w δ - u|², their springs ½ s (1 - s) w |F⁺|² / k, friction ½ |q|² / (1 - s) k, and bending
-// s 2 v·H v with v the vector part of q_i* q_j.
+// Energy U: halves store ½ k / w |w δ - u|², their springs ½ s (1 - s) w |F⁺|² / k, friction ½ |q|² / (1 - s) k, and
+// bending s 2 v·H v with v the vector part of q_i* q_j.
 //
-// Signs: f acts on cell i, -f on j; δ is from i to j, so tension is positive. The couples of the turning normals follow from
-// the balance of angular momentum: all torques and δ × f together are zero.
+// Signs: f acts on cell i, -f on j; δ is from i to j, so tension is positive. The couples of the turning normals
+// follow from the balance of angular momentum: all torques and δ × f together are zero.
 //
-// What a crack dissipates in a step is -∂U/∂s times its loss of integrity. The product of the openings before and after,
-// the geometric mean of both rates, is exact where the opening does not turn: then works by the trapezoidal rule, energy
-// and dissipation add up to zero.
+// What a crack dissipates in a step is -∂U/∂s times its loss of integrity. The product of the openings before and
+// after, the geometric mean of both rates, is exact where the opening does not turn: then works by the trapezoidal
+// rule, energy and dissipation add up to zero.
 #pragma once
 #include "../select.hpp"
 #include "cell.hpp"
@@ -70,7 +71,8 @@ template <class T> struct CrackHalf {
     Vector3<T> opening;
     T press;
 };
-template <class T> BONDEM_INLINE CrackHalf<T> crack_half(T k, T part, Vector3<T> gap, Vector3<T> share, T stress, Vector3<T> n) {
+template <class T> BONDEM_INLINE CrackHalf<T> crack_half(T k, T part, Vector3<T> gap, Vector3<T> share, T stress,
+                                                         Vector3<T> n) {
     const Vector3<T> whole = plus(k * gap, stress / part, share);
     const T press = least(dot(whole, n), T{});
     return {minus(whole, press, n), press};
@@ -79,7 +81,8 @@ template <class T> struct CrackHalves {
     CrackHalf<T> i, j;
 };
 template <class T>
-BONDEM_INLINE CrackHalves<T> crack_halves(const FacetCompliance<T> &facet, const CrackFaces<T> &at, OfCells<T> stress) {
+BONDEM_INLINE CrackHalves<T> crack_halves(const FacetCompliance<T> &facet, const CrackFaces<T> &at,
+                                          OfCells<T> stress) {
     return {crack_half(facet.k, facet.part, at.gap, at.share_i, stress.i, at.normal),
             crack_half(facet.k, T(1.0 - facet.part), at.gap, at.share_j, stress.j, at.normal)};
 }
@@ -102,7 +105,8 @@ template <class T>
 BONDEM_INLINE SwellingHalf<T> swelling_half(T k, T part, T s, Vector3<T> gap, Vector3<T> share, Vector3<T> n) {
     const T swollen = dot(share, gap), along = dot(share, n), inverse = 1.0 / part;
     const T closed = k * dot(gap, n), pressed = along * inverse;
-    return {swollen, k * swollen, dot(share, share) * inverse, along, pressed, closed, (1.0 - s) / k, -closed / pressed};
+    return {swollen, k * swollen, dot(share, share) * inverse, along, pressed, closed, (1.0 - s) / k,
+            -closed / pressed};
 }
 
 // Energy of the bending of a whole facet [J], and its torque on i [N·m].
@@ -146,7 +150,8 @@ BONDEM_INLINE Vector3<T> half_couple(T k, T w, T s, Vector3<T> gap, Vector3<T> s
     return (stress / w) * cross(minus(w * gap, T((1.0 - s) * w / k), opening), share);
 }
 template <class T>
-BONDEM_INLINE CrackLoads<T> crack_loads(const FacetCompliance<T> &facet, const CrackFaces<T> &at, T s, OfCells<T> stress,
+BONDEM_INLINE CrackLoads<T> crack_loads(const FacetCompliance<T> &facet, const CrackFaces<T> &at, T s,
+                                        OfCells<T> stress,
                                         Vector3<T> slip, T friction) {
     const T k = facet.k, w = facet.part, v = 1.0 - w;
     const CrackHalves<T> half = crack_halves(facet, at, stress);

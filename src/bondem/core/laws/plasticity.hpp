@@ -9,11 +9,11 @@
 //
 //     F = √J2 + α I1 - r k        Δγ = ½ F / (G + 9 K α β)        Δε = Δγ [s / 2 √J2 + β 1]
 //
-// so that in pure shear τ both dissipate τ Δγ. Half of the return to the surface is made in a step, because the stress is
-// that of the step before.
+// so that in pure shear τ both dissipate τ Δγ. Half of the return to the surface is made in a step, because the
+// stress is that of the step before.
 //
-// The plastic strain is an eigenstrain of the cell: its levers are P b with P ← (1 + Δε) P in the frame of the cell. So
-// what is dissipated is exactly V σ:Δε, also at large strain.
+// The plastic strain is an eigenstrain of the cell: its levers are P b with P ← (1 + Δε) P in the frame of the cell.
+// So what is dissipated is exactly V σ:Δε, also at large strain.
 //
 // Signs: tension positive. Limits: a cell without cohesion under tension does not flow, its facets crack.
 #pragma once
@@ -57,7 +57,8 @@ BONDEM_INLINE PlasticStep<T> slip_step(const PrincipalStress<T> &s, const YieldS
              select(low2, down, select(up0 | up1, zero, up))}};
 }
 template <class T>
-BONDEM_INLINE PlasticStep<T> cone_step(const PrincipalStress<T> &s, const StressInvariants<T> &at, const YieldStrength<T> &by) {
+BONDEM_INLINE PlasticStep<T> cone_step(const PrincipalStress<T> &s, const StressInvariants<T> &at,
+                                       const YieldStrength<T> &by) {
     const T zero = {}, F = at.deviator + 3.0 * by.slope * at.mean - by.cohesion;
     const T flow = share_of_return * positive(least(F, 2.0 * at.deviator)) / by.stiffness;
     const T gamma = select(at.mean > zero, zero, flow), half = 0.5 / at.deviator;
@@ -67,7 +68,8 @@ BONDEM_INLINE PlasticStep<T> cone_step(const PrincipalStress<T> &s, const Stress
     return {gamma, {along(0), along(1), along(2)}};
 }
 // Δε in space.
-template <class T> BONDEM_INLINE Symmetric3<T> plastic_strain(const PrincipalStress<T> &s, const PlasticStep<T> &step) {
+template <class T> BONDEM_INLINE Symmetric3<T> plastic_strain(const PrincipalStress<T> &s,
+                                                              const PlasticStep<T> &step) {
     Symmetric3<T> sum = {};
     for (int d = 0; d < 3; d++) {
         const Vector3<T> e = s.direction[d], a = step.along[d] * e;

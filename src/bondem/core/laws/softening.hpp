@@ -3,29 +3,31 @@
 // With t the traction that a facet would have if it were whole, n its normal, and e_1, e_2, e_3 the present principal
 // directions of the mean stress of its two cells, a facet of the material is judged along each of them:
 //
-//     T_a² = p_a² + b_a²        p_a = |t·e_a| where σ_a > 0, else ⟨t·e_a sign(n·e_a)⟩        b_a = b |n·e_a| / max_d |n·e_d|
+//     T_a² = p_a² + b_a²        b_a = b |n·e_a| / max_d |n·e_d|
+//     p_a = |t·e_a| where σ_a > 0, else ⟨t·e_a sign(n·e_a)⟩
 //     strength r f_t c_a        c_a = max(|n·e_a|, 0.2)        r = T_a / (p_a + b_a)
 //
-// Bending opens one edge of a facet more than the other: T_b = √(2 k U_b) / A is the rms of the tractions by which its
-// points differ, U_b the energy of bending of the whole facet, and b = ⟨T_b - ⟨-σ_3⟩⟩ what of it opens the facet.
+// Bending opens one edge of a facet more than the other: T_b = √(2 k U_b) / A is the rms of the tractions by which
+// its points differ, U_b the energy of bending of the whole facet, and b = ⟨T_b - ⟨-σ_3⟩⟩ what of it opens the facet.
 //
-// The integrity s is the least that the softening curve gives along any direction, and never rises: s T falls from the
-// strength t_0 to 0 as the opening u = (1 - s) A T / k grows to its last one, 2 G_f / f_t (of a straight line; over r),
-// which is the same for all facets. So every facet begins to soften at σ_1 = f_t, and dissipates G_f A c_a, which is G_f
-// per area projected on the crack. With T_l = k u / A at the last opening, the curve is the larger of two lines, each of
-// the form a - b (1 - s) T,
+// The integrity s is the least that the softening curve gives along any direction, and never rises: s T falls from
+// the strength t_0 to 0 as the opening u = (1 - s) A T / k grows to its last one, 2 G_f / f_t (of a straight line;
+// over r), which is the same for all facets. So every facet begins to soften at σ_1 = f_t, and dissipates G_f A c_a,
+// which is G_f per area projected on the crack. With T_l = k u / A at the last opening, the curve is the larger of
+// two lines, each of the form a - b (1 - s) T,
 //
-//     s = t_0 (1 - T / m T_l) / T (1 - t_0 / m T_l)        s = g (1 - T / T_l) / T (1 - g / T_l),  g = κ t_0 / (1 - (1 - κ) m)
+//     s = t_0 (1 - T / m T_l) / T (1 - t_0 / m T_l)
+//     s = g (1 - T / T_l) / T (1 - g / T_l)        g = κ t_0 / (1 - (1 - κ) m)
 //
-// with the kink at κ t_0 and m the opening where the first line would reach zero, over the last one. κ = 0 and m = 1 are
-// a straight line.
+// with the kink at κ t_0 and m the opening where the first line would reach zero, over the last one. κ = 0 and m = 1
+// are a straight line.
 //
-// A facet of a material plane (interface, joint, bedding) is judged by its own traction: √(⟨t·n⟩² + b²) from the strength
-// of the plane on, and |t_s| + t_n tan φ from the cohesion c on. Its fracture energies count per own area: an opening
-// that is inclined, |t|² = q T², ends at a last opening smaller by q.
+// A facet of a material plane (interface, joint, bedding) is judged by its own traction: √(⟨t·n⟩² + b²) from the
+// strength of the plane on, and |t_s| + t_n tan φ from the cohesion c on. Its fracture energies count per own area:
+// an opening that is inclined, |t|² = q T², ends at a last opening smaller by q.
 //
-// Sources: decisions 0019 and 0028. Jirásek and Zimmermann (1998) compare cracks that rotate with the principal axes with
-// fixed ones, in smeared models.
+// Sources: decisions 0019 and 0028. Jirásek and Zimmermann (1998) compare cracks that rotate with the principal axes
+// with fixed ones, in smeared models.
 #pragma once
 #include "principal.hpp"
 

@@ -1,4 +1,5 @@
-// What the passes take that evaluate the laws of cracks and of yielding over arrays, m samples each, a column a quantity.
+// What the passes take that evaluate the laws of cracks and of yielding over arrays, m samples each, a column a
+// quantity.
 #pragma once
 #include "../array.hpp"
 
@@ -16,12 +17,12 @@ struct SofteningSamples {
 };
 // Cracks (`laws/crack.hpp`).
 struct CrackSamples {
-    // branch, orientations of i and j, levers of i and j, shares of i and j, normal; H, k, w; s, σ of i and j [Pa], slip [m],
-    // friction; s, -∂U/∂s and friction force before: (46, m)
+    // branch, orientations of i and j, levers of i and j, shares of i and j, normal; H, k, w; s, σ of i and j [Pa],
+    // slip [m], friction; s, -∂U/∂s and friction force before: (46, m)
     Array<const double, 2> given;
     Index wide;
-    // force, torques on i and j, friction force, slip; -∂U/∂s, bending [J], torque of bending; energy across and along;
-    // energy dissipated by the crack and by friction; V θ of the halves of i and j [m³]: (26, m)
+    // force, torques on i and j, friction force, slip; -∂U/∂s, bending [J], torque of bending; energy across and
+    // along; energy dissipated by the crack and by friction; V θ of the halves of i and j [m³]: (26, m)
     Array<double, 2> found;
 };
 // Cells that yield (`laws/plasticity.hpp`).

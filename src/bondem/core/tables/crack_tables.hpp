@@ -1,4 +1,5 @@
-// What the passes over cracked facets and cells that yield take. Named once more in `bondem/solve/cohesive_tables.py`.
+// What the passes over cracked facets and cells that yield take. Named once more in
+// `bondem/solve/cohesive_tables.py`.
 #pragma once
 #include "../array.hpp"
 
@@ -9,8 +10,10 @@ using Byte = uint8_t;
 // Mean stresses of n cells, and what their cracks carry.
 struct StressesOfCells {
     Array<const double, 1> volume;  // [m³], (n,)
-    Array<double, 2> tensor;  // in the last step, in space, xx, yy, zz, xy, xz, yz [Pa], Σ T_b² [Pa²], size √(σ:σ) [Pa], (n, 8)
-    Array<double, 2> carried;  // Σ b⊗f of cracks on their own, b in the reference: b_x f, b_y f, b_z f, each and 0 [J], (n, 12)
+    // in the last step, in space, xx, yy, zz, xy, xz, yz [Pa], Σ T_b² [Pa²], size √(σ:σ) [Pa], (n, 8)
+    Array<double, 2> tensor;
+    // Σ b⊗f of cracks, b in the reference and f in space: b_x f, b_y f, b_z f [J], and a number behind each, (n, 12)
+    Array<double, 2> carried;
     Array<const double, 3> pressed;  // what loads on free facets add to V σ at full load [J], (l, n, 6)
 };
 // Cells that yield (`laws/plasticity.hpp`).
@@ -42,7 +45,8 @@ struct FacetStrengths {
 struct CrackOnset {
     Array<Byte, 1> cracked;  // 1 for cells with cracks, (n,)
     Array<Byte, 1> judged;  // 1 for cells whose facets are judged, 2 for those without cohesion, (n,)
-    Array<Byte, 1> marked;  // 1 for facets that begin to crack, 2 for those of a cell without cohesion, zero between steps, (m,)
+    // 1 for facets that begin to crack, 2 for those of a cell without cohesion; zero between steps, (m,)
+    Array<Byte, 1> marked;
     Array<Byte, 1> listed;  // that of `CohesiveCracks`, (m,)
     Array<Index, 1> found;  // how many of a portion of facets are marked, and at the end of the planes
 };
@@ -65,10 +69,11 @@ struct CellSlack {
     Array<const double, 1> slack_i, slack_j;  // what 1 / weight of a cell gains where the facet parts [m³/Pa], (m,)
     Array<const double, 1> weight;  // λ / V of each cell with all its facets [Pa/m³], (n,)
 };
-// Lists of a step, and what is known of the cracks on them. A half is a side of a crack: that of place e on cell i has the
-// number 2 e + 1, that on cell j the number 2 e + 2; number 0 is none.
+// Lists of a step, and what is known of the cracks on them. A half is a side of a crack: that of place e on cell i
+// has the number 2 e + 1, that on cell j the number 2 e + 2; number 0 is none.
 struct CrackLists {
-    Array<Index, 1> size;  // cracks treated one by one, those that rest, cells of the first, cracks that have parted in this step, (4,)
+    // numbers of cracks treated one by one, of those that rest, of cells of the first, and of `parted`, (4,)
+    Array<Index, 1> size;
     Array<Index, 1> treated, resting;  // cracks; lanes behind the last one repeat it
     Array<Short, 1> treated_i, treated_j, resting_i, resting_j;  // their cells
     Array<Index, 1> parted;  // facets whose faces have parted in this step

@@ -67,8 +67,10 @@ struct CrackGroup {
     const Index *crack;
     const Short *i, *j;
 
-    CrackGroup(const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<Short, 1> &at_j, Index e, Index count)
-        : e(e), known(int(least(count - e, Index(lanes)))), crack(list.data + e), i(at_i.data + e), j(at_j.data + e) {}
+    CrackGroup(const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<Short, 1> &at_j, Index e,
+               Index count)
+        : e(e), known(int(least(count - e, Index(lanes)))), crack(list.data + e), i(at_i.data + e),
+            j(at_j.data + e) {}
 
     // Lines of a table.
     BONDEM_INLINE Row<Lanes> lines(const Array<double, 2> &table) const {
@@ -179,7 +181,8 @@ BONDEM_INLINE SwellingHalf<Lanes> half_of(const Row<Lanes> &row) {
     return {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
 }
 // Writes rows of both halves of the cracks of a group.
-BONDEM_INLINE void put_halves(double *table, const CrackGroup &group, const Row<Lanes> &on_i, const Row<Lanes> &on_j) {
+BONDEM_INLINE void put_halves(double *table, const CrackGroup &group, const Row<Lanes> &on_i,
+                              const Row<Lanes> &on_j) {
     double *i[lanes], *j[lanes];
     for (int n = 0; n < lanes; n++) {
         i[n] = table + 8 * (2 * (group.e + n) + 1);

@@ -1,7 +1,7 @@
 // Lists of cracks in the order of their facets, and the halves of each cell, from the last facet to the first.
 //
-// What is added to a cell is added in that order, whatever place a crack has in a list, so that a pause changes no bit. Facets
-// that follow each other are near each other, and so is what cracks of a list read and write.
+// What is added to a cell is added in that order, whatever place a crack has in a list, so that a pause changes no
+// bit. Facets that follow each other are near each other, and so is what cracks of a list read and write.
 #include "crack_lists.hpp"
 
 #include "carried.hpp"
@@ -48,7 +48,8 @@ void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks
         put_node(lists, number, lists.head(p), lever);
         lists.head(p) = int32_t(number);
     };
-    const auto put = [&](const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<Short, 1> &at_j, Index e,
+    const auto put = [&](const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<Short, 1> &at_j,
+                         Index e,
                          Index k) {
         list(e) = k;
         at_i(e) = facets.i(k);
@@ -72,7 +73,8 @@ void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks
     fill(lists.resting, lists.resting_i, lists.resting_j, resting[1]);
 }
 
-void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
+void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept,
+                 const FacetStrengths &strengths,
                  const CohesiveCracks &cracks, const CrackLists &lists) {
     for (Index d = 0; d < 3; d++) cracks.pitch(d) = facets.pitch(d);
     for (Index c = 0; c < cracks.size(0); c++) {
@@ -89,14 +91,16 @@ void follow_levers(const Turn &, const ElasticFacets &facets, const CohesiveCrac
     for (Index c = 0; c < cracks.size(0); c++) write_levers(facets, cracks, cracks.order(c));
 }
 
-void weigh_cracked_cells(const Turn &, const ElasticFacets &facets, const CellDilatation &cells, const CellSlack &slack, const CohesiveCracks &cracks) {
+void weigh_cracked_cells(const Turn &, const ElasticFacets &facets, const CellDilatation &cells,
+                         const CellSlack &slack, const CohesiveCracks &cracks) {
     for (Index c = 0; c < cracks.size(0); c++) {
         weigh_cracked(cells, slack, cracks, facets.i(cracks.order(c)));
         weigh_cracked(cells, slack, cracks, facets.j(cracks.order(c)));
     }
 }
 
-void carry_cracks(const Turn &, const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
+void carry_cracks(const Turn &, const StressesOfCells &stresses, const CohesiveCracks &cracks,
+                  const CrackLists &lists) {
     for (Index q = 0; q < lists.size(2); q++) {
         const Index p = lists.cell(q);
         Carried sum = {};

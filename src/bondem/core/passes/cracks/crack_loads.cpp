@@ -42,7 +42,8 @@ double load_group(const CrackGroup &group, const Moving &all, const double *peri
         const Vector3<Lanes> own = turned_by(inverse(at.ends.i), now);
         const Vector3<Lanes> none = {};
         const Vector3<Lanes> own_kept = select<Lanes>(treated, own, none), rub_kept = select<Lanes>(treated, rub, none);
-        group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, s_before, rate}});
+        group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, s_before,
+                                  rate}});
         if (any(lost.cracked != zero))
             group.put(cracks.history, 1, group.number(cracks.history, 1) + lost.cracked);
         const Mask<Lanes> breaks = treated & (s == zero) & (s_before > zero);
@@ -57,7 +58,8 @@ double load_group(const CrackGroup &group, const Moving &all, const double *peri
         if (treated[n] != 0) pull[0] = f.x[n], pull[1] = f.y[n], pull[2] = f.z[n];
     }
     const Vector3<Lanes> p = loads.on_i, q = loads.on_j;
-    put_halves(lists.output.data, group, {{kept(f.x), kept(f.y), kept(f.z), lost.rubbed, kept(p.x), kept(p.y), kept(p.z), zero}},
+    put_halves(lists.output.data, group, {{kept(f.x), kept(f.y), kept(f.z), lost.rubbed, kept(p.x), kept(p.y),
+                                           kept(p.z), zero}},
                {{kept(-f.x), kept(-f.y), kept(-f.z), zero, kept(q.x), kept(q.y), kept(q.z), zero}});
     double sum = 0.0;
     for (int n = 0; n < group.known; n++) sum += lost.cracked[n];
@@ -71,7 +73,8 @@ void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
     const bool changes = turn.clock.dt > 0.0;
     over_treated(turn, lists, [&](Index, Index, Index portion) { lists.lost(portion, 0) = 0.0; },
                  [&](const CrackGroup &group, Index portion) {
-                     lists.lost(portion, 0) += load_group(group, all, facets.period.data, cracks, lists, portion, changes);
+                     lists.lost(portion, 0) += load_group(group, all, facets.period.data, cracks, lists, portion,
+                                                          changes);
                  });
 }
 
@@ -98,7 +101,8 @@ void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets
     log.released(0) += lost;
 }
 
-void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells &stresses, const CohesiveCracks &cracks,
+void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells &stresses,
+                     const CohesiveCracks &cracks,
                      const CrackLists &lists, const StepCut &cut) {
     for (Index at = turn.first; at < turn.last; at++) {
         const Short p = turn.element[at];
@@ -123,7 +127,8 @@ void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells 
     }
 }
 
-void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackEnergies &found) {
+void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDilatation &cells,
+                             const CrackEnergies &found) {
     double sum = 0.0;
     for (Index p = turn.first; p < turn.last; p++) {
         const double stress = all.pose(p, stress_column), weight = cells.weight(p);
@@ -132,7 +137,8 @@ void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDila
     found.dilatation(turn.block) = sum;
 }
 
-void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingCells &cells, const CrackEnergies &found) {
+void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingCells &cells,
+              const CrackEnergies &found) {
     double sum = 0.0;
     for (Index p = turn.first; p < turn.last; p++) {
         const double *const row = &cells.plastic(p, 0), *const s = &stresses.tensor(p, 0), *const e = row + 10;
@@ -153,7 +159,8 @@ void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &fa
         const double *const q = state_of(cracks, k).rub;
         const float *const h = softening_of(cracks, k).H;
         const CrackHalves<double> half = crack_halves(one.stiffness, one.now.faces, one.stress);
-        const CrackEnergy<double> energy = crack_energy(one.stiffness, one.now.faces, one.s, half, Vector{q[0], q[1], q[2]});
+        const Vector rub = {q[0], q[1], q[2]};
+        const CrackEnergy<double> energy = crack_energy(one.stiffness, one.now.faces, one.s, half, rub);
         normal += energy.across;
         along += energy.along;
         bend += one.s * facet_bending(one.ends, Symmetric3<double>{h[0], h[1], h[2], h[3], h[4], h[5]}).energy;

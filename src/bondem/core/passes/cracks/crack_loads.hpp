@@ -13,12 +13,16 @@ void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
 void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                 const CrackLists &lists, const EventLog &log);
 // Adds their forces to the sums of their cells.
-void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells &stresses, const CohesiveCracks &cracks,
+void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells &stresses,
+                     const CohesiveCracks &cracks,
                      const CrackLists &lists, const StepCut &cut);
 // Energies of cracks and of the dilatation of cells with cracks.
-void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackEnergies &found);
-void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingCells &cells, const CrackEnergies &found);
-void sum_crack_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
+void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDilatation &cells,
+                             const CrackEnergies &found);
+void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingCells &cells,
+              const CrackEnergies &found);
+void sum_crack_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets,
+                        const CohesiveCracks &cracks,
                         const CrackEnergies &found);
 void add_crack_energies(const Turn &turn, const Moving &all, const WallConstraints &walls, const CrackEnergies &found,
                         const Portions &portions);

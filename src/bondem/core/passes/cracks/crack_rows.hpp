@@ -1,5 +1,5 @@
-// Rows of cracks. Each is one line of the cache, as there are many cracks and a pass takes few of their numbers; levers,
-// shares and H have half as many bytes, in which they are exact.
+// Rows of cracks. Each is one line of the cache, as there are many cracks and a pass takes few of their numbers;
+// levers, shares and H have half as many bytes, in which they are exact.
 #pragma once
 #include "../../laws/crack.hpp"
 #include "../../laws/softening.hpp"
@@ -43,7 +43,8 @@ inline CrackStateRow &state_of(const CohesiveCracks &cracks, Index c) { return c
 inline CrackSofteningRow &softening_of(const CohesiveCracks &cracks, Index c) {
     return cracks.softening.row<CrackSofteningRow>(c);
 }
-inline CrackHistoryRow &history_of(const CohesiveCracks &cracks, Index c) { return cracks.history.row<CrackHistoryRow>(c); }
+inline CrackHistoryRow &history_of(const CohesiveCracks &cracks,
+                                   Index c) { return cracks.history.row<CrackHistoryRow>(c); }
 
 namespace crack {
 // How a crack is treated: one by one; as a facet of less stiffness; not at all, as its faces have parted.

@@ -1,8 +1,8 @@
 // What becomes of cracks in a step: they soften, go to rest, wake, or part.
 //
-// A crack that is open and does not soften is a facet of less stiffness among all others, which is the same to rounding. It
-// goes to rest at nine tenths of the traction at which it softens, and wakes at 0.98 of it, or where it closes. A broken
-// crack whose faces no longer face each other parts: its cells touch like others from then on.
+// A crack that is open and does not soften is a facet of less stiffness among all others, which is the same to
+// rounding. It goes to rest at nine tenths of the traction at which it softens, and wakes at 0.98 of it, or where it
+// closes. A broken crack whose faces no longer face each other parts: its cells touch like others from then on.
 #include "crack_states.hpp"
 
 #include "crack_lists.hpp"
@@ -19,7 +19,8 @@ constexpr double asleep = 0.9, calm = 0.98, grazing = 0.1;
 // ---- rest
 
 void watch_group(const CrackGroup &group, const Moving &all, const double *period, const FacetStrengths &strengths,
-                 const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index portion) {
+                 const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
+                     Index portion) {
     group.prefetch(cracks.shape);
     const Lanes zero = {}, endless = bondem::all<Lanes>(infinity);
     const Row<Lanes> a = gather(all.pose.data, group.i), b = gather(all.pose.data, group.j);
@@ -52,8 +53,10 @@ void watch_group(const CrackGroup &group, const Moving &all, const double *perio
     put_flags(lists.waking, lists.woken, group, portion, wakes, crack::wakes);
 }
 
-// Adds what the crack of facet k, which is not treated one by one, does to V θ of its cells to their bases, or takes it off.
-void hand_over(const SingleCrack &one, const ElasticFacets &facets, const CellDilatation &cells, const CellSlack &slack,
+// Adds what the crack of facet k, which is not treated one by one, does to V θ of its cells to their bases, or takes
+// it off.
+void hand_over(const SingleCrack &one, const ElasticFacets &facets, const CellDilatation &cells,
+               const CellSlack &slack,
                const CohesiveCracks &cracks, const CrackLists &lists, Index k, double sign) {
     const Short i = facets.i(k), j = facets.j(k);
     const double s = sign * cracks.integrity(k);
@@ -114,10 +117,12 @@ BONDEM_INLINE Softened softened_group(const CrackGroup &group, const CrackPlace 
     const CrackJudgement of = judgement_of(group, cracks);
     const Lanes zero = {}, s = at.s, strength = of.by.tension.strength;
     const Symmetric3<Lanes> mean = mean_stress(stresses, group.i, group.j);
-    const FacetTraction<Lanes> load = {(1.0 / at.area) * whole, at.now.faces.normal, bending_traction(at.ends, of.bends, of.H)};
+    const Lanes bent = bending_traction(at.ends, of.bends, of.H);
+    const FacetTraction<Lanes> load = {(1.0 / at.area) * whole, at.now.faces.normal, bent};
     const Lanes opens = select(of.by.on_plane | (strength == zero), load.bent, opened_at_most(load.bent, mean));
     const Lanes least_traction = unsoftened_below(s, of.by, curve);
-    Softened found = {s, root(dot(load.t, load.t) + opens * opens) < asleep * least_traction, at.area * least_traction};
+    Softened found = {s, root(dot(load.t, load.t) + opens * opens) < asleep * least_traction,
+                      at.area * least_traction};
     const Mask<Lanes> busy = softens & opposite(found.calm);
     if (!any(busy)) return found;
     const PrincipalStress<Lanes> directions = principal(mean);
@@ -177,7 +182,8 @@ void soften_group(const CrackGroup &group, const Moving &all, const FacetStrengt
 // ---- parting
 
 // How much the stress of a cell changes with V θ, with one of its halves open [Pa/m³].
-double stiffness_without(const Moving &all, const CellDilatation &cells, const CrackLists &lists, Short p, Index without) {
+double stiffness_without(const Moving &all, const CellDilatation &cells, const CrackLists &lists, Short p,
+                         Index without) {
     double softness = 0.0;
     for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
         const Row<double> &of = lists.half.row<Row<double>>(h);
@@ -189,9 +195,10 @@ double stiffness_without(const Moving &all, const CellDilatation &cells, const C
     return cells.weight(p) / (1.0 + cells.weight(p) * softness);
 }
 
-// Energy of a broken facet whose faces no longer bear on each other: of each half that of the force that presses, less what
-// its cell takes up as its stress changes by it; and that of friction [J].
-double energy_of_parting(const SingleCrack &one, const Moving &all, const CellDilatation &cells, const ElasticFacets &facets,
+// Energy of a broken facet whose faces no longer bear on each other: of each half that of the force that presses,
+// less what its cell takes up as its stress changes by it; and that of friction [J].
+double energy_of_parting(const SingleCrack &one, const Moving &all, const CellDilatation &cells,
+                         const ElasticFacets &facets,
                          const CohesiveCracks &cracks, const CrackLists &lists, Index e) {
     const Index at = lists.treated(e);
     const double *const rub = state_of(cracks, at).rub;
@@ -222,7 +229,8 @@ void leave(const ElasticFacets &facets, const CohesiveCracks &cracks, const Crac
 
 }  // namespace
 
-void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
+void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets,
+                          const FacetStrengths &strengths,
                           const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(1);
@@ -230,7 +238,8 @@ void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFace
         lists.woken(portion) = 0;
         for (Index e = first; e < last; e++) lists.waking(e) = crack::unchanged;
         for (Index e = first; e < last; e += lanes)
-            watch_group({lists.resting, lists.resting_i, lists.resting_j, e, count}, all, facets.period.data, strengths,
+            watch_group({lists.resting, lists.resting_i, lists.resting_j, e, count}, all, facets.period.data,
+                        strengths,
                         stresses, cracks, lists, portion);
     });
 }

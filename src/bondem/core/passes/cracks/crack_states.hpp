@@ -6,7 +6,8 @@
 namespace bondem {
 
 // Finds the resting cracks that are about to soften or close, and treats them one by one again.
-void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
+void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets,
+                          const FacetStrengths &strengths,
                           const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists);
 void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                  const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists);

@@ -8,7 +8,8 @@
 namespace bondem {
 namespace {
 
-void sum_powers(const Moving &all, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks) {
+void sum_powers(const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
+                const CohesiveCracks &cracks) {
     const Index count = strains.schedule.size();
     const FacetColumns columns(facets);
     for (Index g = 0; g < count; g++) strains.cracked(g) = 0.0;

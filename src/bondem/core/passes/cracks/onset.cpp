@@ -1,4 +1,5 @@
-// Facets that begin to crack: they are pulled or sheared, and the largest principal stress of σ* reaches their strength.
+// Facets that begin to crack: they are pulled or sheared, and the largest principal stress of σ* reaches their
+// strength.
 //
 // σ* is the mean stress σ of both cells made to agree with the traction t of the facet, with what bending opens of it
 // (`laws/softening.hpp`) added to the traction that pulls:
@@ -34,10 +35,12 @@ BONDEM_INLINE Vector3<Lanes> traction_of(const FacetForces &kept, Index m, Index
     const double *const f = kept.force.data + k;
     return (1.0 / area) * Vector3<Lanes>{load(f), load(f + m), load(f + 2 * m)};
 }
-BONDEM_INLINE Lanes of_cells(const StressesOfCells &stresses, const Short *i, const Short *j, Index column, bool smaller) {
+BONDEM_INLINE Lanes of_cells(const StressesOfCells &stresses, const Short *i, const Short *j, Index column,
+                             bool smaller) {
     Lanes all;
     for (int n = 0; n < lanes; n++) {
-        const double a = stresses.tensor.data[8 * Index(i[n]) + column], b = stresses.tensor.data[8 * Index(j[n]) + column];
+        const double a = stresses.tensor.data[8 * Index(i[n]) + column],
+            b = stresses.tensor.data[8 * Index(j[n]) + column];
         all[n] = smaller ? least(a, b) : a + b;
     }
     return all;
@@ -77,14 +80,16 @@ void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFace
         if (any(begin)) {
             const Ends<Lanes> ends = ends_of(gather(all.pose.data, i), gather(all.pose.data, j), columns.period);
             const double *const normal = facets.normal.data + k;
-            const Vector3<Lanes> n = turned_by(ends.i, Vector3<Lanes>{load(normal), load(normal + m), load(normal + 2 * m)});
+            const Vector3<Lanes> n = turned_by(ends.i, Vector3<Lanes>{load(normal), load(normal + m),
+                                                                      load(normal + 2 * m)});
             const Symmetric3<Lanes> mean = mean_stress(stresses, i, j);
             const Symmetric3<Lanes> H = columns.stiffness<Lanes>(k, bondem::all<Lanes>(1.0)).H;
             const Lanes bent = bending_traction(ends, load(kept.bends.data + k), H), most_open = opened_at_most(bent, mean);
             // what opens is at most this; more of it never keeps a facet from cracking
             begin &= begins(t, n, mean, most_open, strength);
             if (any(begin)) {
-                const Lanes open = select(most_open > Lanes{}, positive(bent - largest_pressure(principal(mean))), Lanes{});
+                const Lanes open = select(most_open > Lanes{}, positive(bent - largest_pressure(principal(mean))),
+                                          Lanes{});
                 begin &= begins(t, n, mean, open, strength);
             }
         }
@@ -111,7 +116,8 @@ void mark_cracking_planes(const Turn &turn, const Moving &all, const ElasticFace
         const Vector t = {one * kept.force(0, k), one * kept.force(1, k), one * kept.force(2, k)};
         const double bent = bending_traction(ends, kept.bends(k), columns.stiffness(k, 1.0).H);
         const Softening<double> facet = {strengths.strength(k), strengths.brittleness(k)};
-        const PlaneStrength<double> plane = {strengths.cohesion(k), strengths.slip_brittleness(k), strengths.friction(k)};
+        const PlaneStrength<double> plane = {strengths.cohesion(k), strengths.slip_brittleness(k),
+                                             strengths.friction(k)};
         const CurveShape curve = {strengths.kink, strengths.steep};
         if (left_on_plane(1.0, t, present_normal(ends, normal_of(facets, k)), bent, facet, plane, curve) < 1.0) {
             onset.marked(k) = 1;
@@ -121,7 +127,8 @@ void mark_cracking_planes(const Turn &turn, const Moving &all, const ElasticFace
     onset.found(onset.found.size() - 1) = found;
 }
 
-void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
+void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept,
+                  const FacetStrengths &strengths,
                   const CrackOnset &onset, const CohesiveCracks &cracks) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index portions = onset.found.size() - 1;

@@ -11,7 +11,8 @@ void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFace
 void mark_cracking_planes(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                           const FacetStrengths &strengths, const CrackOnset &onset);
 // Facets that are marked begin to crack.
-void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
+void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept,
+                  const FacetStrengths &strengths,
                   const CrackOnset &onset, const CohesiveCracks &cracks);
 
 }  // namespace bondem

@@ -1,7 +1,7 @@
 // Faces of cracks, and the stresses of their cells as cracks open or press.
 //
-// V θ = Σ g·δ - (1 - s) g·F⁺ / k of the halves of a cell (`laws/crack.hpp`), and σ = weight · V θ. Newton's method on this
-// piecewise linear, rising function: a step is exact where no half closes or opens on the way.
+// V θ = Σ g·δ - (1 - s) g·F⁺ / k of the halves of a cell (`laws/crack.hpp`), and σ = weight · V θ. Newton's method on
+// this piecewise linear, rising function: a step is exact where no half closes or opens on the way.
 #include "opening.hpp"
 
 #include "crack_groups.hpp"
@@ -72,7 +72,8 @@ void relax(Index q, const Moving &all, const CellDilatation &cells, const CrackL
     for (int n = 0; n < lanes; n++) all.pose(cell[n], stress_column) = stress[n];
 }
 
-void relax_all(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists, bool only_stale) {
+void relax_all(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists,
+               bool only_stale) {
     over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
         for (Index q = first; q < last; q += lanes) relax(q, all, cells, lists, only_stale);
     });

@@ -1,7 +1,7 @@
 // Mean stresses of cells from the forces of the last step: V σ = Σ b⊗f, symmetric part.
 //
-// The sums of facets have levers and forces of one instant. Cracks keep Σ b⊗f with levers of the reference, which turn with
-// the cell: R Σ b⊗f is the same sum in space.
+// The sums of facets have levers and forces of one instant. Cracks keep Σ b⊗f with levers of the reference, which
+// turn with the cell: R Σ b⊗f is the same sum in space.
 #include "stress_state.hpp"
 
 #include "../../laws/principal.hpp"
@@ -58,10 +58,12 @@ void add_of_surface(const Moving &all, const WallConstraints &walls, const Facet
 
 }  // namespace
 
-void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &kept, const StressesOfCells &stresses) {
+void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &kept,
+                        const StressesOfCells &stresses) {
     if (turn.clock.dt > 0.0) find_stresses(turn, all, kept, stresses);
 }
-void find_still_stresses(const Turn &turn, const Moving &all, const FacetForces &kept, const StressesOfCells &stresses) {
+void find_still_stresses(const Turn &turn, const Moving &all, const FacetForces &kept,
+                         const StressesOfCells &stresses) {
     if (!(turn.clock.dt > 0.0)) find_stresses(turn, all, kept, stresses);
 }
 void add_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
@@ -73,7 +75,8 @@ void add_still_surface_stresses(const Turn &turn, const Moving &all, const WallC
     if (!(turn.clock.dt > 0.0)) add_of_surface(all, walls, tractions, stresses);
 }
 
-void judge_cells(const Turn &turn, const FacetStrengths &strengths, const StressesOfCells &stresses, const CrackOnset &onset) {
+void judge_cells(const Turn &turn, const FacetStrengths &strengths, const StressesOfCells &stresses,
+                 const CrackOnset &onset) {
     if (!(turn.clock.dt > 0.0)) return;
     for (Index p = turn.first; p < turn.last; p++) {
         const StressInvariants<double> s = invariants(tensor_of(stresses, p));

@@ -114,7 +114,8 @@ void yield_cells(const Turn &turn, const Moving &all, const FacetStrengths &, co
     flow_together(all, stresses, cells, batch);
 }
 
-void stretch_cells(const Turn &turn, const ElasticFacets &facets, const FacetsOfCells &of_cells, const YieldingCells &cells) {
+void stretch_cells(const Turn &turn, const ElasticFacets &facets, const FacetsOfCells &of_cells,
+                   const YieldingCells &cells) {
     if (!(turn.clock.dt > 0.0)) return;
     for (Index p = turn.first; p < turn.last; p++)
         if (grows(cells, p)) stretch_cell(facets, of_cells, cells, p);
@@ -137,7 +138,8 @@ void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, con
     }
 }
 
-void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets &facets, const FacetsOfCells &of_cells,
+void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets &facets,
+                  const FacetsOfCells &of_cells,
                   const WallConstraints &walls, const YieldingCells &cells) {
     if (!strains.due(1)) return;
     for (Index e = 0; e < cells.base_i.all(); e++) {
