@@ -298,6 +298,3 @@ def test_what_cannot_be_is_refused_in_a_line() -> None:
     with pytest.raises(InputError, match="Eigenstrain") as refused:
         block(3, WEAK, contact=contact, boundary=[bd.Eigenstrain(1e-4)])
     assert "\n" not in str(refused.value)
-    model = block(3, WEAK, contact=contact)
-    with pytest.raises(InputError, match="device='gpu' cannot run"):
-        bd.solve_explicit(model, duration=1e-3, device="gpu")

@@ -107,7 +107,7 @@ def turned_matrix(q: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("nu", [0.0, 0.2, 0.4])
 def test_a_closed_crack_bears_pressure_as_whole_material_does(nu: float) -> None:
     """All facets broken, and pressed from all sides or along one: forces as if nothing were broken."""
-    lattice = cubes((4, 3, 3))
+    lattice = cubes((4, 3, 3), 1e-3)
     model = model_of(lattice, nu)
     broken = cracked(model, dict.fromkeys(range(len(lattice.pairs)), 0.0))
     whole = model.state()
@@ -263,7 +263,7 @@ def test_the_first_record_of_a_run_that_goes_on_has_all_that_cells_dissipated() 
 @pytest.mark.parametrize("pressure", [1e6, 6e6])
 def test_a_pressed_facet_cracks_by_its_own_shear(pressure: float) -> None:
     """σ_zz of the strength everywhere: facets across x, under (-p, τ), crack from τ² = f_t (f_t + p) on."""
-    model = model_of(cubes((3, 3, 3)), 0.0)
+    model = model_of(cubes((3, 3, 3), 1e-3), 0.0)
     lattice, least = model.lattice, np.sqrt(STRENGTH * (STRENGTH + pressure))
     assert lattice.facets is not None
     across = (np.abs(lattice.facets.normal[:, 0]) > 0.5) & (lattice.pairs == 13).any(axis=1)  # of the cell amidst
