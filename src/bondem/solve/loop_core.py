@@ -47,6 +47,7 @@ class CoreLoop:
         self._lasting = Composer()
         self._lasting(composed([part for part in self._parts if part.renewed is None], *STAGES))
         self._make_lists()
+        self._begin()
 
     def _make_lists(self) -> None:
         """Compose the lists of passes of the present parts."""
@@ -61,7 +62,6 @@ class CoreLoop:
             guard=self._list("guard"),
             record=self._compose([]),
         )
-        self._begin()
 
     def _begin(self) -> None:
         """Call the passes that begin a run, at the time of the state."""
