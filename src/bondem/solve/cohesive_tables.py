@@ -173,7 +173,8 @@ class CrackLists(NamedTuple):
         """Room for lists of m facets of n cells; memory is taken as facets crack."""
         places = m + _BEHIND
         portions, halves = places // _PORTION + 1, 2 * places + 2
-        numbers, shorts, flags = (np.zeros(places, kind) for kind in (np.int64, np.uint32, np.uint8))
+        numbers, shorts = np.zeros(places, np.int64), np.zeros(places, np.uint32)
+        flags = np.zeros(places, np.uint8)
         return cls(
             np.zeros(4, np.int64), numbers, numbers.copy(), shorts, shorts.copy(), shorts.copy(), shorts.copy(),
             numbers.copy(),
@@ -205,10 +206,10 @@ def facet_strengths(table: SofteningTable, fastest: Floats) -> FacetStrengths:
         table.area, table.strength, brittleness, table.part, fastest, table.friction, table.plane.astype(float),
         table.cohesion, slip,
     )  # fmt: skip
-    return FacetStrengths(
-        *map(np.ascontiguousarray, map(with_zeros, columns)), np.flatnonzero(table.plane).astype(np.int64),
-        table.kink, table.steep, table.hot,
-    )  # fmt: skip
+    names = FacetStrengths._fields[: len(columns)]
+    filled = dict(zip(names, map(np.ascontiguousarray, map(with_zeros, columns)), strict=True))
+    planes = np.flatnonzero(table.plane).astype(np.int64)
+    return FacetStrengths(**filled, planes=planes, kink=table.kink, steep=table.steep, hot=table.hot)
 
 
 def facet_forces(state: State, facets: ElasticFacets, area: Floats, rows: int) -> FacetForces:
