@@ -21,7 +21,7 @@ struct FacetRows {
     Array<const double, 2> share_i, share_j;  // of each side in the dilatation of its cell [m²], (m, 3)
 };
 
-// Block rows of a matrix, one an element: earlier neighbours, the diagonal, later neighbours.
+// Block rows of a matrix, one per element: earlier neighbours, the diagonal, later neighbours.
 struct BlockRows {
     Array<const Index, 1> in_start;  // bonds in_start[p] … in_start[p + 1] - 1 end in p, (n + 1,)
     Array<const Index, 1> out_start;  // those that begin in p are in …, (n + 1,)

@@ -196,7 +196,7 @@ double stiffness_without(const Moving &all, const CellDilatation &cells, const C
 }
 
 // Energy of a broken facet whose faces no longer bear on each other: of each half that of the force that presses,
-// less what its cell takes up as its stress changes by it; and that of friction [J].
+// less the elastic energy that its cell gains from the change of its stress; and that of friction [J].
 double energy_of_parting(const SingleCrack &one, const Moving &all, const CellDilatation &cells,
                          const ElasticFacets &facets,
                          const CohesiveCracks &cracks, const CrackLists &lists, Index e) {
