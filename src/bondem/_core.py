@@ -272,9 +272,7 @@ class Pass:
         self.name = name
         library = _library()
         self._function, tables, self._outcomes = library.passes[name]
-        if tables != tuple(kind.__name__ for kind in kinds):
-            raise ImportError(f"{name} takes the tables {', '.join(tables)}")
-        self._kinds = tuple((kind, checked_fields(kind)) for kind in kinds)
+        self._fields = checked_kinds(name, tables, kinds)
 
     def __call__(self, *tables: tuple[Any, ...], threads: int = 1) -> str:
         """Run the pass.
@@ -300,10 +298,8 @@ class Pass:
             InputError: an array of another type, shape or order in memory than declared.
         """
         lengths: dict[str, tuple[int, str]] = {}
-        filled = [
-            filled_table(kind.__name__, fields, table, lengths)
-            for (kind, fields), table in zip(self._kinds, tables, strict=True)
-        ]
+        pairs = zip(self._fields, tables, strict=True)
+        filled = [filled_table(name, fields, table, lengths) for (name, fields), table in pairs]
 
         def run() -> str:
             assert tables is not None  # the arrays live as long as this function
@@ -330,6 +326,15 @@ def index_pass(name: str) -> tuple[Any, tuple[str, ...]]:
     done, or 0, and of the address of a list of addresses of tables.
     """
     return _library().index_passes[name]
+
+
+def checked_kinds(
+    name: str, tables: tuple[str, ...], kinds: tuple[type[tuple[Any, ...]], ...]
+) -> tuple[tuple[str, tuple[_Field, ...]], ...]:
+    """Return names and fields of the tables of a pass; ImportError if they are not those of the library."""
+    if tables != tuple(kind.__name__ for kind in kinds):
+        raise ImportError(f"{name} takes the tables {', '.join(tables)}")
+    return tuple((kind.__name__, checked_fields(kind)) for kind in kinds)
 
 
 def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[_Field, ...]:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from bondem._core import checked_fields, filled_table, step_pass
+from bondem._core import checked_kinds, filled_table, step_pass
 
 __all__ = ["Composer", "StepPass"]
 
@@ -31,9 +31,7 @@ class StepPass:
     def __init__(self, name: str, *kinds: type[tuple[Any, ...]]) -> None:
         self.name = name
         self.word, tables = step_pass(name)
-        if tables != tuple(kind.__name__ for kind in kinds):
-            raise ImportError(f"{name} takes the tables {', '.join(tables)}")
-        self.fields = tuple((kind.__name__, checked_fields(kind)) for kind in kinds)
+        self.fields = checked_kinds(name, tables, kinds)
 
 
 class Composer:

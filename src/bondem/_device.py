@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from bondem._core import checked_fields, filled_table, index_pass
+from bondem._core import checked_kinds, filled_table, index_pass
 
 __all__ = ["Device", "DeviceTables", "Enqueue", "Host", "IndexPass", "Launch"]
 
@@ -34,9 +34,7 @@ class IndexPass:
     def __init__(self, name: str, *kinds: type[tuple[Any, ...]]) -> None:
         self.name = name
         self.on_host, tables = index_pass(name)
-        if tables != tuple(kind.__name__ for kind in kinds):
-            raise ImportError(f"{name} takes the tables {', '.join(tables)}")
-        self.fields = tuple((kind.__name__, checked_fields(kind)) for kind in kinds)
+        self.fields = checked_kinds(name, tables, kinds)
 
 
 #: A pass, how many indices there are, and its tables.

@@ -8,8 +8,8 @@
 //     bonds      for each block of a domain: the bonds of the block
 //     elements   for each block of a domain: the elements whose last bond is in the block; and then for shared ones
 //     parts      for elements that domains share, before `elements`: collects what each domain has for them
-//     divides    divides the elements of a block into those that go on and those that are postponed (`passes/damage/`):
-//                further passes over elements are called for either, for the latter with a clock that does not go on
+//     divides    divides the elements of a block into those that continue and those that are postponed (`passes/damage/`):
+//                further passes over elements are called for either, for the latter with a clock that stands still
 //     postponed  for the elements of a block that are postponed
 //     of_elements, of_bonds    for portions of all elements or bonds
 //     of_ranges  for as many ranges of all elements as there are threads
@@ -38,7 +38,7 @@ struct ElementList {
     Index first, last, held;
     const Short *element, *row;
 };
-// The elements of a block that go on to the next step, and those that do not before what failed is removed.
+// The elements of a block that continue to the next step, and those that do not before what failed is removed.
 struct ElementDivision {
     ElementList going, postponed;
 };

@@ -108,7 +108,7 @@ inline void break_all_beams(Index, const DeviceSpan &span, const Moving &all, co
     break_beams(turn_of(span, 0), all, beams, state, candidates, postponed, log);
 }
 
-// A postponed element finds its acceleration by the sum that is kept, and opens the next step if it goes on.
+// A postponed element finds its acceleration by the sum that is kept, and opens the next step if it continues.
 template <class Boundary, class Resisted>
 BONDEM_INLINE void resume(const DeviceSpan &span, const Moving &all, const Postponed &postponed, Index p,
                           const Boundary &row, const Resisted &resistance, Index r) {

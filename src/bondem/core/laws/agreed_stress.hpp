@@ -1,4 +1,4 @@
-// The stress by which a facet between two cells is judged: their mean stress σ made to agree with its traction t,
+// The stress of the criterion of a facet between two cells: their mean stress σ made to agree with its traction t,
 //
 //     σ* = σ + r⊗n + n⊗r - (r·n) n⊗n        r = t - σ n
 //

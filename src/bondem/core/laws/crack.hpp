@@ -56,7 +56,7 @@ BONDEM_INLINE FacedFaces<T> crack_faces(const Ends<T> &ends, const FacetShape<T>
             dot(n, m)};
 }
 
-// Faces whose normals are further apart than this cosine do not bear on each other as planes.
+// Faces whose normals are further apart than this cosine do not press on each other as planes.
 constexpr double least_facing = 0.7;
 // Whether the faces of a crack of a facet of this area no longer face each other.
 template <class T> BONDEM_INLINE Mask<T> turned_away(const FacedFaces<T> &now, T area) {
@@ -182,7 +182,7 @@ template <class T> struct CrackStep {
 template <class T> BONDEM_INLINE CrackLosses<T> crack_losses(T k, const CrackStep<T> &step) {
     const T fell = step.s_before - step.s, zero = {}, one = all<T>(1.0);
     const Vector3<T> stretch = (1.0 / (k * (1.0 - step.s))) * step.rub;
-    // the spring of friction takes up Δs times the product of its stretches before and after
+    // the spring of friction stores Δs times the product of its stretches before and after
     const T taken = select(step.s_before < one, T(0.5 * dot(step.rub_before, stretch) / (1.0 - step.s_before)),
                            T(0.5 * k * dot(stretch + step.came, stretch)));
     const T cracked = (root(positive(step.rate_before * step.rate)) - taken) * fell;

@@ -5,7 +5,7 @@
 //     t = tan = ± σ_pq / (|d| + √(d² + σ_pq²)), the sign that of d      σ_pp ← σ_pp - t σ_pq,   σ_qq ← σ_qq + t σ_pq
 //
 // Sweeps over the three planes converge with the square of what is left: the third leaves rounding. A component below
-// rounding is not cleared, so a stress whose sweeps are done does not change while those of other lanes go on.
+// rounding is not cleared, so a stress whose sweeps are done does not change while those of other lanes continue.
 //
 // Source: Golub and Van Loan, Matrix Computations, 4th ed., section 8.5.
 #pragma once

@@ -1,7 +1,7 @@
 // Facets that lose their integrity: from strength and fracture energy to the integrity that loads leave.
 //
 // With t the traction that a facet would have if it were whole, n its normal, and e_1, e_2, e_3 the present principal
-// directions of the mean stress of its two cells, a facet of the material is judged along each of them:
+// directions of the mean stress of its two cells, the criterion of a facet is evaluated along each of them:
 //
 //     T_a² = p_a² + b_a²        b_a = b |n·e_a| / max_d |n·e_d|
 //     p_a = |t·e_a| where σ_a > 0, else ⟨t·e_a sign(n·e_a)⟩
@@ -22,7 +22,7 @@
 // with the kink at κ t_0 and m the opening where the first line would reach zero, over the last one. κ = 0 and m = 1
 // are a straight line.
 //
-// A facet of a material plane (interface, joint, bedding) is judged by its own traction: √(⟨t·n⟩² + b²) from the
+// A facet of a material plane (interface, joint, bedding) fails by its own traction: √(⟨t·n⟩² + b²) from the
 // strength of the plane on, and |t_s| + t_n tan φ from the cohesion c on. Its fracture energies count per own area:
 // an opening that is inclined, |t|² = q T², ends at a last opening smaller by q.
 //
@@ -129,7 +129,7 @@ BONDEM_INLINE T left_on_plane(T s, Vector3<T> t, Vector3<T> n, T bent, const Sof
     return select(plane.cohesion < all<T>(infinity), slid, s);
 }
 
-// How a facet is judged.
+// Criterion of a facet.
 template <class T> struct CrackStrength {
     Softening<T> tension;
     PlaneStrength<T> plane;
@@ -156,7 +156,7 @@ BONDEM_INLINE T integrity_left(T s, const FacetTraction<T> &load, const Principa
         const T size = root(dot(opening, opening) + load.bent * load.bent);
         left = select(loose, softened(s, size, zero, by.tension.brittleness, curve), left);
     }
-    // what breaks at once goes on
+    // what breaks at once continues
     const Mask<T> breaks = (by.tension.brittleness == all<T>(infinity)) & (s < all<T>(1.0));
     return select(breaks, zero, left);
 }

@@ -5,7 +5,7 @@
 
 namespace bondem {
 
-// Facets that are judged by the softening curve (`laws/softening.hpp`).
+// Facets that follow the softening curve (`laws/softening.hpp`).
 struct SofteningSamples {
     Array<const double, 2> traction, normal;  // [Pa, -], (3, m)
     Array<const double, 2> stress;  // mean of both cells, xx, yy, zz, xy, xz, yz [Pa], (6, m)

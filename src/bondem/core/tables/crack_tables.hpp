@@ -39,12 +39,12 @@ struct FacetStrengths {
     Array<const double, 1> cohesion, slip_brittleness;  // of these [Pa, 1/Pa]
     Array<const Index, 1> planes;  // facets of material planes
     double kink, steep;  // of the softening curve
-    double hot;  // largest principal stress of a cell from which its facets are judged [Pa]
+    double hot;  // largest principal stress of a cell from which the criterion of its facets is evaluated [Pa]
 };
 // Which facets begin to crack.
 struct CrackOnset {
     Array<Byte, 1> cracked;  // 1 for cells with cracks, (n,)
-    Array<Byte, 1> judged;  // 1 for cells whose facets are judged, 2 for those without cohesion, (n,)
+    Array<Byte, 1> judged;  // 1 for cells whose facets are evaluated, 2 for those without cohesion, (n,)
     // 1 for facets that begin to crack, 2 for those of a cell without cohesion; zero between steps, (m,)
     Array<Byte, 1> marked;
     Array<Byte, 1> listed;  // that of `CohesiveCracks`, (m,)

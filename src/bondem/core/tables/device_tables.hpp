@@ -10,7 +10,7 @@ namespace bondem {
 struct DeviceSpan {
     Array<Index, 1> clock;  // a `Clock`, word by word, (9,)
     Array<const Byte, 1> postponed;  // not 0 for elements that do not open the next step with the others, (n,), or none
-    Array<Index, 1> halted;  // 1 where a list of contacts has to be made anew before the step goes on, (1,)
+    Array<Index, 1> halted;  // 1 where a list of contacts has to be made anew before the step continues, (1,)
     Index n, m;
 };
 // How the clock is set.

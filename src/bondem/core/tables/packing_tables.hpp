@@ -45,7 +45,7 @@ struct Relaxing {
 struct Growing {
     double scale;  // of the radii at first [-]
     double rate;  // scale gained per unit of time
-    double duration;  // how long to go on
+    double duration;  // of the growth
     Index events;  // most collisions
     Array<double, 1> report;  // time gone by, sum of distance times exchanged momentum [m²], collisions, (3,)
 };

@@ -1,7 +1,7 @@
 // Moments of loads, as forces on regions that turn: the smallest forces about the present centroid of their points.
 //
 // With shares w of the points and s their places from the centroid, f = w ω × s and J ω = M, J = Σ w (s² 1 - s⊗s). The
-// forces have no resultant, and torques bear what is left of M where the points cannot, as in a row: the total is M.
+// forces have no resultant, and torques carry the rest of M where the points cannot, as in a row: the total is M.
 #include "../motion/elements.hpp"
 #include "rows.hpp"
 #include "timeline.hpp"

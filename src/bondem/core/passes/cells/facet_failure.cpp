@@ -2,7 +2,7 @@
 //
 // With a facet its two cells change their stress, and with these the force of all their other facets. So the neighbours
 // of both cells are postponed too, and the loads of all these facets are exchanged in the kept sums: taken off with the
-// facets that fail, added without them. Facets are judged between the two passes over them, when stresses are known and
+// facets that fail, added without them. Facets are evaluated between the two passes over them, when stresses are known and
 // no cell has moved; which of them are near to failure is found with the stresses of the step before.
 #include "facet_failure.hpp"
 

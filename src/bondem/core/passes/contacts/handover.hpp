@@ -1,6 +1,6 @@
 // Contact of two elements from which a bond or a facet has gone: the pair was listed, and passed over so far.
 //
-// What presses the two together bears on at once, with the tangential spring at rest, at the end of the step in which the
+// What presses the two together acts at once, with the tangential spring at rest, at the end of the step in which the
 // bond fails. The contact takes over the energy that it stores.
 #pragma once
 #include "../../steps.hpp"
@@ -25,7 +25,7 @@ BegunContact begin_pair(const Moving &all, const ContactConstants &c, const Cont
 double hand_over(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index bond,
                  double *sums);
 
-// Contact of a facet that bears nothing any more begins at its rest length `apart`, or at the present distance where that
+// Contact of a facet that carries nothing any more begins at its rest length `apart`, or at the present distance where that
 // is less: without a force, and with no energy. Returns that distance [m].
 double let_touch(const Moving &all, const ContactPairs &pairs, const NearPairs &near, Index facet, double apart);
 

@@ -195,7 +195,7 @@ double stiffness_without(const Moving &all, const CellDilatation &cells, const C
     return cells.weight(p) / (1.0 + cells.weight(p) * softness);
 }
 
-// Energy of a broken facet whose faces no longer bear on each other: of each half that of the force that presses,
+// Energy of a broken facet whose faces no longer press on each other: of each half that of the force that presses,
 // less the elastic energy that its cell gains from the change of its stress; and that of friction [J].
 double energy_of_parting(const SingleCrack &one, const Moving &all, const CellDilatation &cells,
                          const ElasticFacets &facets,

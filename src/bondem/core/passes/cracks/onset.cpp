@@ -6,7 +6,7 @@
 //
 //     σ* = σ + r⊗n + n⊗r - (r·n) n⊗n        r = t - σ n
 //
-// Most facets bear far less: σ1(σ*) is at most (1 + √2) |σ| + √2 (|t| + T_b).
+// Most facets carry far less: σ1(σ*) is at most (1 + √2) |σ| + √2 (|t| + T_b).
 #include "onset.hpp"
 
 #include "../../laws/agreed_stress.hpp"

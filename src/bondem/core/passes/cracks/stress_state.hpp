@@ -16,7 +16,7 @@ void add_still_surface_stresses(const Turn &turn, const Moving &all, const WallC
 // Adds what walls and loads on free facets do to those of surface cells.
 void add_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
                           const FacetTractions &tractions, const StressesOfCells &stresses);
-// Lets cells yield, and finds those whose facets are judged for cracks.
+// Lets cells yield, and finds those whose facets may crack.
 void judge_cells(const Turn &turn, const FacetStrengths &strengths, const StressesOfCells &stresses,
                  const CrackOnset &onset);
 void yield_cells(const Turn &turn, const Moving &all, const FacetStrengths &strengths,

@@ -2,7 +2,7 @@
 //
 // Those that have begun stand in lists, one per portion of bonds, and lose integrity before the forces of a step. They
 // stay in the pass over all beams, with the integrity that they have, and carry pressure there by a stiffness of their own.
-// A beam that reaches its strength is found as one that breaks is, and listed at the end of the step. It holds nobody, as
+// A beam that reaches its strength is found as one that breaks is, and listed at the end of the step. It holds no element, as
 // its force does not jump.
 #include "beam_softening.hpp"
 

@@ -25,7 +25,7 @@
 //     apply(k) → Removal             at the same poses, on one thread
 //
 // Beams: `beam_failure.cpp`. Facets of cells hold the neighbours of both cells too, as their stresses change; pairs of
-// the non-local law hold their ends. Beams that soften hold nobody, as their force does not jump.
+// the non-local law hold their ends. Beams that soften hold no element, as their force does not jump.
 //
 // No bit depends on threads, on blocks or on pauses: what fails is decided bond by bond, from the poses alone.
 #pragma once
@@ -161,7 +161,7 @@ inline void take_over(const EventLog &log, Index event, double energy) {
     log.released(0) -= energy;
 }
 
-// Ends the failures of a step that hold nobody.
+// Ends the failures of a step that hold no element.
 inline void end_failures(const Candidates &candidates) {
     for (Index b = 0; b < candidates.count.size(); b++) candidates.count(b) = 0;
     candidates.any(0) = 0;

@@ -1,4 +1,4 @@
-// Beams of the incremental formulation: what they store goes on by a step, and acts on their elements.
+// Beams of the incremental formulation: what they store advances by a step, and acts on their elements.
 #include "stored_beams.hpp"
 
 #include "../../laws/incremental.hpp"

@@ -1,4 +1,4 @@
-// Elements whose forces are complete close the step, and open the next where it goes on without a pause (`moving.hpp`).
+// Elements whose forces are complete close the step, and open the next where it continues without a pause (`moving.hpp`).
 // The sums of the forces are left at zero.
 #include "move.hpp"
 

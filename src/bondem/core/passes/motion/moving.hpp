@@ -1,4 +1,4 @@
-// How an element whose forces are complete closes the step, and opens the next where it goes on without a pause:
+// How an element whose forces are complete closes the step, and opens the next where it continues without a pause:
 //
 //     close    v += finish a                       a = f / m, and so do the angular velocities with torque and inertia
 //     open     v += begin a,   x += dt v + extra a

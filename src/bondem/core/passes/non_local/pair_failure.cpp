@@ -1,6 +1,6 @@
-// Bonds of the non-local law that fail: judged by the mean stress of their two elements.
+// Bonds of the non-local law that fail by the mean stress of their two elements.
 //
-// They are judged when the stresses of the step are known. σ1 of a mean is at most the mean of both σ1, and σ3 at
+// The criterion is evaluated when the stresses of the step are known. σ1 of a mean is at most the mean of both σ1, and σ3 at
 // least the mean of both σ3, so that only bonds that reach their criterion by these are evaluated exactly. The energy
 // released is that of the springs; the work of extra forces stays in an entry of its own. The stresses of the
 // elements, which the next step takes, are then without the bond.
