@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._types import Floats, Ints
 from bondem.model.state import State
-from bondem.observe.turned_vectors import turned_vectors
+from bondem.model.turned_frames import turned_vectors
 from bondem.specimen.lattice import Lattice
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from bondem._types import Floats, Ints, PerElement6
 from bondem.kernels.couples import CoupleTable
 from bondem.model.balance import balanced_forces
-from bondem.model.turned_frames import turned_rows
+from bondem.model.turned_frames import turned_vectors
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +35,7 @@ class Couple:
         """Return arms in a pose, or in the reference, and the points relative to their centroid [m], (k, 3) each."""
         arm, centre = self.arm, self.centre
         if pose is not None:
-            arm, centre = turned_rows(pose[self.element, 4:], self.arm), pose[self.element, :3]
+            arm, centre = turned_vectors(pose[self.element, 4:], self.arm), pose[self.element, :3]
         place = centre - centre.mean(axis=0) + arm
         return arm, place - self.share @ place
 

@@ -16,7 +16,7 @@ from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.layout import Layout
 from bondem.model.loads import facet_numbers, is_face
 from bondem.model.schedules import Schedule
-from bondem.model.turned_frames import turned_rows
+from bondem.model.turned_frames import turned_vectors
 from bondem.specimen.lattice import Lattice
 
 #: Columns of where walls come from, `State.grips`: offset [m], 3, and the orientation of the cell there, w x y z.
@@ -120,7 +120,7 @@ class Grips:
 
     def flatness(self, orientation: Floats) -> Floats:
         """Return the held share of the normal of each facet, 0 … 1, with cells of these quaternions (g, 4), (g,)."""
-        return ((self.axes * turned_rows(orientation, self.normal)) ** 2).sum(axis=1)
+        return ((self.axes * turned_vectors(orientation, self.normal)) ** 2).sum(axis=1)
 
     def taken(self, base: Floats) -> "Grips":
         """Return these grips with rotated shares and H, for walls that took over cells at poses `base`, (g, 7)."""
@@ -128,8 +128,8 @@ class Grips:
         if not other.any():
             return self
         q, share, H = base[other, 3:], self.share.copy(), self.H.copy()
-        share[other] = self.area[other, None] * self.axes[other] * turned_rows(q, self.way[other])
-        R = np.stack([turned_rows(q, np.tile(axis, (len(q), 1))) for axis in np.eye(3)], axis=2)
+        share[other] = self.area[other, None] * self.axes[other] * turned_vectors(q, self.way[other])
+        R = np.stack([turned_vectors(q, np.tile(axis, (len(q), 1))) for axis in np.eye(3)], axis=2)
         held = self.flatness(base[:, 3:])[other, None, None]
         H[other] = held * (R @ self.bend[other] @ np.swapaxes(R, 1, 2))
         return replace(self, share=share, H=H)

@@ -30,7 +30,7 @@ _turn_vectors = Pass("turn_vectors", TurnedVectors)
 _add_moments = Pass("add_moments", MomentsOfForces)
 
 
-def turned_rows(quaternion: Floats, vectors: Floats) -> Floats:
+def turned_vectors(quaternion: Floats, vectors: Floats) -> Floats:
     """Return vectors (k, 3), each rotated by its unit quaternion (w, x, y, z), (k, 4)."""
     turned = np.empty((len(vectors), 3))
     _turn_vectors(TurnedVectors(_contiguous(quaternion), _contiguous(vectors), turned))

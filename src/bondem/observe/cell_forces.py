@@ -12,10 +12,10 @@ from bondem.model.cell_constants import CellConstants, body_of
 from bondem.model.cell_tables import STRESS, place_held_walls, wall_constraints
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.model.turned_frames import turned_vectors
 from bondem.observe.cell_strain import CellStrain
 from bondem.observe.energy import stress_free_gap, wall_motion
 from bondem.observe.facet_loads import loads_on_facets
-from bondem.observe.turned_vectors import turned_vectors
 
 
 class SmallMotion(Protocol):

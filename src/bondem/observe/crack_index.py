@@ -8,10 +8,10 @@ from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
+from bondem.model.turned_frames import turned_vectors
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.cell_stress import mean_stress
 from bondem.observe.opened_facets import Opened
-from bondem.observe.turned_vectors import turned_vectors
 
 
 def crack_index(model: Model, state: State) -> PerBond:

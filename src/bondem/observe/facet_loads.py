@@ -9,7 +9,7 @@ from bondem.model.boundary import Load
 from bondem.model.cell_constants import body_of
 from bondem.model.loads import Pressure, is_face
 from bondem.model.model import Model
-from bondem.observe.turned_vectors import turned_vectors
+from bondem.model.turned_frames import turned_vectors
 
 
 def loads_on_facets(model: Model, time: float | None = None, orientation: Floats | None = None) -> Floats:

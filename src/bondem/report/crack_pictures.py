@@ -13,7 +13,7 @@ from bondem._types import Floats, PerElement3
 from bondem.fracture.cracks import Cracks
 from bondem.fracture.fragments import Fragments
 from bondem.model.state import State
-from bondem.observe.turned_vectors import turned_vectors
+from bondem.model.turned_frames import turned_vectors
 from bondem.report.cell_pictures import draw_cells
 from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View

@@ -26,7 +26,7 @@ from bondem.model.boundary import Drive, Fix, Load
 from bondem.model.loads import Absorbing, BodyForce, Pressure
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.observe.turned_vectors import turned_vectors
+from bondem.model.turned_frames import turned_vectors
 from bondem.report.cell_pictures import draw_cells
 from bondem.report.overlays import SCALE, draw_arrow, draw_box, draw_walls
 from bondem.report.piece_colours import piece_palette

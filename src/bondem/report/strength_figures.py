@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from bondem._types import Floats
 from bondem.labtests.failure_record import TestFigure
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.observe.turned_vectors import turned_vectors
+from bondem.model.turned_frames import turned_vectors
 from bondem.report.cell_pictures import draw_cells
 from bondem.report.findings import Examined, Findings
 from bondem.report.spheres import View

@@ -23,7 +23,7 @@ from bondem.model.cell_tables import (
 )
 from bondem.model.local_origin import local_rest
 from bondem.model.model import Model
-from bondem.observe.turned_vectors import turned_vectors
+from bondem.model.turned_frames import turned_vectors
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,7 @@ from bondem.model.cell_constants import body_of
 from bondem.model.grips import Grips, reference_base
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.model.turned_frames import turned_rows
+from bondem.model.turned_frames import turned_vectors
 from bondem.observe.cell_forces import CellForces, held_arms, wall_places
 from bondem.observe.facet_loads import loads_on_facets
 from bondem.solve.nonlinear import rotation_vector
@@ -103,7 +103,7 @@ def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
         mine, theirs = _both(grips, state.model.cell_constants.grips)
         shares = shares.copy()
         shares[mine] = state.model.cell_constants.grips.way[theirs]
-    soft, way = constants.softness[facet, None], turned_rows(q[grips.cell], shares)
+    soft, way = constants.softness[facet, None], turned_vectors(q[grips.cell], shares)
     if state.model.cells is not None:
         before = cast(Model, state.model)
         force += loads_on_facets(before, state.time, q)

@@ -52,19 +52,7 @@ inline void add_work_of_strains(Index, const DeviceSpan &span, const Strain &str
 
 inline void follow_cell_factors(Index, const DeviceSpan &span, const Timeline &timeline, const CellStrains &strains,
                                 const StrainPortions &portions) {
-    using namespace strain_factor;
-    const Clock &clock = clock_of(span);
-    const auto &factor = strains.factor;
-    bool changed = clock.first, needed = clock.first;
-    for (Index g = 0; g < strains.schedule.size(); g++) {
-        const double present = value_at(timeline, strains.schedule(g), clock.time), step = present - factor(now, g);
-        factor(came, g) = clock.first ? 0.0 : step;
-        factor(now, g) = present;
-        changed |= step != 0.0;
-        needed |= value_at(timeline, strains.schedule(g), clock.time + clock.dt) != present;
-    }
-    portions.due(0) = changed;
-    strains.due(0) = changed || needed;
+    portions.due(0) = follow_factors(clock_of(span), timeline, strains);
 }
 inline void stretch_facet_of_step(Index k, const CellStrains &strains, const ElasticFacets &facets,
                                   const StrainPortions &portions) {

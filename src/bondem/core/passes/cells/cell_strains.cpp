@@ -25,18 +25,8 @@ void stretch(const CellStrains &strains, const ElasticFacets &facets, const Wall
 
 void follow_cell_strains(const Turn &turn, const Timeline &timeline, const CellStrains &strains,
                          const ElasticFacets &facets, const WallConstraints &walls) {
-    const Clock &clock = turn.clock;
-    const auto &factor = strains.factor;
-    bool changed = clock.first, needed = clock.first;
-    for (Index g = 0; g < strains.schedule.size(); g++) {
-        const double present = value_at(timeline, strains.schedule(g), clock.time), step = present - factor(now, g);
-        factor(came, g) = clock.first ? 0.0 : step;
-        factor(now, g) = present;
-        changed |= step != 0.0;
-        needed |= value_at(timeline, strains.schedule(g), clock.time + clock.dt) != present;
-    }
+    const bool changed = follow_factors(turn.clock, timeline, strains);
     if (changed) stretch(strains, facets, walls);
-    strains.due(0) = changed || needed;
     strains.due(1) = changed;
 }
 

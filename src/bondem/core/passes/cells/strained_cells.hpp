@@ -1,9 +1,27 @@
 // Facets and walls of cells whose stress-free strains change: their levers, and what the strains work against.
 #pragma once
+#include "../boundary/timeline.hpp"
 #include "strain_growth.hpp"
 #include "walls.hpp"
 
 namespace bondem {
+
+// Brings the factors to the time of the clock. Powers are due where one changes in this step or in the next. Returns
+// whether one has changed.
+inline bool follow_factors(const Clock &clock, const Timeline &timeline, const CellStrains &strains) {
+    using namespace strain_factor;
+    const auto &factor = strains.factor;
+    bool changed = clock.first, needed = clock.first;
+    for (Index g = 0; g < strains.schedule.size(); g++) {
+        const double present = value_at(timeline, strains.schedule(g), clock.time), step = present - factor(now, g);
+        factor(came, g) = clock.first ? 0.0 : step;
+        factor(now, g) = present;
+        changed |= step != 0.0;
+        needed |= value_at(timeline, strains.schedule(g), clock.time + clock.dt) != present;
+    }
+    strains.due(0) = changed || needed;
+    return changed;
+}
 
 // Levers of facet k, and of wall w, at the present factors.
 inline void stretch_facet(const CellStrains &strains, const ElasticFacets &facets, Index k) {
