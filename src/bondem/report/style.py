@@ -8,6 +8,7 @@ from typing import Any
 
 from matplotlib import rc_context
 from matplotlib.figure import Figure
+from PIL import Image, ImageChops
 
 from bondem.laws.catalogue import LAWS
 
@@ -58,6 +59,8 @@ SETTINGS: Any = {
     "mathtext.fontset": "dejavusans",
 }
 _DOTS_PER_INCH = 220
+# Empty rows that stay above and below a figure [pixels].
+_MARGIN = 12
 # Width of a figure for a phone, and the least height of its panels [inch].
 _NARROW, _LOW = 4.2, 3.4
 _for_phones: ContextVar[bool] = ContextVar("for_phones", default=False)
@@ -114,6 +117,17 @@ def sheet(
             axes = _column(figure, rows, columns, options) if slim else figure.subplots(rows, columns, **options)
         yield figure, axes
         figure.savefig(path, dpi=_DOTS_PER_INCH)
+        _trim(path)
+
+
+def _trim(path: Path) -> None:
+    """Remove empty rows at the top and the bottom of a figure; bodies in perspective leave many."""
+    with Image.open(path) as opened:
+        image = opened.convert("RGB")
+    drawn = ImageChops.difference(image, Image.new("RGB", image.size, "white")).getbbox()
+    if drawn is not None:
+        top, bottom = max(drawn[1] - _MARGIN, 0), min(drawn[3] + _MARGIN, image.height)
+        image.crop((0, top, image.width, bottom)).save(path, dpi=(_DOTS_PER_INCH, _DOTS_PER_INCH))
 
 
 def _column(figure: Figure, rows: int, columns: int, options: dict[str, Any]) -> Any:

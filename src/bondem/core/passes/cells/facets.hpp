@@ -78,7 +78,7 @@ BONDEM_INLINE void for_each_facets(Index first, const Index last, const double *
     const bool periodic = period[3] != 0.0 || period[4] != 0.0 || period[5] != 0.0;
     for_each_group(first, last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
-        prefetch(pose, i + least(k + ahead, last - lanes));
+        prefetch(pose, i + least(k + ahead, most(last - lanes, Index(0))));
         const Row<Lanes> a = gather(pose, i + k), b = gather(pose, j + k);
         Ends<Lanes> ends = {{b.column[0] - a.column[0], b.column[1] - a.column[1], b.column[2] - a.column[2]},
                             orientation(a), orientation(b)};
