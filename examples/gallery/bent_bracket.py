@@ -5,16 +5,16 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 import bondem as bd
 
-shape = bd.Surface("examples/bracket.stl", unit="mm")
-part = bd.connect(bd.pack(shape, count=800, method="even", seed=1), method="laguerre")
-load = bd.Load(bd.Face("z_max"), force=(0.0, 10.0, 0.0))
+bracket = bd.pack(bd.Surface("examples/bracket.stl", unit="mm"), count=800, method="even", seed=1)
+part, load = bd.connect(bracket, method="laguerre"), bd.Load(bd.Face("z_max"), force=(0.0, 10.0, 0.0))
 model = bd.Model(part, bd.CellBond(E=72.5e9, nu=0.17), 2201.0, boundary=[bd.Fix(bd.Face("x_min")), load])
 stress = np.linalg.eigvalsh(bd.cell_stress(model, bd.solve_static(model)))  # principal
 mises = np.sqrt(np.square(stress - np.roll(stress, 1, axis=1)).sum(axis=1) / 2.0)
 print(f"von Mises stress {mises.max() / 1e6:.2f} MPa")
 skin, drawn = bd.polyhedra(part), plt.figure(figsize=(4, 4)).add_subplot(projection="3d", proj_type="ortho")
-faces, colours = np.split(skin.vertex, skin.start[1:-1]), plt.cm.viridis(mises[skin.cell] / mises.max())
-drawn.add_collection3d(Poly3DCollection(faces, facecolors=colours, shade=True), autolim=False)
+corner = np.minimum(skin.start[:-1, None] + np.arange(np.diff(skin.start).max()), skin.start[1:, None] - 1)
+colours = plt.get_cmap("viridis")(mises[skin.cell] / mises.max())
+drawn.add_collection3d(Poly3DCollection(skin.vertex[corner], facecolors=colours, shade=True), autolim=False)
 drawn.set(xlim=(5e-3, 35e-3), ylim=(-9e-3, 21e-3), zlim=(5e-3, 35e-3), box_aspect=(1, 1, 1))
 drawn.set_axis_off()
 plt.savefig("bent_bracket.png", dpi=100)

@@ -1,5 +1,4 @@
 """A ball of glass hits a plate at 30 m/s; each large piece has a colour of its own."""
-
 import matplotlib.pyplot as plt
 import numpy as np
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
@@ -12,7 +11,8 @@ hit = bd.labtests.sphere_impact(ball, bd.CellBond(E=70e9, nu=0.22), glass, densi
 pieces, moved = bd.fragments(ball, hit.state), hit.state.displacement - hit.state.displacement.mean(axis=0)
 print(f"{hit.damage:.0%} of the facets broken, {len(pieces)} pieces")
 skin, drawn = bd.polyhedra(ball), plt.figure(figsize=(4, 4)).add_subplot(projection="3d", elev=15, azim=-115)
-faces = [one + 6.0 * moved[k] for one, k in zip(np.split(skin.vertex, skin.start[1:-1]), skin.cell, strict=True)]
+corner = np.minimum(skin.start[:-1, None] + np.arange(np.diff(skin.start).max()), skin.start[1:, None] - 1)
+faces = skin.vertex[corner] + 6.0 * moved[skin.cell, None]
 colours = plt.get_cmap("tab20")(pieces.label[skin.cell] % 20)
 drawn.add_collection3d(Poly3DCollection(faces, facecolors=colours, shade=True), autolim=False)
 drawn.set(xlim=(-0.019, 0.019), ylim=(-0.019, 0.019), zlim=(-0.019, 0.019), box_aspect=(1, 1, 1))
