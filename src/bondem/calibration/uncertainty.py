@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 from bondem._types import Floats
 from bondem.errors import InputError
@@ -23,7 +23,7 @@ def half_width(n: int, *, kind: str, level: float) -> float:
     if n < 2:
         raise InputError("a single packing has no scatter; calibrate on two or more")
     share = 1.0 / n + (1.0 if kind == "prediction" else 0.0)
-    return float(student.ppf(0.5 + 0.5 * level, n - 1)) * math.sqrt(share)
+    return float(stdtrit(n - 1, 0.5 + 0.5 * level)) * math.sqrt(share)
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,7 +73,7 @@ class Sample:
         ratio = self.std / abs(precision * self.mean)
 
         def too_wide(n: int) -> bool:
-            return float(student.ppf(0.5 + 0.5 * level, n - 1)) * ratio > math.sqrt(n)
+            return float(stdtrit(n - 1, 0.5 + 0.5 * level)) * ratio > math.sqrt(n)
 
         low, high = 1, 2
         while too_wide(high):

@@ -2,7 +2,7 @@
 
 The exit status is 0 for success, 2 for bad input and 3 for a run that became unstable or lost its energy balance. Bad
 input gives one line on stderr that states what to do. Each subcommand is imported when it is called, so that `bondem
---version` is instant.
+--version` and `bondem --help` are instant.
 """
 
 import importlib
@@ -15,10 +15,23 @@ import click
 from bondem import __version__
 from bondem.errors import BondemError, UnstableRunError
 
-_COMMANDS = (
-    "calibrate", "campaign", "check", "completion", "export", "info", "new", "render", "resume", "run", "schema",
-    "strength", "view", "watch",
-)  # fmt: skip
+# The commands and the first lines of their help, which are listed without an import of their modules.
+_COMMANDS = {
+    "calibrate": "Calibrate bonds to E, ν and ρ of a material.",
+    "campaign": "Run a study for all seeds and values of its table [campaign], in parallel.",
+    "check": "Check a study and print what it will compute, without running it.",
+    "completion": "Print the script that completes commands and options in a shell.",
+    "export": "Write the last checkpoint of a run file, or a packing with its bonds, for another program.",
+    "info": "Print the contents of a run file: progress, broken bonds, energy balance and origin.",
+    "new": "Write a commented study file as a template.",
+    "render": "Draw the elements or cells and the cracks of a run file, coloured by a field, as a picture or film.",
+    "resume": "Resume a run from its last checkpoint; the result is bit-identical to an uninterrupted run.",
+    "run": "Run a study: pack, check, connect, calibrate, test and report.",
+    "schema": "Print the JSON schema of study files, for editors that complete and check TOML.",
+    "strength": "Calibrate the tensile strength and cohesion of cells to compression and Brazilian tests.",
+    "view": "Open a run file in a window with rotation and a slider for snapshots.",
+    "watch": "Show the progress of a run at each checkpoint until the run ends.",
+}
 
 OK, BAD_INPUT, UNSTABLE, INTERRUPTED = 0, 2, 3, 130
 
@@ -33,6 +46,10 @@ class _Commands(click.Group):
         if cmd_name not in _COMMANDS:
             return None
         return importlib.import_module(f"bondem.cli.{cmd_name}").command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        with formatter.section("Commands"):
+            formatter.write_dl(list(_COMMANDS.items()))
 
 
 @click.group(

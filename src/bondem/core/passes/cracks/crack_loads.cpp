@@ -12,9 +12,9 @@ namespace {
 
 constexpr Index rubbed_loss = 2;  // column of the losses of an element
 
-// Energy dissipated by the cracks of a group.
-double load_group(const CrackGroup &group, const Moving &all, const double *period, const CohesiveCracks &cracks,
-                  const CrackLists &lists, Index portion, bool changes) {
+// Forces of the cracks of a group, and the energy that they dissipate.
+void load_group(const CrackGroup &group, const Moving &all, const double *period, const CohesiveCracks &cracks,
+                const CrackLists &lists, Index portion, bool changes) {
     group.prefetch(cracks.state);
     const Lanes zero = {};
     const CrackPlace at = place_of(group, all.pose, period, cracks);
@@ -24,12 +24,13 @@ double load_group(const CrackGroup &group, const Moving &all, const double *peri
     const Vector3<Lanes> slip = turned_by(at.ends.i, Vector3<Lanes>{state[0], state[1], state[2]});
     CrackLoads<Lanes> loads = crack_loads(at.facet, at.now.faces, s, at.stress, slip, at.friction);
     Lanes rate = loads.rate;
-    if (any((s > zero) | (s_before > zero))) {
+    const Mask<Lanes> bound = (s > zero) | (s_before > zero);
+    if (any(bound)) {
         Lanes plane;
         const FacetBending<Lanes> bending = facet_bending(at.ends, resistances_of(group, cracks, &plane));
         loads.on_i = plus(loads.on_i, s, bending.torque);
         loads.on_j = minus(loads.on_j, s, bending.torque);
-        rate = rate + bending.energy;
+        rate = select(bound, rate + bending.energy, rate);
     }
     const Mask<Lanes> treated = opposite(flagged(lists.flag.data + group.e));
     const auto kept = [&](Lanes x) { return select(treated, x, zero); };
@@ -61,9 +62,8 @@ double load_group(const CrackGroup &group, const Moving &all, const double *peri
     put_halves(lists.output.data, group, {{kept(f.x), kept(f.y), kept(f.z), lost.rubbed, kept(p.x), kept(p.y),
                                            kept(p.z), zero}},
                {{kept(-f.x), kept(-f.y), kept(-f.z), zero, kept(q.x), kept(q.y), kept(q.z), zero}});
-    double sum = 0.0;
-    for (int n = 0; n < group.known; n++) sum += lost.cracked[n];
-    return sum;
+    // one by one: the sum has the same bits for any number of lanes
+    for (int n = 0; n < group.known; n++) lists.lost(portion, 0) += lost.cracked[n];
 }
 
 }  // namespace
@@ -73,8 +73,7 @@ void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
     const bool changes = turn.clock.dt > 0.0;
     over_treated(turn, lists, [&](Index, Index, Index portion) { lists.lost(portion, 0) = 0.0; },
                  [&](const CrackGroup &group, Index portion) {
-                     lists.lost(portion, 0) += load_group(group, all, facets.period.data, cracks, lists, portion,
-                                                          changes);
+                     load_group(group, all, facets.period.data, cracks, lists, portion, changes);
                  });
 }
 
