@@ -1,11 +1,16 @@
 """Modules beside the scripts of benchmarks, and commands in processes of their own."""
 
 import importlib
+import io
 import os
 import subprocess
 import sys
+import warnings
+from contextlib import chdir, redirect_stderr, redirect_stdout
 from pathlib import Path
 from types import ModuleType
+
+from bondem.cli import main
 
 ROOT = Path(__file__).parents[1]
 
@@ -20,10 +25,24 @@ def scripts(folder: str, **modules: str) -> dict[str, ModuleType]:
         sys.path.remove(path)
 
 
-def command(*arguments: object, cwd: Path, package: str = "bondem", **options) -> subprocess.CompletedProcess[str]:
-    """Run `python -m bondem` with arguments in a folder."""
+def command(
+    *arguments: object, cwd: Path, package: str = "bondem", process: bool = False, **options
+) -> subprocess.CompletedProcess[str]:
+    """Call the command `bondem` with arguments in a folder; with `process` as `python -m bondem`, as other packages."""
     words = [sys.executable, "-m", package, *map(str, arguments)]
-    return subprocess.run(words, cwd=cwd, capture_output=True, text=True, timeout=300, **options)
+    if process or options or package != "bondem":
+        return subprocess.run(words, cwd=cwd, capture_output=True, text=True, timeout=300, **options)
+    out, err, former = io.StringIO(), io.StringIO(), sys.argv
+    sys.argv, code = [package, *words[3:]], 0
+    try:
+        with chdir(cwd), redirect_stdout(out), redirect_stderr(err), warnings.catch_warnings():
+            warnings.resetwarnings()
+            main()
+    except SystemExit as ended:
+        code = ended.code
+    finally:
+        sys.argv = former
+    return subprocess.CompletedProcess(words, code, out.getvalue(), err.getvalue())
 
 
 def python(code: str, *arguments: object, threads: int = 4) -> list[str]:

@@ -31,7 +31,7 @@ def finished(tmp_path_factory):
     (folder / "study.toml").write_text(EXAMPLE.read_text().replace("count = 10_000", "count = 600"))
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("BONDEM_PROGRESS", "auto")
-        done = command("run", "study.toml", "--out", "out", "--seed", "3", "--threads", "1", cwd=folder)
+        done = command("run", "study.toml", "--out", "out", "--seed", "3", "--threads", "1", cwd=folder, process=True)
     return folder / "out", done
 
 
@@ -113,7 +113,7 @@ def test_an_unstable_run_returns_three(tmp_path):
 @pytest.mark.parametrize("option", ["--version", "--help"])
 def test_version_and_help_are_instant_and_load_nothing_heavy(tmp_path, option):
     start = time.perf_counter()
-    done = command(option, cwd=tmp_path)
+    done = command(option, cwd=tmp_path, process=True)
     assert (bd.__version__ if option == "--version" else "calibrate") in done.stdout.split()
     assert time.perf_counter() - start < 3.0
     code = (
