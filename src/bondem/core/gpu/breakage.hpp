@@ -33,19 +33,26 @@ inline void load_marked_alike_beam(Index k, const Moving &all, const Beams &beam
 
 // ---- judging
 
+struct BondEnds {
+    Short i, j;
+};
+// Puts bond k, which fails, in the list of the step, and postpones its two elements.
+BONDEM_INLINE void list_failing(Index k, const Verdict<double> &verdict, BondEnds ends, Byte as,
+                                const Candidates &candidates, const Postponed &postponed) {
+    const Index place = count_up(candidates.count(0));
+    candidates.marked(place) = k;
+    candidates.mode(place) = Index(verdict.mode);
+    hold(postponed, ends.i, as);
+    hold(postponed, ends.j, as);
+    put_shared(candidates.any(0), Index(1));
+}
 template <class Criterion>
 BONDEM_INLINE void judge_one(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
                              const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
                              const Postponed &postponed) {
     if (marks.mark(k) == 0 || clock_of(span).first || !(beams.integrity(k) > 0.0)) return;
     const Verdict<double> verdict = verdict_of<Criterion>(all.pose.data, beams, strengths, k);
-    if (!(verdict.index >= 1.0)) return;
-    const Index place = count_up(candidates.count(0));
-    candidates.marked(place) = k;
-    candidates.mode(place) = Index(verdict.mode);
-    hold(postponed, beams.i(k));
-    hold(postponed, beams.j(k));
-    put_shared(candidates.any(0), Index(1));
+    if (verdict.index >= 1.0) list_failing(k, verdict, {beams.i(k), beams.j(k)}, 1, candidates, postponed);
 }
 #define BONDEM_JUDGE(name, Criterion)                                                                                    \
     inline void judge_beam_by_##name(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,             \

@@ -5,6 +5,7 @@
 #include "breakage.hpp"
 #include "cells.hpp"
 #include "contacts.hpp"
+#include "facet_breakage.hpp"
 #include "motion.hpp"
 #include "record.hpp"
 #include "strains.hpp"
@@ -60,6 +61,13 @@
     X(sum_portion_of_cells)             \
     X(sum_portion_of_walls)             \
     X(add_energies)                     \
+    X(dilate_marked_facet)              \
+    X(judge_facet_by_mohr_coulomb)      \
+    X(postpone_neighbour)               \
+    X(withdraw_facets_of_cell)          \
+    X(break_all_facets)                 \
+    X(restore_facets_of_cell)           \
+    X(renew_wall_row)                   \
     X(load_marked_beam)                 \
     X(load_marked_alike_beam)           \
     X(judge_beam_by_peripheral_stress)  \

@@ -13,6 +13,7 @@ from bondem.solve.on_device import (
     breakage_counterparts,
     cell_counterparts,
     contact_counterparts,
+    facet_breakage_counterparts,
     motion_counterparts,
     record_counterparts,
 )
@@ -28,6 +29,7 @@ _ALL = {
     **breakage_counterparts.COUNTERPARTS,
     **cell_counterparts.COUNTERPARTS,
     **contact_counterparts.COUNTERPARTS,
+    **facet_breakage_counterparts.COUNTERPARTS,
     **motion_counterparts.COUNTERPARTS,
     **record_counterparts.COUNTERPARTS,
 }
