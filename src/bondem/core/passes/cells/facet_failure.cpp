@@ -71,6 +71,16 @@ double dilate(const Moving &all, const ElasticFacets &facets, const WallConstrai
     return 0.5 * release.weight(p) * grown * grown;
 }
 
+// That of both cells of facet k [J].
+double dilate_both(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                   const FacetRelease &release, Index k) {
+    double sum = 0.0;
+#pragma unroll 1
+    for (Index end = 0; end < 2; end++)
+        sum += dilate(all, facets, walls, release, end == 0 ? facets.i(k) : facets.j(k));
+    return sum;
+}
+
 // Lists the cells of facets that fail, then their neighbours.
 void list_changed(const ElasticFacets &facets, const FacetRelease &release, const Candidates &candidates,
                   const Postponed &postponed) {
@@ -100,16 +110,16 @@ Removal break_facet(const Moving &all, const ElasticFacets &facets, const WallCo
     const Ends<double> ends = ends_of(all.pose.data, facets, k);
     const FacetShape<double> shape = columns.shape<double>(k);
     const OpenFacet<double> open = opened(ends, shape);
-    const Vector normal = normal_of(facets, k);
+    const Vector normal = normal_of(facets, k), centre = {all.pose(i, 0), all.pose(i, 1), all.pose(i, 2)};
     const FacetEnergy<double> parts = facet_energy(ends, shape, normal, columns.stiffness(k, 1.0));
-    double energy = facets.integrity(k) * (parts.normal + parts.shear + parts.bending + parts.twisting);
-    energy += dilate(all, facets, walls, release, i) + dilate(all, facets, walls, release, j);
+    const double energy = facets.integrity(k) * (parts.normal + parts.shear + parts.bending + parts.twisting);
+    Removal removal = {energy, dot(open.gap, present_normal(ends, normal)), centre + open.arm_i};
+    removal.energy += dilate_both(all, facets, walls, release, k);
     facets.integrity(k) = 0.0;
     weigh(facets, release, i);
     weigh(facets, release, j);
-    energy -= dilate(all, facets, walls, release, i) + dilate(all, facets, walls, release, j);
-    const Vector centre = {all.pose(i, 0), all.pose(i, 1), all.pose(i, 2)};
-    return {energy, dot(open.gap, present_normal(ends, normal)), centre + open.arm_i};
+    removal.energy -= dilate_both(all, facets, walls, release, k);
+    return removal;
 }
 
 }  // namespace
