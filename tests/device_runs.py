@@ -77,7 +77,8 @@ def absorbing_bar() -> bd.Model:
 
 def breaking_cells(model: bd.Model, tension: float, **options: Any) -> bd.Model:
     """A body of cells, whose facets break."""
-    failure = bd.MohrCoulomb(tension=tension, cohesion=2.0 * tension, friction_angle=0.5)
+    scatter = bd.Weibull(modulus=6.0, volume=0.3, seed=2)
+    failure = bd.MohrCoulomb(tension=tension, cohesion=2.0 * tension, friction_angle=0.5, scatter=scatter)
     return bd.Model(model.lattice, model.bond, model.density, boundary=model.boundary, failure=failure, **options)
 
 
