@@ -9,6 +9,7 @@
 #include "motion.hpp"
 #include "record.hpp"
 #include "strains.hpp"
+#include "stress_onset.hpp"
 
 #define BONDEM_INDEX_PASSES(X)          \
     X(set_clock)                        \
@@ -68,6 +69,15 @@
     X(break_all_facets)                 \
     X(restore_facets_of_cell)           \
     X(renew_wall_row)                   \
+    X(judge_cell_by_mean_stress)        \
+    X(judge_cell_by_cone)               \
+    X(judge_cell_by_size)               \
+    X(clear_candidates)                 \
+    X(find_stress_candidate)            \
+    X(index_candidate_by_mean_stress)   \
+    X(index_candidate_by_cone)          \
+    X(mark_failing_facet)               \
+    X(find_strength_along)              \
     X(load_marked_beam)                 \
     X(load_marked_alike_beam)           \
     X(judge_beam_by_peripheral_stress)  \

@@ -16,6 +16,7 @@ from bondem.solve.on_device import (
     facet_breakage_counterparts,
     motion_counterparts,
     record_counterparts,
+    stress_onset_counterparts,
 )
 from bondem.solve.on_device.translation import Counterpart, Translation
 from bondem.solve.parts.part import Passes
@@ -32,6 +33,7 @@ _ALL = {
     **facet_breakage_counterparts.COUNTERPARTS,
     **motion_counterparts.COUNTERPARTS,
     **record_counterparts.COUNTERPARTS,
+    **stress_onset_counterparts.COUNTERPARTS,
 }
 
 

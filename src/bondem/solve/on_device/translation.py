@@ -69,6 +69,7 @@ class Translation:
         most = max(-(-n // 1024), -(-m // 2048), len(self._works.works), 1)
         self.folded = FoldedPortions(np.zeros((-(-most // GROUP), len(SUM_COLUMNS))))
         self.logs: list[EventLog] = []
+        self._apart: list[np.ndarray] = []
         self.walls: np.ndarray | None = None
         self._rows = rows
         self._made: dict[int, tuple[Any, Any]] = {}
@@ -76,7 +77,12 @@ class Translation:
     @property
     def work_spaces(self) -> list[np.ndarray]:
         """Arrays that only the device reads."""
-        return [self.loads.load, self.dashed.load, self.cut.sums, *(log.event for log in self.logs)]
+        events = [log.event for log in self.logs]
+        return [self.loads.load, self.dashed.load, self.cut.sums, *events, *self._apart]
+
+    def keep_apart(self, *arrays: np.ndarray) -> None:
+        """Take note of arrays that are copied only where a `HostCall` asks for them."""
+        self._apart += arrays
 
     def keep_log(self, log: EventLog) -> None:
         """Take note of a table of events."""
