@@ -10,9 +10,7 @@ from bondem.solve.on_device.device_tables import BondMarks, DeviceSpan, LoadsOfB
 from bondem.solve.on_device.translation import Counterpart, Translation, elements, over
 from bondem.solve.step_tables import Moving
 
-_dilate_marked_facet = IndexPass(
-    "dilate_marked_facet", Moving, ElasticFacets, LoadsOfBonds, FailureBounds, BondMarks
-)
+_dilate_marked_facet = IndexPass("dilate_marked_facet", Moving, ElasticFacets, LoadsOfBonds, FailureBounds, BondMarks)
 _judge = IndexPass(
     "judge_facet_by_mohr_coulomb", DeviceSpan, Moving, ElasticFacets, Strengths, BondMarks, Candidates, Postponed
 )

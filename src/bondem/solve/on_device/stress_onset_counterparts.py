@@ -13,18 +13,14 @@ from bondem.solve.stress_onset import CandidateFacets
 
 _OF_CORE = "mean_stress", "cone"
 _judge_by = {
-    name: IndexPass(
-        f"judge_cell_by_{name}", DeviceSpan, StressesOfCells, StressFunction, CandidateFacets, CrackOnset
-    )
+    name: IndexPass(f"judge_cell_by_{name}", DeviceSpan, StressesOfCells, StressFunction, CandidateFacets, CrackOnset)
     for name in _OF_CORE
 }
 _judge_by_size = IndexPass("judge_cell_by_size", DeviceSpan, StressesOfCells, CandidateFacets, CrackOnset)
 _FACETS = Moving, ElasticFacets, FacetForces, StressesOfCells, CrackOnset, CandidateFacets
 _clear = IndexPass("clear_candidates", CandidateFacets)
 _find = IndexPass("find_stress_candidate", DeviceSpan, *_FACETS)
-_index_by = {
-    name: IndexPass(f"index_candidate_by_{name}", StressCandidates, StressFunction) for name in _OF_CORE
-}
+_index_by = {name: IndexPass(f"index_candidate_by_{name}", StressCandidates, StressFunction) for name in _OF_CORE}
 _mark = IndexPass("mark_failing_facet", *_FACETS)
 _find_strength = IndexPass("find_strength_along", CandidateFacets)
 
