@@ -3,8 +3,8 @@
 python benchmarks/gpu_device.py [--seconds 225] [--out FILE]
 
 As long as there is time: small runs with all that acts on bodies, on the device and on the CPU; beams and cells of
-1e4 to 1e6 elements; beams and cells that break; a batch of 100 specimens of 10 000 elements, several at once; one in
-contact, where the device has contacts; beams and cells of 1e7 elements. Bodies are periodic packings of 10 000
+1e4 to 1e6 elements; beams and cells that break; a batch of 100 specimens of 10 000 elements, several at once; a body
+in contact, where the device has contacts; beams and cells of 1e7 elements. Bodies are periodic packings of 10 000
 spheres, repeated. The file is written after each of them. `--host` rehearses the script in small, with the CPU as
 the device.
 """

@@ -15,7 +15,7 @@ from bondem.solve.explicit import integrate
 from bondem.solve.loop_core import CoreLoop
 from bondem.solve.loop_device import DeviceLoop, device_has
 from bondem.solve.plan import ExplicitResult, Plan
-from tests.bits import assert_same_bits, assert_same_fracture
+from tests.bits import assert_same_bits, assert_same_fracture, assert_same_run
 from tests.core.test_stress_onset_on_device import ONSET
 from tests.device_cases import CRITERIA, CUBE_DT, CUBE_STEPS, NUS, cell, cubes, moving, pressed_bar
 from tests.device_runs import CASES, deviation
@@ -32,6 +32,13 @@ class Noting(Host):
     def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
         LAUNCHED.add(one.name)
         return super().prepared(one, count, tables, halted)
+
+
+class Backwards(Host):
+    """The CPU as a device that begins with the last index."""
+
+    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+        return super().prepared(one, -count, tables, halted)
 
 
 def on_device(model: bd.Model, plan: Plan, state: State, dt: float) -> DeviceLoop:
@@ -87,6 +94,18 @@ def test_pausing_changes_no_bit(case: str) -> None:
     resumed = integrate(model, plans[0], state=half, loop_of=on_device)
     for other in (parted, resumed):
         assert_same_bits(whole, other)
+
+
+@pytest.mark.parametrize(
+    "case", ["peripheral", "brittle cells", "cells break and touch", "spheres and walls", "warming cells"]
+)
+def test_the_order_of_indices_changes_no_bit(case: str) -> None:
+    """Threads of a device have no order."""
+    model, start, steps, dt, options = CASES[case]()
+    plan = Plan(duration=steps * dt, dt=dt, **options)
+    forth = integrate(model, plan, state=start(model), loop_of=on_device)
+    back = integrate(model, plan, state=start(model), loop_of=lambda *given: DeviceLoop(*given, Backwards()))
+    assert_same_run(forth, back)
 
 
 @pytest.mark.parametrize("case", ["peripheral", "brittle cells", "warming brittle cells"])

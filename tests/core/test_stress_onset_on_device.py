@@ -35,8 +35,8 @@ OF_EACH = {
 }
 
 
-def mean_over_strength(stress: np.ndarray, tension: float) -> float:
-    return (stress[0, 0] + stress[1, 1] + stress[2, 2]) / (3.0 * tension)
+def mean_over_strength(stress: np.ndarray, tension: float) -> Any:
+    return (stress[..., 0, 0] + stress[..., 1, 1] + stress[..., 2, 2]) / (3.0 * tension)
 
 
 CRITERIA: dict[str, Any] = {
