@@ -25,9 +25,9 @@ inline void judge_facet_by_mohr_coulomb(Index k, const DeviceSpan &span, const M
                                         const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
                                         const Postponed &postponed) {
     if (marks.mark(k) == 0 || clock_of(span).first || !(facets.integrity(k) > 0.0)) return;
-    const Verdict<double> verdict = verdict_of<MohrCoulomb>(all.pose.data, facets, strengths, k);
-    if (verdict.index >= 1.0)
-        list_failing(k, verdict, {facets.i(k), facets.j(k)}, postponed_for::own_facet, candidates, postponed);
+    if (!list_failing(k, verdict_of<MohrCoulomb>(all.pose.data, facets, strengths, k), candidates)) return;
+    hold(postponed, facets.i(k), postponed_for::own_facet);
+    hold(postponed, facets.j(k), postponed_for::own_facet);
 }
 inline void postpone_neighbour(Index p, const ElasticFacets &facets, const FacetRelease &release,
                                const Candidates &candidates, const Postponed &postponed) {

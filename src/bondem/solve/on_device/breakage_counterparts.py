@@ -20,6 +20,7 @@ _JUDGES = {
     name: IndexPass(f"judge_beam_by_{name}", DeviceSpan, Moving, Beams, Strengths, BondMarks, Candidates, Postponed)
     for name in CRITERION_NAMES
 }
+#: Sorts the bonds that fail in a step.
 sort_failing = IndexPass("sort_failing", Candidates)
 _keep_gathered_sum = IndexPass("keep_gathered_sum", StepCut, BondsOfElements, LoadsOfBonds, Postponed)
 _keep_sum = IndexPass("keep_sum", StepCut, Postponed)
@@ -41,7 +42,7 @@ _write_released_energy = IndexPass("write_released_energy", DeviceSpan, EventLog
 
 
 def marks_of(run: Translation) -> BondMarks:
-    """Return the marks of bonds that are near to failure."""
+    """Return the marks of the bonds of a run."""
     return run.once(run.loads, lambda: BondMarks(np.zeros(run.span.m, dtype=np.uint8)))
 
 
