@@ -34,7 +34,7 @@ def _find_candidates(
     cracks: CrackOnset,
     onset: CandidateFacets,
 ) -> list[Launch]:
-    run.keep_apart(onset.bond, onset.stress, onset.found)
+    run.scratch += [onset.bond, onset.stress, onset.found]
     tables = run.span, moving, facets, kept, stresses, cracks, onset
     return [(_clear, 1, (onset,)), (_find, run.span.m, tables)]
 
