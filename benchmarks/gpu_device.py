@@ -3,8 +3,8 @@
 python benchmarks/gpu_device.py [--seconds 225] [--out FILE]
 
 As long as there is time: small runs with all that acts on bodies, on the device and on the CPU; beams and cells of
-1e4 to 1e6 elements; beams that break; a batch of 100 specimens of 10 000 elements, several at once; a body in
-contact, where the device has contacts; beams and cells of 1e7 elements. Bodies are periodic packings of 10 000
+1e4 to 1e6 elements; beams and cells that break; a batch of 100 specimens of 10 000 elements, several at once; a body
+in contact, where the device has contacts; beams and cells of 1e7 elements. Bodies are periodic packings of 10 000
 spheres, repeated. The file is written after each of them. `--host` rehearses the script in small, with the CPU as
 the device.
 """
@@ -168,6 +168,9 @@ def report(device: Callable[[], Device], clock: Clock, *, rehearsal: bool) -> It
     brittle = bd.PeripheralStress(tension=1e8, shear=1e8)
     if clock.left > 20.0:
         yield "beams that break", measured(device, 2_000 if rehearsal else 1_000_000, "beams", failure=brittle)
+    weak = bd.MohrCoulomb(tension=2e7, cohesion=4e7, friction_angle=0.6)
+    if clock.left > 20.0:
+        yield "cells that break", measured(device, 500 if rehearsal else 100_000, "cells", failure=weak)
     if clock.left > 20.0:
         yield "batch", batch(device, *((4, 500, 2) if rehearsal else (_BATCH, _OF_EACH, _AT_ONCE)))
     touching: dict[str, Any] = {"contact": bd.LinearContact(E=265e9)}

@@ -75,6 +75,22 @@ def absorbing_bar() -> bd.Model:
     ])  # fmt: skip
 
 
+def breaking_cells(model: bd.Model, tension: float, **options: Any) -> bd.Model:
+    """A body of cells, whose facets break."""
+    scatter = bd.Weibull(modulus=6.0, volume=0.3, seed=2)
+    failure = bd.MohrCoulomb(tension=tension, cohesion=2.0 * tension, friction_angle=0.5, scatter=scatter)
+    return bd.Model(model.lattice, model.bond, model.density, boundary=model.boundary, failure=failure, **options)
+
+
+# Cells touch as spheres where their facets break, and press on two walls.
+TOUCHING: dict[str, Any] = {
+    "contact": bd.LinearContact(E=1e7, friction=0.4, damping=0.1),
+    "walls": [
+        bd.PlaneWall((0, 0, 0), (0, 0, 1)), bd.PlaneWall((0, 3.0, 0), (0, -1, 0), motion=bd.Driven(vy=-3.0)),
+    ],
+}  # fmt: skip
+
+
 Case = tuple[bd.Model, Callable[[bd.Model], State], int, float, dict[str, Any]]
 CASES: dict[str, Callable[[], Case]] = {
     "bar": lambda: (bar(), moving, 320, 2e-3, {"damping": DAMPED, "gauges": GAUGES, "every": 6}),
@@ -113,6 +129,22 @@ CASES: dict[str, Callable[[], Case]] = {
         breaking_bar(CRITERIA["peripheral"]), moving, 60, 1e-3, {"every": 0, "damping": bd.BondDamping(eta=0.1)}
     ),
     "held and brittle": lambda: (brittle_beams(), moving, 60, 2e-3, {}),
+    "brittle cells": lambda: (
+        breaking_cells(held_bar(), 1.5e5), moving, 60, 1e-3, {"damping": DAMPED, "gauges": CELL_GAUGES, "every": 5}
+    ),
+    "free brittle cells": lambda: (
+        breaking_cells(bd.Model(body(3, 3, 3, periodic=True), bd.CellBond(E=1e7, nu=0.2), density=1000.0), 1.5e5),
+        lambda model: moving(model, 3.0), 100, 1e-3, {"every": 9},
+    ),
+    "pressed brittle cells": lambda: (
+        breaking_cells(pressed_bar(), 6e4), lambda model: moving(model, 2.0), 120, 8e-4,
+        {"scheme": bd.TchamwaWielgosz(1.2), "gauges": CELL_GAUGES, "every": 5},
+    ),
+    "warming brittle cells": lambda: (breaking_cells(warming_cells(), 3e4), moving, 100, 1e-3, {"every": 10}),
+    "cells break and touch": lambda: (
+        breaking_cells(held_bar(), 2e5, **TOUCHING), lambda model: moving(model, 2.0), 120, 5e-4,
+        {"damping": bd.BondDamping(eta=0.05), "gauges": CELL_GAUGES, "every": 7},
+    ),
     "warming": lambda: (warming_beams(), moving, 150, 2e-3, {"every": 10}),
     "warming cells": lambda: (warming_cells(), moving, 100, 1e-3, {"every": 10}),
     "absorbing cells": lambda: (absorbing_bar(), moving, 150, 1e-3, {"gauges": CELL_GAUGES, "every": 10}),

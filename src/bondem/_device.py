@@ -6,13 +6,14 @@ lays the tables out there.
 """
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
 
 from bondem._core import checked_kinds, filled_table, index_pass
 
-__all__ = ["Device", "DeviceTables", "Enqueue", "Host", "IndexPass", "Launch"]
+__all__ = ["Device", "DeviceTables", "Enqueue", "Host", "HostCall", "IndexPass", "Launch", "passes_of"]
 
 # Bytes of a line of the memory.
 _LINE = 128
@@ -37,8 +38,24 @@ class IndexPass:
         self.fields = checked_kinds(name, tables, kinds)
 
 
-#: A pass, how many indices there are, and its tables.
-Launch = tuple[IndexPass, int, tuple[Any, ...]]
+@dataclass(frozen=True)
+class HostCall:
+    """Work of the CPU between two passes of a step, such as a function of a user. Steps with one are no graphs.
+
+    Attributes:
+        work: function that fetches from tables of a run what it needs, and sends what it finds.
+    """
+
+    work: Callable[["DeviceTables"], None]
+
+
+#: A pass, how many indices there are, and its tables; or what the CPU does, once, without tables.
+Launch = tuple[IndexPass | HostCall, int, tuple[Any, ...]]
+
+
+def passes_of(launches: Iterable[Launch]) -> list[str]:
+    """Return the names of the passes of launches over at least one index."""
+    return [one.name for one, count, _ in launches if isinstance(one, IndexPass) and count > 0]
 
 
 class Device(Protocol):
@@ -146,14 +163,15 @@ class DeviceTables:
         """
         flag = 0 if halted is None else self.address(halted)
         launches = list(launches)
-        self.device.compile([one.name for one, count, _ in launches if count > 0])
-        return [
-            self.device.prepared(
-                one, count, [self._table(*kind, table) for kind, table in zip(one.fields, tables, strict=True)], flag
-            )
-            for one, count, tables in launches
-            if count > 0
-        ]  # fmt: skip
+        self.device.compile(passes_of(launches))
+        return [self._prepared(launch, flag) for launch in launches if launch[1] > 0]
+
+    def _prepared(self, launch: Launch, flag: int) -> Enqueue:
+        one, count, tables = launch
+        if isinstance(one, HostCall):
+            return lambda _: one.work(self)
+        addresses = [self._table(*kind, table) for kind, table in zip(one.fields, tables, strict=True)]
+        return self.device.prepared(one, count, addresses, flag)
 
     def _table(self, name: str, fields: Any, table: tuple[Any, ...]) -> int:
         """Return the address of a table on the device."""

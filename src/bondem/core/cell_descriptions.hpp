@@ -25,7 +25,8 @@ BONDEM_TABLE(CellPoses, F(pose, "n 8"), F(rest, "n 3"))
 BONDEM_TABLE(FacetForces, F(bends, "m"), F(force, "3 m"), F(moment, "n 7"), F(sums, "* 8"))
 BONDEM_TABLE(FacetsOfCells, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"))
 BONDEM_TABLE(FacetRelease, F(whole, "n"), F(weight, "n"), F(given, "n"), F(slack_i, "bonds"), F(slack_j, "bonds"),
-             F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "bonds"), F(changed, "n"), F(changes, "1"))
+             F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "bonds"), F(wall_start, "n+1"), F(wall, "held"),
+             F(changed, "n"), F(changes, "1"))
 BONDEM_TABLE(WallConstraints, F(cell, "held"), F(row, "held"), F(k, "held"), F(lever, "held 3"), F(arm, "held 3"),
              F(share, "held 3"), F(H, "held 6"), F(base, "held 7"), F(axes, "held 3"), F(drive, "held 3"),
              F(rate, "hold_schedules"), F(times, "hold_times"), F(values, "hold_times"), F(start, "hold_schedules+1"),

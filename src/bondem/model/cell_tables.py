@@ -92,7 +92,9 @@ class FacetRelease(NamedTuple):
     in_start: Ints  #: facets of each cell, as in `FacetsOfCells`
     out_start: Ints
     out_bond: np.ndarray  #: uint32
-    changed: np.ndarray  #: cells of the facets that fail in a step, uint32, (n,)
+    wall_start: Ints  #: walls wall[wall_start[p] …] hold cell p, (n + 1,)
+    wall: Ints  #: (g,)
+    changed: np.ndarray  #: cells of the facets that fail in a step, then their neighbours, uint32, (n,)
     changes: Ints  #: their number, (1,)
 
 
@@ -191,7 +193,7 @@ def cell_tables(
 
 
 def facet_release(
-    constants: CellConstants, layout: Layout, facets: ElasticFacets, cells: CellDilatation
+    constants: CellConstants, layout: Layout, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints
 ) -> FacetRelease:
     """Return the effect of failing facets on their cells, and weigh the cells by the facets that they have left.
 
@@ -200,11 +202,14 @@ def facet_release(
         layout: cells of the facets.
         facets: facets with their integrity.
         cells: cells, whose weights are set.
+        walls: walls that hold facets of the cells.
     """
     n = len(constants.weight)
+    wall_start = np.concatenate([[0], np.cumsum(np.bincount(walls.cell, minlength=n))]).astype(np.int64)
     release = FacetRelease(
         constants.weight, cells.weight, cells.given, constants.slack_i, constants.slack_j, layout.in_start,
-        layout.out_start, layout.out_bond, np.zeros(n, dtype=np.uint32), np.zeros(1, dtype=np.int64),
+        layout.out_start, layout.out_bond, wall_start, np.argsort(walls.cell, kind="stable").astype(np.int64),
+        np.zeros(n, dtype=np.uint32), np.zeros(1, dtype=np.int64),
     )  # fmt: skip
     _weigh_cells(facets, release)
     return release

@@ -94,13 +94,24 @@ class StressPasses:
 
     def indices(self, stress: Floats) -> Floats:
         """Return the indices of symmetric stresses (k, 3, 3) [-], (k,)."""
-        k = len(stress)
-        candidates = StressCandidates.of(k)._replace(stress=np.ascontiguousarray(stress, dtype=float))
-        _index_stresses[self.name](candidates, self.table)
+        found = stress_indices(self.name, stress, self.table)
         self.check()
-        return candidates.found
+        return found
 
     def check(self) -> None:
         """Raise the error that a function of Python has raised in a step."""
         if self.callback is not None:
             self.callback.check()
+
+
+def stress_indices(name: str, stress: Floats, table: StressFunction) -> Floats:
+    """Return the indices of symmetric stresses [-], (k,), 0 where a function of Python raises an error.
+
+    Args:
+        name: one of `STRESS_CRITERIA`.
+        stress: stresses [Pa], (k, 3, 3).
+        table: address and parameters of the criterion.
+    """
+    candidates = StressCandidates.of(len(stress))._replace(stress=np.ascontiguousarray(stress, dtype=float))
+    _index_stresses[name](candidates, table)
+    return candidates.found

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from bondem._device import Device, DeviceTables, Enqueue, Launch
+from bondem._device import Device, DeviceTables, Enqueue, HostCall, Launch, passes_of
 from bondem.kernels.advance import BEYOND, FINE, GUARD_INTERVAL, NOT_FINITE, RUNAWAY
 from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, StepScheme
 from bondem.laws.damping import DampingTerms
@@ -47,7 +47,7 @@ _STEP = 5
 def device_has(model: Model) -> bool:
     """Return whether all passes of a run have counterparts on a device."""
     return (
-        (model.breaking is None or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES)))
+        (model.breaking is None or model.breaking.kind < len(CRITERION_NAMES))
         and model.beam_softening is None
         and model.softening is None
         and model.non_local is None
@@ -108,9 +108,8 @@ class DeviceLoop:
         go_on = [self._tick(ahead=1, goes_on=True), *present, *forces]
         written = self._recording(HistoryRows(np.zeros((1, self._width))))
         self._tables.work_space(*run.work_spaces)
-        self._tables.device.compile(
-            [one.name for one, *_ in (*begin, *travel, *forces, *opening, *guard, *written)]
-        )
+        self._tables.device.compile(passes_of((*begin, *travel, *forces, *opening, *guard, *written)))
+        self._graphed = not any(isinstance(one, HostCall) for one, *_ in forces)
         others = map(self._tables.prepared, (begin, look, opening, guard))
         self._begin, self._look, self._open, self._guarding = others
         halted = run.span.halted if self._listed else None
@@ -197,7 +196,7 @@ class DeviceLoop:
         """Enqueue some of the steps to a pause, as a graph where possible; return how many."""
         if steps == 1 or not self._graphs:  # what is recorded must have been loaded
             _run(self._pause if steps == 1 else self._go_on)
-            if not self._graphs:
+            if self._graphed and not self._graphs:
                 self._graphs[1] = self._tables.device.recorded(self._go_on)
             return 1
         size = min(_RECORDED, 1 << ((steps - 1).bit_length() - 1))

@@ -50,16 +50,17 @@ inline void place_wall(Index g, const DeviceSpan &span, const WallConstraints &w
     if (clock_of(span).first)
         for (Index axis = 0; axis < 3; axis++) walls.came(g, axis) = 0.0;
 }
-// Forces of the walls of row r, and their sum.
+// Sum of the forces of the walls of row r; and these forces.
+BONDEM_INLINE void sum_row(Index r, const WallConstraints &walls, const RowOrder &order, const Rows &rows) {
+    double sum[6] = {};
+    for (Index e = order.start(r); e < order.start(r + 1); e++)
+        for (Index c = 0; c < 6; c++) sum[c] += walls.load(order.load(e), c);
+    for (Index c = 0; c < 6; c++) rows.grip(r, c) = sum[c];
+}
 BONDEM_INLINE void load_row(Index r, const Moving &all, const WallConstraints &walls, const RowOrder &order,
                             const Rows &rows) {
-    double sum[6] = {};
-    for (Index e = order.start(r); e < order.start(r + 1); e++) {
-        const Index g = order.load(e);
-        load_hold(all.pose, all.rest, walls, g);
-        for (Index c = 0; c < 6; c++) sum[c] += walls.load(g, c);
-    }
-    for (Index c = 0; c < 6; c++) rows.grip(r, c) = sum[c];
+    for (Index e = order.start(r); e < order.start(r + 1); e++) load_hold(all.pose, all.rest, walls, order.load(e));
+    sum_row(r, walls, order, rows);
 }
 BONDEM_INLINE double half_work(Index r, const WallConstraints &walls, const RowOrder &order) {
     double work = 0.0;

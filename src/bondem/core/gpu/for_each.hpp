@@ -17,10 +17,12 @@ template <class... Tables, void (*pass)(Index, const Tables &...)> struct ForEac
     static void at(Index k, const void *const *tables) {
         with(k, tables, typename CountTo<sizeof...(Tables)>::type{});
     }
-    // Nothing is done where a number that is given is not 0.
+    // Nothing is done where a number that is given is not 0. A count below 0 is that of indices from the last to the first,
+    // by which tests find passes that need an order.
     static Index on_host(Index count, const Index *halted, const void *const *tables) {
         if (halted && *halted) return 0;
         for (Index k = 0; k < count; k++) at(k, tables);
+        for (Index k = -count - 1; k >= 0; k--) at(k, tables);
         return 0;
     }
 };

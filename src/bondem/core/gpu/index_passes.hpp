@@ -5,9 +5,11 @@
 #include "breakage.hpp"
 #include "cells.hpp"
 #include "contacts.hpp"
+#include "facet_breakage.hpp"
 #include "motion.hpp"
 #include "record.hpp"
 #include "strains.hpp"
+#include "stress_onset.hpp"
 
 #define BONDEM_INDEX_PASSES(X)          \
     X(set_clock)                        \
@@ -60,6 +62,22 @@
     X(sum_portion_of_cells)             \
     X(sum_portion_of_walls)             \
     X(add_energies)                     \
+    X(dilate_marked_facet)              \
+    X(judge_facet_by_mohr_coulomb)      \
+    X(postpone_neighbour)               \
+    X(withdraw_facets_of_cell)          \
+    X(break_all_facets)                 \
+    X(restore_facets_of_cell)           \
+    X(renew_wall_row)                   \
+    X(judge_cell_by_mean_stress)        \
+    X(judge_cell_by_cone)               \
+    X(judge_cell_by_size)               \
+    X(clear_candidates)                 \
+    X(find_stress_candidate)            \
+    X(index_candidate_by_mean_stress)   \
+    X(index_candidate_by_cone)          \
+    X(mark_failing_facet)               \
+    X(find_strength_along)              \
     X(load_marked_beam)                 \
     X(load_marked_alike_beam)           \
     X(judge_beam_by_peripheral_stress)  \

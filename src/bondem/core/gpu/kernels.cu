@@ -4,6 +4,7 @@
 #include "../passes/boundary/couples.cpp"
 #include "../passes/cells/cell_report.cpp"
 #include "../passes/cells/cell_strains.cpp"
+#include "../passes/cells/facet_failure.cpp"
 #include "../passes/contacts/contact_loads.cpp"
 #include "../passes/contacts/handover.cpp"
 #include "../passes/contacts/rigid_walls.cpp"

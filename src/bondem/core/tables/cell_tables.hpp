@@ -67,7 +67,9 @@ struct FacetRelease {
     Array<const double, 1> slack_i, slack_j;  // what 1 / weight of each side gains where a facet fails [m³/Pa], (bonds,)
     Array<const Index, 1> in_start, out_start;  // (n + 1,)
     Array<const Short, 1> out_bond;
-    Array<Short, 1> changed;  // cells of the facets that fail in a step, (n,)
+    Array<const Index, 1> wall_start;  // walls of each cell: wall(wall_start(p)) … wall(wall_start(p + 1) - 1), (n + 1,)
+    Array<const Index, 1> wall;  // ascending, (held,)
+    Array<Short, 1> changed;  // cells of the facets that fail in a step, then their neighbours, (n,)
     Array<Index, 1> changes;  // how many, (1,)
 };
 

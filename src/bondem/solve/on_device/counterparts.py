@@ -13,8 +13,10 @@ from bondem.solve.on_device import (
     breakage_counterparts,
     cell_counterparts,
     contact_counterparts,
+    facet_breakage_counterparts,
     motion_counterparts,
     record_counterparts,
+    stress_onset_counterparts,
 )
 from bondem.solve.on_device.translation import Counterpart, Translation
 from bondem.solve.parts.part import Passes
@@ -28,8 +30,10 @@ _ALL = {
     **breakage_counterparts.COUNTERPARTS,
     **cell_counterparts.COUNTERPARTS,
     **contact_counterparts.COUNTERPARTS,
+    **facet_breakage_counterparts.COUNTERPARTS,
     **motion_counterparts.COUNTERPARTS,
     **record_counterparts.COUNTERPARTS,
+    **stress_onset_counterparts.COUNTERPARTS,
 }
 
 

@@ -46,7 +46,7 @@ def _breakage(
     """Return the part of facets that break."""
     assert model.cells is not None
     moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
-    release = facet_release(model.cells, model.layout, body.facets, body.cells)
+    release = facet_release(model.cells, model.layout, body.facets, body.cells, body.walls)
     strengths = strengths_of(damage.table)
     judge = (_judge_facets[damage.table.kind], moving, body.facets, release, strengths, candidates, postponed)
     exchanged = moving, body.facets, body.walls, release, candidates

@@ -12,9 +12,7 @@ struct FacetMarks {
     Marks marks;
     BONDEM_INLINE void mark(Index k, int known, const Row<Lanes> &a, const Row<Lanes> &b, const Ends<Lanes> &ends,
                             const FacetColumns &columns) {
-        const Lanes s = load(columns.integrity + k), whole = Lanes{} + 1.0, none = {};
-        const Vector3<Lanes> f = facet_pull(ends, columns.shape<Lanes>(k), load(columns.k + k), stresses_of(a, b, whole));
-        marks.mark(k, known, s * s * dot(f, f), none);
+        marks.mark(k, known, pull_squared(a, b, ends, columns, k), Lanes{});
     }
 };
 

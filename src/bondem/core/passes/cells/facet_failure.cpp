@@ -2,60 +2,24 @@
 //
 // With a facet its two cells change their stress, and with these the force of all their other facets. So the neighbours
 // of both cells are postponed too, and the loads of all these facets are exchanged in the kept sums: taken off with the
-// facets that fail, added without them. Facets are evaluated between the two passes over them, when stresses are known and
-// no cell has moved; which of them are near to failure is found with the stresses of the step before.
+// facets that fail, added without them, cell by cell in the order of its facets. Facets are evaluated between the two
+// passes over them, when stresses are known and no cell has moved; which of them are near to failure is found with the
+// stresses of the step before.
 #include "facet_failure.hpp"
 
-#include "../../laws/criteria/elliptic.hpp"
-#include "../../laws/criteria/linear_sum.hpp"
-#include "../../laws/criteria/mohr_coulomb.hpp"
-#include "../../laws/criteria/peripheral_stress.hpp"
-#include "../damage/pipeline.hpp"
+#include "facet_neighbours.hpp"
+#include "facet_verdicts.hpp"
 #include "walls.hpp"
 
 namespace bondem {
 namespace {
 
-// What a cell is postponed for: a neighbour, or a facet of its own; and then whether it is listed.
-enum : Byte { neighbour = 1, own = 2, listed = 3 };
-
-Ends<double> ends_at(const double *pose, const ElasticFacets &facets, Index k) { return ends_of(pose, facets, k); }
-
-FacetLoads<double> loads_of(const double *pose, const ElasticFacets &facets, Index k) {
-    const FacetColumns columns(facets);
-    const Row<double> i = gather(pose, facets.i(k)), j = gather(pose, facets.j(k));
-    const double s = facets.integrity(k);
-    return facet_loads(ends_of(i, j, facets.period.data), columns.shape<double>(k), columns.stiffness(k, s),
-                       stresses_of(i, j, s));
-}
-
-// A criterion sees the normal and the shear force of a facet.
-template <class Criterion>
-Verdict<double> verdict_of(const double *pose, const ElasticFacets &facets, const Strengths &strengths, Index k) {
-    const Vector f = loads_of(pose, facets, k).force, n = present_normal(ends_at(pose, facets, k), normal_of(facets, k));
-    const double along = -dot(f, n), *const c = &strengths.coefficient(k, 0);
-    const double across = length(plus(f, along, n));
-    return Criterion::verdict(BondLoads<double>{along, across, 0.0, 0.0, 0.0, 0.0},
-                              Coefficients<double>{c[0], c[1], c[2], c[3]});
-}
-
-// Calls on(k) for the facets of a cell: first those of which it is j.
-template <class On> void for_each_facet_of(const FacetRelease &release, Index p, On on) {
-    for (Index k = release.in_start(p); k < release.in_start(p + 1); k++) on(k);
-    for (Index e = release.out_start(p); e < release.out_start(p + 1); e++) on(Index(release.out_bond(e)));
-}
-template <class On> void for_each_wall_of(const WallConstraints &walls, Index p, On on) {
-    for (Index g = 0; g < walls.cell.size(); g++)
-        if (walls.cell(g) == p) on(g);
-}
-Index other_cell(const ElasticFacets &facets, Index k, Index p) { return facets.i(k) != Short(p) ? facets.i(k) : facets.j(k); }
-
 void hold_with_neighbours(const ElasticFacets &facets, const FacetRelease &release, const Postponed &postponed, Index p) {
     for_each_facet_of(release, p, [&](Index k) {
         const Index other = other_cell(facets, k, p);
-        if (facets.integrity(k) > 0.0 && !is_held(postponed, other)) hold(postponed, other, neighbour);
+        if (facets.integrity(k) > 0.0 && !is_held(postponed, other)) hold(postponed, other, postponed_for::neighbour);
     });
-    hold(postponed, p, own);
+    hold(postponed, p, postponed_for::own_facet);
 }
 
 template <class Criterion>
@@ -96,35 +60,46 @@ double dilate(const Moving &all, const ElasticFacets &facets, const WallConstrai
               Index p) {
     const FacetColumns columns(facets);
     double grown = release.given(p);
-    for_each_wall_of(walls, p, [&](Index g) { grown += dilatation_of_hold(all.pose, all.rest, walls, g); });
+    for_each_wall_of(release, p, [&](Index g) { grown += dilatation_of_hold(all.pose, all.rest, walls, g); });
     for_each_facet_of(release, p, [&](Index k) {
         const double s = facets.integrity(k);
         if (s <= 0.0) return;
-        const OfCells<double> both = dilatation(ends_at(all.pose.data, facets, k), columns.shape<double>(k));
+        const OfCells<double> both = dilatation(ends_of(all.pose.data, facets, k), columns.shape<double>(k));
         grown += s * (facets.i(k) == Short(p) ? both.i : both.j);
     });
     all.pose(p, stress_column) = release.weight(p) * grown;
     return 0.5 * release.weight(p) * grown * grown;
 }
 
-// Takes the loads of all facets and walls of the changed cells, times a sign, off the kept sums.
-void take_off_all(double sign, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
-                  const FacetRelease &release, const Postponed &postponed) {
-    const auto row_of = [&](Index p) { return &postponed.kept(p, 0); };
-    for (Index c = 0; c < release.changes(0); c++) {
+// That of both cells of facet k [J].
+double dilate_both(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                   const FacetRelease &release, Index k) {
+    double sum = 0.0;
+#pragma unroll 1
+    for (Index end = 0; end < 2; end++)
+        sum += dilate(all, facets, walls, release, end == 0 ? facets.i(k) : facets.j(k));
+    return sum;
+}
+
+// Lists the cells of facets that fail, then their neighbours.
+void list_changed(const ElasticFacets &facets, const FacetRelease &release, const Candidates &candidates,
+                  const Postponed &postponed) {
+    using namespace postponed_for;
+    Index &count = release.changes(0);
+    count = 0;
+    const auto list = [&](Index p, Byte as) {
+        if (postponed.held(p) != as) return;
+        postponed.held(p) = Byte(as + listed);
+        release.changed(count++) = Short(p);
+    };
+    for_each_failing(candidates, [&](Index k, Index) {
+        list(facets.i(k), own_facet);
+        list(facets.j(k), own_facet);
+    });
+    const Index losing = count;
+    for (Index c = 0; c < losing; c++) {
         const Index p = release.changed(c);
-        for_each_facet_of(release, p, [&](Index k) {
-            const Index other = other_cell(facets, k, p);
-            // a facet between two changed cells belongs to the one with the smaller number
-            if (facets.integrity(k) <= 0.0 || (postponed.held(other) == listed && other < p)) return;
-            const FacetLoads<double> loads = loads_of(all.pose.data, facets, k);
-            take_off(row_of(facets.i(k)), -sign, loads.force, sign, loads.on_i);
-            take_off(row_of(facets.j(k)), sign, loads.force, sign, loads.on_j);
-        });
-        for_each_wall_of(walls, p, [&](Index g) {
-            const double *load = &walls.load(g, 0);
-            take_off(row_of(p), sign, {load[0], load[1], load[2]}, sign, {load[3], load[4], load[5]});
-        });
+        for_each_facet_of(release, p, [&](Index k) { list(other_cell(facets, k, p), neighbour); });
     }
 }
 
@@ -132,19 +107,19 @@ Removal break_facet(const Moving &all, const ElasticFacets &facets, const WallCo
                     const FacetRelease &release, Index k) {
     const FacetColumns columns(facets);
     const Index i = facets.i(k), j = facets.j(k);
-    const Ends<double> ends = ends_at(all.pose.data, facets, k);
+    const Ends<double> ends = ends_of(all.pose.data, facets, k);
     const FacetShape<double> shape = columns.shape<double>(k);
     const OpenFacet<double> open = opened(ends, shape);
-    const Vector normal = normal_of(facets, k);
+    const Vector normal = normal_of(facets, k), centre = {all.pose(i, 0), all.pose(i, 1), all.pose(i, 2)};
     const FacetEnergy<double> parts = facet_energy(ends, shape, normal, columns.stiffness(k, 1.0));
-    double energy = facets.integrity(k) * (parts.normal + parts.shear + parts.bending + parts.twisting);
-    energy += dilate(all, facets, walls, release, i) + dilate(all, facets, walls, release, j);
+    const double energy = facets.integrity(k) * (parts.normal + parts.shear + parts.bending + parts.twisting);
+    Removal removal = {energy, dot(open.gap, present_normal(ends, normal)), centre + open.arm_i};
+    removal.energy += dilate_both(all, facets, walls, release, k);
     facets.integrity(k) = 0.0;
     weigh(facets, release, i);
     weigh(facets, release, j);
-    energy -= dilate(all, facets, walls, release, i) + dilate(all, facets, walls, release, j);
-    const Vector centre = {all.pose(i, 0), all.pose(i, 1), all.pose(i, 2)};
-    return {energy, dot(open.gap, present_normal(ends, normal)), centre + open.arm_i};
+    removal.energy -= dilate_both(all, facets, walls, release, k);
+    return removal;
 }
 
 }  // namespace
@@ -165,20 +140,36 @@ BONDEM_CRITERION(linear_sum, LinearSum)
 BONDEM_CRITERION(ellipse, Elliptic)
 #undef BONDEM_CRITERION
 
+void take_off_changing(double sign, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                       const FacetRelease &release, const Postponed &postponed, Index p) {
+    const bool loses = loses_facet(postponed, p);
+    double *const row = &postponed.kept(p, 0);
+    for_each_facet_of(release, p, [&](Index k) {
+        if (facets.integrity(k) <= 0.0 || !(loses || loses_facet(postponed, other_cell(facets, k, p)))) return;
+        const FacetLoads<double> loads = loads_of(all.pose.data, facets, k);
+        const bool is_i = facets.i(k) == Short(p);
+        take_off(row, is_i ? -sign : sign, loads.force, sign, is_i ? loads.on_i : loads.on_j);
+    });
+    if (!loses) return;
+    for_each_wall_of(release, p, [&](Index g) {
+        const double *load = &walls.load(g, 0);
+        take_off(row, sign, {load[0], load[1], load[2]}, sign, {load[3], load[4], load[5]});
+    });
+}
+
+void add_changed(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                 const FacetRelease &release, const Postponed &postponed, Index p) {
+    if (loses_facet(postponed, p))
+        for_each_wall_of(release, p, [&](Index g) { load_hold(all.pose, all.rest, walls, g); });
+    take_off_changing(-1.0, all, facets, walls, release, postponed, p);
+}
+
 void withdraw_facets(const Turn &, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                      const FacetRelease &release, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
-    Index &count = release.changes(0);
-    count = 0;
-    for_each_failing(candidates, [&](Index k, Index) {
-        const Short ends[2] = {facets.i(k), facets.j(k)};
-        for (const Short p : ends)
-            if (postponed.held(p) == own) {
-                postponed.held(p) = listed;
-                release.changed(count++) = p;
-            }
-    });
-    take_off_all(1.0, all, facets, walls, release, postponed);
+    list_changed(facets, release, candidates, postponed);
+    for (Index c = 0; c < release.changes(0); c++)
+        take_off_changing(1.0, all, facets, walls, release, postponed, release.changed(c));
 }
 
 void break_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
@@ -190,8 +181,7 @@ void restore_facets(const Turn &, const Moving &all, const ElasticFacets &facets
                     const FacetRelease &release, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
     for (Index c = 0; c < release.changes(0); c++)
-        for_each_wall_of(walls, release.changed(c), [&](Index g) { load_hold(all.pose, all.rest, walls, g); });
-    take_off_all(-1.0, all, facets, walls, release, postponed);
+        add_changed(all, facets, walls, release, postponed, release.changed(c));
 }
 
 void renew_wall_rows(const Turn &, const WallConstraints &walls, const Rows &rows, const Candidates &candidates) {

@@ -17,7 +17,15 @@ void judge_facets_by_linear_sum(const Turn &turn, const Moving &all, const Elast
                                 const Postponed &postponed);
 void judge_facets_by_ellipse(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetRelease &release,
                              const Strengths &strengths, const Candidates &candidates, const Postponed &postponed);
-// Lists the cells of facets that fail, and takes the loads of all their facets and walls off the kept sums.
+// Takes the loads that a failure changes, times a sign, off the kept sum of postponed cell p: those of its facets, where
+// it or the other cell loses a facet, and those of its walls where it loses one.
+void take_off_changing(double sign, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                       const FacetRelease &release, const Postponed &postponed, Index p);
+// Adds them as they are after the failure; the loads of its walls are brought up to date.
+void add_changed(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                 const FacetRelease &release, const Postponed &postponed, Index p);
+
+// Lists the cells whose loads change, and takes the loads of their facets and walls off the kept sums.
 void withdraw_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                      const FacetRelease &release, const Candidates &candidates, const Postponed &postponed);
 // Removes the facets that fail, and brings the stresses of their cells up to date.

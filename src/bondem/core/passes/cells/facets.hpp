@@ -58,6 +58,14 @@ template <class T> BONDEM_INLINE OfCells<T> stresses_of(const Row<T> &i, const R
     return {share * i.column[stress_column], share * j.column[stress_column]};
 }
 
+// The square of the force of a facet, which its bound limits [N²].
+template <class T>
+BONDEM_INLINE T pull_squared(const Row<T> &i, const Row<T> &j, const Ends<T> &ends, const FacetColumns &columns, Index k) {
+    const T s = number<T>(columns.integrity, k);
+    const Vector3<T> f = facet_pull(ends, columns.shape<T>(k), number<T>(columns.k, k), stresses_of(i, j, T{} + 1.0));
+    return s * s * dot(f, f);
+}
+
 // One facet, and its normal in the reference.
 inline Ends<double> ends_of(const double *pose, const ElasticFacets &facets, Index k) {
     return ends_of(gather(pose, facets.i(k)), gather(pose, facets.j(k)), facets.period.data);

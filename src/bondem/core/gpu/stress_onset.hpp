@@ -1,0 +1,74 @@
+// Facets that begin to crack by a function of the stress, on a device: a thread evaluates one cell, one facet or one
+// candidate.
+//
+// Candidates are in a list in any order. Those that do not fail lose their number, so that the function is evaluated once
+// more of the others only. The function of a user is evaluated by the CPU between two passes.
+#pragma once
+#include "../laws/criteria/cone.hpp"
+#include "../laws/criteria/mean_stress.hpp"
+#include "../passes/cracks/stress_onset_of_facets.hpp"
+#include "turns.hpp"
+
+namespace bondem {
+
+constexpr Index does_not_fail = -1;
+
+inline void judge_cell_by_mean_stress(Index p, const DeviceSpan &span, const StressesOfCells &stresses,
+                                      const StressFunction &by, const CandidateFacets &onset, const CrackOnset &cracks) {
+    if (clock_of(span).dt > 0.0) judge_cell_by<MeanStress>(stresses, by, onset, cracks, p);
+}
+inline void judge_cell_by_cone(Index p, const DeviceSpan &span, const StressesOfCells &stresses, const StressFunction &by,
+                               const CandidateFacets &onset, const CrackOnset &cracks) {
+    if (clock_of(span).dt > 0.0) judge_cell_by<Cone>(stresses, by, onset, cracks, p);
+}
+inline void judge_cell_by_size(Index p, const DeviceSpan &span, const StressesOfCells &stresses,
+                               const CandidateFacets &onset, const CrackOnset &cracks) {
+    if (clock_of(span).dt > 0.0) judge_cell_of_user(stresses, onset, cracks, p);
+}
+
+inline void clear_candidates(Index, const CandidateFacets &onset) { onset.number(0) = 0; }
+inline void find_stress_candidate(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                                  const FacetForces &kept, const StressesOfCells &stresses, const CrackOnset &cracks,
+                                  const CandidateFacets &onset) {
+    const Byte judged = most(cracks.judged(facets.i(k)), cracks.judged(facets.j(k)));
+    if (!(clock_of(span).dt > 0.0) || judged == 0 || cracks.listed(k) != 0) return;
+    if (judged == 2) {
+        cracks.marked(k) = 2;
+        count_up(cracks.found(k / bonds_of_portion));
+        return;
+    }
+    with_candidate(all, facets, kept, stresses, onset, k, [&](const Stress<double> &s) {
+        write_candidate(onset, count_up(onset.number(0)), k, s);
+    });
+}
+
+template <class Criterion>
+BONDEM_INLINE void index_candidate(Index c, const StressCandidates &candidates, const StressFunction &by) {
+    if (c >= candidates.number(0) || candidates.bond(c) == does_not_fail) return;
+    const double *s = candidates.stress.data + 9 * c;
+    candidates.found(c) = Criterion::index(Stress<double>{s[0], s[4], s[8], s[1], s[2], s[5]}, by.parameter.data);
+}
+inline void index_candidate_by_mean_stress(Index c, const StressCandidates &candidates, const StressFunction &by) {
+    index_candidate<MeanStress>(c, candidates, by);
+}
+inline void index_candidate_by_cone(Index c, const StressCandidates &candidates, const StressFunction &by) {
+    index_candidate<Cone>(c, candidates, by);
+}
+
+inline void mark_failing_facet(Index c, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+                               const StressesOfCells &stresses, const CrackOnset &cracks, const CandidateFacets &onset) {
+    if (c >= onset.number(0)) return;
+    const Index k = onset.bond(c);
+    if (onset.found(c) < 1.0) {
+        onset.bond(c) = does_not_fail;
+        return;
+    }
+    cracks.marked(k) = 1;
+    count_up(cracks.found(k / bonds_of_portion));
+    write_candidate(onset, c, k, stress_along(all, facets, kept, stresses, onset, k));
+}
+inline void find_strength_along(Index c, const CandidateFacets &onset) {
+    if (c < onset.number(0) && onset.bond(c) != does_not_fail) keep_strength_along(onset, c);
+}
+
+}  // namespace bondem

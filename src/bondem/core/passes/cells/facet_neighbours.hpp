@@ -1,0 +1,29 @@
+// Facets, walls and neighbours of one cell, and what a failure postpones it for.
+#pragma once
+#include "../../tables/cell_tables.hpp"
+#include "../damage/pipeline.hpp"
+
+namespace bondem {
+
+// Calls on(k) for the facets of a cell: first those of which it is j. And on(g) for the walls that hold it.
+template <class On> inline void for_each_facet_of(const FacetRelease &release, Index p, On on) {
+    for (Index k = release.in_start(p); k < release.in_start(p + 1); k++) on(k);
+    for (Index e = release.out_start(p); e < release.out_start(p + 1); e++) on(Index(release.out_bond(e)));
+}
+template <class On> inline void for_each_wall_of(const FacetRelease &release, Index p, On on) {
+    for (Index e = release.wall_start(p); e < release.wall_start(p + 1); e++) on(release.wall(e));
+}
+inline Index other_cell(const ElasticFacets &facets, Index k, Index p) {
+    return facets.i(k) != Short(p) ? facets.i(k) : facets.j(k);
+}
+
+// What a cell is postponed for, bit by bit: as a neighbour, or for a facet of its own; and whether it is listed.
+namespace postponed_for {
+enum : Byte { neighbour = 1, own_facet = 2, listed = 4 };
+}
+// Whether a postponed cell loses a facet in this step.
+inline bool loses_facet(const Postponed &postponed, Index p) {
+    return (get_shared(postponed.held(p)) & postponed_for::own_facet) != 0;
+}
+
+}  // namespace bondem

@@ -1,0 +1,116 @@
+// Facets that begin to crack by a function of the stress, such as Drucker and Prager's cone.
+//
+// Facets in tension are candidates, by σ* (`laws/agreed_stress.hpp`) with what bending opens of them added to the traction
+// that pulls. The function sees σ* times f_t over that of the facet. For those that fail it is evaluated once more, of the
+// mean stress of their cells: the largest principal stress over this index is the strength of the direction in which the
+// facet cracks.
+//
+// Facets of a cell without cracks are not evaluated while the cell stays below a criterion of the core at its stress over a
+// share of the strength, and at that with a tension from all sides, a share of its size and what its facets bend. For the
+// function of a user the size of these stresses alone decides.
+#pragma once
+#include "../../laws/agreed_stress.hpp"
+#include "../../tables/stress_onset_tables.hpp"
+#include "../cells/facets.hpp"
+#include "../damage/stress_criteria.hpp"
+#include "crack_rows.hpp"
+
+namespace bondem {
+
+// ---- cells
+
+inline Stress<double> stress_of(const StressesOfCells &stresses, Index p) {
+    const double *s = &stresses.tensor(p, 0);
+    return {s[0], s[1], s[2], s[3], s[4], s[5]};
+}
+// Tension from all sides that facets of a cell may have beyond its stress [Pa].
+inline double more_tension(const StressesOfCells &stresses, Index p, const Stress<double> &s) {
+    constexpr double beyond = 0.2;  // how far σ* of a facet may be beyond the stresses of its cells, over their size
+    const double bent = root(positive(stresses.tensor(p, 6))) + least(trace(s) / 3.0, 0.0);
+    return beyond * root(square_of(s)) + positive(bent);
+}
+
+// Finds whether the facets of cell p are evaluated.
+template <class Criterion>
+inline void judge_cell_by(const StressesOfCells &stresses, const StressFunction &by, const CandidateFacets &onset,
+                          const CrackOnset &cracks, Index p) {
+    const double scale = onset.tension / onset.hot;
+    const auto reaches = [&](const Stress<double> &s) {
+        if (scale * root(square_of(s)) < onset.least) return false;
+        return !(Criterion::index(scale * s, by.parameter.data) < 1.0);
+    };
+    const Stress<double> s = stress_of(stresses, p);
+    const double more = more_tension(stresses, p, s);
+    cracks.judged(p) = cracks.cracked(p) != 0 || reaches(s) ||
+                       reaches({s.xx + more, s.yy + more, s.zz + more, s.xy, s.xz, s.yz});
+}
+inline void judge_cell_of_user(const StressesOfCells &stresses, const CandidateFacets &onset, const CrackOnset &cracks,
+                               Index p) {
+    constexpr double root_three = 1.7320508075688772;
+    const Stress<double> s = stress_of(stresses, p);
+    const double size = root(square_of(s)) + root_three * more_tension(stresses, p, s);
+    cracks.judged(p) = cracks.cracked(p) != 0 || onset.tension / onset.hot * size >= onset.least;
+}
+
+// ---- facets
+
+// A facet in space.
+struct JudgedFacet {
+    Vector normal;
+    Stress<double> mean;
+    double opened;  // by bending, beyond the pressure of its cells [Pa]
+
+    JudgedFacet(const Moving &all, const ElasticFacets &facets, const FacetForces &kept, const StressesOfCells &stresses,
+                Index k) {
+        const Ends<double> ends = ends_of(all.pose.data, facets, k);
+        normal = present_normal(ends, normal_of(facets, k));
+        mean = mean_of(stress_of(stresses, facets.i(k)), stress_of(stresses, facets.j(k)));
+        const double bent = bending_traction(ends, kept.bends(k), FacetColumns(facets).stiffness(k, 1.0).H);
+        // σ3 is at most the least of the diagonal
+        const bool opens = bent + least(least(least(mean.xx, mean.yy), mean.zz), 0.0) > 0.0;
+        opened = opens ? positive(bent - largest_pressure(principal(mean))) : 0.0;
+    }
+};
+
+// Whether the stresses of a facet are far below the criterion, by bounds that need no angle.
+inline bool is_far_below(const StressesOfCells &stresses, const CandidateFacets &onset, Index i, Index j, Index k, Vector t) {
+    constexpr double root_two = 1.4142135623730951;
+    constexpr double near_bound = 0.8;  // share of the bound that stresses have to reach; T_b in it is that of the last step
+    const double size = 0.5 * (stresses.tensor(i, 7) + stresses.tensor(j, 7));
+    const double bends = least(stresses.tensor(i, 6), stresses.tensor(j, 6));
+    const double bound = (1.0 + root_two) * size + root_two * (length(t) + root(positive(bends)));
+    return onset.scale(k) * bound < near_bound * onset.least;
+}
+
+// Calls on(σ*) where facet k is a candidate, with σ* times f_t over that of the facet.
+template <class On>
+inline void with_candidate(const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+                           const StressesOfCells &stresses, const CandidateFacets &onset, Index k, On on) {
+    const double one = 1.0 / onset.area(k);
+    const Vector t = {one * kept.force(0, k), one * kept.force(1, k), one * kept.force(2, k)};
+    if (is_far_below(stresses, onset, facets.i(k), facets.j(k), k, t)) return;
+    const JudgedFacet facet(all, facets, kept, stresses, k);
+    const double across = dot(t, facet.normal), bent = facet.opened;
+    const double pulled = bent > 0.0 ? positive(across) + bent : across;
+    if (pulled <= 0.0) return;
+    const Stress<double> s = agreed_stress(facet.mean, facet.normal, plus(t, pulled - across, facet.normal));
+    if (onset.scale(k) * root(square_of(s)) < onset.least) return;
+    on(onset.scale(k) * s);
+}
+// The stress whose index gives the strength of a facet that fails.
+inline Stress<double> stress_along(const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+                                   const StressesOfCells &stresses, const CandidateFacets &onset, Index k) {
+    const JudgedFacet facet(all, facets, kept, stresses, k);
+    return onset.scale(k) * bent_stress(facet.mean, facet.normal, facet.opened);
+}
+// Keeps the strength of the facet of candidate c.
+inline void keep_strength_along(const CandidateFacets &onset, Index c) {
+    const double *const s = onset.stress.data + 9 * c;
+    const double largest = largest_of(principal(Stress<double>{s[0], s[4], s[8], s[1], s[2], s[5]}));
+    const Index k = onset.bond(c);
+    const double index = onset.found(c);
+    // far below the criterion the index says little
+    onset.along(k) = index > 0.5 && largest > 0.0 ? largest / (onset.scale(k) * index) : onset.tension / onset.scale(k);
+}
+
+}  // namespace bondem
