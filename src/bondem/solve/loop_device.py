@@ -48,7 +48,6 @@ def device_has(model: Model) -> bool:
     """Return whether all passes of a run have counterparts on a device."""
     return (
         (model.breaking is None or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES)))
-        and model.beam_softening is None
         and model.softening is None
         and model.non_local is None
         and model.formulation == "total"

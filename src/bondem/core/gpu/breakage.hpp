@@ -15,11 +15,15 @@ namespace bondem {
 
 // ---- marks
 
-BONDEM_INLINE void put_marked(Index k, const BeamLoads<double> &loads, const LoadsOfBonds &to, const FailureBounds &bounds,
-                              const BondMarks &marks) {
+template <class Bounds>
+BONDEM_INLINE void mark_one(Index k, const BeamLoads<double> &loads, const Bounds &bounds, const BondMarks &marks) {
     const Vector f = loads.force, a = loads.on_i, b = loads.on_j;
     const double size = bounds.of_force * dot(f, f) + bounds.of_moment * (dot(a, a) + dot(b, b));
     marks.mark(k) = size >= double(bounds.limit(k));
+}
+BONDEM_INLINE void put_marked(Index k, const BeamLoads<double> &loads, const LoadsOfBonds &to, const FailureBounds &bounds,
+                              const BondMarks &marks) {
+    mark_one(k, loads, bounds, marks);
     put(to, k, loads);
 }
 inline void load_marked_beam(Index k, const Moving &all, const Beams &beams, const LoadsOfBonds &to,
@@ -33,25 +37,33 @@ inline void load_marked_alike_beam(Index k, const Moving &all, const Beams &beam
 
 // ---- judging
 
-template <class Criterion>
-BONDEM_INLINE void judge_one(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                             const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
-                             const Postponed &postponed) {
-    if (marks.mark(k) == 0 || clock_of(span).first || !(beams.integrity(k) > 0.0)) return;
-    const Verdict<double> verdict = verdict_of<Criterion>(all.pose.data, beams, strengths, k);
-    if (!(verdict.index >= 1.0)) return;
+// Lists bond k as one that fails, in any order; returns whether it does.
+BONDEM_INLINE bool list_failing(Index k, const Verdict<double> &verdict, const Candidates &candidates) {
+    if (!(verdict.index >= 1.0)) return false;
     const Index place = count_up(candidates.count(0));
     candidates.marked(place) = k;
     candidates.mode(place) = Index(verdict.mode);
+    put_shared(candidates.any(0), Index(1));
+    return true;
+}
+// Calls on_failure() where beam k is marked and fails.
+template <class Criterion, class OnFailure>
+BONDEM_INLINE void judge_one(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                             const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
+                             OnFailure on_failure) {
+    if (marks.mark(k) == 0 || clock_of(span).first || !(beams.integrity(k) > 0.0)) return;
+    if (list_failing(k, verdict_of<Criterion>(all.pose.data, beams, strengths, k), candidates)) on_failure();
+}
+BONDEM_INLINE void hold_ends(const Postponed &postponed, const Beams &beams, Index k) {
     hold(postponed, beams.i(k));
     hold(postponed, beams.j(k));
-    put_shared(candidates.any(0), Index(1));
 }
 #define BONDEM_JUDGE(name, Criterion)                                                                                    \
     inline void judge_beam_by_##name(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,             \
                                      const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,   \
                                      const Postponed &postponed) {                                                       \
-        judge_one<Criterion>(k, span, all, beams, strengths, marks, candidates, postponed);                              \
+        judge_one<Criterion>(k, span, all, beams, strengths, marks, candidates,                                          \
+                             [&] { hold_ends(postponed, beams, k); });                                                   \
     }
 BONDEM_JUDGE(peripheral_stress, PeripheralStress)
 BONDEM_JUDGE(mohr_coulomb, MohrCoulomb)

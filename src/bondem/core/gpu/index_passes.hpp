@@ -7,6 +7,7 @@
 #include "contacts.hpp"
 #include "motion.hpp"
 #include "record.hpp"
+#include "softening_beams.hpp"
 #include "strains.hpp"
 
 #define BONDEM_INDEX_PASSES(X)          \
@@ -80,6 +81,17 @@
     X(release_element)                  \
     X(end_all_failures)                 \
     X(write_released_energy)            \
+    X(soften_listed)                    \
+    X(end_portion_of_softening)         \
+    X(log_all_softened)                 \
+    X(load_softening_beam)              \
+    X(load_softening_alike_beam)        \
+    X(find_beginning_by_peripheral_stress) \
+    X(find_beginning_by_mohr_coulomb)   \
+    X(begin_all_softening)              \
+    X(release_all_pressure)             \
+    X(begin_all_softened_contacts)      \
+    X(sum_portion_of_pressure)          \
     X(check_travel_of_element)          \
     X(check_travel_of_wall)             \
     X(move_all_walls)                   \

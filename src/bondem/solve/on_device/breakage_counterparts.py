@@ -20,7 +20,8 @@ _JUDGES = {
     name: IndexPass(f"judge_beam_by_{name}", DeviceSpan, Moving, Beams, Strengths, BondMarks, Candidates, Postponed)
     for name in CRITERION_NAMES
 }
-_sort_failing = IndexPass("sort_failing", Candidates)
+#: Sorts the bonds that fail in a step.
+sort_failing = IndexPass("sort_failing", Candidates)
 _keep_gathered_sum = IndexPass("keep_gathered_sum", StepCut, BondsOfElements, LoadsOfBonds, Postponed)
 _keep_sum = IndexPass("keep_sum", StepCut, Postponed)
 _keep_dashed_sum = IndexPass("keep_dashed_sum", StepCut, Dashpots, Postponed)
@@ -40,14 +41,15 @@ _end_all_failures = IndexPass("end_all_failures", Candidates)
 _write_released_energy = IndexPass("write_released_energy", DeviceSpan, EventLog, HistoryRows)
 
 
-def _marks(run: Translation) -> BondMarks:
+def marks_of(run: Translation) -> BondMarks:
+    """Return the marks of the bonds of a run."""
     return run.once(run.loads, lambda: BondMarks(np.zeros(run.span.m, dtype=np.uint8)))
 
 
 def _load(
     run: Translation, moving: Moving, beams: Beams, _: StepCut, bounds: FailureBounds, __: Candidates
 ) -> list[Launch]:
-    return [(_load_marked_beam, run.span.m, (moving, beams, run.loads, bounds, _marks(run)))]
+    return [(_load_marked_beam, run.span.m, (moving, beams, run.loads, bounds, marks_of(run)))]
 
 
 def _load_alike(
@@ -59,7 +61,7 @@ def _load_alike(
     bounds: FailureBounds,
     __: Candidates,
 ) -> list[Launch]:
-    return [(_load_marked_alike_beam, run.span.m, (moving, beams, alike, run.loads, bounds, _marks(run)))]
+    return [(_load_marked_alike_beam, run.span.m, (moving, beams, alike, run.loads, bounds, marks_of(run)))]
 
 
 def _judge(name: str) -> Counterpart:
@@ -71,8 +73,8 @@ def _judge(name: str) -> Counterpart:
         candidates: Candidates,
         postponed: Postponed,
     ) -> list[Launch]:
-        tables = run.span, moving, beams, strengths, _marks(run), candidates, postponed
-        return [(_JUDGES[name], run.span.m, tables), (_sort_failing, 1, (candidates,))]
+        tables = run.span, moving, beams, strengths, marks_of(run), candidates, postponed
+        return [(_JUDGES[name], run.span.m, tables), (sort_failing, 1, (candidates,))]
 
     return counterpart
 

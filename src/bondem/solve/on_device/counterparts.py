@@ -15,6 +15,7 @@ from bondem.solve.on_device import (
     contact_counterparts,
     motion_counterparts,
     record_counterparts,
+    softening_counterparts,
 )
 from bondem.solve.on_device.translation import Counterpart, Translation
 from bondem.solve.parts.part import Passes
@@ -30,6 +31,7 @@ _ALL = {
     **contact_counterparts.COUNTERPARTS,
     **motion_counterparts.COUNTERPARTS,
     **record_counterparts.COUNTERPARTS,
+    **softening_counterparts.COUNTERPARTS,
 }
 
 
