@@ -8,7 +8,7 @@ import numpy as np
 import bondem as bd
 from bondem.model.state import State
 from bondem.solve.plan import ExplicitResult
-from tests import softening_cases
+from tests import lagged_runs, softening_cases
 from tests.core import contact_cases
 from tests.device_cases import (
     CELL_GAUGES,
@@ -135,7 +135,7 @@ def _touching(case: str) -> Callable[[], Case]:
 
 
 CASES |= {case: _touching(case) for case in contact_cases.CASES}
-CASES |= softening_cases.CASES
+CASES |= softening_cases.CASES | lagged_runs.CASES
 
 
 def deviation(expected: ExplicitResult, found: ExplicitResult) -> float:
@@ -160,5 +160,5 @@ def deviation(expected: ExplicitResult, found: ExplicitResult) -> float:
 
 _FIELDS = (
     "stretch", "wall_stretch", "walls", "pose", "motion", "acceleration", "loss", "reaction", "integrity", "broken",
-    "softened", "released",
+    "softened", "released", "history", "stress",
 )  # fmt: skip

@@ -50,7 +50,6 @@ def device_has(model: Model) -> bool:
         (model.breaking is None or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES)))
         and model.softening is None
         and model.non_local is None
-        and model.formulation == "total"
         and len(model.layout.i) < _MOST_BONDS
     )
 

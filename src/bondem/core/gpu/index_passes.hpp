@@ -8,6 +8,7 @@
 #include "motion.hpp"
 #include "record.hpp"
 #include "softening_beams.hpp"
+#include "storing_beams.hpp"
 #include "strains.hpp"
 
 #define BONDEM_INDEX_PASSES(X)          \
@@ -24,6 +25,8 @@
     X(load_beam)                        \
     X(load_alike_beam)                  \
     X(load_dashpot)                     \
+    X(load_stored_beam)                 \
+    X(sum_portion_of_stored)            \
     X(gather_loads)                     \
     X(gather_dashpots)                  \
     X(add_body_force)                   \

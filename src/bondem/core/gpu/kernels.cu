@@ -9,6 +9,7 @@
 #include "../passes/contacts/rigid_walls.cpp"
 #include "../passes/damage/beam_failure.cpp"
 #include "../passes/damage/beam_softening.cpp"
+#include "../passes/incremental/stored_beams.cpp"
 #include "../passes/motion/body_forces.cpp"
 #include "../passes/record/record.cpp"
 #include "for_each.hpp"

@@ -16,6 +16,7 @@ from bondem.solve.on_device import (
     motion_counterparts,
     record_counterparts,
     softening_counterparts,
+    stored_counterparts,
 )
 from bondem.solve.on_device.translation import Counterpart, Translation
 from bondem.solve.parts.part import Passes
@@ -32,6 +33,7 @@ _ALL = {
     **motion_counterparts.COUNTERPARTS,
     **record_counterparts.COUNTERPARTS,
     **softening_counterparts.COUNTERPARTS,
+    **stored_counterparts.COUNTERPARTS,
 }
 
 
