@@ -47,9 +47,12 @@ _STEP = 5
 def device_has(model: Model) -> bool:
     """Return whether all passes of a run have counterparts on a device."""
     return (
-        (model.breaking is None or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES)))
+        (
+            model.breaking is None
+            or model.non_local is not None
+            or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES))
+        )
         and model.softening is None
-        and model.non_local is None
         and len(model.layout.i) < _MOST_BONDS
     )
 

@@ -6,6 +6,7 @@
 #include "cells.hpp"
 #include "contacts.hpp"
 #include "motion.hpp"
+#include "non_local_pairs.hpp"
 #include "record.hpp"
 #include "softening_beams.hpp"
 #include "storing_beams.hpp"
@@ -95,6 +96,18 @@
     X(release_all_pressure)             \
     X(begin_all_softened_contacts)      \
     X(sum_portion_of_pressure)          \
+    X(turn_stress_of_element)           \
+    X(find_force_of_pair)               \
+    X(gather_moments)                   \
+    X(add_pair_moments_of_element)      \
+    X(add_wall_moments_of_element)      \
+    X(find_stress_of_element)           \
+    X(judge_pair)                       \
+    X(break_all_pairs)                  \
+    X(relieve_all_pairs)                \
+    X(add_all_begun_contacts)           \
+    X(sum_portion_of_springs)           \
+    X(write_work_of_extra_forces)       \
     X(check_travel_of_element)          \
     X(check_travel_of_wall)             \
     X(move_all_walls)                   \
