@@ -67,7 +67,7 @@ def non_local_cell() -> bd.Model:
 
 
 def touching_spheres(own: bd.Particles, failure: bd.Criterion | None, *, weight: float, damping: float) -> bd.Model:
-    """Spheres on a plane and below a cylinder, with bonds of the non-local law, and loose spheres that fall onto them."""
+    """Bonded spheres of the non-local law on a plane and below a cylinder, and loose spheres that fall onto them."""
     loose = np.array([[0.5, 0.5, 2.6], [2.5, 1.5, 2.6], [1.5, 2.5, 2.6]])
     radius = np.concatenate([own.radius, np.full(3, 0.3)])
     lattice = bd.connect(bd.Particles(np.concatenate([own.position, loose]), radius), reach=2.0)
@@ -79,6 +79,11 @@ def touching_spheres(own: bd.Particles, failure: bd.Criterion | None, *, weight:
         boundary=[bd.BodyForce(acceleration=(5.0, 0.0, -weight))], failure=failure,
         walls=[bd.PlaneWall((0, 0, -0.35), (0, 0, 1)), bd.CylinderWall(0.5, (2, 1, 3.2), (0, 1, 0), outside=True)],
     )  # fmt: skip
+
+
+def touching_bar(failure: bd.Criterion | None, weight: float) -> bd.Model:
+    """The spheres of the bar between walls, with loose ones above."""
+    return touching_spheres(bar().lattice.particles, failure, weight=weight, damping=0.1)
 
 
 def _lagged(make: Callable[[], bd.Model], steps: int, damping: Any, **options: Any) -> "Callable[[], Case]":
@@ -106,14 +111,10 @@ CASES: dict[str, Callable[[], Case]] = {
     "stored, periodic": lambda: (storing_cell(), moving, 240, 2e-3, {"every": 6}),
     "stored, contact": lambda: (storing_and_touching(), moving, 300, 1e-3, {"every": 20}),
     "non-local": _lagged(non_local_bar, 240, bd.BondDamping(eta=0.1), gauges=CELL_GAUGES),
-    "non-local, spheres": _lagged(non_local_spheres, 240, bd.LocalDamping(0.2), gauges=GAUGES),
-    "non-local, periodic": _lagged(non_local_cell, 240, bd.LocalDamping(0.2)),
-    "non-local, contact": _lagged(
-        lambda: touching_spheres(bar().lattice.particles, None, weight=400.0, damping=0.1), 240, bd.BondDamping(eta=0.1)
-    ),
+    "non-local, spheres": _lagged(non_local_spheres, 120, bd.LocalDamping(0.2), gauges=GAUGES),
+    "non-local, periodic": _lagged(non_local_cell, 60, bd.LocalDamping(0.05)),
+    "non-local, contact": _lagged(lambda: touching_bar(None, 400.0), 240, bd.BondDamping(eta=0.1)),
     "non-local, bonds break": _lagged(lambda: non_local_bar(SHEARED), 120, bd.BondDamping(eta=0.1)),
     "non-local, spheres that break": _lagged(lambda: non_local_spheres(PULLED), 240, bd.LocalDamping(0.1)),
-    "non-local, bonds break, contact": _lagged(
-        lambda: touching_spheres(bar().lattice.particles, WEAK, weight=800.0, damping=0.1), 240, bd.BondDamping(eta=0.1)
-    ),
+    "non-local, bonds break, contact": _lagged(lambda: touching_bar(WEAK, 800.0), 240, bd.BondDamping(eta=0.1)),
 }  # fmt: skip

@@ -7,7 +7,7 @@ import bondem as bd
 from bondem.model.state import State
 from tests.device_cases import GAUGES, bar, cell, moving
 
-SOFT = {"fracture_energy": 1.5e3, "fracture_energy_shear": 3e3}
+SOFT: dict[str, Any] = {"fracture_energy": 1.5e3, "fracture_energy_shear": 3e3}
 CRITERIA: dict[str, Any] = {
     "peripheral": bd.PeripheralStress(
         tension=1.5e5, shear=1e5, scatter=bd.Weibull(modulus=6.0, volume=0.3, seed=2), **SOFT

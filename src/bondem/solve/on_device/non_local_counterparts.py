@@ -1,7 +1,6 @@
 """Bonds of the non-local law on a device: forces, stresses of elements, and breakage."""
 
 from bondem._device import IndexPass, Launch
-from bondem.kernels.tables import StepCut
 from bondem.model.beam_tables import Beams
 from bondem.model.contact_search import Walls
 from bondem.model.failure_passes import Strengths
