@@ -25,9 +25,10 @@ def on_device(model: bd.Model, plan: Plan, state: State, dt: float) -> DeviceLoo
     return DeviceLoop(model, plan, state, dt, Host())
 
 
-def device_run(case: str) -> ExplicitResult:
+def device_run(case: str) -> tuple[bd.Model, ExplicitResult]:
     model, start, steps, dt, options = CASES[case]()
-    return integrate(model, Plan(duration=steps * dt, dt=dt, **options), state=start(model), loop_of=on_device)
+    plan = Plan(duration=steps * dt, dt=dt, **options)
+    return model, integrate(model, plan, state=start(model), loop_of=on_device)
 
 
 @pytest.mark.parametrize("case", SOFTENING)
@@ -41,7 +42,7 @@ def test_a_device_softens_with_the_bits_of_the_cpu(case: str) -> None:
 @pytest.mark.parametrize("case", SOFTENING)
 def test_beams_begin_soften_and_part_in_these_runs(case: str) -> None:
     """Some are pressed that are partly or wholly broken, so that leaving out what presses would be seen."""
-    done = device_run(case)
+    model, done = device_run(case)
     integrity, softened = done.state.integrity, done.state.softened
     partly = (integrity > 0.0) & (integrity < 1.0)
     assert partly.sum() > 10
@@ -51,22 +52,20 @@ def test_beams_begin_soften_and_part_in_these_runs(case: str) -> None:
     assert partly[softened[unloaded, SOFT_BOND].astype(int)].any()
     steps = done.state.broken[:, BROKEN_STEP]
     assert len(np.unique(steps)) > 3
-    i, j = done.state.model.layout.i, done.state.model.layout.j
-    d = done.state.pose[j, :3] - done.state.pose[i, :3]
-    if done.state.model.period is None or not np.any(done.state.model.period):
-        pressed = np.linalg.norm(d, axis=1) < done.state.model.bonds.length
-        assert (pressed & (integrity < 1.0)).any()
+    if "alike" not in case:  # which is periodic
+        d = done.state.pose[model.layout.j, :3] - done.state.pose[model.layout.i, :3]
+        assert ((np.linalg.norm(d, axis=1) < model.bonds.length) & (integrity < 1.0)).any()
 
 
 def test_contact_carries_pressure_where_beams_have_broken() -> None:
-    done = device_run("beams soften, Hertzian")
+    _, done = device_run("beams soften, Hertzian")
     assert (done.state.broken[:, BROKEN_GAP] < 0.0).sum() > 10
     assert len(done.state.touching) > 10
     assert np.abs(done.history.records[:, CONTACT]).max() > 0.0
 
 
 def test_the_ledger_closes_through_softening() -> None:
-    records = device_run("softening, alike").history.records
+    records = device_run("softening, alike")[1].history.records
     total = records[:, TRANSLATION:WORK].sum(axis=1) + records[:, FRACTURE]
     assert records[-1, FRACTURE] > 0.1 * total[0]
     assert abs(total[-1] - total[0]) < 0.02 * total[0]
