@@ -7,7 +7,6 @@
 #include "../passes/non_local/own_stress.hpp"
 #include "../passes/non_local/pair_failure.hpp"
 #include "../passes/non_local/pair_verdict.hpp"
-#include "../passes/non_local/present_pair.hpp"
 #include "../passes/non_local/touch_levers.hpp"
 #include "../passes/non_local/touch_moments.hpp"
 #include "breakage.hpp"
@@ -21,14 +20,16 @@ template <bool steps>
 BONDEM_INLINE void find_pair(Index k, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                              const LaggedStresses &stresses, const LoadsOfBonds &to) {
     const double *const space = stresses.space.data, s = beams.integrity(k);
+    const Ends<double> ends = ends_of(all.pose.data, beams, k);
+    const PairPose<double> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<double>(bonds, k));
+    const PairStiffness<double> stiffness = pair_stiffness<double>(bonds, k);
     const PairStore<double> before = stored_by<double>(bonds, k);
     const auto mean = [&] { return mean_of(stress_of(gather(space, beams.i(k))), stress_of(gather(space, beams.j(k)))); };
-    const PresentPair<double> now =
-        present_pair<steps>(ends_of(all.pose.data, beams, k), pair_shape<double>(bonds, k),
-                            pair_stiffness<double>(bonds, k), pair_law(bonds), before, s, mean);
-    keep_store(bonds, k, s, now.store, before);
-    keep_output(bonds, k, s, now.loads);
-    put(to, k, {-(s * now.loads.force), s * now.loads.on_i, -(s * now.loads.on_j)});
+    const PairStore<double> after = store_after<steps>(before, now, ends.i, s, stiffness, pair_law(bonds), mean);
+    keep_store(bonds, k, s, after, before);
+    const NonLocalLoads<double> loads = non_local_loads(now, turned_by(ends.i, after.extra), stiffness);
+    keep_output(bonds, k, s, loads);
+    put(to, k, {-(s * loads.force), s * loads.on_i, -(s * loads.on_j)});
 }
 inline void find_force_of_pair(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
                                const NonLocalBonds &bonds, const LaggedStresses &stresses, const LoadsOfBonds &to) {

@@ -46,6 +46,16 @@ template <class T> BONDEM_INLINE PairStore<T> stored_by(const NonLocalBonds &bon
     return {vector_at<T>(data, m, gap_column, k), vector_at<T>(data, m, extra_column, k),
             number<T>(data + taken_column * m, k)};
 }
+// What a bond stores after a step. `mean()` returns the mean stress of both elements a step ago; a step of no time (`steps`
+// is false) does not ask for it, and leaves the extra force as it is.
+template <bool steps, class T, class Mean>
+BONDEM_INLINE PairStore<T> store_after(const PairStore<T> &before, const PairPose<T> &now, Quaternion<T> i, T s,
+                                       const PairStiffness<T> &stiffness, const PairLaw &law, Mean mean) {
+    if constexpr (steps)
+        return after_step(before, mean(), now, i, s, stiffness, law);
+    else
+        return {turned_by(inverse(i), now.gap), before.extra, before.taken};
+}
 // Writes what bonds of integrity s store. What broken bonds store stays what it is.
 template <class Place, class T>
 BONDEM_INLINE void keep_store(const NonLocalBonds &bonds, Place place, T s, const PairStore<T> &now,

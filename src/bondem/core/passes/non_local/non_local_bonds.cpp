@@ -7,7 +7,7 @@
 #include "non_local_bonds.hpp"
 
 #include "../record/columns.hpp"
-#include "present_pair.hpp"
+#include "bond_columns.hpp"
 
 namespace bondem {
 namespace {
@@ -33,18 +33,20 @@ BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams
         prefetch(pose, i + least(k + ahead, turn.last - lanes));
         const Ends<Lanes> ends = ends_of(gather(pose, i + k), gather(pose, j + k), beams.period.data);
         const Lanes s = load(beams.integrity.data + k);
+        const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
+        const PairStiffness<Lanes> stiffness = pair_stiffness<Lanes>(bonds, k);
         const PairStore<Lanes> before = stored_by<Lanes>(bonds, k);
         const auto mean = [&]() __attribute__((always_inline)) {
             return mean_of(stress_of(gather(space, i + k)), stress_of(gather(space, j + k)));
         };
-        const PresentPair<Lanes> now = present_pair<steps>(ends, pair_shape<Lanes>(bonds, k),
-                                                           pair_stiffness<Lanes>(bonds, k), law, before, s, mean);
-        keep_store(bonds, group, s, now.store, before);
-        const Vector3<Lanes> force = s * now.loads.force;
+        const PairStore<Lanes> after = store_after<steps>(before, now, ends.i, s, stiffness, law, mean);
+        keep_store(bonds, group, s, after, before);
+        const NonLocalLoads<Lanes> loads = non_local_loads(now, turned_by(ends.i, after.extra), stiffness);
+        const Vector3<Lanes> force = s * loads.force;
         add_rows(stresses.moment.data, stresses.to_i.data + k, j + k,
-                 moment_row(symmetric_product(now.pose.lever_i, force)),
-                 moment_row(symmetric_product(-now.pose.lever_j, force)), group.known);
-        keep_output(bonds, group, s, now.loads);
+                 moment_row(symmetric_product(now.lever_i, force)), moment_row(symmetric_product(-now.lever_j, force)),
+                 group.known);
+        keep_output(bonds, group, s, loads);
     });
 }
 
