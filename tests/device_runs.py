@@ -8,6 +8,7 @@ import numpy as np
 import bondem as bd
 from bondem.model.state import State
 from bondem.solve.plan import ExplicitResult
+from tests import lagged_runs, softening_cases
 from tests.core import contact_cases
 from tests.device_cases import (
     CELL_GAUGES,
@@ -165,7 +166,8 @@ def _touching(case: str) -> Callable[[], Case]:
     return make
 
 
-CASES |= {case: _touching(case) for case in contact_cases.CASES if "soften" not in case}
+CASES |= {case: _touching(case) for case in contact_cases.CASES}
+CASES |= softening_cases.CASES | lagged_runs.CASES
 
 
 def deviation(expected: ExplicitResult, found: ExplicitResult) -> float:
@@ -190,4 +192,5 @@ def deviation(expected: ExplicitResult, found: ExplicitResult) -> float:
 
 _FIELDS = (
     "stretch", "wall_stretch", "walls", "pose", "motion", "acceleration", "loss", "reaction", "integrity", "broken",
+    "softened", "released", "history", "stress",
 )  # fmt: skip

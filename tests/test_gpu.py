@@ -105,26 +105,13 @@ def parameters(ptx: str) -> int:
     return size
 
 
-def model_and_plan(**options) -> tuple[bd.Model, Plan]:
+def model_and_plan() -> tuple[bd.Model, Plan]:
     lattice = bd.Lattice(bd.Particles([[0.0, 0, 0], [1, 0, 0]], [0.5, 0.5]), [[0, 1]])
-    law = bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6, formulation=options.pop("formulation", "total"))
-    return bd.Model(lattice, law, 1000.0, **options), Plan(duration=0.0)
+    law = bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6)
+    return bd.Model(lattice, law, 1000.0), Plan(duration=0.0)
 
 
-def test_what_the_device_cannot_do_is_refused() -> None:
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
-    for options, what in (
-        ({"formulation": "incremental"}, "the incremental formulation"),
-    ):
-        with pytest.raises(InputError, match=rf"cannot run {what}.* yet; use device='cpu'"):
-            bd.solve_explicit(model_and_plan(**options)[0], duration=1e-6, device="gpu")
-    pair = bd.Particles([[0.4, 0.5, 0.5], [1.5, 0.5, 0.5]], 0.3, shape=bd.Box((2, 1, 1)))
-    body = bd.connect(pair, method="laguerre")
-    for bond, options, what in (
-        (bd.NonLocal(E=1e7, nu=0.2), {}, "the non-local law"),
-    ):
-        with pytest.raises(InputError, match=rf"cannot run {what}.* yet; use device='cpu'"):
-            bd.solve_explicit(bd.Model(body, bond, 1000.0, **options), duration=1e-6, device="gpu")
+def test_another_device_is_refused() -> None:
     with pytest.raises(InputError, match="choose 'cpu' or 'gpu'"):
         bd.solve_explicit(model_and_plan()[0], duration=1e-6, device="tpu")
 

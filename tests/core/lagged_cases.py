@@ -10,6 +10,7 @@ from bondem.laws.damping import AnyDamping
 from bondem.model.state import State
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import highest_frequency
+from tests import lagged_runs
 from tests.core.test_steps import GAUGES, HELD, LAWS, crooked
 
 X_MIN, X_MAX = bd.Face("x_min", depth=0.5), bd.Face("x_max", depth=0.5)
@@ -51,17 +52,7 @@ def non_local_spheres(failure: bd.Criterion | None = None) -> bd.Model:
 def touching_spheres(failure: bd.Criterion | None = None, *, weight: float = 100.0, damping: float = 0.1) -> bd.Model:
     """A lattice of spheres on a plane and below a cylinder, and loose spheres that fall onto it."""
     own = crooked((4, 4, 3)).particles
-    loose = np.array([[0.5, 0.5, 2.6], [2.5, 1.5, 2.6], [1.5, 2.5, 2.6]])
-    radius = np.concatenate([own.radius, np.full(3, 0.3)])
-    lattice = bd.connect(bd.Particles(np.concatenate([own.position, loose]), radius), reach=2.0)
-    i, j = lattice.pairs.T
-    lattice = bd.Lattice(lattice.particles, lattice.pairs[np.maximum(i, j) < len(own.radius)])
-    return bd.Model(
-        lattice, bd.NonLocal(E=1e7, nu=0.2, areas="weighted"), density=1e3,
-        contact=bd.LinearContact(E=1e7, friction=0.4, damping=damping),
-        boundary=[bd.BodyForce(acceleration=(5.0, 0.0, -weight))], failure=failure,
-        walls=[bd.PlaneWall((0, 0, -0.35), (0, 0, 1)), bd.CylinderWall(0.5, (2, 1, 3.2), (0, 1, 0), outside=True)],
-    )  # fmt: skip
+    return lagged_runs.touching_spheres(own, failure, weight=weight, damping=damping)
 
 
 def non_local_period(**options) -> bd.Model:

@@ -63,7 +63,8 @@ def test_a_device_agrees_with_the_cpu(case: str, record: Record) -> None:
     else:
         record("simulated cells", found)
     assert found < 1e-12
-    assert ("brittle" in case or "break" in case or case in CRITERIA) == (len(cpu.state.broken) > 3)
+    fails = "brittle" in case or "break" in case or "soften" in case or case in CRITERIA
+    assert fails == (len(cpu.state.broken) > 3)
 
 
 def test_these_runs_have_all_that_acts_on_bodies() -> None:

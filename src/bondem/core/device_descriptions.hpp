@@ -15,6 +15,7 @@ BONDEM_TABLE(DeviceSpan, F(clock, "9"), F(postponed, "*"), F(halted, "1"), F(n, 
 BONDEM_TABLE(Tick, F(ahead, ""), F(goes_on, ""), F(still, ""), F(first, ""))
 BONDEM_TABLE(LoadsOfBonds, F(load, "9 *"))
 BONDEM_TABLE(BondMarks, F(mark, "*"))
+BONDEM_TABLE(SofteningLosses, F(lost, "bonds"))
 BONDEM_TABLE(BondsOfElements, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"))
 BONDEM_TABLE(EarlierPairs, F(start, "n+1"), F(pair, "pairs"))
 BONDEM_TABLE(RowOrder, F(start, "*"), F(load, "*"))
@@ -27,7 +28,7 @@ BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
 #undef F
 
 #define BONDEM_DEVICE_TABLES                                                                                          \
-    described<DeviceSpan>(), described<Tick>(), described<BondMarks>(), described<LoadsOfBonds>(), described<BondsOfElements>(), described<EarlierPairs>(), described<RowOrder>(), \
+    described<DeviceSpan>(), described<Tick>(), described<BondMarks>(), described<SofteningLosses>(), described<LoadsOfBonds>(), described<BondsOfElements>(), described<EarlierPairs>(), described<RowOrder>(), \
         described<WorkPortions>(), described<StrainPortions>(), described<WallEnergy>(), described<FoldedPortions>(), described<GaugeParts>()
 
 // The loop of a pass over all its indices.

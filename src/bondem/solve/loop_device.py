@@ -47,11 +47,12 @@ _STEP = 5
 def device_has(model: Model) -> bool:
     """Return whether all passes of a run have counterparts on a device."""
     return (
-        (model.breaking is None or model.breaking.kind < len(CRITERION_NAMES))
-        and model.beam_softening is None
+        (
+            model.breaking is None
+            or model.non_local is not None
+            or model.breaking.kind < len(CRITERION_NAMES)
+        )
         and model.softening is None
-        and model.non_local is None
-        and model.formulation == "total"
         and len(model.layout.i) < _MOST_BONDS
     )
 

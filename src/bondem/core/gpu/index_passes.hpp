@@ -7,7 +7,10 @@
 #include "contacts.hpp"
 #include "facet_breakage.hpp"
 #include "motion.hpp"
+#include "non_local_pairs.hpp"
 #include "record.hpp"
+#include "softening_beams.hpp"
+#include "storing_beams.hpp"
 #include "strains.hpp"
 #include "stress_onset.hpp"
 
@@ -25,6 +28,8 @@
     X(load_beam)                        \
     X(load_alike_beam)                  \
     X(load_dashpot)                     \
+    X(load_stored_beam)                 \
+    X(sum_portion_of_stored)            \
     X(gather_loads)                     \
     X(gather_dashpots)                  \
     X(add_body_force)                   \
@@ -98,6 +103,29 @@
     X(release_element)                  \
     X(end_all_failures)                 \
     X(write_released_energy)            \
+    X(soften_listed)                    \
+    X(end_portion_of_softening)         \
+    X(log_all_softened)                 \
+    X(load_softening_beam)              \
+    X(load_softening_alike_beam)        \
+    X(find_beginning_by_peripheral_stress) \
+    X(find_beginning_by_mohr_coulomb)   \
+    X(begin_all_softening)              \
+    X(release_all_pressure)             \
+    X(begin_all_softened_contacts)      \
+    X(sum_portion_of_pressure)          \
+    X(turn_stress_of_element)           \
+    X(find_force_of_pair)               \
+    X(gather_moments)                   \
+    X(add_pair_moments_of_element)      \
+    X(add_wall_moments_of_element)      \
+    X(find_stress_of_element)           \
+    X(judge_pair)                       \
+    X(break_all_pairs)                  \
+    X(relieve_all_pairs)                \
+    X(add_all_begun_contacts)           \
+    X(sum_portion_of_springs)           \
+    X(write_work_of_extra_forces)       \
     X(check_travel_of_element)          \
     X(check_travel_of_wall)             \
     X(move_all_walls)                   \

@@ -26,6 +26,10 @@ struct LoadsOfBonds {
 struct BondMarks {
     Array<Byte, 1> mark;  // (m,)
 };
+// Energy that beams dissipate in a step, by the place of their rows in the lists of `SofteningBeams` [J].
+struct SofteningLosses {
+    Array<double, 1> lost;  // (m,)
+};
 // Bonds of each element, both lists ascending.
 struct BondsOfElements {
     Array<const int32_t, 1> in_start;  // bonds in_start(p) … in_start(p + 1) have j = p, (n + 1,)

@@ -51,7 +51,9 @@ _write_work = IndexPass("write_work_of_walls", DeviceSpan, Walls, HistoryRows)
 _write_gauge = IndexPass("write_gauge_of_wall", DeviceSpan, Walls, Gauges, HistoryRows)
 
 
-def _earlier(run: Translation, pairs: ContactPairs) -> EarlierPairs:
+def earlier_pairs(run: Translation, pairs: ContactPairs) -> EarlierPairs:
+    """Return the pairs whose earlier element each element is."""
+
     def make() -> EarlierPairs:
         counts = np.bincount(pairs.first, minlength=run.span.n)
         start = np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
@@ -83,7 +85,7 @@ def _add(
 ) -> list[Launch]:
     if len(pairs.first) == 0:
         return []
-    return [(_add_pairs, run.span.n, (law, pairs, _earlier(run, pairs), near, sums))]
+    return [(_add_pairs, run.span.n, (law, pairs, earlier_pairs(run, pairs), near, sums))]
 
 
 def _press_at_walls(

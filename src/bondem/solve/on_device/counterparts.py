@@ -15,8 +15,11 @@ from bondem.solve.on_device import (
     contact_counterparts,
     facet_breakage_counterparts,
     motion_counterparts,
+    non_local_counterparts,
     record_counterparts,
     stress_onset_counterparts,
+    softening_counterparts,
+    stored_counterparts,
 )
 from bondem.solve.on_device.translation import Counterpart, Translation
 from bondem.solve.parts.part import Passes
@@ -32,8 +35,11 @@ _ALL = {
     **contact_counterparts.COUNTERPARTS,
     **facet_breakage_counterparts.COUNTERPARTS,
     **motion_counterparts.COUNTERPARTS,
+    **non_local_counterparts.COUNTERPARTS,
     **record_counterparts.COUNTERPARTS,
     **stress_onset_counterparts.COUNTERPARTS,
+    **softening_counterparts.COUNTERPARTS,
+    **stored_counterparts.COUNTERPARTS,
 }
 
 

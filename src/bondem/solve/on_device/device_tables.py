@@ -38,6 +38,12 @@ class BondMarks(NamedTuple):
     mark: np.ndarray  #: uint8, (m,)
 
 
+class SofteningLosses(NamedTuple):
+    """Energy that beams dissipate in a step."""
+
+    lost: Floats  #: by the place of their rows in the lists of `SofteningBeams` [J], (m,)
+
+
 class BondsOfElements(NamedTuple):
     """Bonds of each element, both lists ascending."""
 

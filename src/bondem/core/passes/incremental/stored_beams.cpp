@@ -1,56 +1,22 @@
 // Beams of the incremental formulation: what they store advances by a step, and acts on their elements.
 #include "stored_beams.hpp"
 
-#include "../../laws/incremental.hpp"
-#include "../beams/bonds.hpp"
+#include "stored_columns.hpp"
 
 namespace bondem {
 namespace {
 
-// Bonds ahead of the loop whose first elements are asked for.
-constexpr Index ahead = 32;
-
-// Columns of what beams store.
-template <class T> class StoredColumns {
-  public:
-    explicit StoredColumns(const StoredLoads &stored) : first(stored.history.data), m(stored.history.shape[1]) {}
-
-    BONDEM_INLINE StoredLoad<T> operator()(Index k) const { return {vector_at(0, k), vector_at(3, k)}; }
-    // Writes to the bonds of a group, but not to those that belong to the group before: they are a step further
-    // already.
-    BONDEM_INLINE void keep(Group group, const StoredLoad<T> &load) const {
-        for (Index c = 0; c < 3; c++) {
-            store_behind(first + c * m + group.first, load.force[c], group.known);
-            store_behind(first + (3 + c) * m + group.first, load.moment[c], group.known);
-        }
-    }
-
-  private:
-    BONDEM_INLINE Vector3<T> vector_at(Index c, Index k) const {
-        const double *column = first + c * m + k;
-        return {number<T>(column, 0), number<T>(column + m, 0), number<T>(column + 2 * m, 0)};
-    }
-
-    double *const first;
-    const Index m;
-};
-
-template <class T>
-BONDEM_INLINE StoredStiffness<T> stored_stiffness(const Beams &beams, const StoredLoads &stored, Index k) {
-    return {number<T>(beams.kn.data, k), number<T>(beams.ks.data, k), number<T>(beams.kt.data, k),
-            number<T>(stored.kb.data, k)};
-}
-template <class T> BONDEM_INLINE StoredShape<T> stored_shape(const Beams &beams, Index k) {
-    return {number<T>(beams.length.data, k), number<T>(beams.lever.data, k)};
-}
 inline Vector branch_of(const double *pose, const Beams &beams, Index k) {
     return branch(gather(pose, beams.i(k)), gather(pose, beams.j(k)), beams.period.data);
 }
 
 }  // namespace
 
+#if defined(BONDEM_LANES)
+
 void add_stored_loads(const Turn &turn, const Moving &all, const Beams &beams, const StoredLoads &stored,
                       const StepCut &cut) {
+    constexpr Index ahead = 32;  // bonds ahead of the loop whose first elements are asked for
     const Short *const i = beams.i.data, *const j = beams.j.data;
     const double *const pose = all.pose.data, *const motion = all.motion.data, *const period = beams.period.data;
     const StoredColumns<Lanes> history(stored);
@@ -71,6 +37,8 @@ void add_stored_loads(const Turn &turn, const Moving &all, const Beams &beams, c
                  {{-f.x, -f.y, -f.z, zero, t.x, t.y, t.z, zero}}, {{f.x, f.y, f.z, zero, u.x, u.y, u.z, zero}}, group.known);
     });
 }
+
+#endif
 
 void sum_stored_energies(const Turn &turn, const Moving &all, const Beams &beams, const StoredLoads &stored,
                          const Portions &portions) {

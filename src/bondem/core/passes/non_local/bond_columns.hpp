@@ -1,6 +1,7 @@
 // How passes read bonds of the non-local law, and stresses of elements: one, or as many as there are lanes.
 #pragma once
 #include "../../laws/non_local.hpp"
+#include "../../select.hpp"
 #include "../../tables/non_local_tables.hpp"
 #include "../beams/bonds.hpp"
 
@@ -15,9 +16,14 @@ template <class T> BONDEM_INLINE Vector3<T> vector_at(const double *table, Index
     const double *column = table + first * m + k;
     return {number<T>(column, 0), number<T>(column + m, 0), number<T>(column + 2 * m, 0)};
 }
-// Writes them for the bonds of a group, but not for those of the group before.
-BONDEM_INLINE void keep_vector(double *table, Index m, Index first, Group group, Vector3<Lanes> a) {
-    for (Index c = 0; c < 3; c++) store_behind(table + (first + c) * m + group.first, a[c], group.known);
+// Writes a column of one bond, or of the bonds of a group, but not of those of the group before.
+BONDEM_INLINE void keep_number(double *column, Index k, double a) { column[k] = a; }
+#if defined(BONDEM_LANES)
+BONDEM_INLINE void keep_number(double *column, Group group, Lanes a) { store_behind(column + group.first, a, group.known); }
+#endif
+template <class Place, class T>
+BONDEM_INLINE void keep_vector(double *table, Index m, Index first, Place place, Vector3<T> a) {
+    for (Index c = 0; c < 3; c++) keep_number(table + (first + c) * m, place, a[c]);
 }
 
 template <class T> BONDEM_INLINE PairShape<T> pair_shape(const NonLocalBonds &bonds, Index k) {
@@ -32,6 +38,45 @@ inline PairLaw pair_law(const NonLocalBonds &bonds) { return {bonds.nu, bonds.li
 inline PairPose<double> pair_pose(const double *pose, const Beams &beams, const NonLocalBonds &bonds, Index k) {
     const Ends<double> ends = ends_of(pose, beams, k);
     return pair_pose(ends.branch, ends.i, ends.j, pair_shape<double>(bonds, k));
+}
+
+template <class T> BONDEM_INLINE PairStore<T> stored_by(const NonLocalBonds &bonds, Index k) {
+    const double *const data = bonds.history.data;
+    const Index m = bonds.history.shape[1];
+    return {vector_at<T>(data, m, gap_column, k), vector_at<T>(data, m, extra_column, k),
+            number<T>(data + taken_column * m, k)};
+}
+// What a bond stores after a step. `mean()` returns the mean stress of both elements a step ago; a step of no time (`steps`
+// is false) does not ask for it, and leaves the extra force as it is.
+template <bool steps, class T, class Mean>
+BONDEM_INLINE PairStore<T> store_after(const PairStore<T> &before, const PairPose<T> &now, Quaternion<T> i, T s,
+                                       const PairStiffness<T> &stiffness, const PairLaw &law, Mean mean) {
+    if constexpr (steps)
+        return after_step(before, mean(), now, i, s, stiffness, law);
+    else
+        return {turned_by(inverse(i), now.gap), before.extra, before.taken};
+}
+// Writes what bonds of integrity s store. What broken bonds store stays what it is.
+template <class Place, class T>
+BONDEM_INLINE void keep_store(const NonLocalBonds &bonds, Place place, T s, const PairStore<T> &now,
+                              const PairStore<T> &before) {
+    double *const data = bonds.history.data;
+    const Index m = bonds.history.shape[1];
+    const Mask<T> unbroken = s > T{};
+    keep_vector(data, m, gap_column, place, select(unbroken, now.gap, before.gap));
+    keep_vector(data, m, extra_column, place, select(unbroken, now.extra, before.extra));
+    keep_number(data + taken_column * m, place, now.taken);
+}
+template <class Place, class T>
+BONDEM_INLINE void keep_output(const NonLocalBonds &bonds, Place place, T s, const NonLocalLoads<T> &loads) {
+    double *const data = bonds.output.data;
+    const Index m = bonds.output.shape[1];
+    keep_vector(data, m, force_column, place, s * loads.force);
+    keep_vector(data, m, on_i_column, place, s * loads.on_i);
+    keep_vector(data, m, on_j_column, place, s * loads.on_j);
+}
+inline Vector output_at(const NonLocalBonds &bonds, Output first, Index k) {
+    return vector_at<double>(bonds.output.data, bonds.output.shape[1], first, k);
 }
 
 // The stress in a row of a table of stresses in space, or of their moments.

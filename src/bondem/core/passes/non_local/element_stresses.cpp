@@ -4,7 +4,7 @@
 // where bonds take the mean of both ends. Forces of dashpots of bonds do not count.
 #include "element_stresses.hpp"
 
-#include "bond_columns.hpp"
+#include "own_stress.hpp"
 
 namespace bondem {
 namespace {
@@ -18,18 +18,8 @@ struct Elements {
     }
 };
 
-BONDEM_INLINE Stress<Lanes> own_stress(const LaggedStresses &stresses, const Elements &p) {
-    const auto component = [&](Index c) { return number_at(stresses.stress.data, 6, c, p.place); };
-    return {component(0), component(1), component(2), component(3), component(4), component(5)};
-}
-
 void turn(Index first, Index last, const double *pose, const LaggedStresses &stresses) {
-    const Lanes zero = {};
-    for (Index e = first; e < last; e += lanes) {
-        const Elements p(e, last);
-        const Stress<Lanes> s = turned_by(orientation(gather(pose, p.place)), own_stress(stresses, p));
-        scatter(stresses.space.data, p.place, {{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, zero, zero}});
-    }
+    for (Index e = first; e < last; e += lanes) turn_stress(Elements(e, last).place, pose, stresses);
 }
 
 }  // namespace
@@ -53,18 +43,8 @@ void collect_moments(const Turn &turn, const StepCut &cut, const LaggedStresses 
 }
 
 void find_stresses(const Turn &turn, const Moving &all, const LaggedStresses &stresses) {
-    for (Index e = turn.first; e < turn.last; e += lanes) {
-        const Elements p(e, turn.last);
-        const Lanes one = number_at(stresses.inverse.data, 1, 0, p.place);
-        const Stress<Lanes> m = stress_of(gather(stresses.moment.data, p.place));
-        clear(stresses.moment.data, p.place);
-        const Stress<Lanes> s = one * m;
-        const PrincipalBounds<Lanes> bounds = principal_bounds(s);
-        scatter(stresses.space.data, p.place, {{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, bounds.largest, bounds.least}});
-        const Stress<Lanes> own = turned_by(inverse(orientation(gather(all.pose.data, p.place))), s);
-        const Lanes all_of_it[6] = {own.xx, own.yy, own.zz, own.xy, own.xz, own.yz};
-        for (Index c = 0; c < 6; c++) put_number(stresses.stress.data, 6, c, p.place, all_of_it[c]);
-    }
+    for (Index e = turn.first; e < turn.last; e += lanes)
+        find_stress(Elements(e, turn.last).place, all.pose.data, stresses);
 }
 
 }  // namespace bondem

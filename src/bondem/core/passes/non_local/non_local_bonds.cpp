@@ -6,12 +6,13 @@
 // stresses do not change.
 #include "non_local_bonds.hpp"
 
-#include "../../select.hpp"
 #include "../record/columns.hpp"
 #include "bond_columns.hpp"
 
 namespace bondem {
 namespace {
+
+#if defined(BONDEM_LANES)
 
 // Bonds ahead of the loop whose first elements are asked for.
 constexpr Index ahead = 32;
@@ -21,34 +22,11 @@ BONDEM_INLINE Row<Lanes> moment_row(const Stress<Lanes> &s) {
     return {{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, zero, zero}};
 }
 
-BONDEM_INLINE PairStore<Lanes> stored_at(const NonLocalBonds &bonds, Index k) {
-    const double *const data = bonds.history.data;
-    const Index m = bonds.history.shape[1];
-    return {vector_at<Lanes>(data, m, gap_column, k), vector_at<Lanes>(data, m, extra_column, k),
-            load(data + taken_column * m + k)};
-}
-// What broken bonds store stays what it is.
-BONDEM_INLINE void keep(const NonLocalBonds &bonds, Group group, Lanes s, const PairStore<Lanes> &now,
-                        const PairStore<Lanes> &before) {
-    double *const data = bonds.history.data;
-    const Index m = bonds.history.shape[1];
-    const Mask<Lanes> unbroken = s > Lanes{};
-    keep_vector(data, m, gap_column, group, select(unbroken, now.gap, before.gap));
-    keep_vector(data, m, extra_column, group, select(unbroken, now.extra, before.extra));
-    store_behind(data + taken_column * m + group.first, now.taken, group.known);
-}
-BONDEM_INLINE void put_output(const NonLocalBonds &bonds, Group group, Lanes s, const NonLocalLoads<Lanes> &loads) {
-    double *const data = bonds.output.data;
-    const Index m = bonds.output.shape[1];
-    keep_vector(data, m, force_column, group, s * loads.force);
-    keep_vector(data, m, on_i_column, group, s * loads.on_i);
-    keep_vector(data, m, on_j_column, group, s * loads.on_j);
-}
-
 template <bool steps>
 BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams &beams, const NonLocalBonds &bonds,
                                const LaggedStresses &stresses) {
     const Short *const i = beams.i.data, *const j = beams.j.data;
+    const double *const space = stresses.space.data;
     const PairLaw law = pair_law(bonds);
     for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
@@ -57,24 +35,26 @@ BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams
         const Lanes s = load(beams.integrity.data + k);
         const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
         const PairStiffness<Lanes> stiffness = pair_stiffness<Lanes>(bonds, k);
-        const PairStore<Lanes> before = stored_at(bonds, k);
-        PairStore<Lanes> after = {turned_by(inverse(ends.i), now.gap), before.extra, before.taken};
-        if constexpr (steps) {
-            const double *const space = stresses.space.data;
-            const Stress<Lanes> mean = mean_of(stress_of(gather(space, i + k)), stress_of(gather(space, j + k)));
-            after = after_step(before, mean, now, ends.i, s, stiffness, law);
-        }
-        keep(bonds, group, s, after, before);
+        const PairStore<Lanes> before = stored_by<Lanes>(bonds, k);
+        const auto mean = [&]() __attribute__((always_inline)) {
+            return mean_of(stress_of(gather(space, i + k)), stress_of(gather(space, j + k)));
+        };
+        const PairStore<Lanes> after = store_after<steps>(before, now, ends.i, s, stiffness, law, mean);
+        keep_store(bonds, group, s, after, before);
         const NonLocalLoads<Lanes> loads = non_local_loads(now, turned_by(ends.i, after.extra), stiffness);
         const Vector3<Lanes> force = s * loads.force;
         add_rows(stresses.moment.data, stresses.to_i.data + k, j + k,
                  moment_row(symmetric_product(now.lever_i, force)), moment_row(symmetric_product(-now.lever_j, force)),
                  group.known);
-        put_output(bonds, group, s, loads);
+        keep_output(bonds, group, s, loads);
     });
 }
 
+#endif
+
 }  // namespace
+
+#if defined(BONDEM_LANES)
 
 void find_non_local_forces(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                            const LaggedStresses &stresses) {
@@ -98,10 +78,10 @@ void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const Ste
     });
 }
 
+#endif
+
 void write_non_local_work(const Turn &turn, const NonLocalWork &work, const HistoryRows &history) {
-    double taken = 0.0;
-    for (Index q = 0; q < work.taken.size(); q++) taken += work.taken(q);
-    history.record(turn.clock.record, column::non_local) = taken;
+    history.record(turn.clock.record, column::non_local) = sum_of(work);
 }
 
 void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
@@ -133,17 +113,21 @@ Index find_small_extra_forces(Index, const SmallPairs &pairs, const ExtraForces 
     return 0;
 }
 
+#if defined(BONDEM_LANES)
+
 Index load_non_local_bonds(Index, const Poses &all, const Beams &beams, const NonLocalBonds &bonds) {
     for_each_group(0, beams.i.size(), [&](Group group) {
         const Index k = group.first;
         const Row<Lanes> i = gather(all.pose.data, beams.i.data + k), j = gather(all.pose.data, beams.j.data + k);
         const Ends<Lanes> ends = ends_of(i, j, beams.period.data);
         const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
-        const Vector3<Lanes> extra = turned_by(ends.i, stored_at(bonds, k).extra);
+        const Vector3<Lanes> extra = turned_by(ends.i, stored_by<Lanes>(bonds, k).extra);
         const NonLocalLoads<Lanes> loads = non_local_loads(now, extra, pair_stiffness<Lanes>(bonds, k));
-        put_output(bonds, group, load(beams.integrity.data + k), loads);
+        keep_output(bonds, group, load(beams.integrity.data + k), loads);
     });
     return 0;
 }
+
+#endif
 
 }  // namespace bondem

@@ -13,6 +13,11 @@ void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const Ste
 // Sums normal and shear energy of the springs of a portion, and the work of extra forces [J].
 void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                             const Portions &portions, const NonLocalWork &work);
+inline double sum_of(const NonLocalWork &work) {
+    double taken = 0.0;
+    for (Index q = 0; q < work.taken.size(); q++) taken += work.taken(q);
+    return taken;
+}
 // Writes that work to the ledger.
 void write_non_local_work(const Turn &turn, const NonLocalWork &work, const HistoryRows &history);
 // Finds forces and torques of all bonds in any poses by what they have stored.

@@ -1,29 +1,15 @@
 // Bonds of the non-local law that fail by the mean stress of their two elements.
 //
-// The criterion is evaluated when the stresses of the step are known. σ1 of a mean is at most the mean of both σ1, and σ3 at
-// least the mean of both σ3, so that only bonds that reach their criterion by these are evaluated exactly. The energy
-// released is that of the springs; the work of extra forces stays in an entry of its own. The stresses of the
-// elements, which the next step takes, are then without the bond.
+// The criterion is evaluated when the stresses of the step are known, and exactly only for bonds that reach it by bounds of
+// the principal stresses. The energy released is that of the springs; the work of extra forces stays in an entry of its
+// own. The stresses of the elements, which the next step takes, are then without the bond.
 #include "pair_failure.hpp"
 
-#include "../../laws/criteria/principal_stress.hpp"
-#include "../../laws/principal.hpp"
 #include "../damage/pipeline.hpp"
-#include "bond_columns.hpp"
+#include "pair_verdict.hpp"
 
 namespace bondem {
 namespace {
-
-// Columns of a stress in space that hold bounds of its largest and its least principal stress.
-enum Bounds : Index { largest_column = 6, least_column };
-
-Verdict<double> verdict_of(const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths, Index k) {
-    const auto stress = [&](Short p) { return stresses.space.row<const Stress<double>>(p); };
-    const PrincipalStress<double> found = principal(mean_of(stress(beams.i(k)), stress(beams.j(k))));
-    const double *c = &strengths.coefficient(k, 0);
-    const Coefficients<double> own = {c[0], c[1], c[2], c[3]};
-    return PrincipalStressCriterion::verdict(largest_of(found), least_of(found), own);
-}
 
 // Takes from the stress of an element, in its own frame, what ± a force does at a lever.
 void relieve(const double *pose, const LaggedStresses &stresses, Short p, Vector lever, Vector force, double sign) {
@@ -33,11 +19,9 @@ void relieve(const double *pose, const LaggedStresses &stresses, Short p, Vector
     for (Index c = 0; c < 6; c++) stresses.stress(p, c) -= all[c];
 }
 
-Vector output_at(const NonLocalBonds &bonds, Output first, Index k) {
-    return vector_at<double>(bonds.output.data, bonds.output.shape[1], first, k);
-}
-
 }  // namespace
+
+#if defined(BONDEM_LANES)
 
 void mark_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                 const Candidates &candidates) {
@@ -51,9 +35,7 @@ void mark_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stre
         for (int n = 0; n < lanes; n++) place[n] = Short(least(k + n, last - 1));
         const auto coefficient = [&](Index c) { return number_at(strengths.coefficient.data, 4, c, place); };
         const Coefficients<Lanes> own = {coefficient(0), coefficient(1), coefficient(2), coefficient(3)};
-        const Lanes largest = 0.5 * (i.column[largest_column] + j.column[largest_column]);
-        const Lanes lowest = 0.5 * (i.column[least_column] + j.column[least_column]);
-        const Lanes index = PrincipalStressCriterion::verdict(largest, lowest, own).index;
+        const Lanes index = bound_of_index(i, j, own);
         const Lanes s = load(beams.integrity.data + k), zero = {}, one = zero + 1.0;
         if (__builtin_expect(any_reaches(s > zero ? index : zero, one), 0))
             for (int n = group.known; n < lanes; n++)
@@ -62,11 +44,13 @@ void mark_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stre
     candidates.count(turn.block) = next - first;
 }
 
+#endif
+
 void judge_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                  const Candidates &candidates, const Postponed &postponed) {
     judge(
         turn, candidates, [&](Index k) { return beams.integrity(k) > 0.0; },
-        [&](Index k) { return verdict_of(beams, stresses, strengths, k); },
+        [&](Index k) { return verdict_of_pair(beams, stresses, strengths, k); },
         [&](Index k) {
             hold(postponed, beams.i(k));
             hold(postponed, beams.j(k));
@@ -105,7 +89,7 @@ void relieve_pairs(const Turn &, const Moving &all, const Beams &beams, const No
 Index index_pairs(Index, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                   const FailureIndices &found) {
     for (Index k = 0; k < strengths.coefficient.size(); k++)
-        found.index(k) = beams.integrity(k) > 0.0 ? verdict_of(beams, stresses, strengths, k).index : 0.0;
+        found.index(k) = beams.integrity(k) > 0.0 ? verdict_of_pair(beams, stresses, strengths, k).index : 0.0;
     return 0;
 }
 

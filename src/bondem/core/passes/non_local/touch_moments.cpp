@@ -2,19 +2,12 @@
 // element to where it touches another one, or a wall.
 #include "touch_moments.hpp"
 
-#include "../contacts/pairs.hpp"
 #include "../contacts/wall_shapes.hpp"
 #include "../damage/pipeline.hpp"
-#include "bond_columns.hpp"
+#include "touch_levers.hpp"
 
 namespace bondem {
 namespace {
-
-void add_moment(const LaggedStresses &stresses, Short p, Vector lever, Vector force) {
-    const Stress<double> s = symmetric_product(lever, force);
-    const double all[6] = {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz};
-    for (Index c = 0; c < 6; c++) stresses.moment(p, c) += all[c];
-}
 
 // Adds to the stress of an element, in its own frame, what a force does at a lever.
 void add_to_stress(const double *pose, const LaggedStresses &stresses, Short p, Vector lever, Vector force) {
@@ -46,11 +39,10 @@ void add_begun_contacts(const Turn &, const Moving &all, const ContactConstants 
     for_each_event(log, [&](Index bond, Index) {
         const Index k = pairs.of_bond(bond);
         if (k < 0 || pairs.touch(k) != touching) return;
-        const Short a = pairs.first(k), b = pairs.second(k);
-        const double ra = c.radius(a), rb = c.radius(b);
-        const Vector d = branch_of(pose, pairs, k), force = present_force(all, c, pairs, k);
-        add_to_stress(pose, stresses, a, (ra / (ra + rb)) * d, -force);
-        add_to_stress(pose, stresses, b, (-rb / (ra + rb)) * d, force);
+        const TouchLevers lever(c, pairs, k, branch_of(pose, pairs, k));
+        const Vector force = present_force(all, c, pairs, k);
+        add_to_stress(pose, stresses, pairs.first(k), lever.of_first, -force);
+        add_to_stress(pose, stresses, pairs.second(k), lever.of_second, force);
     });
 }
 
@@ -62,10 +54,10 @@ void add_pair_moments(const Turn &turn, const Moving &all, const ContactConstant
         for (Index e = begin; e < end; e++) {
             const Short k = near.close(e), a = pairs.first(k), b = pairs.second(k);
             if (!(mine(a) || mine(b))) continue;
-            const Vector d = branch_of(all.pose.data, pairs, k), force = near.output.row<const Vector>(e);  // on b
-            const double ra = c.radius(a), rb = c.radius(b);
-            if (mine(a)) add_moment(stresses, a, (ra / (ra + rb)) * d, -force);
-            if (mine(b)) add_moment(stresses, b, (-rb / (ra + rb)) * d, force);
+            const TouchLevers lever(c, pairs, k, branch_of(all.pose.data, pairs, k));
+            const Vector force = near.output.row<const Vector>(e);  // on b
+            if (mine(a)) add_moment(stresses, a, lever.of_first, -force);
+            if (mine(b)) add_moment(stresses, b, lever.of_second, force);
         }
     }
 }

@@ -1,0 +1,113 @@
+// Bonds of the non-local law on a device: a thread finds the force of one, then one finds the stress of one element, and one
+// judges a bond by the stresses of its ends. One thread removes those that fail, in their order.
+//
+// An element adds up what its bonds and its contacts have for its stress in the order of the CPU.
+#pragma once
+#include "../passes/non_local/non_local_bonds.hpp"
+#include "../passes/non_local/own_stress.hpp"
+#include "../passes/non_local/pair_failure.hpp"
+#include "../passes/non_local/pair_verdict.hpp"
+#include "../passes/non_local/touch_levers.hpp"
+#include "../passes/non_local/touch_moments.hpp"
+#include "breakage.hpp"
+#include "contacts.hpp"
+
+namespace bondem {
+
+// ---- forces of bonds
+
+template <bool steps>
+BONDEM_INLINE void find_pair(Index k, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+                             const LaggedStresses &stresses, const LoadsOfBonds &to) {
+    const double *const space = stresses.space.data, s = beams.integrity(k);
+    const Ends<double> ends = ends_of(all.pose.data, beams, k);
+    const PairPose<double> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<double>(bonds, k));
+    const PairStiffness<double> stiffness = pair_stiffness<double>(bonds, k);
+    const PairStore<double> before = stored_by<double>(bonds, k);
+    const auto mean = [&] { return mean_of(stress_of(gather(space, beams.i(k))), stress_of(gather(space, beams.j(k)))); };
+    const PairStore<double> after = store_after<steps>(before, now, ends.i, s, stiffness, pair_law(bonds), mean);
+    keep_store(bonds, k, s, after, before);
+    const NonLocalLoads<double> loads = non_local_loads(now, turned_by(ends.i, after.extra), stiffness);
+    keep_output(bonds, k, s, loads);
+    put(to, k, {-(s * loads.force), s * loads.on_i, -(s * loads.on_j)});
+}
+inline void find_force_of_pair(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                               const NonLocalBonds &bonds, const LaggedStresses &stresses, const LoadsOfBonds &to) {
+    if (clock_of(span).dt > 0.0)
+        find_pair<true>(k, all, beams, bonds, stresses, to);
+    else
+        find_pair<false>(k, all, beams, bonds, stresses, to);
+}
+
+// ---- stresses of elements
+
+inline void turn_stress_of_element(Index p, const Moving &all, const LaggedStresses &stresses) {
+    turn_stress(Short(p), all.pose.data, stresses);
+}
+inline void gather_moments(Index p, const Moving &all, const NonLocalBonds &bonds, const BondsOfElements &of,
+                           const LaggedStresses &stresses) {
+    const Quaternion<double> q = orientation(gather(all.pose.data, Short(p)));
+    Stress<double> sum = {};
+    const auto add = [&](const Array<const double, 2> &levers, double sign, Index k) {
+        const Vector lever = turned_by(q, vector_at<double>(levers.data, levers.shape[1], 0, k));
+        sum = sum + symmetric_product(sign * lever, output_at(bonds, force_column, k));
+    };
+    for (Index k = of.in_start(p); k < of.in_start(p + 1); k++) add(bonds.lever_j, -1.0, k);
+    for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) add(bonds.lever_i, 1.0, of.out_bond(e));
+    row_at(stresses.moment.data, Short(p)) = {{sum.xx, sum.yy, sum.zz, sum.xy, sum.xz, sum.yz, 0.0, 0.0}};
+}
+// What pairs do to the stress of element p: those whose later element it is, then those whose earlier one.
+inline void add_pair_moments_of_element(Index p, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                                        const EarlierPairs &earlier, const NearPairs &near, const LaggedStresses &stresses) {
+    const auto levers = [&](Index k) { return TouchLevers(c, pairs, k, branch_of(all.pose.data, pairs, k)); };
+    const auto force = [&](Index k) { return near.output.row<const Vector>(k); };
+    for (Index k = pairs.start(p); k < pairs.start(p + 1); k++)
+        if (pairs.touch(k) != separate) add_moment(stresses, Short(p), levers(k).of_second, force(k));
+    for (Index e = earlier.start(p); e < earlier.start(p + 1); e++) {
+        const Index k = earlier.pair(e);
+        if (pairs.touch(k) != separate) add_moment(stresses, Short(p), levers(k).of_first, -force(k));
+    }
+}
+inline void add_wall_moments_of_element(Index p, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
+                                        const WallContacts &contacts, const Walls &walls, const LaggedStresses &stresses) {
+    add_wall_moments(turn_of(span, p), all, c, contacts, walls, stresses);
+}
+inline void find_stress_of_element(Index p, const Moving &all, const LaggedStresses &stresses) {
+    find_stress(Short(p), all.pose.data, stresses);
+}
+
+// ---- failure
+
+inline void judge_pair(Index k, const DeviceSpan &span, const Beams &beams, const LaggedStresses &stresses,
+                       const Strengths &strengths, const Candidates &candidates, const Postponed &postponed) {
+    if (clock_of(span).first || !(beams.integrity(k) > 0.0)) return;
+    const double *const space = stresses.space.data;
+    const Row<double> i = gather(space, beams.i(k)), j = gather(space, beams.j(k));
+    if (!(bound_of_index(i, j, coefficients_of_pair(strengths, k)) >= 1.0)) return;
+    if (list_failing(k, verdict_of_pair(beams, stresses, strengths, k), candidates)) hold_ends(postponed, beams, k);
+}
+inline void break_all_pairs(Index, const DeviceSpan &span, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+                            const Candidates &candidates, const Postponed &postponed, const EventLog &log) {
+    break_pairs(turn_of(span, 0), all, beams, bonds, candidates, postponed, log);
+}
+inline void relieve_all_pairs(Index, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                              const NonLocalBonds &bonds, const LaggedStresses &stresses, const BeamIntegrity &state,
+                              const Candidates &candidates) {
+    relieve_pairs(turn_of(span, 0), all, beams, bonds, stresses, state, candidates);
+}
+inline void add_all_begun_contacts(Index, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
+                                   const ContactPairs &pairs, const LaggedStresses &stresses, const EventLog &log) {
+    add_begun_contacts(turn_of(span, 0), all, c, pairs, stresses, log);
+}
+
+// ---- what the history needs
+
+inline void sum_portion_of_springs(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                                   const NonLocalBonds &bonds, const Portions &portions, const NonLocalWork &work) {
+    sum_non_local_energies(portion_of(span, b, bonds_of_portion, span.m), all, beams, bonds, portions, work);
+}
+inline void write_work_of_extra_forces(Index, const DeviceSpan &span, const NonLocalWork &work, const HistoryRows &history) {
+    history.record(clock_of(span).record, of_non_local) = sum_of(work);
+}
+
+}  // namespace bondem

@@ -1,0 +1,96 @@
+// Beams that soften, on a device: a thread lets one row of the lists lose integrity, one thread a portion adds up what its
+// rows have dissipated, and one thread logs beams that have broken and begins the rows of those that are found.
+//
+// The stages are those of the CPU (`passes/damage/beam_softening.cpp`), in the same order of rows and bonds.
+#pragma once
+#include "../passes/damage/beam_softening.hpp"
+#include "../passes/damage/softening_beam.hpp"
+#include "breakage.hpp"
+#include "contacts.hpp"
+
+namespace bondem {
+
+// ---- integrity
+
+// The row at place e of the lists.
+inline void soften_listed(Index e, const DeviceSpan &span, const Moving &all, const Beams &beams, const BeamIntegrity &state,
+                          const SofteningBounds &bounds, const SofteningBeams &soft, const SofteningLosses &losses) {
+    const Index q = e / bonds_of_portion;
+    if (e - q * bonds_of_portion >= soft.number(q)) return;
+    const Index c = soft.listed(e);
+    losses.lost(e) = soften_beam(all.pose.data, beams, state, bounds, soft, c, !clock_of(span).first);
+    if (has_broken(state, soft, c)) put_shared(soft.parted(q), Index(1));
+}
+inline void end_portion_of_softening(Index q, const BeamIntegrity &state, const SofteningBeams &soft,
+                                     const SofteningLosses &losses) {
+    const Index first = q * bonds_of_portion, last = first + soft.number(q);
+    double lost = 0.0;
+    for (Index e = first; e < last; e++) lost += losses.lost(e);
+    soft.lost(q) = lost;
+    if (soft.parted(q) != 0) part_broken(state, soft, q);
+}
+inline void log_all_softened(Index, const DeviceSpan &span, const Moving &all, const Beams &beams, const SofteningBeams &soft,
+                             const EventLog &log) {
+    log_softened_beams(turn_of(span, 0), all, beams, soft, log);
+}
+
+// ---- forces, with the pressure on the softened part of a beam
+
+BONDEM_INLINE void put_pressed(Index k, const Moving &all, const Beams &beams, BeamLoads<double> loads,
+                               const LoadsOfBonds &to, const SofteningBounds &bounds, const BondMarks &marks) {
+    mark_one(k, loads, bounds, marks);
+    const Vector apart = ends_of(all.pose.data, beams, k).branch;
+    loads.force = plus(loads.force, bounds.press(k), pressure_on(apart, beams.length(k)));
+    put(to, k, loads);
+}
+inline void load_softening_beam(Index k, const Moving &all, const Beams &beams, const LoadsOfBonds &to,
+                                const SofteningBounds &bounds, const BondMarks &marks) {
+    put_pressed(k, all, beams, loads_of(k, all, beams), to, bounds, marks);
+}
+inline void load_softening_alike_beam(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike,
+                                      const LoadsOfBonds &to, const SofteningBounds &bounds, const BondMarks &marks) {
+    put_pressed(k, all, beams, loads_of(k, all, beams, alike), to, bounds, marks);
+}
+
+// ---- beams that begin
+
+template <class Criterion>
+BONDEM_INLINE void find_one(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams, const Strengths &strengths,
+                            const BondMarks &marks, const Candidates &candidates, const SofteningBeams &soft) {
+    judge_one<Criterion>(k, span, all, beams, strengths, marks, candidates,
+                         [&] { keep_onset(all.pose.data, beams, soft, k); });
+}
+inline void find_beginning_by_peripheral_stress(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                                                    const Strengths &strengths, const BondMarks &marks,
+                                                    const Candidates &candidates, const SofteningBeams &soft) {
+    find_one<PeripheralStress>(k, span, all, beams, strengths, marks, candidates, soft);
+}
+inline void find_beginning_by_mohr_coulomb(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                                               const Strengths &strengths, const BondMarks &marks,
+                                               const Candidates &candidates, const SofteningBeams &soft) {
+    find_one<MohrCoulomb>(k, span, all, beams, strengths, marks, candidates, soft);
+}
+inline void begin_all_softening(Index, const DeviceSpan &span, const Candidates &candidates, const SofteningBounds &bounds,
+                                const SofteningBeams &soft) {
+    begin_softening(turn_of(span, 0), candidates, bounds, soft);
+}
+
+// ---- contact where beams have broken
+
+inline void release_all_pressure(Index, const DeviceSpan &span, const EventLog &log, const SofteningBounds &bounds) {
+    release_pressure(turn_of(span, 0), log, bounds);
+}
+inline void begin_all_softened_contacts(Index, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
+                                        const ContactPairs &pairs, const NearPairs &near, const EventLog &log,
+                                        const ContactSums &to) {
+    begin_softened_contacts(turn_of(span, 0), all, c, pairs, near, log, to);
+}
+
+// ---- what the history needs
+
+inline void sum_portion_of_pressure(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                                    const SofteningBounds &bounds, const Portions &portions) {
+    sum_pressed_energies(portion_of(span, b, bonds_of_portion, span.m), all, beams, bounds, portions);
+}
+
+}  // namespace bondem

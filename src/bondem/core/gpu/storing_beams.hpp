@@ -1,0 +1,29 @@
+// Beams of the incremental formulation on a device: a thread integrates what one stores over the step, and writes what it
+// does to its ends.
+#pragma once
+#include "../passes/incremental/stored_beams.hpp"
+#include "../passes/incremental/stored_columns.hpp"
+#include "beams.hpp"
+
+namespace bondem {
+
+inline void load_stored_beam(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                             const StoredLoads &stored, const LoadsOfBonds &to) {
+    const Short i = beams.i(k), j = beams.j(k);
+    const Vector apart = branch(gather(all.pose.data, i), gather(all.pose.data, j), beams.period.data);
+    const Motion<double> a(gather(all.motion.data, i)), b(gather(all.motion.data, j));
+    const StoredColumns<double> history(stored);
+    const StoredShape<double> shape = stored_shape<double>(beams, k);
+    const StoredLoad<double> now = integrated(history(k), apart, {b.v - a.v, a.w, b.w}, shape,
+                                              stored_stiffness<double>(beams, stored, k), clock_of(span).dt);
+    history.keep(k, now);
+    const double s = beams.integrity(k);
+    const BeamLoads<double> loads = stored_loads(now, apart, shape);
+    put(to, k, {s * loads.force, s * loads.on_i, s * loads.on_j});
+}
+inline void sum_portion_of_stored(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                                  const StoredLoads &stored, const Portions &portions) {
+    sum_stored_energies(portion_of(span, b, bonds_of_portion, span.m), all, beams, stored, portions);
+}
+
+}  // namespace bondem

@@ -1,0 +1,89 @@
+"""Bonds that store something from step to step, on a device: against the passes of the CPU, pauses, resumed runs."""
+
+import numpy as np
+import pytest
+
+import bondem as bd
+from bondem._device import Host
+from bondem.model.state import State
+from bondem.solve.explicit import integrate
+from bondem.solve.loop_core import CoreLoop
+from bondem.solve.loop_device import DeviceLoop, device_has
+from bondem.solve.plan import Plan
+from tests.bits import assert_same_bits, assert_same_state
+from tests.device_runs import deviation
+from tests.lagged_runs import CASES
+
+STEPS = 120
+# Cases of contact are fast and soft, so that much happens in few steps.
+pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
+
+
+def on_device(model: bd.Model, plan: Plan, state: State, dt: float) -> DeviceLoop:
+    assert device_has(model)
+    return DeviceLoop(model, plan, state, dt, Host())
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_device_has_the_bits_of_the_cpu(case: str) -> None:
+    model, start, steps, dt, options = CASES[case]()
+    plan = Plan(duration=steps * dt, dt=dt, **options)
+    cpu, device = (integrate(model, plan, state=start(model), loop_of=loop) for loop in (CoreLoop, on_device))
+    assert_same_bits(cpu, device)
+    assert deviation(cpu, device) < 1e-12  # records as well
+    assert np.abs(device.state.history).max() > 0.0
+    assert ("contact" in case) == (len(device.state.touching) + len(device.state.wall_touching) > 3)
+    assert ("break" in case) == (len(device.state.broken) > 10)
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_pausing_changes_no_bit(case: str) -> None:
+    model, start, _, dt, options = CASES[case]()
+    options["every"] = 0
+    plans = [Plan(duration=STEPS * dt, dt=dt, save_every=interval, **options) for interval in (0, 17)]
+    whole, parted = (integrate(model, plan, state=start(model), loop_of=on_device) for plan in plans)
+    half = integrate(model, Plan(duration=51 * dt, dt=dt, **options), state=start(model), loop_of=on_device).state
+    resumed = integrate(model, plans[0], state=half, loop_of=on_device)
+    for other in (parted, resumed):
+        assert_same_bits(whole, other)
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_run_resumes_on_the_other_side(case: str) -> None:
+    model, start, _, dt, options = CASES[case]()
+    whole, half = (Plan(duration=steps * dt, dt=dt, **options) for steps in (STEPS, STEPS // 2))
+    cpu = integrate(model, whole, state=start(model), loop_of=CoreLoop)
+    for first, second in ((CoreLoop, on_device), (on_device, CoreLoop)):
+        begun = integrate(model, half, state=start(model), loop_of=first)
+        assert_same_bits(cpu, integrate(model, whole, state=begun.state, history=begun.history, loop_of=second))
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_forces_of_an_unchanged_state_are_found_again(case: str) -> None:
+    """To the bit, in a step of no time; dashpots of contacts have no part in it."""
+    model, start, _, dt, options = CASES[case]()
+    plan = Plan(duration=40 * dt, dt=dt, **{**options, "damping": None})
+    state = integrate(model, plan, state=start(model), loop_of=on_device).state
+    cpu, device = state.copy(), state.copy()
+    for again, loop in ((cpu, CoreLoop), (device, on_device)):
+        again.stale = True
+        loop(model, plan, again, dt).look()
+    assert_same_state(cpu, device)
+    if "contact" not in case:
+        for array in ("history", "stress", "acceleration"):
+            np.testing.assert_array_equal(getattr(device, array), getattr(state, array), err_msg=array)
+
+
+def test_few_bonds_store_as_many() -> None:
+    """Where there are fewer bonds than a group of lanes, the state has a copy of its own."""
+    lattice = bd.connect(bd.Particles(np.array([[0.0, 0.0, 0.0], [0.9, 0.2, 0.1]]), np.array([0.4, 0.5])), reach=2.0)
+    law = bd.Timoshenko(E=1e7, nu=0.2, radius_ratio=0.6, formulation="incremental")
+    model = bd.Model(lattice, law, density=1e3)
+    plan = Plan(duration=40e-4, dt=1e-4)
+    results = []
+    for loop in (CoreLoop, on_device):
+        state = State(model)
+        state.set_motion(velocity=np.array([[0.1, 0.2, 0.0], [0.0, -0.1, 0.3]]))
+        results.append(integrate(model, plan, state=state, loop_of=loop))
+    assert np.abs(results[0].state.history).max() > 0.0
+    assert_same_bits(*results)
