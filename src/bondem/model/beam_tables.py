@@ -9,8 +9,8 @@ import numpy as np
 
 from bondem._core import Pass
 from bondem._types import Floats, Ints, PerBond
-from bondem.kernels.tables import lines
 from bondem.model.bond_table import BondTable, with_twins
+from bondem.model.cache_lines import lines
 from bondem.model.layout import Layout
 
 

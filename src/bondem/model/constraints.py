@@ -2,20 +2,50 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from bondem._checks import shown
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import InputError
-from bondem.kernels.tables import Rows, Schedules
 from bondem.model.boundary import BoundaryCondition, Drive, Fix, Load
 from bondem.model.cell_constants import CellConstants
-from bondem.model.couples import Couple, couple_table
+from bondem.model.couples import Couple, CoupleTable, couple_table
 from bondem.model.layout import Layout
 from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure, is_face
 from bondem.model.schedules import Schedule
 from bondem.specimen.lattice import Lattice
+
+
+class Rows(NamedTuple):
+    """Rows of the elements that are held, driven or loaded, r of them; passes write all but `of` and `fixed`."""
+
+    of: np.ndarray  #: row of each element, or -1, (n,)
+    fixed: np.ndarray  #: degrees of freedom with prescribed motion, uint8, (r, 6)
+    force: np.ndarray  #: of loads now [N, N·m], (r, 6)
+    half: np.ndarray  #: prescribed velocities over the step [m/s, rad/s], (r, 6)
+    full: np.ndarray  #: prescribed velocities now, (r, 6)
+    reaction: np.ndarray  #: minus the bond forces [N, N·m], (r, 6)
+    grip: np.ndarray  #: of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any
+    work: np.ndarray  #: of loads and drives on each row [J], then of body forces, strains and walls that hold cells
+
+
+class Schedules(NamedTuple):
+    """Schedules, and the loads and motions of rows that follow them."""
+
+    times: np.ndarray  #: of all schedules, one after the other [s]
+    values: np.ndarray
+    start: np.ndarray  #: where each begins
+    drive_row: np.ndarray
+    drive_dof: np.ndarray
+    drive_schedule: np.ndarray
+    drive_rate: np.ndarray  #: 1 for a velocity, 0 for a displacement, uint8
+    load_row: np.ndarray
+    load_schedule: np.ndarray
+    load_value: np.ndarray  #: [N, N·m], (…, 6)
+    load_turns: np.ndarray  #: element with which each turns, or -1; (0,) where none does
+    couples: CoupleTable  #: moments, whose forces turn with their regions
 
 
 @dataclass(frozen=True, eq=False)

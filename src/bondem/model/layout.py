@@ -7,13 +7,21 @@ has just seen. The opposite order would read elements that are not yet in the ca
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from bondem._types import Ints, PerBond, PerElement
-from bondem.kernels.tables import Adjacency
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.morton import morton_code
+
+
+class Adjacency(NamedTuple):
+    """Bonds of each element."""
+
+    in_start: np.ndarray  #: bonds in_start[p] … in_start[p + 1] end in p, (n + 1,)
+    out_start: np.ndarray  #: those that begin in p are in …, (n + 1,)
+    out_bond: np.ndarray  #: … this, from out_start[p] to out_start[p + 1], uint32, (m,)
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._types import Floats, Ints, Mask
-from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET
 from bondem.model.cell_constants import body_of
+from bondem.model.crack_columns import CRACK_COLUMNS, FACET
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_strain import CellStrain

@@ -3,10 +3,11 @@
 import numpy as np
 
 from bondem._types import Floats
-from bondem.kernels.soft_tables import BEGUN, SOFT_BOND, SOFT_COLUMNS, SOFT_OUTPUT_COLUMNS, SoftBonds
-from bondem.kernels.tables import BROKEN_COLUMNS, Breaks
+from bondem.kernels.soft_tables import BEGUN, SOFT_OUTPUT_COLUMNS, SoftBonds
+from bondem.kernels.tables import Breaks
 from bondem.model.blocks import Blocks
 from bondem.model.bond_table import GROUP
+from bondem.model.event_columns import BROKEN_COLUMNS, SOFT_BOND, SOFT_COLUMNS
 from bondem.model.model import Model
 from bondem.model.state import State
 

@@ -3,31 +3,23 @@
 import numpy as np
 
 from bondem._types import Floats, PerBond
-from bondem.kernels.cell_stress import sum_moments
-from bondem.kernels.cell_yield import stretch_cells, stretch_grips
-from bondem.kernels.crack_states import take_up_cracks
 from bondem.kernels.crack_tables import (
-    ACTIVE,
-    CRACK_COLUMNS,
-    CRACKS,
-    FACET,
     GEOMETRY_COLUMNS,
     HALF_COLUMNS,
-    LOGGED,
     OUTPUT_COLUMNS,
-    PARTED,
-    STATUS,
-    TOP,
     CellStresses,
     CellYield,
     CrackedFacets,
     CrackTable,
     Onset,
 )
-from bondem.kernels.tables import BROKEN_COLUMNS, Bonds, CellTable, GripTable, lines
+from bondem.kernels.tables import CellTable, GripTable
 from bondem.model.bond_table import with_zeros
 from bondem.model.boundary import Load
+from bondem.model.cache_lines import lines
 from bondem.model.cell_constants import CellConstants, body_of
+from bondem.model.crack_columns import CRACK_COLUMNS, FACET, PARTED, STATUS, TOP
+from bondem.model.event_columns import BROKEN_COLUMNS
 from bondem.model.loads import Pressure, is_face
 from bondem.model.model import Model
 from bondem.model.softening_table import SofteningTable
@@ -162,30 +154,3 @@ def pressed_moments(model: Model) -> Floats:
                 moment[:, column] = np.bincount(cell, part, len(moment))
             found.append(moment[model.layout.order])
     return np.array(found).reshape(len(found), len(cells.volume), 6)
-
-
-def take_up(pose: Floats, bonds: Bonds, cells: CellTable, grips: GripTable, cracks: CrackTable) -> None:
-    """Initialise cracks and plastic strains at the beginning of a run: lists, weights, levers and sums of forces."""
-    if cracks.flow.yielding:
-        stretch_cells(cells, cracks.flow, True, 0, len(cracks.flow.plastic))
-    stretch_grips(grips, cracks.flow)
-    take_up_cracks(pose, bonds, cells, cracks.facets)
-    rows = cracks.facets.row[: cracks.facets.sizes[CRACKS]]
-    active = rows[:, STATUS] == ACTIVE
-    # these are no part of the loop over facets: what they bear stands in `pull`
-    assert cells.force is not None
-    cells.force[:, rows[active, FACET].astype(np.int64)] = 0.0
-    sum_moments(pose, bonds, cells)
-
-
-def keep_cracks(cells: CellTable, cracks: CrackedFacets, state: State) -> None:
-    """Write facets that have cracked and broken since the last call into the state."""
-    count, logged = int(cracks.sizes[CRACKS]), int(cracks.sizes[LOGGED])
-    state.cracks = cracks.row[:count].copy()
-    assert cells.force is not None
-    state.facet_force[:] = cells.force[:, : state.facet_force.shape[1]]
-    one_by_one = np.flatnonzero(state.cracks[:, STATUS] == ACTIVE)
-    state.facet_force[:, state.cracks[one_by_one, FACET].astype(np.int64)] = cracks.pull[one_by_one].T
-    if logged:
-        state.broken = np.concatenate([state.broken, cracks.log[:logged]])
-        cracks.sizes[LOGGED] = 0

@@ -7,7 +7,6 @@ from typing import cast
 import numpy as np
 
 from bondem.errors import InputError
-from bondem.kernels.advance import FINE, NOT_FINITE, RUNAWAY
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.contact_check import SinkingCheck
@@ -15,7 +14,7 @@ from bondem.solve.energy_check import EnergyCheck
 from bondem.solve.halting import Halt
 from bondem.solve.history import History
 from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Callback, ExplicitResult, Loop, Plan, Status, settled
+from bondem.solve.plan import FINE, NOT_FINITE, RUNAWAY, Callback, ExplicitResult, Loop, Plan, Status, settled
 from bondem.solve.pulse import Pulse, heard, tell
 from bondem.solve.saving import Sink
 

@@ -40,7 +40,8 @@ from bondem.solve.beam_softening_cuda import SoftBeamForces
 from bondem.solve.breakage_cuda import BeamBreakage, DeviceBreakage, FacetBreakage
 from bondem.solve.cracks_cuda import CrackForces
 from bondem.solve.forces_cuda import BeamForces, DeviceFacetForces, DeviceForces, DeviceRun, starts
-from bondem.solve.loop_cpu import gauge_tables, noticeable
+from bondem.solve.gauge_tables import gauge_tables
+from bondem.solve.loop_core import noticeable
 from bondem.solve.plan import Plan
 
 # Columns of a record that the device fills, in its order; there are no contacts.

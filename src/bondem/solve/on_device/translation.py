@@ -6,7 +6,8 @@ from typing import Any, TypeVar
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.kernels.tables import Rows, StepCut, StepScheme
+from bondem.model.blocks import StepCut
+from bondem.model.constraints import Rows
 from bondem.model.layout import Layout
 from bondem.solve.damage_tables import EventLog
 from bondem.solve.on_device.device_tables import (
@@ -21,7 +22,7 @@ from bondem.solve.on_device.device_tables import (
     Tick,
     WorkPortions,
 )
-from bondem.solve.step_tables import Portions
+from bondem.solve.step_tables import Portions, StepScheme
 
 _T = TypeVar("_T")
 
