@@ -48,7 +48,7 @@ def split(tension, cohesion):
 
 def along(stress, tension):
     """Index of a criterion."""
-    return stress[0, 0] / tension
+    return stress[:, 0, 0] / tension
 
 
 GRID = np.indices((4, 3, 3)).reshape(3, -1).T.astype(float)

@@ -24,23 +24,18 @@ MEAN = bd.Hydrostatic(tension=2e6)
 
 
 def largest(stress, tension):
-    return np.linalg.eigvalsh(stress)[2] / tension
+    return np.linalg.eigvalsh(stress)[:, 2] / tension
 
 
 def mises(stress, limit):
-    p = (stress[0, 0] + stress[1, 1] + stress[2, 2]) / 3.0
-    total = 0.0
-    for a in range(3):
-        for b in range(3):
-            s = stress[a, b] - p if a == b else stress[a, b]
-            total += 1.5 * s * s
-    return math.sqrt(total) / limit
+    p = np.trace(stress, axis1=1, axis2=2) / 3.0
+    return np.sqrt(1.5 * ((stress - p[:, None, None] * np.eye(3)) ** 2).sum(axis=(1, 2))) / limit
 
 
 def undefined(stress, limit):
     """No number at some stresses that are not tried as it is made."""
-    _, two, three = np.linalg.eigvalsh(stress)
-    return math.nan if 0.5 * limit < two < limit and three > 1.2 * two else three / limit
+    _, two, three = np.linalg.eigvalsh(stress).T
+    return np.where((0.5 * limit < two) & (two < limit) & (three > 1.2 * two), np.nan, three / limit)
 
 
 def test_the_largest_pressure_is_the_least_eigenvalue() -> None:

@@ -5,10 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._calls import Callback, callback
-from bondem._types import Floats, Ints, Mask, PerBond, PerElement
+from bondem._types import Ints, Mask, PerBond, PerElement
 from bondem.errors import InputError
-from bondem.laws.failure.softening import Softening
+from bondem.laws.failure.softening import Softening, StressIndex
 from bondem.laws.softening import SNAP
 from bondem.model.cell_constants import CellConstants, body_of
 from bondem.model.failure_assignment import FailurePart
@@ -74,8 +73,7 @@ class SofteningTable:
         part: part of cell i in the compliance of a facet [-], (m,).
         hot: largest principal stress of a cell from which its facets are evaluated [Pa]; for another criterion its
             value in uniaxial tension.
-        judge: index function of another criterion, or None for the largest principal stress.
-        given: parameters of the criterion.
+        judge: another criterion, or None for the largest principal stress.
         least: smallest size √(σ:σ) of a stress that reaches another criterion [Pa].
         tension: f_t of another criterion without scatter [Pa].
         friction: μ of each facet [-], (m,).
@@ -92,8 +90,7 @@ class SofteningTable:
     area: PerBond
     part: PerBond
     hot: float
-    judge: Callback | None
-    given: Floats
+    judge: StressIndex | None
     least: float
     tension: float
     friction: PerBond
@@ -151,8 +148,7 @@ class SofteningTable:
         return cls(
             strength=strength, last=last, kink=softening.kink, steep=softening.steep, area=area,
             part=soft_i / (soft_i + soft_j), hot=(_MARGIN if surface is None else _WIDER) * least,
-            judge=None if surface is None else callback(surface.function, len(surface.values)),
-            given=np.array(() if surface is None else surface.values, dtype=float),
+            judge=surface,
             least=0.0 if surface is None else _NEARER * surface.nearest(), tension=softening.tension,
             friction=friction, plane=plane, cohesion=cohesion, last_slip=last_slip,
             slip=SlipTable.of(parts, cells.volume, layout.rank),

@@ -52,7 +52,7 @@ def crack_index(model: Model, state: State) -> PerBond:
         index = np.minimum(index, 1.0 / opened)
     else:
         scaled = agreed * (table.tension / strength)[:, None, None]
-        index = np.array([table.judge.function(one, *table.given) for one in scaled])
+        index = table.judge.indices(scaled)
         index[across <= 0.0] = 0.0
     index = np.maximum(index, 0.0)
     index = np.where(table.plane[place], np.maximum(1.0 / opened, slip), index)

@@ -115,7 +115,7 @@ def crack_table(
         flow=_flow(model, state, table, cells, grips, constants),
         onset=Onset(
             strength=table.strength, area=table.area, plane=np.flatnonzero(table.plane), hot=table.hot,
-            judge=0 if table.judge is None else table.judge.address, given=table.given, cracked=cracked,
+            judge=0, given=np.zeros(0), cracked=cracked,
             least=table.least, tension=table.tension, hotter=np.zeros(n, dtype=np.uint8),
             marked=np.zeros(m, dtype=np.uint8), listed=listed,
         ),
