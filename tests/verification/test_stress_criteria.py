@@ -56,9 +56,9 @@ def test_the_cone_through_two_strengths_has_the_others_of_its_closed_form() -> N
     assert compression == pytest.approx(981.18e6, rel=1e-4)
     assert biaxial == pytest.approx(27.034e6, rel=1e-4)
     for stress in (40e6, 0, 0), (0, biaxial, biaxial), (27.8e6, 27.8e6, 27.8e6), (0, 0, -compression), (k, 0, -k):
-        assert cone_index(np.diag(stress), slope, k, 0.0) == pytest.approx(1.0, rel=1e-12)
+        assert cone_index(np.diag(stress)[None], slope, k, 0.0) == pytest.approx(1.0, rel=1e-12)
     sheared = np.array([[0.0, k, 0.0], [k, 0.0, 0.0], [0.0, 0.0, 0.0]])
-    assert cone_index(sheared, slope, k, 0.0) == pytest.approx(1.0, rel=1e-12)
+    assert cone_index(sheared[None], slope, k, 0.0) == pytest.approx(1.0, rel=1e-12)
     for pair in (
         {"tension": 40e6, "compression": compression}, {"compression": compression, "hydrostatic": 27.8e6},
     ):  # fmt: skip
@@ -71,7 +71,8 @@ def test_the_cone_through_two_strengths_has_the_others_of_its_closed_form() -> N
     assert slip.compressive() == pytest.approx(40e6, rel=1e-12)
     # on the cone under a pressure on the sides
     loaded = slip.compressive(7e6)
-    assert cone_index(np.diag([-loaded, -7e6, -7e6]), slip.slope, slip.strength, 0.0) == pytest.approx(1.0, rel=1e-12)
+    stress = np.diag([-loaded, -7e6, -7e6])[None]
+    assert cone_index(stress, slip.slope, slip.strength, 0.0) == pytest.approx(1.0, rel=1e-12)
 
 
 def strained(failure: bd.Criterion, stress: tuple[float, float, float], nu: float) -> list[tuple[float, int, int]]:
