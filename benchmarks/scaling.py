@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
-from bondem._compile import most_threads, threads
+from bondem._threads import most_threads, threads
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan

@@ -21,8 +21,8 @@ from bondem.model.walls import Wall
 from bondem.specimen.particles import freeze
 
 _INTERNAL = "ARRAYS", "GROWING", "layout", "local_position", "origin", "rest", "rest_strain", "stale"
-# Rows of the history that bonds of the non-local law store, and that of the work of their extra forces.
-_NON_LOCAL_ROWS, _NON_LOCAL_WORK = 7, 6
+#: Rows of the history that bonds of the non-local law store, and that of the work of their extra forces.
+NON_LOCAL_ROWS, NON_LOCAL_WORK = 7, 6
 _SETTABLE = "position", "displacement", "orientation", "velocity", "angular_velocity", "bond_eigenstrain"
 
 
@@ -89,7 +89,7 @@ class State:
         self.motion[:, 7] = 1.0 / model.inertia[order]
         self.acceleration = np.zeros((n, 6))
         self.integrity = np.ones(m)
-        stored = _NON_LOCAL_ROWS if model.non_local is not None else 6
+        stored = NON_LOCAL_ROWS if model.non_local is not None else 6
         self.history = np.zeros((stored, m if model.formulation == "incremental" else 0))
         self.stress = np.zeros((n if model.non_local is not None else 0, 6))
         self.eigenstrain = np.zeros(0)
@@ -175,7 +175,7 @@ class State:
         self.work = np.zeros(model.constraints.works[-1])
         self.loss[:] = 0.0
         if model.non_local is not None:
-            self.history[_NON_LOCAL_WORK] = 0.0
+            self.history[NON_LOCAL_WORK] = 0.0
         if model.contact is None:
             self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, 6))
         before = self._take_walls(model.walls)
