@@ -4,7 +4,7 @@
     /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one, density
     /bonds           pairs (m, 2)
     /facets, /cells  of a body, see `bondem.io.bodies`
-    /state           the arrays of `State` in the kernels' order; attributes step, time [s], stale, seconds, digest
+    /state           the arrays of `State` in internal order; attributes step, time [s], stale, seconds, digest
     /history         records (s, 14 + 3 g); attribute gauges
     /VTKHDF          snapshots for ParaView, where there are any, see `bondem.io.snapshots`
 

@@ -1,4 +1,4 @@
-"""Boundary conditions resolved to arrays in the kernels' order; elements that are held or loaded own a row."""
+"""Boundary conditions resolved to arrays in internal order; elements that are held or loaded own a row."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -213,7 +213,7 @@ class Constraints:
 
     @property
     def schedules(self) -> Schedules:
-        """Return the schedules in the kernels' form."""
+        """Return the schedules in the form of the core."""
         return Schedules(
             times=self.times, values=self.values, start=self.start, drive_row=self.drive_row,
             drive_dof=self.drive_dof, drive_schedule=self.drive_schedule, drive_rate=self.drive_rate,
@@ -222,7 +222,7 @@ class Constraints:
         )  # fmt: skip
 
     def rows(self, reaction: Floats, work: Floats) -> Rows:
-        """Return the rows in the kernels' form, with the reactions (r, 6) and works of a state."""
+        """Return the rows in the form of the core, with the reactions (r, 6) and works of a state."""
         still = np.zeros((3, len(self.element), 6))
         return Rows(
             of=self.row_of, fixed=self.fixed, force=still[0], half=still[1], full=still[2], reaction=reaction,

@@ -67,7 +67,7 @@ class ContactModel:
 
         Args:
             lattice: elements.
-            layout: order of the elements in the kernels.
+            layout: order of the elements.
             law: law of their contacts.
             walls: walls that they touch.
             own: see `own`.

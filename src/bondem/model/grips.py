@@ -217,7 +217,7 @@ class Grips:
 
         Args:
             layout: order of the elements.
-            row_of: row of the boundary of each element, kernels' order.
+            row_of: row of the boundary of each element, internal order.
             place: place of the walls in the list of works.
             base: initial places of the walls, (g, 7); the reference if None, or of another number of facets.
         """

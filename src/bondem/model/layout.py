@@ -1,4 +1,4 @@
-"""The order in which kernels see elements and bonds.
+"""The internal order of elements and bonds.
 
 Elements lie along a Morton curve, so that neighbours in space are neighbours in memory. Bonds are sorted by their
 farther element j > i, then by i. A pass over the bonds then streams along the elements j and reads elements i that it
@@ -82,7 +82,7 @@ class Layout:
 
     @property
     def adjacency(self) -> Adjacency:
-        """Bonds of each element, in the kernels' form."""
+        """Bonds of each element, in the form of the core."""
         return Adjacency(self.in_start, self.out_start, self.out_bond)
 
 

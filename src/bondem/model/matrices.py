@@ -1,4 +1,4 @@
-"""Matrices of a model at rest: stiffness and mass, in the kernels' order."""
+"""Matrices of a model at rest: stiffness and mass, in internal order."""
 
 from typing import NamedTuple
 

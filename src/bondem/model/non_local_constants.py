@@ -13,6 +13,9 @@ from bondem.model.contact_areas import weighted_areas
 from bondem.model.layout import Layout
 from bondem.specimen.lattice import Lattice
 
+#: Rows of the history that bonds of the non-local law store, and that of the work of their extra forces.
+NON_LOCAL_ROWS, NON_LOCAL_WORK = 7, 6
+
 
 @dataclass(frozen=True, eq=False)
 class NonLocalConstants:
@@ -58,7 +61,7 @@ class NonLocalConstants:
         )  # fmt: skip
 
     def ordered(self, layout: Layout) -> "NonLocalConstants":
-        """Return the constants in the kernels' order."""
+        """Return the constants in internal order."""
         bond, back = layout.bond_order, layout.flipped[:, None]
         lever_i, lever_j = self.lever_i[bond], self.lever_j[bond]
         return NonLocalConstants(

@@ -14,6 +14,7 @@ from bondem.model.event_columns import BROKEN_COLUMNS, SOFT_COLUMNS
 from bondem.model.grips import reference_base
 from bondem.model.loads import Eigenstrain
 from bondem.model.local_origin import local_origin, local_rest
+from bondem.model.non_local_constants import NON_LOCAL_ROWS, NON_LOCAL_WORK
 from bondem.model.origin import Origin, difference
 from bondem.model.state_walls import known_walls, rows_of_walls, set_off
 from bondem.model.wall_columns import WALL_COLUMNS, WALL_FORCE, WALL_WORK
@@ -21,8 +22,6 @@ from bondem.model.walls import Wall
 from bondem.specimen.particles import freeze
 
 _INTERNAL = "ARRAYS", "GROWING", "layout", "local_position", "origin", "rest", "rest_strain", "stale"
-#: Rows of the history that bonds of the non-local law store, and that of the work of their extra forces.
-NON_LOCAL_ROWS, NON_LOCAL_WORK = 7, 6
 _SETTABLE = "position", "displacement", "orientation", "velocity", "angular_velocity", "bond_eigenstrain"
 
 
@@ -39,7 +38,7 @@ class State:
         step: number of steps done.
         time: time [s].
 
-    Arrays of the solvers, in the order of the kernels; `dir` does not list them:
+    Arrays of the solvers, in internal order; `dir` does not list them:
 
     - `origin`: origin of x, y, z in `pose` [m], shape (3,); zero unless the specimen lies far from the origin.
     - `pose`: rows (x, y, z, spare, quaternion w x y z), shape (n, 8).
@@ -219,7 +218,7 @@ class State:
         return freeze(internal[self.layout.rank])
 
     def _rows(self, name: str, given: ArrayLike, columns: int, *, broadcast: bool = True) -> Floats:
-        """Rows of all elements [kernels' order] from one row, or from one row per element in user's order.
+        """Rows of all elements [internal order] from one row, or from one row per element in user's order.
 
         Raises:
             InputError: a wrong shape, or values that are not finite.
@@ -382,7 +381,7 @@ class State:
 
     @property
     def rest_strain(self) -> PerBond:
-        """Present eigenstrain ε* of the bonds [-], of the state and `Eigenstrain`, kernels' order; (0,) if none."""
+        """Present eigenstrain ε* of the bonds [-], of the state and `Eigenstrain`, internal order; (0,) if none."""
         strain = self.eigenstrain
         for condition in self.model.boundary:
             if isinstance(condition, Eigenstrain):

@@ -31,7 +31,7 @@ from bondem.observe.crack_index import crack_index
 
 @dataclass(frozen=True, eq=False)
 class BrokenBonds:
-    """Broken bonds or facets in the order of breakage; those of one step are in the kernels' order.
+    """Broken bonds or facets in the order of breakage; those of one step are in internal order.
 
     In a second stage the state keeps earlier breakages; steps are counted within the stage.
 

@@ -45,7 +45,7 @@ def linear_energy(
     """Compute the energy of small displacements [m] and rotations [rad], user's order, (n, 3) each.
 
     The parts are ½ kn (δ·X - L ε*)², ½ ks |δ - (δ·X) X|², ½ kb |ρ - (ρ·X) X|², ½ kt (ρ·X)² of `BondStrain`.
-    `strain` is ε* of each bond [-], in the kernels' order.
+    `strain` is ε* of each bond [-], in internal order.
     """
     if model.cells is not None:
         return _cell_energy(model, displacement, rotation, strain)
@@ -93,7 +93,7 @@ def _cell_energy(
 def stress_free_gap(model: Model, strain: PerBond | None) -> Floats | None:
     """Return the gaps that stress-free strains subtract from the gaps of facets [m], (m, 3), with a negative sign.
 
-    `strain` is ε* [-], in the kernels' order, (m,).
+    `strain` is ε* [-], in internal order, (m,).
     """
     if strain is None or model.cells is None:
         return None
@@ -122,7 +122,7 @@ def elastic_energy(model: Model, state: State) -> EnergyParts:
 
 
 def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | None = None) -> EnergyParts:
-    """Compute the energy of a state with stress-free strains ε* [-], kernels' order, (m,), or (0,) for none.
+    """Compute the energy of a state with stress-free strains ε* [-], internal order, (m,), or (0,) for none.
 
     With `wall` [m], (g, 3), walls are at these places and tractions are those of the model's own cells. Without, both
     are as for `elastic_energy`.

@@ -18,12 +18,12 @@ from bondem.solve.plan import FINE, NOT_FINITE, RUNAWAY, Callback, ExplicitResul
 from bondem.solve.pulse import Pulse, heard, tell
 from bondem.solve.saving import Sink
 
-# Steps in one compiled call at most, so that progress and interrupts are not far away, and between copies of a state
-# that is good: copying costs about as much as two steps.
+# Steps in one call of the core at most, so that progress and interrupts are not far away, and between copies of a
+# state that is good: copying costs about as much as two steps.
 _CHUNK = 5_000
 # Steps in which what ends a run comes up from rounding: a copy must be older than that to be given back.
 _RISE = 1_000
-# Wall time of one compiled call, about [s], and the elements and bonds times steps that the first one takes.
+# Wall time of one call, about [s], and the elements and bonds times steps that the first one takes.
 _PATIENCE, _WORK = 1.0, 20_000_000
 
 

@@ -22,7 +22,7 @@ from bondem.solve.timestep import stiffest
 _FREQUENCY = 1.8
 # Most by which supports move in one step: rotation [rad], and displacement over the shortest bond.
 _PACE = 0.01
-# Steps in one compiled call.
+# Steps in one call of the core.
 _CHUNK = 2_000
 # The same where forces of moments turn.
 _TURNING = 20
