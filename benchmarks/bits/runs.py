@@ -11,7 +11,7 @@ import numpy as np
 import bondem as bd
 from bits.case import ROUND, Case
 from bits.cases import CASES
-from bondem._threads import threads as on
+from bondem._compile import threads as on
 from bondem.errors import StepWarning
 
 GAUGES = {
