@@ -5,11 +5,11 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, StudyError
-from bondem.laws.softening import softened
 from bondem.quasistatic.teeth import SofteningLine, Teeth
 from bondem.study.failure import read_failure
 from bondem.study.keys import FAILURE
 from bondem.study.toml_table import TomlTable
+from tests.core.law_samples import softened
 from tests.specimens import two_cubes, two_spheres
 
 E, STRENGTH, ENERGY, SIZE = 40e9, 4e6, 50.0, 10e-3
