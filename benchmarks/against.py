@@ -6,8 +6,9 @@
                                        [--repeat 7] [--no-compile]
 
 `bits` runs every kind of bond, load, damping, rotation and contact in both, paused in several ways, and compares
-all that a run leaves by bytes; its exit status is 1 where anything differs. `speed` runs the specimen of `bond_steps.py` in turns, times first runs with and
-without compiled code, and writes benchmarks/results/against.json, in which each kind of processor has its place.
+all that a run leaves by bytes; its exit status is 1 where anything differs. `speed` runs the specimen of
+`bond_steps.py` in turns, times first runs with and without compiled code, and writes
+benchmarks/results/against.json, in which each kind of processor has its place.
 """
 
 import argparse

@@ -13,7 +13,6 @@ import time
 import traceback
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -56,6 +55,14 @@ _LOOPS = (
 )  # fmt: skip
 
 
+def set_threads(count: int) -> None:
+    """Set the number of threads, in old revisions of Numba's loops."""
+    if hasattr(bd, "set_threads"):
+        bd.set_threads(count)
+    else:
+        importlib.import_module("numba").set_num_threads(count)
+
+
 class Timed:
     """What is timed: bondem's loop over the steps alone."""
 
@@ -76,16 +83,16 @@ class Timed:
             (name, module) for name, module in _LOOPS if importlib.util.find_spec(module) is not None
         )  # fmt: skip
         loop_of = getattr(importlib.import_module(module), name)
-        plan_of = getattr(importlib.import_module(module if name == "_Loop" else "bondem.solve.plan"), "Plan")
+        plans = importlib.import_module(module if name == "_Loop" else "bondem.solve.plan")
         state = State(self.model)
         state.set_motion(velocity=self.velocity)
-        loop = loop_of(self.model, plan_of(duration=1.0, dt=self.dt, every=0), state, self.dt)
+        loop = loop_of(self.model, plans.Plan(duration=1.0, dt=self.dt, every=0), state, self.dt)
         loop.look()
         return loop.run
 
     def go(self, threads: int, steps: int) -> dict:
         """Wall and processor time of so many steps [s]; a loop is made for each number of threads."""
-        bd.set_threads(threads)
+        set_threads(threads)
         if threads not in self.runs:
             self.runs = {threads: self.make()}
             self.runs[threads](2)

@@ -1,4 +1,4 @@
-"""Bodies of cells that crack and yield, by the core: against numbers of the former loop, bits, conservation and energy."""
+"""Bodies of cells that crack and yield, by the core: numbers of the former loop, bits, conservation, energy."""
 
 import functools
 

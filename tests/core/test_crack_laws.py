@@ -124,7 +124,8 @@ CRACK_ROWS = {
 def test_what_cracks_carry_store_and_dissipate():
     samples, former = crack_samples(), FormerLoop("crack_laws", "cracks")
     evaluate_cracks(samples)
-    former.assert_close(1e-11, **dict(zip(CRACK_ROWS, np.split(samples.found, [*CRACK_ROWS.values()][1:]), strict=True)))
+    parts = np.split(samples.found, [*CRACK_ROWS.values()][1:])
+    former.assert_close(1e-11, **dict(zip(CRACK_ROWS, parts, strict=True)))
     wide = samples._replace(wide=True, found=np.empty((26, COUNT)))
     evaluate_cracks(wide)
     np.testing.assert_array_equal(wide.found, samples.found)
@@ -188,7 +189,7 @@ def test_a_step_of_slip():
     up, down = 0.5 * gamma * (1.0 + dilation), 0.5 * gamma * (1.0 - dilation)
     strain = up[:, None, None] * first[:, :, None] * first[:, None, :]
     strain -= down[:, None, None] * third[:, :, None] * third[:, None, :]
-    # of two principal stresses that are alike the direction is any: strains have their principal values and directions
+    # where two principal stresses are alike, the strain has its principal values and the axes of the stress
     alike = np.arange(0, COUNT, 5)
     given = matrices(found[2:8])[alike]
     np.testing.assert_allclose(

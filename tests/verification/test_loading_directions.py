@@ -73,8 +73,9 @@ def test_a_crack_dissipates_its_projection(slope: float, curve: bd.Bilinear | No
     n, s, taken = (slope, math.sqrt(1.0 - slope**2), 0.0), 1.0, 0.0
     for T in np.geomspace(0.9 * slope * F_T, 1.001 * last, 20_000):
         left = left_in_bulk(
-            s, (float(T), 0.0, 0.0), n, np.diag([1.0, 0.0, 0.0]), strength=F_T, last=last, kink=law.kink, steep=law.steep
-        )
+            s, (float(T), 0.0, 0.0), n, np.diag([1.0, 0.0, 0.0]), strength=F_T, last=last, kink=law.kink,
+            steep=law.steep,
+        )  # fmt: skip
         taken += 0.5 * T**2 * (s - left) / STIFF
         s = left
     assert s == 0.0
