@@ -55,14 +55,6 @@ _LOOPS = (
 )  # fmt: skip
 
 
-def set_threads(count: int) -> None:
-    """Set the number of threads, in old revisions of Numba's loops."""
-    if hasattr(bd, "set_threads"):
-        bd.set_threads(count)
-    else:
-        importlib.import_module("numba").set_num_threads(count)
-
-
 class Timed:
     """What is timed: bondem's loop over the steps alone."""
 
@@ -92,6 +84,8 @@ class Timed:
 
     def go(self, threads: int, steps: int) -> dict:
         """Wall and processor time of so many steps [s]; a loop is made for each number of threads."""
+        from bits.case import set_threads
+
         set_threads(threads)
         if threads not in self.runs:
             self.runs = {threads: self.make()}

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+import bondem as bd
+from tests.bits import most_threads
 from tests.scripts import scripts
 
 SIZE = 60
@@ -13,7 +15,8 @@ pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.StepWarning")
 def benchmarks():
     """The modules beside the scripts."""
     names = {"cases": "bits.cases", "compare": "bits.compare", "runs": "bits.runs"}
-    return scripts("benchmarks", paired="paired", tiled="tiled", **names)
+    yield scripts("benchmarks", paired="paired", tiled="tiled", **names)
+    bd.set_threads(most_threads())  # runs of cases set it
 
 
 @pytest.mark.validate

@@ -211,7 +211,7 @@ def homeless():
     raise RuntimeError("Could not determine home directory.")
 
 pathlib.Path.home = homeless
-from bondem.packing.packing_cache import PackingCache
+from bondem.io.packing_cache import PackingCache
 print(PackingCache().folder)
 """)
     assert Path(folder).parent.name.startswith("bondem-")
