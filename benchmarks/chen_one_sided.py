@@ -2,8 +2,8 @@
 
 A linear contact beside each intact bond (in bondem elements that a bond joins have none), readings of the paper's
 eqs (11) and (12) other than that of `bd.LocalDamping`, and an η for each component of the dashpots. Forces of bonds
-are bondem's own. The row moves in the plane x, y of its loads and turns about z. Forces of contacts and dashpots, and the
-loop over the steps, are written here; the loop has the results of `bd.solve_explicit` where both can be used.
+are bondem's own. The row moves in the plane x, y of its loads and turns about z. Forces of contacts and dashpots, and
+the loop over the steps, are written here; the loop has the results of `bd.solve_explicit` where both can be used.
 """
 
 import math

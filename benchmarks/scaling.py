@@ -4,7 +4,8 @@
 
 The bound is a roofline: the least time for the bytes of a step at the bandwidth of a sum over as many bytes, or for
 its flops at the peak of a product of matrices, whichever is longer, both measured in the same run on the same
-threads. How bytes and flops are counted is printed, and stated in roofline.py. Do it on a machine that is doing nothing else.
+threads. How bytes and flops are counted is printed, and stated in roofline.py. Do it on a machine that is
+doing nothing else.
 """
 
 import argparse

@@ -60,51 +60,57 @@ ROW, COLUMN = [0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]
 
 
 def softening(
-    s: float, traction, normal, stress, *, strength: float, last: float, bent: float = 0.0, kink: float = 0.0,
+    s: float, traction, normal, stress, *, strength: float, last: float, bent=0.0, kink: float = 0.0,
     steep: float = 1.0, plane: bool = False, cohesion: float = math.inf, last_slip: float = math.inf,
     friction: float = 0.0,
-) -> tuple[float, float]:  # fmt: skip
-    """Return the integrity of one facet under a load, at most s, and the traction below which none softens it [Pa].
+) -> np.ndarray:  # fmt: skip
+    """Return the integrity of a facet under some loads, at most s, and the traction below which none softens it [Pa].
 
     Args:
         s: present integrity.
-        traction: traction that the facet would have if it were whole [Pa].
+        traction: tractions that the facet would have if it were whole [Pa], (3,) or (m, 3).
         normal: normal of the facet.
         stress: mean stress of its cells [Pa], (3, 3).
         strength: strength in tension [Pa].
         last: traction of the whole facet at its last opening [Pa].
-        bent: rms of the tractions of bending [Pa].
+        bent: rms of the tractions of bending [Pa], one or (m,).
         kink, steep: parameters of the softening curve.
         plane: whether the facet belongs to a material plane.
         cohesion, last_slip, friction: cohesion of a plane [Pa], `last` of its slip [Pa], and tan φ.
+
+    Returns:
+        Shape (2,) or (2, m).
     """
-    column = [strength, 1.0 / last, cohesion, 1.0 / last_slip, friction, float(plane)]
+    loads = np.atleast_2d(np.asarray(traction, dtype=float)).T
+    m = loads.shape[1]
+
+    def same(numbers) -> np.ndarray:
+        return np.repeat(np.array(numbers, dtype=float)[:, None], m, axis=1)
+
     samples = SofteningSamples(
-        *(np.array(of, dtype=float).reshape(3, 1) for of in (traction, normal)),
-        np.asarray(stress, dtype=float)[ROW, COLUMN].reshape(6, 1), np.array([bent]), np.array([s]),
-        np.array(column).reshape(6, 1), kink, steep, False, np.empty((2, 1)),
+        np.ascontiguousarray(loads), same(normal), same(np.asarray(stress)[ROW, COLUMN]), np.full(m, 0.0) + bent,
+        np.full(m, float(s)), same([strength, 1.0 / last, cohesion, 1.0 / last_slip, friction, float(plane)]), kink,
+        steep, False, np.empty((2, m)),
     )  # fmt: skip
     evaluate_softening(samples)
-    left, least = samples.left[:, 0].tolist()
-    return left, least
+    return samples.left if np.ndim(traction) == 2 else samples.left[:, 0]
 
 
-def left_in_bulk(s: float, traction, normal, stress, **options) -> float:
-    """Return the integrity of a facet of the material under a load (`softening`)."""
+def left_in_bulk(s: float, traction, normal, stress, **options) -> np.ndarray:
+    """Return the integrity of a facet of the material under loads (`softening`)."""
     return softening(s, traction, normal, stress, **options)[0]
 
 
-def left_on_plane(s: float, traction, normal, **options) -> float:
-    """Return the integrity of a facet of a material plane under a load (`softening`)."""
+def left_on_plane(s: float, traction, normal, **options) -> np.ndarray:
+    """Return the integrity of a facet of a material plane under loads (`softening`)."""
     return softening(s, traction, normal, np.zeros((3, 3)), plane=True, **options)[0]
 
 
-def softened(s: float, traction: float, strength: float, last: float, kink: float, steep: float) -> float:
-    """Return the integrity that a traction across a facet leaves by the softening curve alone."""
-    across = 1.0, 0.0, 0.0
-    return left_on_plane(
-        s, (traction, 0.0, 0.0), across, strength=strength, last=last, kink=kink, steep=steep
-    )  # fmt: skip
+def softened(s: float, traction, strength: float, last: float, kink: float, steep: float) -> np.ndarray:
+    """Return the integrity that tractions across a facet leave by the softening curve alone."""
+    normal = np.array([1.0, 0.0, 0.0])
+    loads = np.multiply.outer(traction, normal)
+    return left_on_plane(s, loads, normal, strength=strength, last=last, kink=kink, steep=steep)
 
 
 def yielding(stress: np.ndarray, strength: np.ndarray, *, cone: bool) -> np.ndarray:
