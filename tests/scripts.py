@@ -28,7 +28,7 @@ def command(*arguments: object, cwd: Path, package: str = "bondem", **options) -
 
 def python(code: str, *arguments: object, threads: int = 4) -> list[str]:
     """Run code in a process of its own, which may use a number of threads; return the lines that it prints."""
-    environment = os.environ | {"NUMBA_NUM_THREADS": str(threads)}
+    environment = os.environ | {"BONDEM_NUM_THREADS": str(threads)}
     words = [sys.executable, "-c", code, *map(str, arguments)]
     done = subprocess.run(words, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

@@ -11,8 +11,8 @@ import bondem as bd
 from bondem.errors import InputError, RunFileError
 from bondem.kernels.crack_tables import GAMMA
 from bondem.laws.failure.drucker_prager import cone_index
-from bondem.laws.plasticity import largest_pressure
 from tests.bits import assert_same_fracture, most_threads, threads
+from tests.core.law_samples import stress_bounds
 from tests.models import slowly_torn, time_step, torn_then_pressed
 from tests.specimens import bar
 
@@ -43,8 +43,10 @@ def test_the_largest_pressure_is_the_least_eigenvalue() -> None:
     some = [rng.standard_normal(6) + shift for shift in (-3.0, 0.0, 3.0) for _ in range(50)]
     alike = [np.array([-1.0, -1.0, p, 0.0, 0.0, 0.0]) for p in (-1.0, -1.0 + 1e-9, -2.0, 5.0)]
     for s in (*some, *alike, np.zeros(6), np.array([1.0, 1.0, -2.0, 0.0, 0.0, 0.0]) * 1e7):
-        least = np.linalg.eigvalsh(s[[[0, 3, 4], [3, 1, 5], [4, 5, 2]]])[0]
-        assert largest_pressure(s) == pytest.approx(max(-least, 0.0), abs=1e-7 * np.abs(s).max())
+        least, size = np.linalg.eigvalsh(s[[[0, 3, 4], [3, 1, 5], [4, 5, 2]]])[0], np.abs(s).max()
+        bent = 10.0 * size
+        opened = stress_bounds(s[:, None], np.array([bent]))[3, 0]  # less the largest pressure
+        assert bent - opened == pytest.approx(max(-least, 0.0), abs=1e-7 * size)
 
 
 def test_the_cone_through_two_strengths_has_the_others_of_its_closed_form() -> None:
