@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
-from bondem._compile import threads
+from bondem._threads import threads
 from bondem.solve.loop_core import CoreLoop
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import most_threads as most_threads
-from bondem._compile import threads as threads
+from bondem._threads import most_threads as most_threads
+from bondem._threads import threads as threads
 from tests.models import time_step
 from tests.specimens import FOUR_CENTRES, FOUR_RADII
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.kernels.soft_tables import RATE, SOFT_BOND, SPENT
+from bondem.model.event_columns import SOFT_BOND, SOFT_RATE, SOFT_SPENT
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve import loop_core
@@ -42,7 +42,7 @@ def test_softening_is_that_of_the_former_loop(law, damping):
     assert_close(result, former)
     assert len(softened) > 40
     for column in range(softened.shape[1]):
-        if column != RATE:  # not followed once broken
+        if column != SOFT_RATE:  # not followed once broken
             former.assert_close(1e-9, **{f"softened {column}": softened[:, column]})
 
 
@@ -102,7 +102,7 @@ def test_a_beam_dissipates_its_fracture_energy(direction, energy):
     run = integrate(model, plan_of_pair(model), state=state, loop_of=CoreLoop)
     assert run.state.integrity.tolist() == [0.0]
     assert run.state.released[0] == pytest.approx(energy * section, rel=1e-2)
-    assert run.state.softened[0, SPENT] == run.state.released[0] == run.state.broken[0, 5]
+    assert run.state.softened[0, SOFT_SPENT] == run.state.released[0] == run.state.broken[0, 5]
     assert run.state.softened[0, SOFT_BOND] == 0.0
 
 

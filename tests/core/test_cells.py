@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.kernels.tables import lines
+from bondem.model.cache_lines import lines
 from bondem.model.cell_tables import STRESS, CellPoses, body_energies
 from bondem.model.state import State
 from bondem.solve import loop_core

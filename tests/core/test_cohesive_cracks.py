@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.kernels.crack_tables import ACTIVE, FACET, PARTED, RESTING, STATUS, TOP
+from bondem.model.crack_columns import ACTIVE, FACET, PARTED, RESTING, STATUS, TOP
 from bondem.model.state import State
 from bondem.solve.loop_core import CoreLoop
 from bondem.solve.plan import Plan

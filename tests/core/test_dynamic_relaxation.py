@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.kernels.tables import lines
 from bondem.model.beam_tables import BeamSums, beam_tables
+from bondem.model.cache_lines import lines
 from bondem.model.state import State
 from bondem.solve.relaxation import DynamicRelaxation, masses, relaxed
 from tests.core.former_loop import FormerLoop

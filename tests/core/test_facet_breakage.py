@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.kernels.tables import FRACTURE, TRANSLATION, TWISTING, WORK
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.energy import elastic_energy
 from bondem.solve import loop_core
+from bondem.solve.history import FRACTURE, TRANSLATION, TWISTING, WORK
 from bondem.solve.loop_core import CoreLoop
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop, movement

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.kernels.non_local import TAKEN
-from bondem.kernels.tables import BROKEN_GAP
+from bondem.model.event_columns import BROKEN_GAP
+from bondem.model.non_local_constants import NON_LOCAL_WORK
 from bondem.model.state import State
 from bondem.solve import loop_core
 from bondem.solve.explicit import integrate
@@ -200,7 +200,7 @@ def test_extra_forces_have_an_entry_of_their_own():
         plan = replace(plan, dt=0.1 * share * plan.dt, duration=0.1 * plan.dt * 100)
         done = integrate(model, plan, state=state, loop_of=CoreLoop)
         ledger = done.history.energy
-        assert ledger["non-local work"][-1] == pytest.approx(done.state.history[TAKEN].sum(), rel=1e-12)
+        assert ledger["non-local work"][-1] == pytest.approx(done.state.history[NON_LOCAL_WORK].sum(), rel=1e-12)
         assert np.abs(ledger["non-local work"]).max() > 20.0 * np.abs(ledger["balance"]).max()
         missed.append(np.abs(ledger["balance"]).max())
     assert missed[1] < 0.6 * missed[0]

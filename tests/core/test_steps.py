@@ -6,7 +6,8 @@ import pytest
 import bondem as bd
 from bondem._core_steps import Composer, StepPass
 from bondem.errors import InputError
-from bondem.kernels.tables import Rows, StepCut
+from bondem.model.blocks import StepCut
+from bondem.model.constraints import Rows
 from bondem.model.state import State
 from bondem.solve import loop_core
 from bondem.solve.explicit import integrate

@@ -8,7 +8,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, GAMMA, ONSET, RESTING, SLIP, STATUS
+from bondem.model.crack_columns import CRACK_COLUMNS, FACET, GAMMA, ONSET, RESTING, SLIP, STATUS
 from bondem.solve.loop_core import CoreLoop
 from tests.bits import assert_same_fracture, most_threads, threads
 from tests.models import slowly_torn, torn_then_pressed
