@@ -33,7 +33,7 @@ def tetrahedron(scale=1.0):
 def folder(tmp_path, monkeypatch):
     """The folder of the cache that `bd.pack` uses, empty, and the cache on."""
     monkeypatch.setenv("BONDEM_PACKING_CACHE", "on")
-    monkeypatch.setattr(packing_cache, "cache_directory", tmp_path / packing_cache.cache_directory.name)
+    monkeypatch.setattr(packing_cache, "cache_folder", lambda: tmp_path)
     return tmp_path / "packings"
 
 
