@@ -1,16 +1,14 @@
 """This working tree against an older revision of the repository, on the same machine: bits and speed.
 
     python benchmarks/against.py bits  [--revision c790c8a] [--cases alike grains ...] [--elements 500 3000 9000]
-                                       [--threads 1 2 4] [--steps 300] [--unfused]
+                                       [--threads 1 2 4] [--steps 300]
     python benchmarks/against.py speed [--revision c790c8a] [--elements 10000 100000 1000000] [--threads 1 2]
                                        [--repeat 7] [--no-compile]
 
 `bits` runs every kind of bond, load, damping, rotation and contact in both, paused in several ways, and compares
-all that a run leaves by bytes; its exit status is 1 where anything differs. Which product of a sum a compiler rounds
-together with it depends on all that is compiled beside it, so that the old code differs even from itself. With
-`--unfused` both are compiled for a CPU that cannot do so (x86 only): bits are then those of the operations in the
-order in which they are written. `speed` runs the specimen of `bond_steps.py` in turns, times first runs with and
-without compiled code, and writes benchmarks/results/against.json, in which each kind of processor has its place.
+all that a run leaves by bytes; its exit status is 1 where anything differs. `speed` runs the specimen of
+`bond_steps.py` in turns, times first runs with and without compiled code, and writes
+benchmarks/results/against.json, in which each kind of processor has its place.
 """
 
 import argparse
@@ -66,16 +64,12 @@ def bits(options: argparse.Namespace) -> int:
     cores = max(4, *threads)
     old_source = extracted(options.revision)
     print(
-        f"{options.revision} against the working tree, {options.steps} steps, products and sums"
-        f" {'fused as the compiler likes' if options.fused else 'never fused'}; first array that differs, if any"
+        f"{options.revision} against the working tree, {options.steps} steps; first array that differs, if any"
     )
     bad = 0
-    folders = (old_source.parent, None)
-    if not options.fused:  # numba does not see from outside that this code is another
-        folders = (old_source.parent / "unfused old", old_source.parent / "unfused now")
     with (
-        Worker(old_source, cores=cores, cache=folders[0], fused=options.fused) as old,
-        Worker(SOURCE, cores=cores, cache=folders[1], fused=options.fused) as new,
+        Worker(old_source, cores=cores, cache=old_source.parent) as old,
+        Worker(SOURCE, cores=cores) as new,
     ):
         known = new.ask("cases")["names"]
         unknown = sorted(set(options.cases or known) - set(known))
@@ -171,7 +165,7 @@ def speed(options: argparse.Namespace) -> int:
     entry["machine"]["load at the end"] = round(os.getloadavg()[0], 2)
     output = options.output or RESULTS
     kept = json.loads(output.read_text()) if output.exists() else {}
-    kept[f"{here['llvm']}, {here['vector']}"] = entry
+    kept[f"{here['processor']}, {here['vector']}"] = entry
     output.write_text(json.dumps(kept, indent=1) + "\n")
     return 0
 
@@ -184,7 +178,6 @@ def main() -> None:
     parser.add_argument("--threads", type=int, nargs="+", help="[1 2 4; 1 2 for speed]")
     parser.add_argument("--cases", nargs="+", help="bits: some of the cases only")
     parser.add_argument("--steps", type=int, default=300, help="bits: of each run, whole hundreds [300]")
-    parser.add_argument("--unfused", dest="fused", action="store_false", help="bits: without fused multiply-adds")
     parser.add_argument("--repeat", type=int, default=7, help="speed: pairs [7]")
     parser.add_argument("--steps-timed", type=int, help="speed: of a sample [a second or so]")
     parser.add_argument("--no-compile", dest="compile", action="store_false", help="speed: without first runs")

@@ -19,7 +19,7 @@ import numpy as np
 os.environ["BONDEM_PACKING_CACHE"] = "off"
 
 import bondem as bd
-from bondem._compile import threads
+from bondem._threads import threads
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan

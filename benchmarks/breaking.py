@@ -16,8 +16,8 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
-from bondem._compile import threads
-from bondem.solve.loop_cpu import CpuLoop
+from bondem._threads import threads
+from bondem.solve.loop_core import CoreLoop
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
 from kept import RESULTS, keep, origin
@@ -31,7 +31,7 @@ def block(elements: int, cells: bool) -> tuple[bd.Lattice, bd.CellBond | bd.Eule
     return specimen(elements, largest=elements), bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
 
 
-def loops(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int, dict[str, dict[str, int]]]:
+def loops(elements: int, cells: bool) -> tuple[dict[str, CoreLoop], int, dict[str, dict[str, int]]]:
     lattice, law = block(elements, cells)
     criteria: dict[str, bd.Criterion | None] = {
         "elastic": None, "MohrCoulomb": bd.MohrCoulomb(tension=1e15, cohesion=1e15, friction_angle=0.6)
@@ -47,12 +47,12 @@ def loops(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int, dict[str
         dt = 0.5 * critical_step(model, bd.VelocityVerlet())
         state = model.state()
         state.set_motion(velocity=1e-3 * np.random.default_rng(0).standard_normal((len(lattice.particles), 3)))
-        found[name] = CpuLoop(model, Plan(duration=dt, dt=dt, every=0), state, dt)
+        found[name] = CoreLoop(model, Plan(duration=dt, dt=dt, every=0), state, dt)
         found[name].run(3)
     return found, len(lattice.pairs), {}
 
 
-def touching(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int, dict[str, dict[str, int]]]:
+def touching(elements: int, cells: bool) -> tuple[dict[str, CoreLoop], int, dict[str, dict[str, int]]]:
     lattice, law = block(elements, cells)
     failure = bd.PeripheralStress(tension=265e6, shear=265e6)
     if cells:
@@ -69,7 +69,7 @@ def touching(elements: int, cells: bool) -> tuple[dict[str, CpuLoop], int, dict[
         dt = 0.5 * critical_step(model, bd.VelocityVerlet())
         state = model.state()
         state.set_motion(velocity=speed * inward)
-        found[name] = CpuLoop(model, Plan(duration=dt, dt=dt, every=0), state, dt)
+        found[name] = CoreLoop(model, Plan(duration=dt, dt=dt, every=0), state, dt)
         found[name].run(steps)
         counts[name] = {"broken": len(state.broken), "cracked": len(state.cracks), "contacts": len(state.touching)}
         print(name, counts[name])

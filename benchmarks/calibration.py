@@ -19,7 +19,7 @@ import time
 from pathlib import Path
 
 import bondem as bd
-from bondem._compile import most_threads
+from bondem._threads import most_threads
 from validation.measures.explicit_tension import explicit_tension
 
 RESULT = Path(__file__).resolve().parent / "results" / "calibration.json"

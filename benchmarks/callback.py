@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
-from bondem._compile import threads
+from bondem._threads import threads
 from bondem.model.state import State
 from bondem.solve.history import History
 from kept import RESULTS, keep, origin, spread

@@ -18,7 +18,7 @@ import time
 from typing import Any
 
 import bondem as bd
-from bondem._compile import threads
+from bondem._threads import threads
 from bondem.solve.timestep import critical_step
 from kept import RESULTS, keep, origin
 

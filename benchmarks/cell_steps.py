@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
-from bondem._compile import threads
+from bondem._threads import threads
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan

@@ -16,7 +16,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import bondem as bd
-from bondem._compile import threads
+from bondem._threads import threads
 from bondem.report.style import GREY, INK, sheet
 from bondem.solve.plan import ExplicitResult
 from chen_shear import draw_shear, print_shear, shear_cases

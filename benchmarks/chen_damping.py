@@ -23,7 +23,7 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
-from bondem._compile import threads
+from bondem._threads import threads
 from chen_one_sided import READINGS, run_to_rest
 from chen_specimens import CASES, bond, cantilever
 from kept import commit, keep, place

@@ -1,9 +1,9 @@
 """A row of bonded spheres by explicit dynamics, with what `bd.solve_explicit` does not have.
 
 A linear contact beside each intact bond (in bondem elements that a bond joins have none), readings of the paper's
-eqs (11) and (12) other than that of `bd.LocalDamping`, and an η for each component of the dashpots. Forces of bonds,
-contacts and dashpots and the update of rotations are bondem's own; what is written here is the loop over a row, and
-it has to come to what `bd.solve_explicit` comes to where both can.
+eqs (11) and (12) other than that of `bd.LocalDamping`, and an η for each component of the dashpots. Forces of bonds
+are bondem's own. The row moves in the plane x, y of its loads and turns about z. Forces of contacts and dashpots, and
+the loop over the steps, are written here; the loop has the results of `bd.solve_explicit` where both can be used.
 """
 
 import math
@@ -13,18 +13,16 @@ from dataclasses import dataclass
 import numpy as np
 
 import bondem as bd
-from bondem._compile import kernel
-from bondem.laws.beam_energy import bond_force
+from bondem._core import Pass
 from bondem.laws.bond import BondLaw
-from bondem.laws.contact import contact_force
-from bondem.laws.damping import dashpot_force, direction, local_damping
-from bondem.laws.rotations import turn
+from bondem.model.beam_tables import Beams, BeamSums, Poses, beam_tables
 from bondem.solve.timestep import critical_step
 from chen_specimens import cantilever
 
 #: Readings of eq (11): |F_i| sign(U_i), |F| U/|U|, F_i U_i/U_i as printed, F_i sign(U_i).
 READINGS = ("component", "vector", "printed", "signed")
 _FAST = 1e3
+_load_beams = Pass("load_beams", Poses, Beams, BeamSums)
 
 
 @dataclass(frozen=True)
@@ -81,144 +79,184 @@ def run_to_rest(
         duration: after which a run ends without coming to rest [s].
     """
     model = cantilever(lattice, law, load)
-    s, i, j = model.stiffness, lattice.pairs[:, 0], lattice.pairs[:, 1]
-    R, L, a = lattice.particles.radius, lattice.length, s.lever
-    more = s.kb - s.kt
-    far = L - a
-    bonds = np.stack([L, s.kn, s.ks * a * a + more, s.ks * a * far - more, s.ks * far * far + more, s.kt, a], 1)
-    pair = np.zeros((len(L), 4))
-    if contact is not None:
-        pair[:, 0] = contact.E * math.pi * np.minimum(R[i], R[j]) ** 2 / (R[i] + R[j])
-        pair[:, 1], pair[:, 2] = pair[:, 0] / contact.kappa, contact.friction
-        # spheres that just touch do, whatever the rounding
-        pair[:, 3] = np.where(L - R[i] - R[j] < 1e-9 * R[i], L, R[i] + R[j])
+    s, (i, j), n = model.stiffness, lattice.pairs.T, len(lattice.particles)
+    assert (i == np.arange(n - 1)).all()
+    assert (j == i + 1).all()
+    R, L = lattice.particles.radius, lattice.length
     mass, inertia = model.mass, model.inertia
     light, slight = (v[i] * v[j] / (v[i] + v[j]) for v in (mass, inertia))
-    dash = 2.0 * np.stack(
-        [h * np.sqrt(k * m) for h, k, m in zip(eta, (s.kn, s.ks, s.kb, s.kt), (light, light, slight, slight),
-                                               strict=True)], 1
-    )  # fmt: skip
-    # the contact adds at most the share of stiffness that it has of the bond's
-    raised = 1.0 + float((pair[:, :2] / np.stack([s.kn, s.ks], 1)).max())
+    dashpots = Dashpots(s.lever / L, *(
+        2.0 * h * np.sqrt(k * m) for h, k, m in zip(eta[:3], (s.kn, s.ks, s.kb), (light, light, slight), strict=True)
+    ))  # fmt: skip
+    pair, raised = None, 1.0
+    if contact is not None:
+        kn = contact.E * math.pi * np.minimum(R[i], R[j]) ** 2 / (R[i] + R[j])
+        # spheres that just touch do, whatever the rounding
+        touch = np.where(L - R[i] - R[j] < 1e-9 * R[i], L, R[i] + R[j])
+        pair = Contacts(kn, kn / contact.kappa, contact.friction, touch, s.lever, L)
+        # the contact adds at most the share of stiffness that it has of the bond's
+        raised += float(max((kn / s.kn).max(), (pair.ks / s.ks).max()))
     dt = 0.8 * critical_step(model, bd.VelocityVerlet(), (bd.LocalDamping(gamma), bd.BondDamping(max(eta))))
     dt /= math.sqrt(raised)
     # no mode is slower than with all the mass at the tip
     quarter = 0.5 * math.pi * math.sqrt(mass.sum() * bd.solve_static(model).displacement[-1, 1] / load)
-    place = lattice.particles.position.copy()
-    found = _loop(
-        place, lattice.pairs, bonds, pair, dash, np.stack([mass, inertia], 1), np.array([load, push, ramp]), gamma,
-        READINGS.index(reading), dt, int(duration / dt), slow, math.ceil(quarter / dt),
-    )  # fmt: skip
-    moved = place - lattice.particles.position
-    gap = np.linalg.norm(place[j] - place[i], axis=1) - L
-    steps, pressed, at_rest, speed = found
-    status = "DIVERGED" if speed > _FAST else "STOPPED" if speed < slow else "COMPLETED"
-    return Rest(status, moved, gap, int(steps), steps * dt, pressed, at_rest, speed)
-
-
-@kernel(parallel=False)
-def _loop(place, pairs, bonds, pair, dash, inert, loads, gamma, reading, dt, count, slow, hold):
-    """Leapfrog: forces at the whole steps, velocities between them; element 0 is held."""
-    n, m = len(place), len(pairs)
-    turned = np.zeros((n, 4))
-    turned[:, 0] = 1.0
-    v, w, f, t = np.zeros((n, 3)), np.zeros((n, 3)), np.zeros((n, 3)), np.zeros((n, 3))
-    memory = np.zeros((m, 6))
-    axis = np.zeros((m, 3))
-    for b in range(m):
-        for c in range(3):
-            axis[b, c] = (place[pairs[b, 1], c] - place[pairs[b, 0], c]) / bonds[b, 0]
-    load, push, ramp = loads[0], loads[1], loads[2]
+    row = Row(model, dashpots if max(eta) > 0.0 else None, pair)
     begin = ramp if push > 0.0 else 0.0
-    largest, now, last, held = 0.0, 0.0, 0.0, 0
-    for step in range(count):
+    largest, last, held, hold, count = 0.0, 0.0, 0, math.ceil(quarter / dt), int(duration / dt)
+    speed, step = 0.0, 0
+    while step < count:
         time = step * dt
-        f[:], t[:] = 0.0, 0.0
-        f[n - 1, 0] -= push * min(1.0, time / ramp)
-        f[n - 1, 1] += load * min(1.0, max(0.0, (time - begin) / ramp))
-        now = 0.0
-        for b in range(m):
-            i, j = pairs[b, 0], pairs[b, 1]
-            dx, dy, dz = place[j, 0] - place[i, 0], place[j, 1] - place[i, 1], place[j, 2] - place[i, 2]
-            fx, fy, fz, ax, ay, az, bx, by, bz = bond_force(
-                dx, dy, dz, turned[i, 0], turned[i, 1], turned[i, 2], turned[i, 3], turned[j, 0], turned[j, 1],
-                turned[j, 2], turned[j, 3], axis[b, 0], axis[b, 1], axis[b, 2], bonds[b, 0], bonds[b, 1], bonds[b, 2],
-                bonds[b, 3], bonds[b, 4], bonds[b, 5],
-            )  # fmt: skip
-            ux, uy, uz = v[j, 0] - v[i, 0], v[j, 1] - v[i, 1], v[j, 2] - v[i, 2]
-            if dash[b, 0] + dash[b, 1] + dash[b, 2] + dash[b, 3] > 0.0:
-                gx, gy, gz, px, py, pz, qx, qy, qz = dashpot_force(
-                    dx, dy, dz, ux, uy, uz, w[i, 0], w[i, 1], w[i, 2], w[j, 0], w[j, 1], w[j, 2],
-                    bonds[b, 6] / bonds[b, 0], dash[b, 0], dash[b, 1], dash[b, 2], dash[b, 3],
-                )  # fmt: skip
-                fx, fy, fz = fx + gx, fy + gy, fz + gz
-                ax, ay, az, bx, by, bz = ax + px, ay + py, az + pz, bx + qx, by + qy, bz + qz
-            if pair[b, 0] > 0.0:
-                l = math.sqrt(dx * dx + dy * dy + dz * dz)
-                nx, ny, nz = dx / l, dy / l, dz / l
-                near = bonds[b, 6] + 0.5 * (l - bonds[b, 0])
-                far = l - near
-                sx, sy = near * w[i, 0] + far * w[j, 0], near * w[i, 1] + far * w[j, 1]
-                sz = near * w[i, 2] + far * w[j, 2]
-                spin = 0.5 * ((w[i, 0] + w[j, 0]) * nx + (w[i, 1] + w[j, 1]) * ny + (w[i, 2] + w[j, 2]) * nz)
-                overlap = max(0.0, pair[b, 3] - l)
-                slide = ux - (sy * nz - sz * ny), uy - (sz * nx - sx * nz), uz - (sx * ny - sy * nx)
-                now_there = (nx, ny, nz), slide
-                (gx, gy, gz), stretch, _, _, _ = contact_force(
-                    (pair[b, 0], 1.0, pair[b, 1], pair[b, 1], 0.0, 0.0), pair[b, 2], overlap, now_there, now_there,
-                    spin, (memory[b, 0], memory[b, 1], memory[b, 2]), (0.0, 0.0, 0.0), dt,
-                )  # fmt: skip
-                memory[b, 0], memory[b, 1], memory[b, 2] = stretch
-                now = max(now, pair[b, 0] * overlap)
-                fx, fy, fz = fx + gx, fy + gy, fz + gz
-                # a force at the contact point, and no moment of its own
-                mx, my, mz = ny * gz - nz * gy, nz * gx - nx * gz, nx * gy - ny * gx
-                ax, ay, az = ax - near * mx, ay - near * my, az - near * mz
-                bx, by, bz = bx - far * mx, by - far * my, bz - far * mz
-            f[i, 0], f[i, 1], f[i, 2] = f[i, 0] - fx, f[i, 1] - fy, f[i, 2] - fz
-            f[j, 0], f[j, 1], f[j, 2] = f[j, 0] + fx, f[j, 1] + fy, f[j, 2] + fz
-            t[i, 0], t[i, 1], t[i, 2] = t[i, 0] + ax, t[i, 1] + ay, t[i, 2] + az
-            t[j, 0], t[j, 1], t[j, 2] = t[j, 0] + bx, t[j, 1] + by, t[j, 2] + bz
-        largest = max(largest, now)
-        speed = 0.0
-        for k in range(1, n):
-            _damp(f[k], v[k], gamma, reading)
-            _damp(t[k], w[k], gamma, reading)
-            before = 0.0
-            for c in range(3):
-                v[k, c] += dt * f[k, c] / inert[k, 0]
-                w[k, c] += dt * t[k, c] / inert[k, 1]
-                place[k, c] += dt * v[k, c]
-                before += v[k, c] * v[k, c]
-            turned[k, 0], turned[k, 1], turned[k, 2], turned[k, 3] = turn(
-                turned[k, 0], turned[k, 1], turned[k, 2], turned[k, 3], dt * w[k, 0], dt * w[k, 1], dt * w[k, 2]
-            )
-            speed = max(speed, before)
-        speed = math.sqrt(speed)
+        force = row.forces(dt)
+        force[-1, 0] -= push * min(1.0, time / ramp)
+        force[-1, 1] += load * min(1.0, max(0.0, (time - begin) / ramp))
+        damp(force[:, :2], row.motion[:, :2], gamma, reading)
+        damp(force[:, 2:], row.motion[:, 2:], gamma, reading)
+        speed = row.move(force, dt)
+        largest = max(largest, row.pressed)
+        step += 1
         if speed > _FAST:
-            return step + 1, largest, now, speed
+            break
         held = held + 1 if time >= begin + ramp and speed < slow else 0
-        last = max(last, speed) if step >= count - hold else 0.0
+        last = max(last, speed) if step > count - hold else 0.0
         if held == hold:
-            return step + 1, largest, now, speed
-    return count, largest, now, last
-
-
-@kernel(parallel=False)
-def _damp(force, velocity, gamma, reading):
-    """Local damping of a force and a velocity, or of a torque and an angular velocity, in one of the readings."""
-    if reading == 0:
-        for c in range(3):
-            force[c] = local_damping(force[c], direction(velocity[c]), gamma)
-    elif reading == 1:
-        size = math.sqrt(velocity[0] ** 2 + velocity[1] ** 2 + velocity[2] ** 2)
-        if size > 0.0:
-            strength = gamma * math.sqrt(force[0] ** 2 + force[1] ** 2 + force[2] ** 2) / size
-            for c in range(3):
-                force[c] -= strength * velocity[c]
-    elif reading == 2:
-        for c in range(3):
-            force[c] -= gamma * force[c] * abs(direction(velocity[c]))
+            break
     else:
-        for c in range(3):
-            force[c] -= gamma * force[c] * direction(velocity[c])
+        speed = last
+    moved = np.zeros((n, 3))
+    moved[:, :2] = row.place - lattice.particles.position[:, :2]
+    gap = np.linalg.norm(np.diff(row.place, axis=0), axis=1) - L
+    status = "DIVERGED" if speed > _FAST else "STOPPED" if speed < slow else "COMPLETED"
+    return Rest(status, moved, gap, step, step * dt, largest, row.pressed, speed)
+
+
+@dataclass(frozen=True)
+class Dashpots:
+    """Dashpots of the bonds.
+
+    Attributes:
+        share: position of the contact point along each bond, from its first sphere [-].
+        cn, cs, cb: coefficients of stretching, shear and bending [N·s/m, N·m·s].
+    """
+
+    share: np.ndarray
+    cn: np.ndarray
+    cs: np.ndarray
+    cb: np.ndarray
+
+    def add(self, row: "Row", force: np.ndarray) -> None:
+        """Add their forces and torques."""
+        l, normal = row.direction()
+        near = self.share * l
+        along, across = row.slip(normal, near, l - near)
+        bent = self.cb * (row.motion[1:, 2] - row.motion[:-1, 2])
+        row.add(force, normal, (-self.cn * along, -self.cs * across), near, l - near)
+        force[:-1, 2] += bent
+        force[1:, 2] -= bent
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """Linear contacts beside the bonds.
+
+    Attributes:
+        kn, ks: stiffnesses [N/m].
+        friction: μ [-].
+        touch: distance of the centres at which spheres touch [m].
+        lever, length: of the contact point from the first sphere, and of the bond, at rest [m].
+    """
+
+    kn: np.ndarray
+    ks: np.ndarray
+    friction: float
+    touch: np.ndarray
+    lever: np.ndarray
+    length: np.ndarray
+
+    def add(self, row: "Row", force: np.ndarray, dt: float) -> None:
+        """Add their forces, at the contact point and without a moment of their own; follow their springs."""
+        l, normal = row.direction()
+        near = self.lever + 0.5 * (l - self.length)
+        pressed = self.kn * np.maximum(0.0, self.touch - l)
+        _, across = row.slip(normal, near, l - near)
+        stretch, limit = row.stretch + dt * across, self.friction * pressed / self.ks
+        row.stretch = np.clip(stretch, -limit, limit)
+        row.pressed = float(pressed.max())
+        row.add(force, normal, (pressed, -self.ks * row.stretch), near, l - near)
+
+
+class Row:
+    """Spheres that move in the plane x, y and turn about z; the first one is held.
+
+    Attributes:
+        place: centres [m], (n, 2).
+        motion: velocity and angular velocity [m/s, rad/s], (n, 3).
+        stretch: of the tangential springs of contacts [m], (n - 1,).
+        pressed: largest normal force of a contact [N].
+    """
+
+    def __init__(self, model: bd.Model, dashpots: Dashpots | None, contacts: Contacts | None) -> None:
+        n = len(model.mass)
+        self._dashpots, self._contacts = dashpots, contacts
+        self.place, self.motion = model.lattice.particles.position[:, :2].copy(), np.zeros((n, 3))
+        self.stretch, self.pressed = np.zeros(n - 1), 0.0
+        self._turned, self._inverse = np.zeros(n), 1.0 / np.column_stack([model.mass, model.mass, model.inertia])
+        self._rank, self._pose, self._sums = model.layout.rank, model.state().pose, np.zeros((n, 8))
+        beams, _ = beam_tables(model.bonds, model.layout, model.period, np.ones(n - 1), may_share=False)
+        self._load = _load_beams.bound(Poses(self._pose), beams, BeamSums(beams.i, beams.j, self._sums))
+
+    def forces(self, dt: float) -> np.ndarray:
+        """Return force and torque of bonds, dashpots and contacts [N, N·m], (n, 3)."""
+        self._sums[:] = 0.0
+        self._load()
+        force = self._sums[self._rank][:, [0, 1, 6]]
+        if self._dashpots is not None:
+            self._dashpots.add(self, force)
+        if self._contacts is not None:
+            self._contacts.add(self, force, dt)
+        return force
+
+    def move(self, force: np.ndarray, dt: float) -> float:
+        """Move by one step of the leapfrog; return the speed of the fastest sphere [m/s]."""
+        force[0] = 0.0
+        self.motion += dt * self._inverse * force
+        self.place += dt * self.motion[:, :2]
+        self._turned += dt * self.motion[:, 2]
+        self._pose[self._rank, :2] = self.place
+        self._pose[self._rank, 4] = np.cos(0.5 * self._turned)
+        self._pose[self._rank, 7] = np.sin(0.5 * self._turned)
+        return math.sqrt((self.motion[:, :2] ** 2).sum(axis=1).max())
+
+    def direction(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return distances [m] and unit directions (2, m) from each sphere to the next."""
+        d = (self.place[1:] - self.place[:-1]).T
+        l = np.hypot(*d)
+        return l, d / l
+
+    def slip(self, normal: np.ndarray, near: np.ndarray, far: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return velocities of each sphere against the one before at their contact point, along and across [m/s]."""
+        (nx, ny), (vx, vy, _) = normal, (self.motion[1:] - self.motion[:-1]).T
+        turn = near * self.motion[:-1, 2] + far * self.motion[1:, 2]
+        return vx * nx + vy * ny, vy * nx - vx * ny - turn
+
+    def add(self, force: np.ndarray, normal: np.ndarray, load: tuple[np.ndarray, np.ndarray], near, far) -> None:
+        """Add loads on the second sphere of each pair, along and across [N], and their opposites on the first."""
+        (nx, ny), (along, across) = normal, load
+        both = np.column_stack([along * nx - across * ny, along * ny + across * nx])
+        force[1:, :2] += both
+        force[:-1, :2] -= both
+        force[1:, 2] -= far * across
+        force[:-1, 2] -= near * across
+
+
+def damp(force: np.ndarray, velocity: np.ndarray, gamma: float, reading: str) -> None:
+    """Apply local damping to forces and velocities, or torques and angular velocities, in one of the readings."""
+    if reading == "component":
+        force -= gamma * np.abs(force) * np.sign(velocity)
+    elif reading == "vector":
+        size = np.sqrt((velocity**2).sum(axis=1, keepdims=True))
+        strength = gamma * np.sqrt((force**2).sum(axis=1, keepdims=True))
+        force -= strength * velocity / np.where(size > 0.0, size, 1.0)
+    elif reading == "printed":
+        force -= gamma * force * np.abs(np.sign(velocity))
+    else:
+        force -= gamma * force * np.sign(velocity)

@@ -24,7 +24,7 @@ from typing import ClassVar
 import numpy as np
 
 import bondem as bd
-from bondem._compile import threads
+from bondem._threads import threads
 from bondem.laws.bond import BondGeometry, BondStiffness
 from chen_one_sided import run_to_rest
 from chen_specimens import CASES, FORCE, NU, RHO, E, beam, bond, cantilever, exact

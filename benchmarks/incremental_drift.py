@@ -25,7 +25,7 @@ from matplotlib.axes import Axes
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem._compile import threads
+from bondem._threads import threads
 from bondem.laws.bond import BondLaw
 from bondem.model.state import State
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, sheet

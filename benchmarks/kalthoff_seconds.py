@@ -12,7 +12,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
 
-from bondem._compile import threads
+from bondem._threads import threads
 from bondem.run import solve_explicit
 from kept import RESULTS, clocked, keep, origin
 from validation.rows.kalthoff import DURATION, Plate

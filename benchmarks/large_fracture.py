@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
-from bondem._compile import threads
+from bondem._threads import threads
 from kept import RESULTS, keep, origin
 
 DURATION, PARTS = 90e-6, 10

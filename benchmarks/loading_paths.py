@@ -22,7 +22,7 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
-from bondem._compile import threads
+from bondem._threads import threads
 from kept import RESULTS, commit, keep, origin
 from paths import (
     bimetal,

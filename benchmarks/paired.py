@@ -8,6 +8,7 @@ import io
 import json
 import os
 import platform
+import re
 import statistics
 import subprocess
 import sys
@@ -18,8 +19,6 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from importlib.metadata import version
 from pathlib import Path
-
-from llvmlite import binding as llvm
 
 ROOT = Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "src"
@@ -55,16 +54,14 @@ class Worker:
         source: the folder `src` it imports.
         cores: threads it may use at most.
         cache: where it keeps compiled code; None for where it always does.
-        fused: whether the compiler may round a product and a sum together; otherwise bits are those of the
-            operations in the order in which they are written, whatever is compiled beside them.
     """
 
-    def __init__(self, source: Path, *, cores: int, cache: Path | None = None, fused: bool = True) -> None:
-        environment = {**os.environ, "PYTHONPATH": str(source), "NUMBA_NUM_THREADS": str(cores)}
+    def __init__(self, source: Path, *, cores: int, cache: Path | None = None) -> None:
+        # the second name is that of revisions without a core
+        threads = {name: str(cores) for name in ("BONDEM_NUM_THREADS", "NUMBA_NUM_THREADS")}
+        environment = {**os.environ, "PYTHONPATH": str(source), **threads}
         if cache is not None:
             environment["BONDEM_CACHE_DIR"] = str(cache)
-        if not fused:
-            environment |= {"NUMBA_CPU_NAME": "generic", "PAIRED_UNFUSED": "1"}
         self._process = subprocess.Popen(
             [sys.executable, str(Path(__file__).parent / "paired_worker.py")],
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment,
@@ -222,23 +219,30 @@ def _busy() -> float:
 
 def machine() -> dict:
     """CPU, its vector extension, cores, and the compiler."""
-    features = llvm.get_host_cpu_features()
-    vector = [name for name in ("avx2", "avx512f", "neon", "sve") if features.get(name)]
     return {
         "processor": processor(),
-        "llvm": llvm.get_host_cpu_name(),
-        "vector": "+".join(vector) or "none known",
+        "vector": "+".join(vector_extensions()) or "none known",
         "cores": os.cpu_count(),
         "system": f"{platform.system()} {platform.machine()}",
         "python": platform.python_version(),
-        "numba": version("numba"),
-        "llvmlite": version("llvmlite"),
+        "ziglang": version("ziglang"),
         "load at the start": round(os.getloadavg()[0], 2),
     }
 
 
 def processor() -> str:
-    """Name of the CPU, where the system tells it."""
+    """Name of the CPU, where the system states it."""
+    return _of_cpu("model name") or platform.processor()
+
+
+def vector_extensions() -> list[str]:
+    """Vector extensions of the CPU, where the system states them."""
+    features = set((_of_cpu("flags") or _of_cpu("Features")).split())
+    return [name for name in ("avx2", "avx512f", "asimd", "sve") if name in features]
+
+
+def _of_cpu(name: str) -> str:
+    """An entry of the first CPU in /proc/cpuinfo, or nothing."""
     info = Path("/proc/cpuinfo")
-    names = [line for line in info.read_text().splitlines() if line.startswith("model name")] if info.exists() else []
-    return names[0].split(":")[1].strip() if names else platform.processor()
+    found = re.search(rf"^{name}\s*:(.*)$", info.read_text(), re.MULTILINE) if info.exists() else None
+    return found[1].strip() if found else ""

@@ -4,6 +4,8 @@ A line of JSON is a task with its arguments, a line of JSON the answer. Only int
 are used: the public ones, `State(model)` and the loop of a run.
 """
 
+import importlib
+import importlib.util
 import json
 import os
 import sys
@@ -11,26 +13,10 @@ import time
 import traceback
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numba.core import cgutils
 
 import bondem as bd
-
-
-def unfuse() -> None:
-    """Have products and sums that are fused on purpose rounded twice, too, where the CPU compiled for fuses none."""
-    make: Any = cgutils.get_or_insert_function
-
-    def get_or_insert_function(module: Any, kind: Any, name: str) -> Any:
-        return make(module, kind, name.replace("llvm.fma.", "llvm.fmuladd."))
-
-    cgutils.get_or_insert_function = get_or_insert_function
-
-
-if "PAIRED_UNFUSED" in os.environ:
-    unfuse()
 
 
 def source() -> dict:
@@ -63,10 +49,16 @@ def elastic(lattice: bd.Lattice) -> bd.Model:
     return bd.Model(lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71), density=2500.0)
 
 
-class Timed:
-    """What is timed: bondem's loop over the steps alone, or that of `plain_step.py`."""
+# Loops of runs, the newest first: of the core; of Numba; of c790c8a and older revisions.
+_LOOPS = (
+    ("CoreLoop", "bondem.solve.loop_core"), ("CpuLoop", "bondem.solve.loop_cpu"), ("_Loop", "bondem.solve.explicit"),
+)  # fmt: skip
 
-    def __init__(self, path: str, code: str) -> None:
+
+class Timed:
+    """What is timed: bondem's loop over the steps alone."""
+
+    def __init__(self, path: str) -> None:
         from bondem.solve.timestep import critical_step
 
         self.model = elastic(read_lattice(path))
@@ -74,53 +66,42 @@ class Timed:
         self.dt = 0.9 * critical_step(self.model, bd.VelocityVerlet())
         self.velocity = np.random.default_rng(0).standard_normal((n, 3))
         self.runs: dict[int, Callable[[int], object]] = {}
-        self.make = {"bondem": self._bondem, "plain": self._plain}[code]
 
-    def _bondem(self) -> Callable[[int], object]:
+    def make(self) -> Callable[[int], object]:
+        """A loop of this revision, ready for its first step."""
         from bondem.model.state import State
 
-        try:
-            from bondem.solve.loop_cpu import CpuLoop
-            from bondem.solve.plan import Plan
-        except ModuleNotFoundError:  # c790c8a and older
-            from bondem.solve.explicit import Plan
-            from bondem.solve.explicit import _Loop as CpuLoop
+        name, module = next(
+            (name, module) for name, module in _LOOPS if importlib.util.find_spec(module) is not None
+        )  # fmt: skip
+        loop_of = getattr(importlib.import_module(module), name)
+        plans = importlib.import_module(module if name == "_Loop" else "bondem.solve.plan")
         state = State(self.model)
         state.set_motion(velocity=self.velocity)
-        loop = CpuLoop(self.model, Plan(duration=1.0, dt=self.dt, every=0), state, self.dt)
+        loop = loop_of(self.model, plans.Plan(duration=1.0, dt=self.dt, every=0), state, self.dt)
         loop.look()
         return loop.run
 
-    def _plain(self) -> Callable[[int], object]:
-        from plain_step import PlainStep
-
-        return PlainStep(self.model, self.velocity, self.dt).run
-
     def go(self, threads: int, steps: int) -> dict:
         """Wall and processor time of so many steps [s]; a loop is made for each number of threads."""
-        from bondem._compile import threads as on
+        from bits.case import set_threads
 
-        with on(threads):
-            if threads not in self.runs:
-                self.runs = {threads: self.make()}
-                self.runs[threads](2)
-            start, cpu = time.perf_counter(), time.process_time()
-            self.runs[threads](steps)
-            return {"seconds": time.perf_counter() - start, "cpu": time.process_time() - cpu}
+        set_threads(threads)
+        if threads not in self.runs:
+            self.runs = {threads: self.make()}
+            self.runs[threads](2)
+        start, cpu = time.perf_counter(), time.process_time()
+        self.runs[threads](steps)
+        return {"seconds": time.perf_counter() - start, "cpu": time.process_time() - cpu}
 
 
 _loaded: dict[str, Timed] = {}
 
 
-def load(path: str, code: str = "bondem") -> dict:
-    """Get ready for turns; of the plain step also how far its poses are from bondem's after a few."""
-    timed = _loaded["now"] = Timed(path, code)
-    answer = {"bonds": len(timed.model.lattice.pairs)}
-    if code == "plain":
-        from plain_step import apart
-
-        answer["apart"] = apart(timed.model, timed.velocity, timed.dt)
-    return answer
+def load(path: str) -> dict:
+    """Prepare the loop for its turns."""
+    timed = _loaded["now"] = Timed(path)
+    return {"bonds": len(timed.model.lattice.pairs)}
 
 
 def go(threads: int, steps: int) -> dict:

@@ -1,101 +1,41 @@
 """What a step must do at least, and how fast this machine could do it.
 
 Bytes are counted from the arrays of `docs/decisions/0001-state.md`: each is taken from memory once a step and, where
-it changes, put back once, however often the caches deliver it. Flops are counted by running the scalar functions
-that the kernels compile on numbers that count.
+it changes, put back once, however often the caches deliver it. Flops of the bond law and of a rotation are counted
+from their formulas (`core/laws/beam.hpp`, `core/laws/rotations.hpp`), operation by operation.
 """
 
 import time
 from collections.abc import Callable
-from types import FunctionType, SimpleNamespace
-from typing import Any
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
+from threadpoolctl import threadpool_limits
 
 import bondem as bd
-from bondem._compile import kernel, prange
-from bondem.laws import beam_energy, rotations
 from bondem.model.state import State
 
-# Fused multiply-adds one after the other, so that loads and stores do not count.
-_CHAIN = 64
-# Bytes of the triad a += s b for each number: two read, one written back, and none that the cache fetches unasked.
-_TRIAD_BYTES = 24
-
-
-class _Counted:
-    """A number that counts what is done with it; square roots and divisions count as one."""
-
-    def __init__(self, value: float, total: list[int]) -> None:
-        self.value, self.total = value, total
-
-    def _one(self, value: float) -> "_Counted":
-        self.total[0] += 1
-        return _Counted(value, self.total)
-
-    def __add__(self, other: Any) -> "_Counted":
-        return self._one(self.value + float(other))
-
-    def __sub__(self, other: Any) -> "_Counted":
-        return self._one(self.value - float(other))
-
-    def __rsub__(self, other: Any) -> "_Counted":
-        return self._one(float(other) - self.value)
-
-    def __mul__(self, other: Any) -> "_Counted":
-        return self._one(self.value * float(other))
-
-    def __truediv__(self, other: Any) -> "_Counted":
-        return self._one(self.value / float(other))
-
-    def __rtruediv__(self, other: Any) -> "_Counted":
-        return self._one(float(other) / self.value)
-
-    def __neg__(self) -> "_Counted":
-        return _Counted(-self.value, self.total)  # a sign is part of the next operation
-
-    def __lt__(self, other: Any) -> bool:
-        return self.value < float(other)
-
-    def __float__(self) -> float:
-        return self.value
-
-    __radd__, __rmul__ = __add__, __mul__
-
-
-def _flops(function: Any, module: Any, arguments: int) -> int:
-    """Operations of a compiled scalar function and of those of its module that it calls."""
-    total = [0]
-
-    def plain(compiled: Any) -> Callable:
-        code = compiled.py_func.__code__
-        inner = {name: known[name] for name in code.co_names if name in known}
-        inner |= {name: value for name, value in vars(module).items() if isinstance(value, float)}
-        return FunctionType(code, {**inner, "math": counting})
-
-    counting = SimpleNamespace(sqrt=lambda x: x._one(x.value**0.5))
-    known: dict[str, Any] = {}
-    for name, item in vars(module).items():
-        if hasattr(item, "py_func"):
-            known[name] = plain(item)
-    # small rotations, unit lengths: the branches that steps take
-    plain(function)(*[_Counted(0.01 * (k + 1), total) for k in range(arguments)])
-    return total[0]
+# Operations of force and torques of one bond, and of turning an element by a step's rotation; a square root and a
+# division count as one, and a sign as none.
+_LAW, _TURN = 188, 73
+# Bytes of the sum a += b for each number: two read, one written back, and none that the cache fetches unasked.
+_SUM_BYTES = 24
+# Rows of the square matrices whose product is timed.
+_SQUARE = 1024
 
 
 def flops_per_bond(elements_per_bond: float) -> dict[str, float]:
     """Floating-point operations of a step, a bond; a rounding, a root and a division count as one."""
-    law = _flops(beam_energy.bond_force, beam_energy, 20)
     branch = 3 * (1 + 4)  # difference, and the nearest image of it
     stiffness = 5  # over the length
     sums = 12  # force and two torques, to both ends
     # accelerations, two kicks, drift of the centre, rotation vector, and the turn by it
-    element = 6 + 2 * 12 + 3 * 4 + 3 * 3 + _flops(rotations.turn, rotations, 7)
+    element = 6 + 2 * 12 + 3 * 4 + 3 * 3 + _TURN
     return {
-        "law": law,
+        "law": _LAW,
         "branch, stiffness, sums": branch + stiffness + sums,
         "motion of elements": element * elements_per_bond,
-        "all": law + branch + stiffness + sums + element * elements_per_bond,
+        "all": _LAW + branch + stiffness + sums + element * elements_per_bond,
     }
 
 
@@ -128,25 +68,6 @@ def state_bytes_per_element(model: bd.Model, state: State) -> float:
     return sum(array.nbytes for array in arrays) / n + 64 + 4 + 8
 
 
-@kernel(parallel=True)
-def _triad(a, b, s, passes):
-    for part in prange(len(a)):
-        for _ in range(passes):
-            for n in range(a.shape[1]):
-                a[part, n] += s * b[part, n]
-
-
-@kernel(parallel=True)
-def _multiply_add(a, factor, rounds):
-    for part in prange(len(a)):
-        for _ in range(rounds):
-            for n in range(a.shape[1]):
-                x = a[part, n]
-                for _ in range(_CHAIN):
-                    x = x * factor + factor
-                a[part, n] = x
-
-
 def _best(run: Callable[[], object], repeat: int) -> float:
     times = []
     for _ in range(repeat):
@@ -157,20 +78,27 @@ def _best(run: Callable[[], object], repeat: int) -> float:
 
 
 def bandwidth(footprint: float, count: int, *, repeat: int = 7) -> float:
-    """Of the triad a += s b over arrays of `footprint` bytes together, on `count` threads [B/s].
+    """Of the sum a += b over arrays of `footprint` bytes together, on `count` threads [B/s].
 
     The same footprint as a step, so that what stays in a cache does so in both.
     """
     length = max(64, int(footprint / 16 / count))
-    a, b = np.zeros((count, length)), np.ones((count, length))
-    passes = max(1, int(5e8 / (a.size * _TRIAD_BYTES)))
-    _triad(a, b, 0.5, 1)
-    return passes * a.size * _TRIAD_BYTES / _best(lambda: _triad(a, b, 0.5, passes), repeat)
+    parts = [(np.zeros(length), np.ones(length)) for _ in range(count)]
+    passes = max(1, int(5e8 / (count * length * _SUM_BYTES)))
+
+    def add(part: tuple[np.ndarray, np.ndarray]) -> None:
+        a, b = part
+        for _ in range(passes):
+            np.add(a, b, out=a)
+
+    with ThreadPoolExecutor(count) as pool:
+        seconds = _best(lambda: list(pool.map(add, parts)), repeat)
+    return passes * count * length * _SUM_BYTES / seconds
 
 
 def peak(count: int, *, repeat: int = 7) -> float:
-    """Of multiply-adds in double precision, as compiled here, on `count` threads [flop/s]."""
-    a = np.zeros((count, 1024))
-    rounds = 400
-    _multiply_add(a, 0.5, 1)
-    return 2.0 * _CHAIN * rounds * a.size / _best(lambda: _multiply_add(a, 0.5, rounds), repeat)
+    """Of the product of two matrices in double precision, on `count` threads [flop/s]."""
+    a, b, c = np.ones((3, _SQUARE, _SQUARE))
+    with threadpool_limits(count, user_api="blas"):
+        np.matmul(a, b, out=c)
+        return 2.0 * _SQUARE**3 / _best(lambda: np.matmul(a, b, out=c), repeat)

@@ -2,9 +2,10 @@
 
     python benchmarks/scaling.py [--elements 1000 ... 1000000] [--threads 1 2 ...] [--repeat 5] [--figure FILE]
 
-The bound is a roofline: the least time for the bytes of a step at the bandwidth of a triad over as many bytes, or for
-its flops at the peak of multiply-adds, whichever is longer, both measured in the same run on the same threads. How
-bytes and flops are counted is printed, and said in roofline.py. Do it on a machine that is doing nothing else.
+The bound is a roofline: the least time for the bytes of a step at the bandwidth of a sum over as many bytes, or for
+its flops at the peak of a product of matrices, whichever is longer, both measured in the same run on the same
+threads. How bytes and flops are counted is printed, and stated in roofline.py. Do it on a machine that is
+doing nothing else.
 """
 
 import argparse
@@ -15,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
-from bondem._compile import most_threads, threads
+from bondem._threads import most_threads, threads
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan
@@ -39,7 +40,7 @@ def measured(model: bd.Model, state: State, dt: float, counts: list[int], repeat
                 plan = Plan(duration=(state.step + steps) * dt, dt=dt, every=0)
                 start = time.perf_counter()
                 state = integrate(model, plan, state=state).state
-                if turn:  # the first one compiles
+                if turn:  # the first one warms up
                     seconds[count].append((time.perf_counter() - start) / steps)
     return {count: {"best": min(found), "median": statistics.median(found)} for count, found in seconds.items()}
 
@@ -71,7 +72,7 @@ def size(elements: int, counts: list[int], peaks: dict[int, float], repeat: int,
             "Mbond_steps_per_s_best": rate["best"],
             "Mbond_steps_per_s_median": rate["median"],
             "speed_up": found[counts[0]]["median"] / found[count]["median"],
-            "triad_GB_per_s": speed / 1e9,
+            "sum_GB_per_s": speed / 1e9,
             "peak_Gflop_per_s": peaks[count] / 1e9,
             "bound_by": "memory" if by_memory > by_arithmetic else "arithmetic",
             "bound_Mbond_steps_per_s": bound,
@@ -80,7 +81,7 @@ def size(elements: int, counts: list[int], peaks: dict[int, float], repeat: int,
         row = rows[-1]
         print(
             f"{n:>9} {m:>9} {count:>4} {rate['best']:8.1f} {rate['median']:8.1f} {1e3 / rate['median']:7.1f}"
-            f" {row['speed_up']:7.2f}   {row['triad_GB_per_s']:8.1f} {row['peak_Gflop_per_s']:8.1f}"
+            f" {row['speed_up']:7.2f}   {row['sum_GB_per_s']:8.1f} {row['peak_Gflop_per_s']:8.1f}"
             f" {bound:9.1f} {row['bound_by']:>10} {row['share_of_bound']:6.0%}",
             flush=True,
         )
@@ -124,7 +125,7 @@ def main() -> None:
             peaks[count] = peak(count)
     print(
         f"{'elements':>9} {'bonds':>9} {'thr.':>4} {'Mbond/s':>8} {'median':>8} {'ns/bond':>7} {'speedup':>7}  "
-        f" {'triad GB/s':>8} {'Gflop/s':>8} {'bound':>7} {'by':>10} {'share':>6}"
+        f" {'sum GB/s':>8} {'Gflop/s':>8} {'bound':>7} {'by':>10} {'share':>6}"
     )
     for elements in options.elements:
         report["sizes"].append(size(elements, options.threads, peaks, options.repeat, options.work))

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import most_threads as most_threads
-from bondem._compile import threads as threads
+from bondem._threads import most_threads as most_threads
+from bondem._threads import threads as threads
 from tests.models import time_step
 from tests.specimens import FOUR_CENTRES, FOUR_RADII
 
@@ -17,7 +17,7 @@ from tests.specimens import FOUR_CENTRES, FOUR_RADII
 def need_two_threads() -> None:
     """Skip a test where one thread only may be used."""
     if most_threads() < 2:
-        pytest.skip("one thread only may be used (NUMBA_NUM_THREADS)")
+        pytest.skip("one thread only may be used (BONDEM_NUM_THREADS)")
 
 
 def assert_same_state(one: bd.State, other: bd.State) -> None:

@@ -23,12 +23,6 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--sanitize", action="store_true", help="run the tests of the core with g++'s sanitizers too")
 
 
-def pytest_configure(config: pytest.Config) -> None:
-    """Processes that tests start carry out all their cases where slow tests run."""
-    if config.getoption("--validate"):
-        os.environ["BONDEM_EVERY_CASE"] = "1"
-
-
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     for marker, option in _OPTIONS.items():
         if config.getoption(option):

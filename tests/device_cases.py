@@ -1,11 +1,6 @@
-"""Small models for devices: bodies of beams and of cells, with all that acts on them, and moving states of them.
+"""Small models for devices: bodies of beams and of cells, with all that acts on them, and moving states of them."""
 
-Scripts of simulated devices take the bodies that the CPU has cut: cut by plain Python they differ by rounding, and
-levers, which are whole numbers of a grid, then by 1e-9.
-"""
-
-import importlib
-import os
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -13,12 +8,6 @@ from scipy.spatial.transform import Rotation
 
 import bondem as bd
 from bondem.model.state import State
-
-if "NUMBA_ENABLE_CUDASIM" in os.environ:
-    importlib.import_module("cuda_in_turn").simulate_in_turn()
-
-#: Whether to carry out variants, too, that differ from others by how a run is paused alone.
-EVERY = "BONDEM_EVERY_CASE" in os.environ
 
 GAUGES = {
     "end": bd.Gauge(bd.Face("x_max", depth=0.5), "displacement"),
@@ -36,8 +25,6 @@ CELL_GAUGES = {
 }
 
 
-# Bodies of cells by name, as they have been cut.
-BODIES: dict[str, bd.Lattice] = {}
 # Of two cubes, whose motion has a closed form.
 NUS, CUBE_STEPS, CUBE_DT = (0.2, 0.45, -0.2), 7, 1e-3
 
@@ -89,20 +76,14 @@ def cell() -> bd.Model:
     return bd.Model(bd.connect(particles, reach=1.15), bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6), 1000.0)
 
 
+@cache
 def body(a: int, b: int, c: int, *, periodic: bool = False) -> bd.Lattice:
     """A crooked box, or periodic cell, of unit cells."""
     rng, counts = np.random.default_rng(1), (a, b, c)
     grid = np.indices(counts).reshape(3, -1).T + 0.5
     shape = bd.Cell(size=counts) if periodic else bd.Box(counts)
     centre, radius = grid + rng.uniform(-0.2, 0.2, grid.shape), rng.uniform(0.25, 0.3, len(grid))
-    return cut(f"{counts} {periodic}", bd.Particles(centre, radius, shape=shape))
-
-
-def cut(name: str, particles: bd.Particles) -> bd.Lattice:
-    """Particles cut into cells, or the body of that name that is known."""
-    if name not in BODIES:
-        BODIES[name] = bd.connect(particles, method="laguerre")
-    return BODIES[name]
+    return bd.connect(bd.Particles(centre, radius, shape=shape), method="laguerre")
 
 
 def free_body() -> tuple[bd.Model, State]:
@@ -145,7 +126,7 @@ def cubes(nu: float, *, walls: bool) -> tuple[bd.Model, State]:
     """Two cubes side by side that move apart, or both the same way between two smooth walls."""
     particles = bd.Particles([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]], 0.4, shape=bd.Box((2, 1, 1)))
     held = [bd.Fix(bd.Face(face), "x", "") for face in ("x_min", "x_max")] if walls else []
-    model = bd.Model(cut("cubes", particles), bd.CellBond(E=1e7, nu=nu), 1000.0, boundary=held)
+    model = bd.Model(bd.connect(particles, method="laguerre"), bd.CellBond(E=1e7, nu=nu), 1000.0, boundary=held)
     state = model.state()
     state.set_motion(velocity=np.array([[1.0 if walls else -1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]))
     return model, state

@@ -21,7 +21,7 @@ from validation.frame.sources import commit
 
 Record = Callable[..., None]
 _FIXTURE = "record"
-_VERSIONS = ("bondem", "numpy", "scipy", "numba")
+_VERSIONS = ("bondem", "numpy", "scipy")
 _NUMBERS = pytest.StashKey[dict[str, dict[str, Any]]]()
 _COMMIT = pytest.StashKey[str]()
 

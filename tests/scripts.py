@@ -28,7 +28,7 @@ def scripts(folder: str, **modules: str) -> dict[str, ModuleType]:
 def command(
     *arguments: object, cwd: Path, package: str = "bondem", process: bool = False, **options
 ) -> subprocess.CompletedProcess[str]:
-    """Call the command `bondem` with arguments in a folder; with `process` as `python -m bondem`, as other packages."""
+    """Call the command `bondem` in a folder; with `process`, and for other packages, as `python -m bondem`."""
     words = [sys.executable, "-m", package, *map(str, arguments)]
     if process or options or package != "bondem":
         return subprocess.run(words, cwd=cwd, capture_output=True, text=True, timeout=300, **options)
@@ -47,7 +47,7 @@ def command(
 
 def python(code: str, *arguments: object, threads: int = 4) -> list[str]:
     """Run code in a process of its own, which may use a number of threads; return the lines that it prints."""
-    environment = os.environ | {"NUMBA_NUM_THREADS": str(threads)}
+    environment = os.environ | {"BONDEM_NUM_THREADS": str(threads)}
     words = [sys.executable, "-c", code, *map(str, arguments)]
     done = subprocess.run(words, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

@@ -89,23 +89,25 @@ def two_cubes(edge: float = 1.0) -> bd.Lattice:
 
 @cache
 def crooked_cells(
-    shape: tuple[int, int, int], *, jitter: float = 0.2, spread: float = 0.2, seed: int = 0, periodic: bool = False
-) -> bd.Lattice:
-    """Box or periodic cell of unit cells off a grid, but not in directions that are one cell thick.
+    shape: tuple[int, int, int], *, jitter: float = 0.2, spread: float = 0.2, seed: int = 0, periodic: bool = False,
+    edge: float = 1.0,
+) -> bd.Lattice:  # fmt: skip
+    """Box or periodic cell of cells off a grid, but not in directions that are one cell thick.
 
     Args:
         shape: number of cells along x, y and z.
-        jitter: largest distance from the grid along each axis [m].
+        jitter: largest distance from the grid along each axis, in edges [-].
         spread: spread of the radii about their mean [-].
         seed: seed of places and radii.
         periodic: whether the body has no walls.
+        edge: distance of the grid's points [m].
     """
     grid = np.indices(shape).reshape(3, -1).T
     moved = np.random.default_rng(seed).uniform(-jitter, jitter, grid.shape) * (np.array(shape) > 1)
     radius = 0.3 * (1.0 + spread * np.random.default_rng(seed + 1).uniform(-1.0, 1.0, len(grid)))
-    edges = (float(shape[0]), float(shape[1]), float(shape[2]))
+    edges = (edge * shape[0], edge * shape[1], edge * shape[2])
     outline = bd.Cell(edges) if periodic else bd.Box(edges)
-    return bd.connect(bd.Particles(grid + 0.5 + moved, radius, shape=outline), method="laguerre")
+    return bd.connect(bd.Particles(edge * (grid + 0.5 + moved), edge * radius, shape=outline), method="laguerre")
 
 
 # ---- spheres in rows and pairs

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from tests.models import time_step
+import bondem as bd
+from tests.bits import most_threads
 from tests.scripts import scripts
 
 SIZE = 60
@@ -14,7 +15,8 @@ pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.StepWarning")
 def benchmarks():
     """The modules beside the scripts."""
     names = {"cases": "bits.cases", "compare": "bits.compare", "runs": "bits.runs"}
-    return scripts("benchmarks", paired="paired", plain_step="plain_step", tiled="tiled", **names)
+    yield scripts("benchmarks", paired="paired", tiled="tiled", **names)
+    bd.set_threads(most_threads())  # runs of cases set it
 
 
 @pytest.mark.validate
@@ -89,20 +91,3 @@ def test_gain_is_the_median_of_quiet_pairs(benchmarks) -> None:
     assert pairs.quiet == [0, 1, 2]
     assert pairs.gain == 2.0
     assert benchmarks["paired"].Pairs(first, (busy(1.0),) * 4).quiet == [0, 1, 2, 3]
-
-
-def test_the_plain_step_moves_as_bondem_does(benchmarks) -> None:
-    import bondem as bd
-
-    model = bd.Model(
-        benchmarks["tiled"].specimen(500), bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71), density=2500.0
-    )
-    velocity = np.random.default_rng(0).standard_normal((len(model.lattice.particles), 3))
-    dt = time_step(model, 0.9)
-    plain = benchmarks["plain_step"]
-    assert plain.apart(model, velocity, dt) < plain.SAME
-    other = bd.Model(model.lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.7101), density=2500.0)
-    moved = plain.PlainStep(other, velocity, dt), plain.PlainStep(model, velocity, dt)
-    for step in moved:
-        step.run(plain.CHECK)
-    assert np.abs(moved[0].x - moved[1].x).max() / model.lattice.particles.mean_radius > 100 * plain.SAME

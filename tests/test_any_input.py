@@ -20,7 +20,6 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as npst
-from numba.core.event import install_timer
 
 import bondem as bd
 from bondem.errors import BondemError
@@ -48,7 +47,7 @@ def split(tension, cohesion):
 
 def along(stress, tension):
     """Index of a criterion."""
-    return stress[0, 0] / tension
+    return stress[:, 0, 0] / tension
 
 
 GRID = np.indices((4, 3, 3)).reshape(3, -1).T.astype(float)
@@ -331,8 +330,8 @@ def test_anything_is_done_or_refused_in_one_line(name, key, value):
     if (name, key) in LONG:
         real = np.isscalar(value) and not isinstance(value, str | bytes | complex)
         hypothesis.assume(not real or not 0 < value < math.inf)
-    begun, compiling = time.process_time(), []
-    with warnings.catch_warnings(record=True) as told, install_timer("numba:compile", compiling.append):
+    begun = time.process_time()
+    with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         try:
             found = call(name, **{key: value})
@@ -340,7 +339,7 @@ def test_anything_is_done_or_refused_in_one_line(name, key, value):
             refused = str(error)
         else:
             refused = None
-    assert time.process_time() - begun - sum(compiling) < SECONDS
+    assert time.process_time() - begun < SECONDS
     if refused is not None:
         assert len(refused) > 10
         assert "\n" not in refused

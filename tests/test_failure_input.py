@@ -4,6 +4,7 @@ import math
 import re
 from collections.abc import Callable
 
+import numpy as np
 import pytest
 
 import bondem as bd
@@ -35,10 +36,18 @@ def other_state() -> bd.State:
 
 
 def along(stress, tension, weight=1.0):
-    return weight * stress[0, 0] / tension
+    return weight * stress[:, 0, 0] / tension
 
 
 def no_number(stress):
+    return np.sqrt(stress[:, 0, 0])
+
+
+def of_one(stress, tension):
+    return np.linalg.eigvalsh(stress)[2] / tension
+
+
+def of_numbers(stress):
     return math.sqrt(stress[0, 0])
 
 
@@ -55,21 +64,21 @@ def a_file(stress):
 
 
 def at_rest(stress):
-    return 2.0
+    return np.full(len(stress), 2.0)
 
 
 def never(stress):
-    return -1.0
+    return np.full(len(stress), -1.0)
 
 
 def complains(stress):
-    if stress[0, 1] > 0.0:
+    if (stress[:, 0, 1] > 0.0).any():
         raise ValueError("no shear, please")
-    return stress[0, 0] / 1e6
+    return stress[:, 0, 0] / 1e6
 
 
 def by_name(stress, *, tension):
-    return stress[0, 0] / tension
+    return stress[:, 0, 0] / tension
 
 
 def own(function: object, **parameters: object) -> object:
@@ -149,9 +158,9 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
         "apply to cells that yield", "give fracture_energy too",
         lambda: bd.DruckerPrager(tension=1e6, compression=1e7, fracture_energy_shear=5.0),
     ),
-    "no function": ("function = 3", "give a function of a stress (3, 3)", lambda: own(3)),
-    "a class for a function": ("function = <class", "give a function of a stress", lambda: own(bd.Box)),
-    "a function of Python's": ("function = <built-in", "give a function of a stress", lambda: own(len)),
+    "no function": ("function = 3", "give a function of stresses (k, 3, 3)", lambda: own(3)),
+    "a class for a function": ("function = <class", "give a function of stresses", lambda: own(bd.Box)),
+    "a function of Python's": ("function = <built-in", "give a function of stresses", lambda: own(len)),
     "an argument by name alone": (
         "by_name(stress, *, tension)", "give a function", lambda: own(by_name, tension=1.0)
     ),
@@ -161,13 +170,17 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
     ),
     "a parameter that is no number": ("tension = 'high'", "give a finite number", lambda: own(along, tension="high")),
     "an index that is no number": ("no_number is nan at a stress", "return a finite number", lambda: own(no_number)),
-    "an index that is a matrix": ("a_matrix cannot be compiled", "returns a number", lambda: own(a_matrix)),
-    "an index that is nothing": ("nothing cannot be compiled", "returns a number", lambda: own(nothing)),
-    "what cannot be compiled": ("a_file cannot be compiled", "that Numba supports", lambda: own(a_file)),
+    "an index of one stress": (
+        "of_one returns an array (3,) for stresses (57, 3, 3)", "returns 57 indices", lambda: own(of_one, tension=1e6)
+    ),
+    "an index of numbers": ("of_numbers raises 'only", "many stresses (k, 3, 3)", lambda: own(of_numbers)),
+    "an index that is a matrix": ("a_matrix returns an array (57, 3, 3)", "57 indices", lambda: own(a_matrix)),
+    "an index that is nothing": ("nothing returns an array ()", "57 indices", lambda: own(nothing)),
+    "what is no number": ("a_file raises '", "returns k indices", lambda: own(a_file)),
     "an index that fails at rest": ("at_rest is 2 without stress", "give an index below 1", lambda: own(at_rest)),
     "an index that never fails": ("never stays below 1", "give an index that reaches 1", lambda: own(never)),
     "an index of the wrong sign": ("along stays below 1", "tension positive", lambda: own(along, tension=-1e6)),
-    "an index that raises": ("complains raises 'no shear, please'", "return a number", lambda: own(complains)),
+    "an index that raises": ("complains raises 'no shear, please'", "returns k indices", lambda: own(complains)),
     "statics": ("explicit runs only", "leave failure= out", lambda: bd.solve_static(free_model())),
     "modes": ("explicit runs only", "leave failure= out", lambda: bd.solve_modes(free_model(), count=1)),
     "relaxation": ("explicit runs only", "leave failure= out", lambda: bd.solve_relaxed(free_model())),

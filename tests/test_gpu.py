@@ -2,13 +2,7 @@
 
 import dataclasses
 import importlib
-import json
-import os
-import re
-import subprocess
 import sys
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -20,89 +14,6 @@ from bondem.solve.explicit import integrate
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
 from tests.device_runs import CASES, deviation
-
-HERE = Path(__file__).parent
-SIMULATOR = {"NUMBA_ENABLE_CUDASIM": "1", "NUMBA_DISABLE_JIT": "1"}
-
-
-def only_slowly(case: str) -> Any:
-    """A variant that scripts carry out where slow tests run."""
-    return pytest.param(case, marks=pytest.mark.validate)
-
-
-def run(script: str, *arguments: str, **environment: str) -> str:
-    """What a script of this folder prints, in a process of its own."""
-    done = subprocess.run(
-        [sys.executable, HERE / script, *arguments], env=os.environ | environment, text=True, capture_output=True,
-        timeout=300, check=False,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr[-3000:]
-    return done.stdout
-
-
-@pytest.fixture(scope="module")
-def compiled():
-    """PTX of all kernels, and the bytes that each bond or element takes."""
-    pytest.importorskip("numba_cuda", reason="needs numba-cuda: pip install -e '.[gpu]'")
-    return json.loads(run("cuda_ptx.py"))
-
-
-def test_memory_is_what_the_documents_say(compiled) -> None:
-    """As in the modules `…_cuda` of `bondem.solve`, and decision 0010."""
-    assert compiled["bytes"]["bonds"] == {"element": 212 + 4, "bond": 164}  # with body forces
-    assert compiled["bytes"]["alike"] == {"element": 212, "bond": 124}
-    assert compiled["bytes"]["breaking"] == {"element": 212 + 4 + 1, "bond": 164 + 128}
-    assert compiled["bytes"]["cells"] == {"element": 212 + 8 + 24, "bond": 196, "held facet": 344}
-    held = {"held facet": 344}
-    assert compiled["bytes"]["breaking cells"] == {"element": 212 + 8 + 24 + 9, "bond": 196 + 129} | held
-    yielding = {"element": 212 + 8 + 24 + 135 + 176, "bond": 196 + 667 + 24, "held facet": 344 + 24}
-    assert compiled["bytes"]["yielding cells"] == yielding
-    assert compiled["bytes"]["softening"] == {"element": 212 + 4 + 1, "bond": 164 + 128 + 108}
-    assert compiled["bytes"]["cracking cells"] == {"element": 212 + 8 + 24 + 135, "bond": 196 + 667} | held
-
-
-def test_all_kernels_compile_without_a_driver(compiled) -> None:
-    ptx = compiled["ptx"]
-    assert set(ptx) == {
-        "bond_forces", "rotation_guard", "bond_sums",
-        "swell", "stress_cells", "facet_loads", "turn_guard", "facet_sums",
-        "judge_bonds", "move_or_wait", "break_bonds", "let_go", "released_sum",
-        "mark_facets", "judge_facets", "hold_neighbours", "break_facets", "weigh_cells",
-        "swell_again", "stress_again", "load_again",
-        "stress_tensors", "heat_cells", "mark_cracks", "order_beginnings", "begin_cracks", "sum_moments",
-        "begin_stresses", "end_stresses", "take_up_holds", "weigh_all_cracked", "link_cells", "measure_some",
-        "relax_some", "wake_some", "wake_cells", "soften_some", "part_cracks", "calm_cracks", "change_cells",
-        "load_cracks", "add_losses", "log_cracks", "crack_sums",
-        "stretch_all", "stretch_holds", "yield_some", "follow_cells", "heat_sums",
-        "cool_some", "mark_judged", "begin_judged",
-        "soften_beams", "add_soft_losses", "log_soft", "press_some", "find_soft", "order_soft", "begin_soft",
-        "soft_sums",
-        "schedule_rows", "turn_moments", "pull_groups", "open_step", "move", "element_sums", "gauge_sums", "fold",
-        "write_record",
-    }  # fmt: skip
-    for name, text in ptx.items():
-        assert ".visible .entry" in text, name
-        # numbers of single precision are stored for facets, never reckoned with
-        singles = [line for line in text.splitlines() if ".f32" in line]
-        stored = re.compile(r"\s*(ld\.global|cvt\.f64|\.reg )\.f32")
-        assert all(map(stored.match, singles)), f"{name} leaves double precision"
-        # the library's arc cosine begins Newton's steps with such a root
-        exact = text.replace("rsqrt.approx.ftz.f64", "") if "trig_reduction" in text else text
-        assert ".approx" not in exact, f"{name} divides or takes roots approximately"
-        assert parameters(text) <= 4064, f"{name} takes more parameters than all drivers allow"
-    for name in ("bond_forces", "swell", "facet_loads", "measure_some", "relax_some", "load_cracks", "yield_some",
-                 "soften_beams"):  # fmt: skip
-        assert "fma.rn.f64" in ptx[name]
-        assert "call" not in ptx[name], f"{name}: scalar functions are not inlined"
-
-
-def parameters(ptx: str) -> int:
-    """Bytes that a launch is given."""
-    head, size = ptx[ptx.index(".visible .entry") :], 0
-    for bits in re.findall(r"\.param \.[a-z](\d+)", head[: head.index("{")]):
-        each = int(bits) // 8
-        size = -(-size // each) * each + each
-    return size
 
 
 def model_and_plan() -> tuple[bd.Model, Plan]:

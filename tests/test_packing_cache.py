@@ -2,6 +2,7 @@
 
 import os
 from dataclasses import dataclass
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -13,6 +14,7 @@ from bondem.io import packing_cache
 from bondem.io.packing_cache import PackingCache, key
 from bondem.packing.targets import Contacts, Fraction, Jammed
 from tests.bits import same_spheres
+from tests.scripts import python
 from tests.specimens import FOUR_CENTRES, FOUR_RADII
 
 REQUEST = {
@@ -31,7 +33,7 @@ def tetrahedron(scale=1.0):
 def folder(tmp_path, monkeypatch):
     """The folder of the cache that `bd.pack` uses, empty, and the cache on."""
     monkeypatch.setenv("BONDEM_PACKING_CACHE", "on")
-    monkeypatch.setattr(packing_cache, "cache_directory", tmp_path / packing_cache.cache_directory.name)
+    monkeypatch.setattr(packing_cache, "cache_folder", lambda: tmp_path)
     return tmp_path / "packings"
 
 
@@ -197,6 +199,22 @@ def test_a_cache_that_cannot_be_written_does_no_harm(tmp_path):
 def test_the_cache_lies_beside_the_compiled_code():
     assert PackingCache().folder.name == "packings"
     assert PackingCache().folder.parent.name.startswith("bondem")
+
+
+def test_a_user_without_a_home_has_a_cache(monkeypatch):
+    for name in ("BONDEM_CACHE_DIR", "XDG_CACHE_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    (folder,) = python("""
+import pathlib
+
+def homeless():
+    raise RuntimeError("Could not determine home directory.")
+
+pathlib.Path.home = homeless
+from bondem.io.packing_cache import PackingCache
+print(PackingCache().folder)
+""")
+    assert Path(folder).parent.name.startswith("bondem-")
 
 
 def test_a_flipped_bit_is_packed_again(tmp_path):

@@ -1,4 +1,4 @@
-"""What a long call shows: lines elsewhere than on a terminal, records of `logging`, compilation where it happens."""
+"""What a long call shows: lines elsewhere than on a terminal, and records of `logging`."""
 
 import logging
 import os
@@ -61,23 +61,6 @@ def test_stages_are_lines_and_records(lines, caplog) -> None:
     with reported(lambda *word: told.append(word)) as tell:
         tell("pack", 0.5)
     assert (told, lines()) == ([("pack", 0.5)], [])
-
-
-def test_compilation_is_announced_where_it_happens(lines) -> None:
-    class Dispatcher:
-        @staticmethod
-        def py_func() -> None: ...
-
-    Dispatcher.py_func.__module__ = "bondem.kernels.crack_states"
-    started = type("Event", (), {"data": {"dispatcher": Dispatcher}})
-    listener = _progress._Compilation()
-    with stages(at_once=True) as tell:
-        tell("direct tension", 0.0)
-        listener.on_start(started)
-        listener.on_start(started)  # compiled for the first one
-        listener.on_end(started)
-        listener.on_end(started)
-    assert lines()[1].endswith("direct tension: compiling crack states for the first use, about a minute")
 
 
 def test_programs_choose(monkeypatch) -> None:

@@ -1,5 +1,6 @@
 """What a case is, and the specimens, laws and conditions that cases are made of."""
 
+import importlib
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -15,6 +16,14 @@ SHORT = bd.Timoshenko(E=E, nu=NU, radius_ratio=RATIO)
 CONTACT = bd.LinearContact(E=E, friction=0.4, damping=0.1)
 # Steps between two looks at the rotations of bonds, in which spinning elements turn a whole number of times.
 ROUND = 100
+
+
+def set_threads(count: int) -> None:
+    """Set the number of threads; old revisions have those of Numba's loops."""
+    if hasattr(bd, "set_threads"):
+        bd.set_threads(count)
+    else:
+        importlib.import_module("numba").set_num_threads(count)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
-from bits.case import ROUND, Case
+from bits.case import ROUND, Case, set_threads
 from bits.cases import CASES
-from bondem._compile import threads as on
 from bondem.errors import StepWarning
 
 GAUGES = {
@@ -50,19 +49,19 @@ def run(name: str, size: int, threads: list[int], pauses: list[str], steps: int,
     faults: dict[str, str] = {}
     moved, touching = 0.0, 0
     for count in threads:
-        with on(count):
-            for pause in pauses:
-                if case.rounds and pause.startswith("saved"):
-                    continue
-                values = {"chosen dt": np.array(chosen)}
-                for k, result in enumerate(_paused(case, pause, steps, dt)):
-                    values |= {f"{key} {k + 1}" if k else key: value for key, value in arrays(result).items()}
-                    if result.status.name != "COMPLETED":
-                        faults[f"{pause}, {count} threads"] = result.message
-                    last = result.state
-                np.savez(Path(folder) / f"{pause}-{count}.npz", **values)
-                moved = max(moved, float(np.abs(last.displacement).max()))
-                touching = max(touching, len(last.touching) + len(last.wall_touching))
+        set_threads(count)
+        for pause in pauses:
+            if case.rounds and pause.startswith("saved"):
+                continue
+            values = {"chosen dt": np.array(chosen)}
+            for k, result in enumerate(_paused(case, pause, steps, dt)):
+                values |= {f"{key} {k + 1}" if k else key: value for key, value in arrays(result).items()}
+                if result.status.name != "COMPLETED":
+                    faults[f"{pause}, {count} threads"] = result.message
+                last = result.state
+            np.savez(Path(folder) / f"{pause}-{count}.npz", **values)
+            moved = max(moved, float(np.abs(last.displacement).max()))
+            touching = max(touching, len(last.touching) + len(last.wall_touching))
     lattice = case.model.lattice
     return {
         "dt": dt, "elements": len(lattice.particles), "bonds": len(lattice.pairs), "faults": faults,

@@ -18,8 +18,6 @@ import sys
 import tempfile
 from pathlib import Path
 
-import llvmlite.binding as llvm
-
 sys.path.insert(0, str(Path(__file__).parent.parent))
 
 from kratos_kdem import Kratos
@@ -30,6 +28,7 @@ from specimen import Specimen, build
 from yade_cohfrict import Yade
 
 from kept import command, commit
+from paired import processor, vector_extensions
 
 RESULTS = Path(__file__).parent.parent / "results"
 CODES = {code.name: code for code in (Bondem, NonLocalBondem, Lammps, Yade, Kratos)}
@@ -158,15 +157,7 @@ def main() -> None:
 
 def _processor() -> str:
     """Its name, where the system tells it, and its vector extension."""
-    features = llvm.get_host_cpu_features()
-    vector = "+".join(name for name in ("avx2", "avx512f", "neon", "sve") if features.get(name))
-    return f"{_name()} ({vector or 'no vector extension known'})"
-
-
-def _name() -> str:
-    info = Path("/proc/cpuinfo")
-    names = [line for line in info.read_text().splitlines() if line.startswith("model name")] if info.exists() else []
-    return names[0].split(":")[1].strip() if names else platform.processor()
+    return f"{processor()} ({'+'.join(vector_extensions()) or 'no vector extension known'})"
 
 
 if __name__ == "__main__":

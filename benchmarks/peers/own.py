@@ -28,7 +28,7 @@ class Bondem:
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         specimen.save(folder / "specimen.npz")
         command = [sys.executable, __file__, str(folder), str(check), str(steps), str(int(self.contacts)), self.law]
-        subprocess.run(command, check=True, env={**os.environ, "NUMBA_NUM_THREADS": "1"})
+        subprocess.run(command, check=True, env={**os.environ, "BONDEM_NUM_THREADS": "1"})
         return Outcome.load(folder / "outcome.npz")
 
 

@@ -8,8 +8,7 @@ import importlib
 from typing import Any
 
 from bondem._describe import describe
-from bondem._environment import use_environment
-from bondem._forking import allow_forks
+from bondem._environment import check_environment
 from bondem._names import no_attribute, suggesting
 
 __version__ = "0.1.0"
@@ -137,5 +136,4 @@ def __dir__() -> list[str]:
     return __all__
 
 
-use_environment()
-allow_forks()
+check_environment()

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["StressCallback"]
+__all__ = ["StressCallback", "function_at"]
 
 _KIND = ctypes.CFUNCTYPE(
     None, ctypes.c_int64, ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_double),
@@ -45,7 +45,8 @@ class StressCallback:
             return
         try:
             given = np.ctypeslib.as_array(parameter, (self._count,)).tolist() if self._count else []
-            found[:] = self._function(np.ctypeslib.as_array(stress, (count, 3, 3)).copy(), *given)
+            with np.errstate(all="ignore"):
+                found[:] = self._function(np.ctypeslib.as_array(stress, (count, 3, 3)).copy(), *given)
         except BaseException as error:  # nothing may pass through the core, not even an interruption
             self._error = error
 
@@ -54,3 +55,17 @@ class StressCallback:
         error, self._error = self._error, None
         if error is not None:
             raise error
+
+
+def function_at(address: int) -> Callable[..., Any]:
+    """Return the C function at an address as a function of stresses (k, 3, 3) [Pa] and of its parameters."""
+    called = _KIND(address)
+    pointer = ctypes.POINTER(ctypes.c_double)
+
+    def indices(stress: np.ndarray, *parameters: float) -> np.ndarray:
+        stress, given = np.ascontiguousarray(stress, dtype=float), np.array(parameters, dtype=float)
+        found = np.zeros(len(stress))
+        called(len(stress), *(one.ctypes.data_as(pointer) for one in (stress, given, found)))
+        return found
+
+    return indices

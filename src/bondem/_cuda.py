@@ -21,7 +21,7 @@ import cuda.bindings.nvrtc as cuda_nvrtc
 import cuda.core as cuda_core
 import numpy as np
 
-from bondem._compile import cache_directory
+from bondem._cache_folder import cache_folder
 from bondem._core_build import SOURCES, core_sources
 from bondem._device import Enqueue, IndexPass
 
@@ -102,7 +102,7 @@ def _kept() -> Path:
     digest = hashlib.sha256(str(nvrtc.nvrtcVersion()).encode())
     for path in core_sources("*.cpp", "*.hpp", "*.cu"):
         digest.update(path.read_bytes())
-    return cache_directory.parent / "kernels" / digest.hexdigest()[:16]
+    return cache_folder() / "kernels" / digest.hexdigest()[:16]
 
 
 def _cubin(name: str, architecture: str) -> bytes:

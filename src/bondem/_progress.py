@@ -15,20 +15,18 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any, ParamSpec, TypeVar
 
-from numba.core import event
 from rich.console import Console, RenderableType
 from rich.markup import escape
 from rich.progress import BarColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.text import Text
 
 from bondem._checks import shown
-from bondem._compile import say_nothing
 from bondem.errors import InputError
 
 P = ParamSpec("P")
 R = TypeVar("R")
 
-#: Records the beginning and the end of stages and compilations at level INFO.
+#: Records the beginning and the end of stages at level INFO.
 LOG = logging.getLogger("bondem")
 _MODES = ("auto", "bars", "lines", "off")
 # A call is shown once it has taken this long, and a line says how far it is this often [s].
@@ -41,7 +39,6 @@ class _Chosen:
     mode = os.environ.get("BONDEM_PROGRESS", "auto")
     board: "Board | None" = None
     hidden = 0
-    compiling = 0
 
 
 def show_progress(mode: str = "auto") -> None:
@@ -174,7 +171,7 @@ class Board:
     """
 
     def __init__(self, *, delay: float) -> None:
-        self.kind, self.note, self.compiling = _kind(), "", ""
+        self.kind, self.note = _kind(), ""
         self._shares: dict[str, float] = {}
         self._since: dict[str, float] = {}
         self._begun, self._view, self._closed = time.monotonic(), None, threading.Event()
@@ -196,14 +193,6 @@ class Board:
             self._shares[stage] = share
             if self._view is not None:
                 self._view.update(stage, share)
-
-    def announce(self, words: str) -> None:
-        """Announce a compilation, once per call; an empty text ends it."""
-        with self._lock:
-            fresh = words and not self.compiling
-            self.compiling = words
-            if fresh and self._view is not None:
-                self._view.announce(words)
 
     def close(self) -> None:
         """End the display."""
@@ -228,18 +217,11 @@ class Board:
             self._view = _Bars(self) if self.kind == "bars" else _Lines(self)
             for stage, share in self._shares.items():
                 self._view.update(stage, share)
-            if self.compiling:
-                self._view.announce(self.compiling)
 
     @property
     def seconds(self) -> float:
         """Time since the start of the call [s]."""
         return time.monotonic() - self._begun
-
-    @property
-    def remark(self) -> str:
-        """Present activity, shown beside the stage."""
-        return self.compiling or self.note
 
 
 class _Lines:
@@ -254,12 +236,9 @@ class _Lines:
             self._seen.add(stage)
             self._write(stage)
 
-    def announce(self, words: str) -> None:
-        self._write(f"{self._stage}: {words}" if self._stage else words)
-
     def beat(self) -> None:
         far = f": {100.0 * self._share:.0f} %" if 0.0 < self._share < 1.0 else ""
-        self._write(f"{self._stage}{far}" + (f", {self._board.remark}" if self._board.remark else ""))
+        self._write(f"{self._stage}{far}" + (f", {self._board.note}" if self._board.note else ""))
 
     def close(self) -> None:
         """Nothing is open."""
@@ -282,9 +261,6 @@ class _Bars:
             self._tasks[stage] = self._progress.add_task(escape(stage), total=1.0)
         self._progress.update(self._tasks[stage], completed=share)
 
-    def announce(self, words: str) -> None:
-        """The line below the bars says so."""
-
     def beat(self) -> None:
         """Bars move by themselves."""
 
@@ -301,38 +277,5 @@ class _Noted(Progress):
 
     def get_renderables(self) -> Iterable[RenderableType]:
         yield from super().get_renderables()
-        if self._board.remark:
-            yield Text(f"  {self._board.remark}", style="dim")
-
-
-class _Compilation(event.Listener):
-    """Announces each compilation where it happens."""
-
-    said = False
-
-    def on_start(self, event: Any) -> None:
-        function = event.data["dispatcher"].py_func
-        if not function.__module__.startswith("bondem"):
-            return
-        _Chosen.compiling += 1
-        if _Chosen.compiling > 1 or (_Chosen.hidden and _Chosen.board is None):
-            return
-        part = function.__module__.rpartition(".")[2].replace("_", " ").strip()
-        words = f"compiling {part} for the first use, about a minute"
-        LOG.info("%s", words)
-        if _Chosen.board is not None:
-            _Chosen.board.announce(words)
-        elif not self.said and _kind() != "off":
-            self.said = True
-            print(f"bondem: {words}", file=sys.stderr, flush=True)
-
-    def on_end(self, event: Any) -> None:
-        if not event.data["dispatcher"].py_func.__module__.startswith("bondem"):
-            return
-        _Chosen.compiling -= 1
-        if not _Chosen.compiling and _Chosen.board is not None:
-            _Chosen.board.announce("")
-
-
-say_nothing()  # replaced by the listener below
-event.register("numba:compile", _Compilation())
+        if self._board.note:
+            yield Text(f"  {self._board.note}", style="dim")

@@ -75,8 +75,7 @@ def solve_explicit(
             time continues, also for all schedules: those of a second stage begin at `state.time`.
         device: "cpu", or "gpu" for a CUDA device (extra `gpu`). The GPU runs beams of the total
             formulation and cells, which may break, soften and yield by every criterion. It does not run contacts and
-            walls that bodies touch. A function of `bd.StressCriterion` must compile for CUDA: numbers and `math`, not
-            NumPy.
+            walls that bodies touch.
         out: run file (HDF5) to write; None for no file. With a file, SIGINT (Ctrl-C) and SIGTERM stop the run after a
             checkpoint, from which `resume` continues; a second signal stops it at once.
         progress: function called repeatedly with the completed share, 0 … 1.

@@ -1,6 +1,7 @@
 """Measures of the tree, read off the sources without importing them: `python -m tests.architecture.measures`."""
 
 import ast
+import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -10,7 +11,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "src"
 PACKAGE = "bondem"
-_KERNELS = ("kernel", "cuda_kernel")
+# Declaration of a pass: its name, and its tables behind the number of threads or the turn.
+_PASS = re.compile(r"^(?:Index|void) (\w+)\((?:Index threads|const Turn &turn), ([^)]*)\);", re.MULTILINE)
 Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 
@@ -56,34 +58,13 @@ def functions(tree: ast.AST, prefix: str) -> Iterator[tuple[str, Function]]:
             yield from functions(node, prefix)
 
 
-def _decorators(function: Function) -> Iterator[tuple[str, dict[str, object]]]:
-    for item in function.decorator_list:
-        call = item if isinstance(item, ast.Call) else None
-        target = call.func if call else item
-        options = {word.arg: ast.literal_eval(word.value) for word in call.keywords if word.arg} if call else {}
-        yield ast.unparse(target).rpartition(".")[2], options
-
-
-def _arguments(function: Function) -> int:
-    given = function.args
-    return len(given.posonlyargs) + len(given.args) + len(given.kwonlyargs)
-
-
-def argument_lists(*, innermost: bool) -> list[Measured]:
-    """Arguments of compiled loops, most first.
-
-    Args:
-        innermost: those of the vectorised loops (`kernel(separate=True)`), which need plain arrays for their promise
-            that none overlap; else all others, CUDA's too.
-    """
+def argument_lists() -> list[Measured]:
+    """Tables of the passes of the core, most first."""
     found = []
-    for name, tree in modules().items():
-        if not name.startswith(f"{PACKAGE}.kernels"):
-            continue
-        for full, function in functions(tree, name):
-            for decorator, options in _decorators(function):
-                if decorator in _KERNELS and bool(options.get("separate")) == innermost:
-                    found.append(Measured(_arguments(function), full))
+    for path in sorted((SOURCE / PACKAGE / "core/passes").rglob("*.hpp")):
+        text = re.sub(r"//[^\n]*", "", path.read_text())
+        for name, given in _PASS.findall(text):
+            found.append(Measured(given.count(",") + 1, f"{path.parent.name}.{name}"))
     return sorted(found, reverse=True)
 
 
@@ -192,12 +173,10 @@ def names_reached_twice() -> dict[str, list[str]]:
 def names_defined_twice() -> dict[str, list[str]]:
     """Public classes and functions that two modules define under one name.
 
-    CUDA loops are twins of those of the CPU, and every command line is a `command` in a file of its own.
+    Every command line is a `command` in a file of its own.
     """
     where = defaultdict(list)
     for module, tree in modules().items():
-        if module.startswith(f"{PACKAGE}.kernels.cuda"):
-            continue
         for name in public(tree):
             if not (name == "command" and module.startswith(f"{PACKAGE}.cli")):
                 where[name].append(module)
@@ -231,16 +210,13 @@ def _table(title: str, rows: Iterable[object], most: int = 8) -> None:
 
 
 def main() -> None:
-    outer, inner, longest = argument_lists(innermost=False), argument_lists(innermost=True), lengths()
+    tables, longest = argument_lists(), lengths()
     cycles = import_cycles()
     print(f"modules: {len(modules())}")
     _table(f"import cycles: {len(cycles)}", [" <-> ".join(part) for part in cycles])
-    many, long = sum(m.count >= 10 for m in outer), sum(m.count > 60 for m in longest)
-    plain = [m for m in longest if not m.name.startswith(f"{PACKAGE}.kernels")]
-    _table(f"arguments of kernels: {outer[0].count} at most, {many} have ten or more", outer, most=max(8, many))
-    _table(f"arguments of the innermost loops: {inner[0].count if inner else 0} at most", inner)
+    many, long = sum(m.count >= 10 for m in tables), sum(m.count > 60 for m in longest)
+    _table(f"tables of passes: {tables[0].count} at most, {many} have ten or more", tables, most=max(8, many))
     _table(f"lines of functions: {longest[0].count} at most, {long} have over 60", longest)
-    _table(f"lines of functions that are no kernels: {plain[0].count} at most", plain)
     for title, found in (
         ("names reached twice from bd", names_reached_twice()),
         ("public names defined twice", names_defined_twice()),

@@ -12,6 +12,7 @@ from bondem.solve.plan import Plan
 from bondem.solve.timestep import highest_frequency
 from tests import lagged_runs
 from tests.core.test_steps import GAUGES, HELD, LAWS, crooked
+from tests.specimens import crooked_cells
 
 X_MIN, X_MAX = bd.Face("x_min", depth=0.5), bd.Face("x_max", depth=0.5)
 GRAVITY = [bd.Fix(X_MIN), bd.BodyForce(acceleration=(0.0, 0.0, -9.81))]
@@ -38,8 +39,7 @@ def periodic_beams() -> bd.Model:
 
 def non_local_cells(failure: bd.Criterion | None = None) -> bd.Model:
     """A box of Laguerre cells with the non-local law, held and loaded."""
-    particles = bd.pack(bd.Box((4.0, 3.0, 3.0)), count=200, spread=0.25, seed=1)
-    body = bd.connect(particles, method="laguerre")
+    body = crooked_cells((8, 5, 5), edge=0.5)
     return bd.Model(body, bd.NonLocal(E=1e7, nu=0.2), density=1e3, boundary=HELD, failure=failure)
 
 

@@ -1,4 +1,4 @@
-"""Beams that soften by the core: against the loops of Numba, the energy of fracture, and bits."""
+"""Beams that soften by the core: against numbers of the former loop, the energy of fracture, and bits."""
 
 import math
 
@@ -6,17 +6,16 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
-from bondem.kernels.soft_tables import RATE, SOFT_BOND, SPENT
+from bondem.model.event_columns import SOFT_BOND, SOFT_RATE, SOFT_SPENT
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve import loop_core
 from bondem.solve.explicit import integrate
 from bondem.solve.loop_core import CoreLoop
-from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
 from tests.bits import assert_same_bits
+from tests.core.former_loop import FormerLoop
 from tests.core.test_breakage import assert_close
 from tests.core.test_steps import HELD, LAWS, crooked, moving_state, plan_of
 
@@ -34,16 +33,17 @@ def softening(law: str, shape: tuple[int, int, int] = (6, 4, 4)) -> Model:
 
 @pytest.mark.parametrize(("law", "damping"), [("Timoshenko", None), ("Euler–Bernoulli", bd.BondDamping(eta=0.05))])
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
-def test_softening_is_that_of_the_loops_of_numba(law, damping):
+def test_softening_is_that_of_the_former_loop(law, damping):
     model = softening(law)
     plan = plan_of(model, 300, every=20, damping=damping)
-    with threads(1):
-        old, new = (integrate(model, plan, state=moving_state(model), loop_of=kind) for kind in (CpuLoop, CoreLoop))
-    assert len(new.state.broken) > 10
-    assert_close(new, old)
-    assert len(new.state.softened) > 40
-    followed = [column for column in range(new.state.softened.shape[1]) if column != RATE]  # not once broken
-    np.testing.assert_allclose(new.state.softened[:, followed], old.state.softened[:, followed], rtol=1e-9)
+    result = integrate(model, plan, state=moving_state(model), loop_of=CoreLoop)
+    assert len(result.state.broken) > 10
+    former, softened = FormerLoop("breakage", f"softening, {law}"), result.state.softened
+    assert_close(result, former)
+    assert len(softened) > 40
+    for column in range(softened.shape[1]):
+        if column != SOFT_RATE:  # not followed once broken
+            former.assert_close(1e-9, **{f"softened {column}": softened[:, column]})
 
 
 @pytest.mark.parametrize("law", TOUGH)
@@ -102,7 +102,7 @@ def test_a_beam_dissipates_its_fracture_energy(direction, energy):
     run = integrate(model, plan_of_pair(model), state=state, loop_of=CoreLoop)
     assert run.state.integrity.tolist() == [0.0]
     assert run.state.released[0] == pytest.approx(energy * section, rel=1e-2)
-    assert run.state.softened[0, SPENT] == run.state.released[0] == run.state.broken[0, 5]
+    assert run.state.softened[0, SOFT_SPENT] == run.state.released[0] == run.state.broken[0, 5]
     assert run.state.softened[0, SOFT_BOND] == 0.0
 
 

@@ -1,16 +1,15 @@
-"""Breakage of beams by the damage pipeline of the core: against the loops of Numba, and against closed forms."""
+"""Breakage of beams by the damage pipeline of the core: against numbers of the former loop, and bits."""
 
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
 from bondem.model.model import Model
 from bondem.solve import loop_core
 from bondem.solve.explicit import integrate
 from bondem.solve.loop_core import CoreLoop
-from bondem.solve.loop_cpu import CpuLoop
 from tests.bits import assert_same_bits
+from tests.core.former_loop import FormerLoop, movement
 from tests.core.test_steps import HELD, LAWS, crooked, moving_state, plan_of
 
 PERIPHERAL = bd.PeripheralStress(tension=4e5, shear=8e5)
@@ -24,17 +23,13 @@ def breaking(law: str, failure: bd.Criterion, shape: tuple[int, int, int] = (6, 
     return bd.Model(crooked(shape), LAWS[law], density=1e3, boundary=[*HELD, weight], failure=failure, **options)
 
 
-def assert_close(one: bd.ExplicitResult, other: bd.ExplicitResult) -> None:
+def assert_close(result: bd.ExplicitResult, former: FormerLoop) -> None:
     """Compare positions, velocities, energies and events."""
-    a, b = one.state, other.state
-    np.testing.assert_array_equal(a.broken[:, 1:4], b.broken[:, 1:4])
-    for name in ("pose", "motion", "work", "loss", "released", "integrity"):
-        x, y = getattr(a, name), getattr(b, name)
-        np.testing.assert_allclose(x, y, rtol=0.0, atol=1e-10 * max(np.abs(y).max(initial=0.0), 1e-30))
-    x, y = one.history.records, other.history.records
-    scale = np.abs(y).max(axis=0)
-    scale[1:14] = scale[1:14].max()  # energies and works
-    assert (np.abs(x - y) <= 1e-10 * scale).all()
+    state = result.state
+    former.assert_same(events=state.broken[:, 1:4])
+    names = "work", "loss", "released", "integrity"
+    former.assert_close(1e-10, **movement(state), **{name: getattr(state, name) for name in names})
+    former.assert_records(1e-10, result.history.records)
 
 
 @pytest.mark.parametrize(
@@ -48,13 +43,12 @@ def assert_close(one: bd.ExplicitResult, other: bd.ExplicitResult) -> None:
     ids=["peripheral stress", "Mohr–Coulomb", "linear sum", "elliptic"],
 )  # fmt: skip
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
-def test_breakage_is_that_of_the_loops_of_numba(law, failure, damping):
+def test_breakage_is_that_of_the_former_loop(law, failure, damping):
     model = breaking(law, failure)
     plan = plan_of(model, 300, every=20, damping=damping)
-    with threads(1):
-        old, new = (integrate(model, plan, state=moving_state(model), loop_of=kind) for kind in (CpuLoop, CoreLoop))
-    assert len(new.state.broken) > 30
-    assert_close(new, old)
+    result = integrate(model, plan, state=moving_state(model), loop_of=CoreLoop)
+    assert len(result.state.broken) > 30
+    assert_close(result, FormerLoop("breakage", f"{law}, {type(failure).__name__}"))
 
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")

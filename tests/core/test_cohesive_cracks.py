@@ -1,4 +1,4 @@
-"""Bodies of cells that crack and yield, by the core: against the loops of Numba, bits, conservation and energy."""
+"""Bodies of cells that crack and yield, by the core: numbers of the former loop, bits, conservation, energy."""
 
 import functools
 
@@ -6,13 +6,14 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
-from bondem.kernels.crack_tables import ACTIVE, FACET, PARTED, RESTING, STATUS, TOP
+from bondem.model.crack_columns import ACTIVE, FACET, PARTED, RESTING, STATUS, TOP
 from bondem.model.state import State
 from bondem.solve.loop_core import CoreLoop
-from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
+from tests.bits import threads
+from tests.core.former_loop import FormerLoop
+from tests.specimens import crooked_cells
 
 RANKINE = bd.Rankine(tension=4e6, fracture_energy=50.0)
 COULOMB = bd.MohrCoulomb(
@@ -44,39 +45,32 @@ def moving(kind: str, lattice: bd.Lattice, factor: float = 0.5) -> tuple[bd.Mode
     return model, state, factor * critical_step(model, bd.VelocityVerlet())
 
 
-def ran(
-    kind: str, steps: int, *, loop_of=CoreLoop, lattice=None, factor: float = 0.5, pieces: int = 1, resumed=False
-):  # fmt: skip
+def ran(kind: str, steps: int, *, lattice=None, factor: float = 0.5, pieces: int = 1, resumed=False):
     """State and records of a run, in pieces; from a copy of the state in each where it is resumed."""
     model, state, dt = moving(kind, lattice or body(), factor)
     plan = Plan(duration=dt * steps, dt=dt, every=20)
-    loop = loop_of(model, plan, state, dt)
+    loop = CoreLoop(model, plan, state, dt)
     records = [loop.look()]
     for _ in range(pieces):
         if resumed:
             state = state.copy()
-            loop = loop_of(model, plan, state, dt)
+            loop = CoreLoop(model, plan, state, dt)
             loop.look()
         records.append(loop.run(steps // pieces)[0])
     return state, np.concatenate(records)
 
 
 @pytest.mark.parametrize("kind", ["stretched", "crushed"])
-def test_the_run_is_that_of_the_loops_of_numba(kind):
+def test_the_run_is_that_of_the_former_loop(kind):
     """Positions and energies after 200 steps. Cracks amplify rounding, so velocities are compared after 50."""
-    with threads(1):
-        (early, _), (soon, _) = (ran(kind, 50, loop_of=loop) for loop in (CpuLoop, CoreLoop))
-        (old, before), (new, now) = (ran(kind, 200, loop_of=loop) for loop in (CpuLoop, CoreLoop))
-    for columns in (slice(0, 3), slice(4, 7)):  # [m/s], [rad/s]
-        size = np.abs(early.motion[:, columns]).max()
-        np.testing.assert_allclose(soon.motion[:, columns], early.motion[:, columns], rtol=0.0, atol=1e-10 * size)
-    np.testing.assert_array_equal(new.cracks[:, STATUS], old.cracks[:, STATUS])
-    assert {ACTIVE, RESTING} <= set(new.cracks[:, STATUS])
-    size = np.abs(old.pose[:, :3] - old.rest).max()
-    np.testing.assert_allclose(new.pose[:, :3], old.pose[:, :3], rtol=1e-10, atol=1e-10 * size)
-    np.testing.assert_allclose(now, before, rtol=1e-10, atol=1e-10 * np.abs(before[:, 1:]).max())
-    size = np.abs(old.plastic).max(initial=1e-300)
-    np.testing.assert_allclose(new.plastic, old.plastic, rtol=1e-8, atol=1e-10 * size)
+    lattice, former = crooked_cells((9, 5, 5), edge=3e-3), FormerLoop("cohesive_cracks", kind)
+    early, _ = ran(kind, 50, lattice=lattice)
+    former.assert_close(1e-10, velocity=early.motion[:, 0:3], spin=early.motion[:, 4:7])
+    state, records = ran(kind, 200, lattice=lattice)
+    former.assert_same(status=state.cracks[:, STATUS])
+    assert {ACTIVE, RESTING} <= set(state.cracks[:, STATUS])
+    former.assert_close(1e-10, displacement=state.pose[:, :3] - state.rest, plastic=state.plastic)
+    former.assert_records(1e-10, records)
 
 
 @pytest.mark.parametrize("kind", FAILURES)

@@ -20,7 +20,7 @@ from tests.core.contact_cases import BEAM, CASES, HERTZIAN, LINEAR, STEPS, E, al
 
 # Cases are fast and soft, so that much happens in few steps.
 pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
-#: Last records and places of the cases by the loop of Numba, which the core replaced.
+#: Last records and places of the cases by the former loop, as those in `former_loop` state.
 NUMBERS = json.loads((Path(__file__).parent / "contact_numbers.json").read_text())
 
 

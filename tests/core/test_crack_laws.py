@@ -1,49 +1,21 @@
-"""Laws of softening, cracks and yielding on a thousand random states: by numbers, by lanes, by plain functions."""
+"""Laws of softening, cracks and yielding on a thousand random states: numbers, lanes, and closed forms."""
 
-import itertools
 import math
-from typing import NamedTuple
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
-from bondem._core import Pass
-from bondem.kernels import crack_energy as energies
-from bondem.kernels import cracking
-from bondem.laws import plasticity, softening
-from bondem.laws.cell_energy import bending_square, cross, opened, scalar, turned_by
-
-
-class SofteningSamples(NamedTuple):
-    traction: np.ndarray
-    normal: np.ndarray
-    stress: np.ndarray
-    bent: np.ndarray
-    integrity: np.ndarray
-    strength: np.ndarray
-    kink: float
-    steep: float
-    wide: bool
-    left: np.ndarray
-
-
-class CrackSamples(NamedTuple):
-    given: np.ndarray
-    wide: bool
-    found: np.ndarray
-
-
-class YieldSamples(NamedTuple):
-    stress: np.ndarray
-    strength: np.ndarray
-    cone: bool
-    wide: bool
-    found: np.ndarray
-
-
-evaluate_softening = Pass("evaluate_softening", SofteningSamples)
-evaluate_cracks = Pass("evaluate_cracks", CrackSamples)
-evaluate_yielding = Pass("evaluate_yielding", YieldSamples)
+from tests.core.former_loop import FormerLoop
+from tests.core.law_samples import (
+    CrackSamples,
+    SofteningSamples,
+    YieldSamples,
+    evaluate_cracks,
+    evaluate_softening,
+    evaluate_yielding,
+    yielding,
+)
 
 COUNT = 1003  # no multiple of the lanes
 CURVES = {"straight": (0.0, 1.0), "bilinear": (0.25, 0.4)}
@@ -54,8 +26,8 @@ def unit(rng: np.random.Generator, size: int) -> np.ndarray:
     return rows / np.linalg.norm(rows, axis=0)
 
 
-def tuples(rows: np.ndarray, k: int) -> tuple[float, ...]:
-    return tuple(rows[:, k].tolist())
+def rotations(quaternions: np.ndarray) -> Rotation:
+    return Rotation.from_quat(quaternions.T, scalar_first=True)
 
 
 # ---- softening
@@ -89,41 +61,12 @@ def softening_samples(kind: str, curve: str) -> SofteningSamples:
     )
 
 
-def left_by_python(s: SofteningSamples, k: int) -> tuple[float, float]:
-    t, n, stress = tuples(s.traction, k), tuples(s.normal, k), tuples(s.stress, k)
-    bent, left = s.bent[k], s.integrity[k]
-    tension, brittle, cohesion, slip, friction, plane = tuples(s.strength, k)
-    last, last_slip = (1.0 / one if one > 0.0 else math.inf for one in (brittle, slip))
-    least = math.inf
-    if plane:
-        slips = cohesion / math.sqrt(1.0 + friction * friction)
-        least = min(tension, slips) if left == 1.0 or last > 0.0 else 0.0
-    else:
-        least = softening.softens_at(left, 0.7 * softening.LEAST_SLOPE * tension, last, s.kink, s.steep)
-    if last == 0.0 and left < 1.0:
-        return 0.0, least
-    if tension == 0.0:
-        opening, _ = softening.opening_force(t, n)
-        size = math.sqrt(scalar(opening, opening) + bent * bent)
-        return softening.softened(left, size, 0.0, last, s.kink, s.steep), least
-    if plane:
-        return softening.left_on_plane(
-            left, t, n, bent, tension, last, cohesion, last_slip, friction, s.kink, s.steep
-        ), least  # fmt: skip
-    b = max(bent - plasticity.largest_pressure(stress), 0.0)
-    a, v = np.empty((3, 3)), np.empty((3, 3))
-    plasticity.principal(stress, a, v)
-    return softening.left_in_bulk(left, t, n, b, a, v, tension, last, s.kink, s.steep), least
-
-
 @pytest.mark.parametrize("curve", CURVES)
 @pytest.mark.parametrize("kind", ["bulk", "brittle", "loose", "plane", "slipping"])
 def test_the_integrity_that_loads_leave(kind, curve):
-    samples = softening_samples(kind, curve)
+    samples, former = softening_samples(kind, curve), FormerLoop("crack_laws", f"{kind}, {curve}")
     evaluate_softening(samples)
-    with np.errstate(over="ignore"):
-        expected = np.array([left_by_python(samples, k) for k in range(COUNT)]).T
-    np.testing.assert_allclose(samples.left, expected, rtol=1e-9, atol=1e-11)
+    former.assert_close(1e-11, left=samples.left[0], least=samples.left[1])
     fell = (samples.left[0] < samples.integrity).mean()
     assert fell > 0.1
     assert kind == "brittle" or ((samples.left[0] > 0.0) & (samples.left[0] < samples.integrity)).mean() > 0.03
@@ -157,10 +100,7 @@ def crack_samples() -> CrackSamples:
     p, q = np.array([[1.0], [0], [0], [0]]), np.array([[1.0], [0], [0], [0]])
     p, q = p + 0.1 * rng.standard_normal((4, COUNT)), q + 0.1 * rng.standard_normal((4, COUNT))
     p, q = p / np.linalg.norm(p, axis=0), q / np.linalg.norm(q, axis=0)
-    turned = np.array([
-        np.subtract(turned_by(tuples(p, c), tuples(lever_i, c)), turned_by(tuples(q, c), tuples(lever_j, c)))
-        for c in range(COUNT)
-    ]).T  # fmt: skip
+    turned = (rotations(p).apply(lever_i.T) - rotations(q).apply(lever_j.T)).T
     half = rng.standard_normal((3, 3, COUNT)) * 1e-2
     H = np.einsum("abk,cbk->ack", half, half)
     H = np.array([H[0, 0], H[1, 1], H[2, 2], H[0, 1], H[0, 2], H[1, 2]])
@@ -174,49 +114,18 @@ def crack_samples() -> CrackSamples:
     return CrackSamples(np.ascontiguousarray(given), False, np.empty((26, COUNT)))
 
 
-def crack_by_python(x: list[float]) -> list[float]:
-    three = lambda first: tuple(x[first : first + 3])  # noqa: E731
-    d, p, q, H = three(0), tuple(x[3:7]), tuple(x[7:11]), tuple(x[26:32])
-    K, w, s, stress_i, stress_j, slip, mu = x[32], x[33], x[34], x[35], x[36], three(37), x[40]
-    before, rate_before, rub_before = x[41], x[42], three(43)
-    arm_i, arm_j = turned_by(p, three(11)), turned_by(q, three(14))
-    gi, gj, own = turned_by(p, three(17)), turned_by(q, three(20)), three(23)
-    gap, n = opened(d, arm_i, arm_j), np.add(turned_by(p, own), turned_by(q, own))
-    n = tuple((n / np.linalg.norm(n)).tolist())
-    (one, press_i), (other, press_j) = energies.halves.py_func(K, w, gap, n, (gi, gj), (stress_i, stress_j))
-    along = w * press_i + (1.0 - w) * press_j
-    rub, now = softening.rubbed(K, s, gap, n, slip, -mu * (1.0 - s) * along)
-    f = np.add(rub, s * w * np.array(one) + s * (1.0 - w) * np.array(other) + along * np.array(n))
-    f = tuple(f.tolist())
-    ci = cracking._half_couple(K, w, s, gap, gi, stress_i, one)
-    cj = cracking._half_couple(K, 1.0 - w, s, gap, gj, stress_j, other)
-    ni, nj = cracking._normal_couples(softening.crack_couple(gap, f, ci, cj), cross(now, rub), p, own, n)
-    bent, h = energies.bending.py_func(p, q, H)
-    on_i, on_j = np.add(cross(arm_i, f), np.add(ci, ni)), np.add(cross(f, arm_j), np.add(cj, nj))
-    rate = 0.5 / K * (w * scalar(one, one) + (1.0 - w) * scalar(other, other))
-    across, shear = energies.crack_energy.py_func(K, w, s, gap, n, (one, other), rub)
-    rows, outputs = np.zeros((1, 13)), np.zeros((1, 8))
-    rows[0, cracking.BEFORE], rows[0, cracking.RATE] = before, rate_before
-    rows[0, cracking.RUB : cracking.RUB + 3] = rub_before
-    cracking._book(rows, outputs, 0, K, s, rate + bent, rub, tuple(np.subtract(now, slip).tolist()))
-    swollen = [
-        scalar(g, gap) - (1.0 - s) * scalar(g, opening) / K for g, opening in ((gi, one), (gj, other))
-    ]  # fmt: skip
-    return [
-        *f, *on_i, *on_j, *rub, *now, rate, bent, *h, across, shear, outputs[0, cracking.LOST],
-        outputs[0, cracking.RUBBED_AWAY], *swollen,
-    ]  # fmt: skip
+#: What is found of a crack, and its first row.
+CRACK_ROWS = {
+    "force": 0, "torques": 3, "friction": 9, "slip": 12, "rates": 15, "torque of bending": 17, "across": 20,
+    "along": 21, "cracked": 22, "rubbed away": 23, "swelling": 24,
+}  # fmt: skip
 
 
-def test_what_cracks_bear_store_and_dissipate():
-    samples = crack_samples()
+def test_what_cracks_carry_store_and_dissipate():
+    samples, former = crack_samples(), FormerLoop("crack_laws", "cracks")
     evaluate_cracks(samples)
-    with np.errstate(all="ignore"):
-        expected = np.array([crack_by_python(samples.given[:, k].tolist()) for k in range(COUNT)]).T
-    ends = 0, 3, 9, 12, 15, 17, 20, 22, 23, 24, 26
-    for first, last in itertools.pairwise(ends):
-        a, b = samples.found[first:last], expected[first:last]
-        np.testing.assert_allclose(a, b, rtol=1e-9, atol=1e-11 * np.abs(b).max())
+    parts = np.split(samples.found, [*CRACK_ROWS.values()][1:])
+    former.assert_close(1e-11, **dict(zip(CRACK_ROWS, parts, strict=True)))
     wide = samples._replace(wide=True, found=np.empty((26, COUNT)))
     evaluate_cracks(wide)
     np.testing.assert_array_equal(wide.found, samples.found)
@@ -231,11 +140,26 @@ def test_torques_of_a_crack_balance_its_force():
     np.testing.assert_allclose(moment, 0.0, atol=1e-12 * np.abs(on_i).max())
 
 
+def test_bending_is_that_of_the_cell_law():
+    """2 v·H v, with v the vector of the quaternion by which one cell is turned from the other."""
+    samples = crack_samples()
+    evaluate_cracks(samples)
+    p, q, H = samples.given[3:7], samples.given[7:11], samples.given[26:32]
+    v = (rotations(p).inv() * rotations(q)).as_quat()[:, :3]
+    square = 2.0 * np.einsum("ka,kab,kb->k", v, matrices(H), v)
+    np.testing.assert_allclose(samples.found[16], square, rtol=1e-10)
+
+
 # ---- yielding
 
 
-@pytest.mark.parametrize("cone", [False, True], ids=["mohr-coulomb", "drucker-prager"])
-def test_a_step_of_plastic_strain(cone):
+def matrices(tensors: np.ndarray) -> np.ndarray:
+    """Matrices of symmetric tensors xx, yy, zz, xy, xz, yz, (m, 3, 3)."""
+    return tensors[[[0, 3, 4], [3, 1, 5], [4, 5, 2]]].transpose(2, 0, 1)
+
+
+def yielding_cells() -> tuple[np.ndarray, np.ndarray]:
+    """Stresses, of which every fifth has two alike, and strengths."""
     rng = np.random.default_rng(3)
     stress = 1e7 * rng.standard_normal((6, COUNT))
     stress[:3] -= 2e7 * rng.random(COUNT)
@@ -244,39 +168,60 @@ def test_a_step_of_plastic_strain(cone):
     strength = np.array([
         rng.choice([0.0, 5e6, 2e7], COUNT), np.full(COUNT, 0.2), np.full(COUNT, 0.1), np.full(COUNT, 1e10)
     ])  # fmt: skip
-    samples = YieldSamples(stress, strength, cone, False, np.empty((11, COUNT)))
-    evaluate_yielding(samples)
-    a, v = np.empty((3, 3)), np.empty((3, 3))
-    for k in range(COUNT):
-        s, (cohesion, slope, dilation, G) = tuples(stress, k), tuples(strength, k)
-        mean, deviator = plasticity.invariants(s)
-        with np.errstate(over="ignore"):
-            high, low, one, three = plasticity.principal(s, a, v)
-        if cone:
-            gamma = plasticity.cone_flow(mean, deviator, slope, cohesion, G)
-            sizes = [gamma * (0.5 * (a[d, d] - mean) / deviator + dilation) for d in range(3)]
-            strain = sum(size * np.outer(v[:, d], v[:, d]) for d, size in enumerate(sizes))
-        else:
-            gamma = plasticity.flow(high, low, slope, cohesion, G)
-            up, down = 0.5 * gamma * (1.0 + dilation), -0.5 * gamma * (1.0 - dilation)
-            strain = up * np.outer(v[:, one], v[:, one]) + down * np.outer(v[:, three], v[:, three])
-            bound = plasticity.yield_bound(mean, deviator, slope, cohesion)
-            assert samples.found[0, k] == pytest.approx(bound, rel=1e-12, abs=1e-3)
-        assert samples.found[1, k] == pytest.approx(gamma, rel=1e-9, abs=1e-16)
-        found = samples.found[2:8, k]
-        expected = strain[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
-        np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-9 * gamma)
-        np.testing.assert_allclose(np.sort(samples.found[8:, k]), np.sort(np.diag(a)), rtol=1e-12, atol=1e-6)
-    assert 0.1 < (samples.found[1] > 0.0).mean() < 0.9
-    wide = samples._replace(wide=True, found=np.empty((11, COUNT)))
-    evaluate_yielding(wide)
-    np.testing.assert_array_equal(wide.found, samples.found)
+    return stress, strength
 
 
-def test_bending_is_that_of_the_cell_law():
-    samples = crack_samples()
-    evaluate_cracks(samples)
-    for k in range(50):
-        x = samples.given[:, k]
-        square = bending_square(tuple(x[3:7]), tuple(x[7:11]), 2.0, tuple(x[26:32]))
-        assert samples.found[16, k] == pytest.approx(square, rel=1e-10)
+def assert_step(found: np.ndarray, gamma: np.ndarray, strain: np.ndarray, principal: np.ndarray) -> None:
+    np.testing.assert_allclose(found[1], gamma, rtol=1e-9, atol=1e-16)
+    assert (np.abs(matrices(found[2:8]) - strain).max(axis=(1, 2)) <= 1e-9 * gamma).all()
+    np.testing.assert_allclose(np.sort(found[8:].T), principal, rtol=1e-12, atol=1e-6)
+    assert 0.1 < (found[1] > 0.0).mean() < 0.9
+
+
+def test_a_step_of_slip():
+    """Δε = ½ Δγ [(1 + sin ψ) e1⊗e1 - (1 - sin ψ) e3⊗e3] with half of Δγ = F / 2 G."""
+    stress, (cohesion, slope, dilation, G) = yielding_cells()
+    found = yielding(stress, np.array([cohesion, slope, dilation, G]), cone=False)
+    principal, direction = np.linalg.eigh(matrices(stress))
+    low, high, third, first = principal[:, 0], principal[:, 2], direction[:, :, 0], direction[:, :, 2]
+    F = 0.5 * (high - low) + 0.5 * (high + low) * slope - cohesion
+    gamma = 0.5 * np.clip(F, 0.0, high - low) / (2.0 * G)
+    up, down = 0.5 * gamma * (1.0 + dilation), 0.5 * gamma * (1.0 - dilation)
+    strain = up[:, None, None] * first[:, :, None] * first[:, None, :]
+    strain -= down[:, None, None] * third[:, :, None] * third[:, None, :]
+    # where two principal stresses are alike, the strain has its principal values and the axes of the stress
+    alike = np.arange(0, COUNT, 5)
+    given = matrices(found[2:8])[alike]
+    np.testing.assert_allclose(
+        np.linalg.eigvalsh(given), np.linalg.eigvalsh(strain[alike]), rtol=1e-9, atol=1e-9 * gamma.max()
+    )
+    commuting = given @ matrices(stress)[alike] - matrices(stress)[alike] @ given
+    np.testing.assert_allclose(commuting, 0.0, atol=1e-9 * gamma.max() * np.abs(stress).max())
+    strain[alike] = given
+    assert_step(found, gamma, strain, principal)
+    mean = principal.mean(axis=1)
+    deviator = np.sqrt(0.5 * ((principal - mean[:, None]) ** 2).sum(axis=1))
+    bound = deviator + slope * (mean + deviator / math.sqrt(3.0)) - cohesion
+    np.testing.assert_allclose(found[0], bound, rtol=1e-12, atol=1e-3)
+
+
+def test_a_step_on_the_cone():
+    """Δε = Δγ [s / 2√J2 + β 1] with half of Δγ = F / (G + 9 K α β), for compressive mean stress."""
+    stress, (cohesion, slope, dilation, stiffness) = yielding_cells()
+    found = yielding(stress, np.array([cohesion, slope, dilation, stiffness]), cone=True)
+    full = matrices(stress)
+    mean, one = np.trace(full, axis1=1, axis2=2) / 3.0, np.eye(3)
+    s = full - mean[:, None, None] * one
+    deviator = np.sqrt(0.5 * (s**2).sum(axis=(1, 2)))
+    F = np.where(mean > 0.0, 0.0, deviator + 3.0 * slope * mean - cohesion)
+    gamma = 0.5 * np.clip(F, 0.0, 2.0 * deviator) / stiffness
+    strain = gamma[:, None, None] * (s / (2.0 * deviator[:, None, None]) + dilation[:, None, None] * one)
+    assert_step(found, gamma, strain, np.linalg.eigvalsh(full))
+
+
+@pytest.mark.parametrize("cone", [False, True], ids=["mohr-coulomb", "drucker-prager"])
+def test_lanes_yield_as_single_cells(cone):
+    one, several = (YieldSamples(*yielding_cells(), cone, wide, np.empty((11, COUNT))) for wide in (False, True))
+    evaluate_yielding(one)
+    evaluate_yielding(several)
+    np.testing.assert_array_equal(several.found, one.found)

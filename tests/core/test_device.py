@@ -8,10 +8,11 @@ import pytest
 import bondem as bd
 from bondem._core import index_pass_names
 from bondem._device import DeviceTables, Enqueue, Host, IndexPass
-from bondem.kernels.cell_pass import STRESS
-from bondem.kernels.tables import BROKEN_STEP, FIXED_COLUMNS, FRACTURE, TRANSLATION, WORK
+from bondem.model.cell_tables import STRESS
+from bondem.model.event_columns import BROKEN_STEP
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
+from bondem.solve.history import FIXED_COLUMNS, FRACTURE, TRANSLATION, WORK
 from bondem.solve.loop_core import CoreLoop
 from bondem.solve.loop_device import DeviceLoop, device_has
 from bondem.solve.plan import ExplicitResult, Plan

@@ -5,10 +5,10 @@ import pytest
 
 import bondem as bd
 from bondem._device import Host
-from bondem.kernels.soft_tables import FIRST, LAST, RATE, SOFT_BOND
-from bondem.kernels.tables import BROKEN_GAP, BROKEN_STEP, CONTACT, FRACTURE, TRANSLATION, WORK
+from bondem.model.event_columns import BROKEN_GAP, BROKEN_STEP, FIRST, LAST, SOFT_BOND, SOFT_RATE
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
+from bondem.solve.history import CONTACT, FRACTURE, TRANSLATION, WORK
 from bondem.solve.loop_core import CoreLoop
 from bondem.solve.loop_device import DeviceLoop, device_has
 from bondem.solve.plan import ExplicitResult, Plan
@@ -48,7 +48,7 @@ def test_beams_begin_soften_and_part_in_these_runs(case: str) -> None:
     assert partly.sum() > 10
     assert (integrity == 0.0).sum() == len(done.state.broken) >= 5
     assert (softened[:, LAST] > softened[:, FIRST]).all()
-    unloaded = softened[:, RATE] < softened[:, FIRST] ** 2
+    unloaded = softened[:, SOFT_RATE] < softened[:, FIRST] ** 2
     assert partly[softened[unloaded, SOFT_BOND].astype(int)].any()
     steps = done.state.broken[:, BROKEN_STEP]
     assert len(np.unique(steps)) > 3

@@ -1,14 +1,14 @@
-"""Dynamic relaxation by the core: the loop of Numba that it replaces, bits at any pause, and equilibrium."""
+"""Dynamic relaxation by the core: numbers of the former loop, bits at any pause, and equilibrium."""
 
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.kernels.dynamic_relaxation import Relaxation, relax_bonds
-from bondem.kernels.tables import lines
 from bondem.model.beam_tables import BeamSums, beam_tables
+from bondem.model.cache_lines import lines
 from bondem.model.state import State
 from bondem.solve.relaxation import DynamicRelaxation, masses, relaxed
+from tests.core.former_loop import FormerLoop
 from tests.core.test_steps import LAWS, X_MAX, X_MIN, crooked
 
 RAMP, LENGTH, TOLERANCE, NOISE = 10, 0.35, 1e-6, 1e-9
@@ -43,21 +43,13 @@ def by_core(model: bd.Model, chunk: int, steps: int = 2000) -> tuple[np.ndarray,
 
 
 @pytest.mark.parametrize("law", ["Timoshenko", "Euler–Bernoulli"])
-def test_steps_are_those_of_the_loop_of_numba(law):
-    model = loaded(law)
-    load, inverse, free, motion = parts_of(model)
-    state, n, same = State(model), len(load), model.bonds.alike
-    assert (same is None) == (law == "Timoshenko")
-    rows = model.bonds.rows(model.layout, model.period, state.integrity, alike=same is not None)
-    table = Relaxation(
-        np.zeros((n, 6)), lines(n), np.zeros((n, 6)), load, inverse, free, motion, np.zeros(2), RAMP, LENGTH,
-        TOLERANCE, NOISE,
-    )  # fmt: skip
-    done, _ = relax_bonds(state.pose, rows, same, table, 0, 2000)
+def test_steps_are_those_of_the_former_loop(law):
+    model, former = loaded(law), FormerLoop("steps", f"relaxed, {law}")
+    assert (model.bonds.alike is None) == (law == "Timoshenko")
     pose, steps, balanced = by_core(model, 2000)
     assert balanced
-    assert steps == done > 0
-    np.testing.assert_allclose(pose, state.pose, rtol=0, atol=1e-14)
+    assert steps == former.numbers["steps"] > 0
+    former.assert_close(1e-14, pose=pose)
 
 
 def test_pauses_change_no_bit():

@@ -1,26 +1,26 @@
-"""Breakage of facets by the damage pipeline of the core: against the loops of Numba, and against closed forms."""
+"""Breakage of facets by the damage pipeline of the core: against numbers of the former loop, and closed forms."""
 
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
-from bondem.kernels.tables import FRACTURE, TRANSLATION, TWISTING, WORK
 from bondem.observe.cell_forces import CellForces
 from bondem.observe.energy import elastic_energy
 from bondem.solve import loop_core
+from bondem.solve.history import FRACTURE, TRANSLATION, TWISTING, WORK
 from bondem.solve.loop_core import CoreLoop
-from bondem.solve.loop_cpu import CpuLoop
 from tests.bits import assert_same_bits
-from tests.core.test_cells import CONDITIONS, LAW, X_MAX, X_MIN, body, run_of
+from tests.core.former_loop import FormerLoop, movement
+from tests.core.test_cells import CONDITIONS, GRID, LAW, X_MAX, X_MIN, body, run_of
+from tests.specimens import crooked_cells
 
 BRITTLE = bd.MohrCoulomb(tension=3e5, cohesion=6e5, friction_angle=0.5)
 pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
 
 
-def breaking(conditions: str, count: int = 120, **options) -> bd.Model:
+def breaking(conditions: str, lattice: bd.Lattice | None = None, **options) -> bd.Model:
     boundary = [one for one in CONDITIONS[conditions] if not isinstance(one, bd.Eigenstrain)]
-    return bd.Model(body(count), LAW, density=2500.0, boundary=boundary, failure=BRITTLE, **options)
+    return bd.Model(lattice or body(120), LAW, density=2500.0, boundary=boundary, failure=BRITTLE, **options)
 
 
 # Cells touch as spheres where their facets break, and press on two walls.
@@ -30,24 +30,20 @@ TOUCHING = {
 }
 
 
-def test_breakage_is_that_of_the_loops_of_numba():
-    model, damping = breaking("held", **TOUCHING), bd.BondDamping(eta=0.05)
-    with threads(1):
-        old, new = (run_of(model, 300, kind, every=50, damping=damping) for kind in (CpuLoop, CoreLoop))
-    assert len(new.state.broken) > 30
+def test_breakage_is_that_of_the_former_loop():
+    model = breaking("held", crooked_cells(**GRID), **TOUCHING)
+    result = run_of(model, 300, CoreLoop, every=50, damping=bd.BondDamping(eta=0.05))
+    state, former = result.state, FormerLoop("cells", "facets break")
+    assert len(state.broken) > 30
     # the mode is that of the criterion before other facets of the same step break
-    np.testing.assert_array_equal(new.state.broken[:, 1:3], old.state.broken[:, 1:3])
-    np.testing.assert_array_equal(new.state.integrity, old.state.integrity)
-    for name in ("pose", "motion", "reaction", "work", "loss", "released", "walls"):
-        one, other = getattr(old.state, name), getattr(new.state, name)
-        np.testing.assert_allclose(other, one, rtol=0, atol=1e-9 * np.abs(one).max(initial=1e-300), err_msg=name)
-    scale = np.abs(old.history.records).max(axis=0)
-    scale[1:14] = scale[1:14].max()
-    np.testing.assert_allclose(new.history.records / scale, old.history.records / scale, rtol=0, atol=1e-9)
+    former.assert_same(events=state.broken[:, 1:3], integrity=state.integrity)
+    names = "reaction", "work", "loss", "released", "walls"
+    former.assert_close(1e-9, **movement(state), **{name: getattr(state, name) for name in names})
+    former.assert_records(1e-9, result.history.records)
 
 
 def test_threads_and_pauses_change_no_bit(monkeypatch):
-    model, results = breaking("held", 450, **TOUCHING), []
+    model, results = breaking("held", body(450), **TOUCHING), []
     for count, every in ((1, 50), (2, 50), (3, 7), (4, 0)):
         monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
         results.append(run_of(model, 200, CoreLoop, every=every, damping=bd.BondDamping(eta=0.05)))

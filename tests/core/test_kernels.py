@@ -45,7 +45,7 @@ def test_all_passes_over_an_index_compile_without_a_device(architecture: str) ->
 
 @pytest.mark.skipif(not has_nvrtc(), reason="needs NVRTC: pip install -e '.[gpu]'")
 def test_what_is_compiled_is_kept(monkeypatch, tmp_path) -> None:
-    monkeypatch.setattr(_cuda, "cache_directory", tmp_path / "numba")
+    monkeypatch.setattr(_cuda, "cache_folder", lambda: tmp_path)
     _cuda._kept.cache_clear()
     try:
         first = _cuda._cubin("set_clock", "sm_80")

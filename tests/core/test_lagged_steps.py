@@ -7,16 +7,15 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._compile import threads
-from bondem.kernels.non_local import TAKEN
-from bondem.kernels.tables import BROKEN_GAP
+from bondem.model.event_columns import BROKEN_GAP
+from bondem.model.non_local_constants import NON_LOCAL_WORK
 from bondem.model.state import State
 from bondem.solve import loop_core
 from bondem.solve.explicit import integrate
 from bondem.solve.loop_core import CoreLoop
-from bondem.solve.loop_cpu import CpuLoop
 from bondem.solve.plan import Plan
 from tests.bits import EnoughError, assert_same_bits
+from tests.core.former_loop import FormerLoop, movement
 from tests.core.lagged_cases import (
     CASES,
     PULLED,
@@ -34,25 +33,20 @@ STORED = replace(LAWS["Timoshenko"], formulation="incremental")
 LAGGED = bd.NonLocal(E=1e7, nu=0.1, areas="weighted")
 
 
-# ---- numbers of the loops that these passes replace
+# ---- numbers of the former loop
 
 
 @pytest.mark.parametrize("case", ["stored, Timoshenko", "non-local, cells that break"])
-def test_numbers_are_those_of_the_loops_of_numba(case):
+def test_numbers_are_those_of_the_former_loop(case):
     make, damping = CASES[case]
-    model, results = make(), []
-    for kind in (CpuLoop, CoreLoop):
-        plan, state = plan_and_state(model, damping)
-        with threads(1):
-            results.append(integrate(model, plan, state=state, loop_of=kind))
-    old, new = results
-    np.testing.assert_array_equal(new.state.integrity, old.state.integrity)
-    assert (len(new.events) > 50) == ("break" in case)
-    for name in ("pose", "motion", "history", "stress", "work", "broken", "released"):
-        before, now = getattr(old.state, name), getattr(new.state, name)
-        np.testing.assert_allclose(now, before, rtol=0, atol=1e-10 * np.abs(before).max(initial=0.0), err_msg=name)
-    size = np.abs(old.history.records).max(axis=0)
-    np.testing.assert_array_less(np.abs(new.history.records - old.history.records).max(axis=0), 1e-10 * size + 1e-300)
+    model, former = make(), FormerLoop("lagged_steps", case)
+    plan, state = plan_and_state(model, damping)
+    result = integrate(model, plan, state=state, loop_of=CoreLoop)
+    former.assert_same(integrity=result.state.integrity)
+    assert (len(result.events) > 50) == ("break" in case)
+    names = "history", "stress", "work", "broken", "released"
+    former.assert_close(1e-10, **movement(result.state), **{name: getattr(result.state, name) for name in names})
+    former.assert_records(1e-10, result.history.records, alike=slice(0))
 
 
 # ---- bits
@@ -206,7 +200,7 @@ def test_extra_forces_have_an_entry_of_their_own():
         plan = replace(plan, dt=0.1 * share * plan.dt, duration=0.1 * plan.dt * 100)
         done = integrate(model, plan, state=state, loop_of=CoreLoop)
         ledger = done.history.energy
-        assert ledger["non-local work"][-1] == pytest.approx(done.state.history[TAKEN].sum(), rel=1e-12)
+        assert ledger["non-local work"][-1] == pytest.approx(done.state.history[NON_LOCAL_WORK].sum(), rel=1e-12)
         assert np.abs(ledger["non-local work"]).max() > 20.0 * np.abs(ledger["balance"]).max()
         missed.append(np.abs(ledger["balance"]).max())
     assert missed[1] < 0.6 * missed[0]

@@ -6,7 +6,8 @@ import pytest
 import bondem as bd
 from bondem._core_steps import Composer, StepPass
 from bondem.errors import InputError
-from bondem.kernels.tables import Rows, StepCut
+from bondem.model.blocks import StepCut
+from bondem.model.constraints import Rows
 from bondem.model.state import State
 from bondem.solve import loop_core
 from bondem.solve.explicit import integrate
@@ -100,16 +101,20 @@ def test_forces_are_the_gradient_of_the_energy(law):
     np.testing.assert_allclose(torque.sum(axis=0) + np.cross(arm, force[1]), 0.0, atol=1e-9 * np.abs(torque).max())
 
 
-@pytest.mark.parametrize("angle", [1e-4, 0.1, 0.5, 3.0, 20.0])
+@pytest.mark.parametrize("angle", [1e-9, 1e-4, 0.1, 0.199, 0.399, 0.401, 0.5, 1.0, 3.0, 20.0])
 def test_an_element_turns_by_the_exponential_map(angle):
     lattice = bd.connect(bd.Particles(np.array([[0.0, 0.0, 0.0], [0.9, 0.0, 0.0]]), np.full(2, 0.4)), reach=2.0)
     model = bd.Model(lattice, bd.Timoshenko(E=1e-6, nu=0.2, radius=0.01), density=1e3)
     state, axis, dt = State(model), np.array([0.48, 0.6, 0.64]), 1e-3
+    start = np.array([0.3, -0.5, 0.1, 0.8062257748298549])
+    state.set_pose(orientation=np.tile(start, (2, 1)))
     state.set_motion(angular_velocity=np.tile(angle / dt * axis, (2, 1)))
     loop = CoreLoop(model, Plan(duration=dt, dt=dt, every=0), state, dt)
     loop.run(1)
-    expected = np.append(np.cos(angle / 2), np.sin(angle / 2) * axis)
+    w, v = np.cos(angle / 2), np.sin(angle / 2) * axis
+    expected = np.append(w * start[0] - v @ start[1:], w * start[1:] + start[0] * v + np.cross(v, start[1:]))
     np.testing.assert_allclose(state.pose[:, 4:], [expected, expected], rtol=0, atol=2e-14 * max(1.0, angle))
+    np.testing.assert_allclose(np.linalg.norm(state.pose[:, 4:], axis=1), 1.0, rtol=0, atol=1e-15)
 
 
 def test_a_number_that_is_not_finite_ends_the_run():

@@ -5,6 +5,7 @@ import ctypes
 import numpy as np
 import pytest
 
+import bondem as bd
 from bondem._core_steps import Composer
 from bondem.laws.failure.drucker_prager import cone_index
 from bondem.laws.failure.hydrostatic import mean_index
@@ -32,7 +33,7 @@ def largest(stress: np.ndarray, tension: float) -> np.ndarray:
 def test_criteria_of_the_core_are_the_functions_of_python(name, parameters, index):
     some = stresses(50)
     found = StressPasses.of_core(name, parameters).indices(some)
-    np.testing.assert_allclose(found, [index(one, *parameters) for one in some], rtol=1e-14, atol=1e-15)
+    np.testing.assert_allclose(found, index(some, *parameters), rtol=1e-14, atol=1e-15)
     if name == "cone" and parameters[2]:
         assert (found[np.trace(some, axis1=1, axis2=2) <= 0.0] == 0.0).all()
 
@@ -64,6 +65,10 @@ def test_a_c_function_is_called_by_its_address():
     assert address is not None
     found = StressPasses.of_function(address, (3.0,)).indices(some)
     np.testing.assert_allclose(found, np.trace(some, axis1=1, axis2=2) / 3.0, rtol=1e-14)
+    own = bd.StressCriterion(address, scale=3.0)
+    assert own.parameters == {"scale": 3.0}
+    assert own.softening.tension == pytest.approx(3.0, rel=1e-6)
+    assert own.name == f"the C function at {address:#x}"
 
 
 def test_errors_of_a_function_are_raised_once():

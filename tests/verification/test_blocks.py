@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.solve.loop_cpu import BLOCK
+from bondem.solve.step_tables import BONDS_OF_PORTION
 from tests.bits import threads
 from tests.scripts import python
 from tests.specimens import crooked_block
@@ -56,7 +56,7 @@ for contacts in (False, True):
 
 def test_blocks_and_domains_change_no_bit() -> None:
     """Elastic, and with contacts, on 1, 2 and 3 threads; in a process of its own, which may have that many."""
-    assert np.prod(EDGES) > 2 * BLOCK
+    assert np.prod(EDGES) > 2 * BONDS_OF_PORTION
     lines = python(CODE, threads=max(ON))
     elastic, contacts = (line.split() for line in lines)
     assert len(elastic) == len(contacts) == len(ON)

@@ -10,10 +10,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.kernels.bond_pass import bond_energies, bond_loads
-from bondem.kernels.tables import lines
-from bondem.kernels.turn_guard import rotation_guard
-from bondem.laws.rotations import rotate, turn
+from bondem.model.beam_tables import Beams, beam_energies, beam_tables, count_turned, loads_of_each
 from bondem.model.matrices import stiffness_matrix
 from tests.beam_theory import beam_stiffness
 from tests.recording import Record
@@ -66,22 +63,20 @@ def moved(model: bd.Model, shift: float, degrees: float, seed: int = 0) -> bd.St
     return state
 
 
+def beams(model: bd.Model, integrity: np.ndarray) -> Beams:
+    """Beams of a model as the core takes them."""
+    return beam_tables(model.bonds, model.layout, model.period, integrity, may_share=False)[0]
+
+
 def energies(model: bd.Model, pose: np.ndarray) -> np.ndarray:
     """Normal, shear, bending and twisting energy of each bond, (4, m)."""
-    table, layout, period = model.bonds, model.layout, model.period
-    return np.transpose([
-        bond_energies(pose, table.rows(layout, period, only)) for only in np.eye(len(layout.i))
-    ])  # fmt: skip
+    return np.transpose([beam_energies(pose, beams(model, only)) for only in np.eye(len(model.layout.i))])
 
 
 def bond_forces(model: bd.Model, pose: np.ndarray) -> np.ndarray:
     """Force on j, torque on i and torque on j of each bond, (9, m)."""
     m = len(model.layout.i)
-    bonds = model.bonds.rows(model.layout, model.period, np.ones(m))
-    own = np.arange(len(bonds.i), dtype=np.uint32)
-    loads = lines(2 * len(own))  # each bond adds to two rows of its own
-    bond_loads(pose, bonds, None, loads, own, own + np.uint32(len(own)), None, 0, len(own))
-    on_i, on_j = loads[:m], loads[len(own) : len(own) + m]
+    on_i, on_j = loads_of_each(pose, beams(model, np.ones(m)), m)
     return np.vstack([on_j[:, :3].T, on_i[:, 4:7].T, on_j[:, 4:7].T])
 
 
@@ -115,19 +110,6 @@ def derivative(function, pose: np.ndarray, dof: int, step: float = 2e-3):
         for k, w in weights.items()
     )
     return total / (60.0 * step)
-
-
-@pytest.mark.parametrize("angle", [1e-9, 1e-3, 0.199, 0.399, 0.401, 1.0, 3.0])
-def test_quaternions_turn_and_rotate_as_they_should(angle: float) -> None:
-    rng = np.random.default_rng(2)
-    start, vector = Rotation.from_rotvec(rng.standard_normal(3)), rng.standard_normal(3)
-    axis = rng.standard_normal(3)
-    by = angle * axis / np.linalg.norm(axis)
-    expected = Rotation.from_rotvec(by) * start
-    turned = np.array(turn(*start.as_quat(scalar_first=True), *by))
-    assert np.linalg.norm(turned) == pytest.approx(1.0, abs=1e-15)
-    assert abs(turned @ expected.as_quat(scalar_first=True)) == pytest.approx(1.0, abs=1e-15)
-    np.testing.assert_allclose(rotate(*turned, *vector), expected.apply(vector), rtol=0.0, atol=1e-14)
 
 
 @every_law
@@ -309,7 +291,7 @@ def test_guard_counts_wide_and_lost_bonds(bend: float, twist: float, wide: int, 
     state.set_pose(position=position, orientation=orientation)
 
     def count(integrity: np.ndarray) -> tuple[int, int, bool]:
-        return rotation_guard(state.pose, model.bonds.rows(model.layout, model.period, integrity), None)
+        return count_turned(state.pose, beams(model, integrity))
 
     assert count(np.ones(2)) == (wide, lost, False)
     assert count(np.zeros(2)) == (0, 0, False)

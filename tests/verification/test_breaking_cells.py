@@ -9,7 +9,7 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError
 from bondem.observe.energy import elastic_energy
-from bondem.solve.loop_cpu import CpuLoop
+from bondem.solve.loop_core import CoreLoop
 from tests.bits import assert_resumes_to, assert_same_bits, need_two_threads, threads
 from tests.models import time_step
 from tests.recording import Record
@@ -28,7 +28,7 @@ def accelerations(model: bd.Model, state: bd.State, dt: float) -> tuple[np.ndarr
     """Those a state holds, and those found anew."""
     again = state.copy()
     again.stale = True
-    CpuLoop(model, bd.Plan(duration=1.0, dt=dt, every=0), again, dt).look()
+    CoreLoop(model, bd.Plan(duration=1.0, dt=dt, every=0), again, dt).look()
     return state.acceleration, again.acceleration
 
 

@@ -5,8 +5,6 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.kernels.cell_pass import facet_loads, stress_cells, swell
-from bondem.kernels.tables import lines
 from bondem.model.matrices import stiffness_matrix
 from bondem.observe.cell_strain import CellStrain
 from bondem.observe.energy import elastic_energy
@@ -30,12 +28,7 @@ def shaken(model, *, shift=0.05, turn=0.3, seed=0):
 
 def forces(model, state):
     """Force and torque of the facets on each cell, internal order, (n, 6)."""
-    cells, bonds = model.cells.rows(model.layout.i), model.bonds.rows(model.layout, model.period, state.integrity)
-    sums = lines(len(state.pose))
-    swell(state.pose, bonds, cells, None, 0, len(bonds.i))
-    stress_cells(state.pose, cells, 0, len(state.pose))
-    facet_loads(state.pose, bonds, cells, None, sums, bonds.i, bonds.j, 0, len(bonds.i))
-    return sums[:, [0, 1, 2, 4, 5, 6]].copy()
+    return -cell_forces(model, state.pose)[0]
 
 
 LONG = (12, 4, 4)

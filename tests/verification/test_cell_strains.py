@@ -3,12 +3,12 @@
 import itertools
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
 from bondem.observe.energy import elastic_energy
+from tests.bits import threads
 from tests.specimens import bar
 
 E, NU, RHO = 1e9, 0.2, 1e3
@@ -111,12 +111,8 @@ def test_pauses_files_and_threads_leave_no_trace(
         model, duration=0.02, out=tmp_path / "run.h5", save_every=7, every=7,
         callback=lambda state, _: state.time > 0.0099,
     )  # fmt: skip
-    threads = numba.get_num_threads()
-    try:
-        numba.set_num_threads(1)
+    with threads(1):
         rest = bd.resume(tmp_path / "run.h5")
-    finally:
-        numba.set_num_threads(threads)
     np.testing.assert_array_equal(rest.state.pose, whole.state.pose)
     np.testing.assert_array_equal(rest.state.work, whole.state.work)
     if failure is not None:

@@ -136,9 +136,9 @@ def test_each_eta_damps_a_mode_by_its_share_of_the_energy(chen) -> None:
     damping, loop, lattice = chen["damping"], chen["loop"], row(4, 2.0 * R)
     omega, share, lag = damping.shares("PBM", lattice)
     assert 0.05 < share[1] < share[2] < 0.95
-    for component, eta in enumerate(0.1 * np.eye(4)):
+    for component, eta in enumerate(0.1 * np.eye(4)[:3]):  # nothing twists in the plane
         rate = omega**2 * float((eta * lag * share).sum())
-        early, late = (loop.run_to_rest(lattice, BOND, load=F, eta=eta, duration=end, slow=0.0) for end in (0.2, 1.2))
+        early, late = (loop.run_to_rest(lattice, BOND, load=F, eta=eta, duration=end, slow=0.0) for end in (0.2, 0.7))
         found = math.log(early.speed / late.speed) / (late.time - early.time)
         # what the higher modes leave
         assert found == pytest.approx(rate, rel=0.05, abs=0.1), component

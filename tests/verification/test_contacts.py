@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.kernels.contact_pass import SERIAL_PAIRS
 from bondem.solve import neighbour_list as lists
 from bondem.solve.cracks import joints
 from bondem.solve.explicit import integrate
@@ -168,8 +167,9 @@ def test_the_bits_depend_on_neither_threads_nor_lists(monkeypatch: pytest.Monkey
         monkeypatch.setattr(lists, "_SKIN_LEAST", skin)
         model, state = cloud(edge, law, walls=walls)
         rest = model.state()
-        listed = lists.ContactList(model, model.contacts, rest, joints(model, rest, rest.integrity))
-        assert len(listed.arrays.first) > SERIAL_PAIRS
+        found = lists.ContactSearch(model, model.contacts, rest, joints(model, rest, rest.integrity)).find(0)
+        assert found is not None
+        assert len(found.pairs.first) > 1000
         with threads(count):
             runs.append(bd.solve_explicit(model, duration=0.12, every=10, state=state))
     assert len(runs[0].state.contacts) > 50

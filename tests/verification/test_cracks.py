@@ -8,8 +8,8 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, GAMMA, ONSET, RESTING, SLIP, STATUS
-from bondem.solve.loop_cpu import CpuLoop
+from bondem.model.crack_columns import CRACK_COLUMNS, FACET, GAMMA, ONSET, RESTING, SLIP, STATUS
+from bondem.solve.loop_core import CoreLoop
 from tests.bits import assert_same_fracture, most_threads, threads
 from tests.models import slowly_torn, torn_then_pressed
 from tests.specimens import bar, cubes, spheres, two_cubes
@@ -41,7 +41,7 @@ def look(model: bd.Model, state: bd.State) -> tuple[float, np.ndarray, np.ndarra
     state.stale = True
     dt = 1e-9
     plan = bd.Plan(duration=1.0, dt=dt, every=1)
-    record = bd.History(CpuLoop(model, plan, state, dt).look())
+    record = bd.History(CoreLoop(model, plan, state, dt).look())
     energy = sum(float(record.energy[part][0]) for part in ELASTIC)
     force = state.acceleration[:, :3] / state.motion[:, 3:4]
     torque = state.acceleration[:, 3:] / state.motion[:, 7:8]

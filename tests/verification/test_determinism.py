@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.kernels.advance import SERIAL_BONDS
 from bondem.solve.explicit import integrate
+from bondem.solve.step_tables import BONDS_OF_PORTION
 from bondem.solve.timestep import critical_step
 from tests.bits import assert_same_bits, need_two_threads, threads
 from tests.models import stirred, time_step
@@ -44,7 +44,7 @@ def state_of(model: bd.Model) -> bd.State:
 def test_one_and_two_threads_agree_to_the_bit(record: Record) -> None:
     need_two_threads()
     model = bar((12, 10, 10))
-    assert len(model.lattice.pairs) > 2 * SERIAL_BONDS
+    assert len(model.lattice.pairs) > 2 * BONDS_OF_PORTION
     dt = time_step(model, 0.9)
     plan = bd.Plan(duration=230 * dt, dt=dt, damping=DAMPING, gauges=GAUGES, every=20)
     results = []
@@ -136,3 +136,26 @@ def test_ten_thousand_steps_on_more_threads_than_cores(record: Record) -> None:
     assert len(bits) == 4
     assert len(set(bits)) == 1
     record("same bits", True)
+
+
+POOL = """
+import multiprocessing as mp, warnings, bondem as bd
+warnings.simplefilter('error')
+
+def work(seed):
+    particles = bd.pack(bd.Box((2.0, 1.0, 1.0)), count=300, seed=seed)
+    model = bd.Model(bd.connect(particles), bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5), 2000.0,
+                     boundary=[bd.Fix(bd.Face('x_min')), bd.Drive(bd.Face('x_max'), vx=1.0)])
+    bd.set_threads(2)
+    state = bd.solve_explicit(model, duration=1e-4).state
+    return float(state.displacement.sum())
+
+first = [work(1), work(2)]
+with mp.get_context('fork').Pool(2) as pool:
+    print(pool.map_async(work, [1, 2]).get(90) == first)
+"""
+
+
+def test_a_pool_forked_after_threads_gives_the_same_numbers() -> None:
+    """Threads do not survive a fork: workers that relied on them would never return."""
+    assert python(POOL) == ["True"]

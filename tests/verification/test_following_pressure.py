@@ -2,12 +2,12 @@
 
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
 from bondem.errors import InputError
+from tests.bits import threads
 from tests.models import momenta
 from tests.specimens import cells, spheres
 
@@ -77,12 +77,8 @@ def test_pauses_files_and_threads_leave_no_trace(tmp_path: Path) -> None:
     half = bd.solve_explicit(model, duration=2e-3, out=tmp_path / "run.h5")
     read = bd.read_run(tmp_path / "run.h5")
     assert read.model.boundary[0].follows
-    threads = numba.get_num_threads()
-    try:
-        numba.set_num_threads(1)
+    with threads(1):
         rest = bd.solve_explicit(read.model, duration=whole.time - half.state.time, state=read.state).state
-    finally:
-        numba.set_num_threads(threads)
     np.testing.assert_array_equal(rest.pose, whole.pose)
 
 

@@ -9,9 +9,9 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError
 from bondem.io.older_states import judge_anew
-from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET, ONSET, RESTING, STATUS, TOP
-from bondem.laws.softening import LEAST_SLOPE, left_in_bulk, left_on_plane, softened, softens_at
+from bondem.model.crack_columns import CRACK_COLUMNS, FACET, ONSET, RESTING, STATUS, TOP
 from bondem.observe.opened_facets import Opened
+from tests.core.law_samples import left_in_bulk, left_on_plane, softened, softening
 from tests.specimens import cube, cubes
 
 E, RHO, F_T, G_F = 40e9, 2500.0, 4e6, 50.0
@@ -21,6 +21,16 @@ WEAK = bd.Rankine(tension=1e6, fracture_energy=4.0)
 # k / A of the facets that are judged alone [Pa/m]; opening where nothing is left of them, as a traction
 STIFF = 3e13
 LAST = STIFF * 2.0 * G_F / F_T
+LINE = {"strength": F_T, "last": LAST}
+# least |n·e| by which the strength of a facet is reduced
+LEAST_SLOPE = 0.2
+ALONG = np.array([1.0, 0.0, 0.0])
+
+
+def lost(s: np.ndarray) -> np.ndarray:
+    """Losses of integrity under loads that grow, which never heals."""
+    assert (np.diff(s) <= 0.0).all()
+    return -np.diff(s, prepend=1.0)
 
 
 def directions(rng: np.random.Generator) -> np.ndarray:
@@ -47,7 +57,7 @@ def test_every_facet_begins_at_the_strength_of_the_material() -> None:
         stress = v @ np.diag([1.0, rng.uniform(-8.0, 1.0), rng.uniform(-8.0, 1.0)]) @ v.T
         for size, begins in ((1.0 - 1e-9, False), (1.0 + 1e-6, True)):
             t = tuple(size * F_T * stress @ n)
-            left = left_in_bulk(1.0, t, tuple(n), 0.0, v.T @ stress @ v, v, F_T, LAST, 0.0, 1.0)
+            left = left_in_bulk(1.0, t, n, stress, **LINE)
             assert (left < 1.0) == begins
 
 
@@ -57,26 +67,22 @@ def test_pressure_along_other_axes_softens_nothing() -> None:
     for _ in range(100):
         v, n = directions(rng), rng.standard_normal(3)
         n /= np.linalg.norm(n)
-        pressed = np.diag([-100.0 * F_T, 0.0, 0.0])
-        t = tuple(v @ pressed @ v.T @ n)
-        # of the frame, which is any in the plane of the two equal stresses
-        assert left_in_bulk(1.0, t, tuple(n), 0.0, pressed, v, F_T, LAST, 0.0, 1.0) == 1.0
+        pressed = v @ np.diag([-100.0 * F_T, 0.0, 0.0]) @ v.T
+        assert left_in_bulk(1.0, pressed @ n, n, pressed, **LINE) == 1.0
 
 
 @pytest.mark.parametrize("curve", [None, bd.Bilinear()])
 @pytest.mark.parametrize("slope", [0.3, 0.7, 1.0])
 def test_a_crack_dissipates_its_projection(slope: float, curve: bd.Bilinear | None) -> None:
     """∫ |t|² (-ds) A / 2k is G_f A |n·e_1| for an opening along e_1: G_f per area projected on the crack."""
-    softening = bd.Rankine(tension=F_T, fracture_energy=G_F, curve=curve).softening
-    last = STIFF * softening.last * G_F / F_T
-    n, s, taken = (slope, math.sqrt(1.0 - slope**2), 0.0), 1.0, 0.0
-    for T in np.geomspace(0.9 * slope * F_T, 1.001 * last, 20_000):
-        left = left_in_bulk(
-            s, (float(T), 0.0, 0.0), n, 0.0, np.eye(3), np.eye(3), F_T, last, softening.kink, softening.steep
-        )
-        taken += 0.5 * T**2 * (s - left) / STIFF
-        s = left
-    assert s == 0.0
+    law = bd.Rankine(tension=F_T, fracture_energy=G_F, curve=curve).softening
+    last = STIFF * law.last * G_F / F_T
+    n, T = (slope, math.sqrt(1.0 - slope**2), 0.0), np.geomspace(0.9 * slope * F_T, 1.001 * last, 20_000)
+    s = left_in_bulk(
+        1.0, np.outer(T, ALONG), n, np.diag(ALONG), strength=F_T, last=last, kink=law.kink, steep=law.steep
+    )  # fmt: skip
+    taken = (0.5 * T**2 * lost(s)).sum() / STIFF
+    assert s[-1] == 0.0
     assert taken == pytest.approx(G_F * slope, rel=1e-3)
 
 
@@ -84,18 +90,14 @@ def test_a_crack_dissipates_its_projection(slope: float, curve: bd.Bilinear | No
 @pytest.mark.parametrize("share", [0.0, 0.3, 1.0, 3.0, math.inf])
 def test_a_bent_facet_begins_by_its_edge_and_dissipates_the_same(share: float, slope: float) -> None:
     """p + b = f_t c at onset, for b / p = share; G_f A c whatever the share, without a tangential traction."""
-    n, s, taken, begun = (slope, math.sqrt(1.0 - slope**2), 0.0), 1.0, 0.0, 0.0
-    most = max(abs(one) for one in n)
+    n, size = (slope, math.sqrt(1.0 - slope**2), 0.0), np.geomspace(0.1 * F_T, 4.0 * LAST, 40_000)
     pulled, bent = (0.0, 1.0) if share == math.inf else (1.0, share)
-    for size in np.geomspace(0.1 * F_T, 4.0 * LAST, 40_000):
-        t, b = (float(size) * pulled, 0.0, 0.0), float(size) * bent
-        frame = np.diag([1.0, 0.0, 0.0])
-        left = left_in_bulk(s, t, n, b, frame, np.eye(3), F_T, LAST, 0.0, 1.0)
-        here = b * slope / most  # the part of the bending that opens along e_1
-        begun = (t[0] + here) if s == 1.0 else begun
-        taken += 0.5 * (t[0] ** 2 + here**2) * (s - left) / STIFF
-        s = left
-    assert s == 0.0
+    t, b = size * pulled, size * bent
+    s = left_in_bulk(1.0, np.outer(t, ALONG), n, np.diag(ALONG), bent=b, **LINE)
+    here = b * slope / max(abs(one) for one in n)  # the part of the bending that opens along e_1
+    begun = (t + here)[np.argmax(s < 1.0)]
+    taken = (0.5 * (t**2 + here**2) * lost(s)).sum() / STIFF
+    assert s[-1] == 0.0
     if slope == 1.0:  # inclined facets may begin along their second direction, which bending opens too
         assert begun == pytest.approx(F_T, rel=1e-3)
         # the middle of a facet that is bent a little opens by `last` before the rms of its points does
@@ -110,7 +112,7 @@ def test_nothing_is_left_beyond_the_last_opening() -> None:
     n, away = (1.0, 0.0, 0.0), math.sqrt(1.0 / 3.0)
     frame, t = np.diag([1.0, 0.0, 0.0]), (away, away, away)
     below, beyond = (
-        left_in_bulk(0.9, tuple(size * LAST * one for one in t), n, 0.0, frame, np.eye(3), F_T, LAST, 0.0, 1.0)
+        left_in_bulk(0.9, tuple(size * LAST * one for one in t), n, frame, **LINE)
         for size in (0.99, 1.01)
     )
     assert below > 0.0
@@ -121,21 +123,19 @@ def test_pressure_closes_the_bending_of_a_plane() -> None:
     """What pressure on a plane takes off its bending does not open it."""
     for bent, whole in ((2.9e6 + F_T, True), (3.1e6 + F_T, False)):
         pressed, n = (-3e6, 0.0, 0.0), (1.0, 0.0, 0.0)
-        left = left_on_plane(1.0, pressed, n, bent, F_T, LAST, math.inf, math.inf, 0.0, 0.0, 1.0)
+        left = left_on_plane(1.0, pressed, n, bent=bent, **LINE)
         assert (left == 1.0) == whole
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.5, 1.0])
 def test_a_plane_dissipates_its_own_area(angle: float) -> None:
     """G_f per area of the facet, whatever the angle between opening and normal; from t_n = f_w on."""
-    n, s, taken, begun = (1.0, 0.0, 0.0), 1.0, 0.0, 0.0
-    for T in np.geomspace(0.5 * F_T, 4.0 * LAST, 20_000):
-        t = (float(T) * math.cos(angle), float(T) * math.sin(angle), 0.0)
-        left = left_on_plane(s, t, n, 0.0, F_T, LAST, math.inf, math.inf, 0.0, 0.0, 1.0)
-        begun = t[0] if s == 1.0 else begun
-        taken += 0.5 * T**2 * (s - left) / STIFF
-        s = left
-    assert s == 0.0
+    T = np.geomspace(0.5 * F_T, 4.0 * LAST, 20_000)
+    t = np.outer(T, [math.cos(angle), math.sin(angle), 0.0])
+    s = left_on_plane(1.0, t, ALONG, **LINE)
+    begun = t[np.argmax(s < 1.0), 0]
+    taken = (0.5 * T**2 * lost(s)).sum() / STIFF
+    assert s[-1] == 0.0
     assert begun == pytest.approx(F_T, rel=1e-3)
     assert taken == pytest.approx(G_F, rel=2e-3)
 
@@ -145,7 +145,8 @@ def test_a_plane_under_pressure_loses_its_cohesion_and_keeps_its_friction() -> N
     cohesion, mu, pressure, last = 2e6, 0.5, 3e6, 40e6
     for slip in np.linspace(1e6, 60e6, 200):
         t = (-pressure, 0.0, float(slip))
-        s = left_on_plane(1.0, t, (1.0, 0.0, 0.0), 0.0, F_T, LAST, cohesion, last, mu, 0.0, 1.0)
+        n = 1.0, 0.0, 0.0
+        s = left_on_plane(1.0, t, n, cohesion=cohesion, last_slip=last, friction=mu, **LINE)
         over = slip - mu * pressure
         curve = over if over <= cohesion else max(0.0, cohesion * (1.0 - over / last) / (1.0 - cohesion / last))
         assert s * over == pytest.approx(curve, rel=1e-12, abs=1e-6) or over < 0.0
@@ -155,7 +156,11 @@ def test_a_plane_under_pressure_loses_its_cohesion_and_keeps_its_friction() -> N
 @pytest.mark.parametrize(("kink", "steep"), [(0.0, 1.0), (1.0 / 3.0, bd.Bilinear().steep)])
 def test_the_curve_and_its_inverse_agree(kink: float, steep: float) -> None:
     for s in (1.0, 0.7, 0.2, 0.01):
-        T = softens_at(s, F_T, LAST, kink, steep)
+        # the least traction is that of the weakest direction, of 0.7 of the least slope
+        T = softening(
+            s, np.zeros(3), (1.0, 0.0, 0.0), np.zeros((3, 3)), strength=F_T / (0.7 * LEAST_SLOPE), last=LAST,
+            kink=kink, steep=steep,
+        )[1]  # fmt: skip
         assert softened(s, T * (1.0 - 1e-9), F_T, LAST, kink, steep) == s
         assert softened(s, T * (1.0 + 1e-6), F_T, LAST, kink, steep) < s
 
@@ -178,14 +183,10 @@ def test_equilibria_and_runs_judge_alike() -> None:
         for e, factor in enumerate(opened.reached(np.full(20, s))):
             k, n = facets[e], tuple(normal[e])
             for near, falls in ((1.0 - 1e-6, False), (1.0 + 1e-6, True)):
-                t = tuple(near * factor * traction[e])
-                if table.plane[k]:
-                    now = left_on_plane(
-                        s, t, n, 0.0, table.strength[k], table.last[k], math.inf, math.inf, 0.0, 0.0, 1.0
-                    )
-                else:
-                    size, v = np.linalg.eigh(full[e])
-                    now = left_in_bulk(s, t, n, 0.0, np.diag(size), v, table.strength[k], table.last[k], 0.0, 1.0)
+                now, _ = softening(
+                    s, near * factor * traction[e], n, full[e], strength=table.strength[k], last=table.last[k],
+                    plane=bool(table.plane[k]),
+                )  # fmt: skip
                 assert (now < s) == falls
 
 

@@ -9,8 +9,8 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.kernels.advance import SERIAL_BONDS
 from bondem.solve.explicit import integrate
+from bondem.solve.step_tables import BONDS_OF_PORTION
 from bondem.specimen.patches import face_patches
 from tests.bits import assert_same_bits, assert_same_run, need_two_threads, threads
 from tests.models import time_step, total_energy
@@ -283,7 +283,7 @@ DAMPING = (bd.BondDamping(0.05), bd.MassDamping(3.0), bd.LocalDamping(0.02))
 def test_threads_change_no_bit(record: Record) -> None:
     need_two_threads()
     model = everything((12, 9, 9))
-    assert len(model.lattice.pairs) > SERIAL_BONDS
+    assert len(model.lattice.pairs) > BONDS_OF_PORTION
     dt = time_step(model, 0.5, DAMPING)
     runs = []
     for count in (1, 2):

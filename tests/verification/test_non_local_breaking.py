@@ -4,15 +4,14 @@ import functools
 import math
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.kernels.lagged_stress import principal_bounds
 from bondem.solve.explicit import integrate
 from bondem.solve.timestep import highest_frequency
 from tests.bits import assert_resumes_to, assert_same_bits, need_two_threads, threads
+from tests.core.law_samples import stress_bounds
 from tests.models import momenta, time_step
 from tests.recording import Record
 from tests.specimens import cells, cubes
@@ -280,13 +279,6 @@ def test_index_says_how_near_each_bond_is(one_thread: None) -> None:
     assert (now[run.state.bond_integrity == 0.0] == 0.0).all()
 
 
-@numba.njit
-def bounds_of(stresses: np.ndarray, found: np.ndarray) -> None:
-    for k in range(len(stresses)):
-        s = stresses[k]
-        found[k] = principal_bounds((s[0], s[1], s[2], s[3], s[4], s[5]))
-
-
 def test_bounds_of_principal_stresses_are_close_and_never_inside() -> None:
     """Random stresses of all sizes, and those with two or three equal principal stresses."""
     rng = np.random.default_rng(1)
@@ -296,8 +288,7 @@ def test_bounds_of_principal_stresses_are_close_and_never_inside() -> None:
         full = turned @ (np.array(diagonal)[:, None] * turned.transpose(0, 2, 1))
         stresses = np.vstack([stresses, full[:, [0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]])
     stresses = np.vstack([stresses, np.zeros(6)])
-    found = np.empty((len(stresses), 2))
-    bounds_of(stresses, found)
+    found = stress_bounds(stresses.T, np.zeros(len(stresses)))[:2].T
     exact = np.linalg.eigvalsh(stresses[:, [0, 3, 4, 3, 1, 5, 4, 5, 2]].reshape(-1, 3, 3))
     size = np.abs(stresses).max(axis=1)
     rounding = 1e-14 * size

@@ -10,7 +10,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.solve.loop_cpu import CpuLoop
+from bondem.solve.loop_core import CoreLoop
 from tests.bits import assert_resumes_to, assert_same_bits, flying_apart, need_two_threads
 from tests.models import crooked_beams, time_step
 from tests.specimens import two_spheres
@@ -152,7 +152,7 @@ def test_forces_are_the_gradient_of_one_energy(contact: bd.LinearContact | None,
     def look(moved: np.ndarray) -> tuple[float, np.ndarray]:
         now = state.copy()
         now.set_pose(position=place + moved, orientation=q)
-        loop = CpuLoop(model, bd.Plan(duration=1.0, dt=1e-9, every=1), now, 1e-9)
+        loop = CoreLoop(model, bd.Plan(duration=1.0, dt=1e-9, every=1), now, 1e-9)
         energy = bd.History(loop.look()).energy
         own = sum(float(energy[part][0]) for part in ("normal", "shear", "bending", "twisting", "contact"))
         return own, (now.acceleration[:, :3] / now.motion[:, 3:4])[model.layout.rank]

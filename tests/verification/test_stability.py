@@ -12,7 +12,6 @@ from scipy.linalg import eigvalsh_tridiagonal
 
 import bondem as bd
 from bondem.errors import InputError, StepWarning
-from bondem.kernels.advance import GUARD_INTERVAL
 from bondem.model.matrices import mass_diagonal, stiffness_matrix
 from bondem.solve.explicit import integrate
 from bondem.solve.threads import one_blas_thread
@@ -24,6 +23,8 @@ from tests.specimens import crooked_block, row, two_cubes
 LAW = bd.EulerBernoulli(E=2.0e6, nu=0.25, radius_ratio=0.5)
 THIN = bd.EulerBernoulli(E=1e6, nu=0.3, radius=0.2)
 VERLET = bd.VelocityVerlet()
+#: Steps between two checks of a run.
+GUARD_INTERVAL = 100
 
 
 def block(law=LAW, *, seed: int = 0, **options) -> bd.Model:

@@ -17,7 +17,7 @@ from multiprocessing.connection import wait
 from pathlib import Path
 from typing import Any
 
-from bondem._compile import threads
+from bondem._threads import threads
 from bondem.campaign.cluster import connected, submitted
 from bondem.errors import BondemError, InputError
 from bondem.io.atomic import require_folder

@@ -17,7 +17,7 @@ ROOTS: Mapping[str, Path] = {
     "bondem": Path(bondem.__file__).parent,
     "validation": REPOSITORY / "validation",
 }
-_OTHERS = ("numpy", "scipy", "numba")
+_OTHERS = ("numpy", "scipy")
 
 
 @cache

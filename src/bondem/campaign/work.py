@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from bondem._compile import threads
 from bondem._progress import quiet
+from bondem._threads import threads
 from bondem.campaign.sweep import CampaignSpecimen
 from bondem.errors import BondemError
 from bondem.io.atomic import write_text

@@ -10,8 +10,8 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from bondem._compile import most_threads, threads
 from bondem._progress import stages
+from bondem._threads import most_threads, threads
 from bondem.errors import InputError
 from bondem.laws.catalogue import LAWS
 from bondem.report.numbers import percent, signed_percent, with_unit

@@ -20,6 +20,7 @@ BONDEM_TABLE(SofteningSamples, F(traction, "3 m"), F(normal, "3 m"), F(stress, "
              F(integrity, "m"), F(strength, "6 m"), F(kink, ""), F(steep, ""), F(wide, ""), F(left, "2 m"))
 BONDEM_TABLE(CrackSamples, F(given, "46 m"), F(wide, ""), F(found, "26 m"))
 BONDEM_TABLE(YieldSamples, F(stress, "6 m"), F(strength, "4 m"), F(cone, ""), F(wide, ""), F(found, "11 m"))
+BONDEM_TABLE(StressBoundSamples, F(stress, "6 m"), F(bent, "m"), F(wide, ""), F(found, "5 m"))
 
 BONDEM_TABLE(StressesOfCells, F(volume, "n"), F(tensor, "n 8"), F(carried, "n 12"), F(pressed, "* n 6"))
 BONDEM_TABLE(YieldingCells, F(cone, ""), F(cohesion, "n"), F(slope, "n"), F(dilation, "n"), F(stiffness, "n"),
@@ -49,10 +50,12 @@ BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_
 // Lines of the lists in `index.cpp`.
 #define BONDEM_CRACK_TABLES                                                                                   \
     described<SofteningSamples>(), described<CrackSamples>(), described<YieldSamples>(),                      \
+        described<StressBoundSamples>(),                                                                      \
         described<StressesOfCells>(), described<YieldingCells>(), described<FacetStrengths>(),                   \
         described<CrackOnset>(), described<CandidateFacets>(), described<CohesiveCracks>(), described<CellSlack>(),      \
         described<CrackLists>(), described<CrackEnergies>(), described<PartedReach>()
-#define BONDEM_CRACK_PASSES P(evaluate_softening, ""), P(evaluate_cracks, ""), P(evaluate_yielding, "")
+#define BONDEM_CRACK_PASSES P(evaluate_softening, ""), P(evaluate_cracks, ""), P(evaluate_yielding, ""), \
+        P(evaluate_stress_bounds, "")
 #define BONDEM_STRESS_ONSET_PASSES                                                                            \
     S(of_elements, judge_cells_by_mean_stress), S(of_elements, judge_cells_by_cone),                          \
         S(of_elements, judge_cells_by_size), S(of_bonds, find_stress_candidates), S(serial, mark_failing_facets), \

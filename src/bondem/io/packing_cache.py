@@ -20,7 +20,7 @@ import numpy as np
 import scipy
 
 import bondem
-from bondem._compile import cache_directory
+from bondem._cache_folder import cache_folder
 from bondem._core import compiled_level
 from bondem._core_build import source_digest
 from bondem.errors import RunFileError
@@ -29,7 +29,7 @@ from bondem.specimen.particles import Particles, filled
 
 _MOST_BYTES = 2 << 30
 # What decides the bits of a packing. Read as text: the rooms above this one may not be imported here.
-_ROOMS = ("specimen", "laws", "kernels", "model", "observe", "solve", "packing")
+_ROOMS = ("specimen", "laws", "model", "observe", "solve", "packing")
 # Fewer spheres are packed about as fast as a file is found, and would crowd the folder.
 _WORTH_KEEPING = 1000
 
@@ -48,7 +48,7 @@ def key(request: Mapping[str, Any]) -> str:
 
     Returns:
         40 hexadecimal digits, independent of the order of the arguments. They differ for another version of bondem,
-        NumPy, SciPy or Numba, or after any change of the source code of packing.
+        NumPy or SciPy, or after any change of the source code of packing and of the core.
 
     Raises:
         RunFileError: an argument that cannot be serialised, such as a user-defined shape, whose code may change.
@@ -88,10 +88,9 @@ def written(value: Any, *, packages: tuple[str, ...] = ("bondem",)) -> Any:
 
 @cache
 def _program() -> str:
-    # The name of the compiled cache is a hash of all kernel sources and of Numba's version. Levels of instructions
-    # with fused multiply-add share their bits.
+    # Levels of instructions with fused multiply-add share their bits.
     core = source_digest() + ("-unfused" if compiled_level() == "x86_64_v2" else "")
-    versions = (bondem.__version__, np.__version__, scipy.__version__, cache_directory.name, core)
+    versions = (bondem.__version__, np.__version__, scipy.__version__, core)
     digest = hashlib.sha256(" ".join(versions).encode())
     package = Path(bondem.__file__).parent
     for source in sorted(path for room in _ROOMS for path in package.joinpath(room).rglob("*.py")):
@@ -111,7 +110,7 @@ class PackingCache:
     """
 
     def __init__(self, folder: str | Path | None = None, *, most_bytes: int = _MOST_BYTES) -> None:
-        self.folder = Path(folder) if folder is not None else cache_directory.parent / "packings"
+        self.folder = Path(folder) if folder is not None else cache_folder() / "packings"
         self._most = most_bytes
 
     def get(self, name: str) -> Particles | None:

@@ -4,7 +4,7 @@
     /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one, density
     /bonds           pairs (m, 2)
     /facets, /cells  of a body, see `bondem.io.bodies`
-    /state           the arrays of `State` in the kernels' order; attributes step, time [s], stale, seconds, digest
+    /state           the arrays of `State` in internal order; attributes step, time [s], stale, seconds, digest
     /history         records (s, 14 + 3 g); attribute gauges
     /VTKHDF          snapshots for ParaView, where there are any, see `bondem.io.snapshots`
 
@@ -20,7 +20,6 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import UTC, datetime
-from importlib.metadata import version
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -38,11 +37,10 @@ from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
 from bondem.io.journal import JournaledFile, committed
 from bondem.io.older_states import brought_up
 from bondem.io.snapshots import Outlined, Snapshots
-from bondem.kernels.tables import FRACTURE, NON_LOCAL, PLASTIC
 from bondem.laws.failure.criterion import Criterion
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.history import History
+from bondem.solve.history import FRACTURE, NON_LOCAL, PLASTIC, History
 from bondem.solve.plan import Plan
 from bondem.specimen.particles import Particles, filled
 
@@ -119,7 +117,7 @@ class RunFile:
                 "shape": encode(model.lattice.particles.shape),
             }),
             "provenance": json.dumps({
-                "bondem": __version__, "numpy": np.__version__, "numba": version("numba"), "h5py": h5py.__version__,
+                "bondem": __version__, "numpy": np.__version__, "h5py": h5py.__version__,
                 "python": platform.python_version(), "machine": f"{platform.system()} {platform.machine()}",
                 "started": datetime.now(UTC).isoformat(timespec="seconds"),
             }),

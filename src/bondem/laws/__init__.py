@@ -1,1 +1,1 @@
-"""Physics of one bond: parameters as frozen data, and the scalar functions that every loop calls."""
+"""Physics of one bond: parameters as frozen data; `core/laws/` has the functions of the passes."""

@@ -2,7 +2,7 @@
 
 Chen et al. (2022) show that the parallel-bond, Euler–Bernoulli and Timoshenko models differ only in the
 normal, shear, bending and twisting stiffness of the bond and in the place of the contact point along it.
-A law is therefore data, computed once per bond; `bondem.laws.beam_energy` is the physics of them all.
+A law is therefore data, computed once per bond; `core/laws/beam.hpp` is the physics of them all.
 """
 
 from abc import ABC, abstractmethod
@@ -45,7 +45,7 @@ class BondGeometry:
 
 @dataclass(frozen=True)
 class BondStiffness:
-    """Stiffnesses of bonds by a law, the input of the kernels, each of shape (m,).
+    """Stiffnesses of bonds by a law, the input of the core, each of shape (m,).
 
     Attributes:
         kn: normal stiffness [N/m].

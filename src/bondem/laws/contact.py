@@ -16,15 +16,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._calls import picked
 from bondem._checks import instance, number
-from bondem._compile import device
 from bondem._types import Floats
 
 # Contacts a sphere can have with spheres of its size: the kissing number bounds the stiffness around it.
 KISSING = 12
-# Places in the parameters of a law.
-MODULUS, SOFT, FRICTION, DASHPOT, HERTZIAN = range(5)
 # Overlap over the smaller radius from which spheres of a linear law are no bodies that touch any more.
 _DEEPEST = 0.5
 # A Hertzian dashpot over a linear one of the same stiffness dF/du: both lose the same share of a collision.
@@ -41,7 +37,7 @@ class ContactLaw(ABC):
     @property
     @abstractmethod
     def parameters(self) -> Floats:
-        """Modulus [Pa], ks / kn, μ, β, and 1 for a Hertzian law or 0, in the kernels' form, (5,)."""
+        """Modulus [Pa], ks / kn, μ, β, and 1 for a Hertzian law or 0, in the form of the core, (5,)."""
 
     @abstractmethod
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
@@ -176,7 +172,7 @@ class LinearContact(ContactLaw):
 
     @property
     def parameters(self) -> Floats:
-        """E [Pa], ks / kn, μ, β and 0, in the kernels' form, (5,)."""
+        """E [Pa], ks / kn, μ, β and 0, in the form of the core, (5,)."""
         return np.array([self.E, 1.0 / self.kappa, self.friction, self.damping, 0.0])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
@@ -197,118 +193,3 @@ class LinearContact(ContactLaw):
         """
         kn = 0.5 * math.pi * self.E * radius
         return math.pi * slowest_root(kn, 2.0 * kn, mass, platens, walled=walled)
-
-
-@device
-def pair_spring(law, own, ra, rb, overlap):
-    """Return the normal stiffness dF/du of two spheres [N/m], F over it and u [-], and the share of their dashpot.
-
-    `own` is the stiffness of a pair that has its own, else 0. The function takes one pair or many, like
-    `contact_force`.
-    """
-    if law[HERTZIAN] == 0.0:
-        small = picked(rb - ra, ra, rb)
-        k = law[MODULUS] * math.pi * small * small / (ra + rb)
-        return picked(own, own, k), picked(own, 1.0, 1.0), picked(own, law[DASHPOT], law[DASHPOT])
-    k = 2.0 * law[MODULUS] * math.sqrt(ra * rb / (ra + rb) * overlap)
-    hertzian = HERTZIAN_DASHPOT * law[DASHPOT]
-    return picked(own, own, k), picked(own, 1.0, 2.0 / 3.0), picked(own, law[DASHPOT], hertzian)
-
-
-@device
-def wall_spring(law, r, overlap):
-    """Return the spring of a sphere at a rigid wall, in the form of `pair_spring`."""
-    if law[HERTZIAN] == 0.0:
-        return law[MODULUS] * math.pi * r, 1.0, law[DASHPOT]
-    return 4.0 * law[MODULUS] * math.sqrt(r * overlap), 2.0 / 3.0, HERTZIAN_DASHPOT * law[DASHPOT]
-
-
-@device
-def spring_energy(kn, share, ks, overlap, slip):
-    """Return the elastic energy of a contact [J], given the square of its stretch [m²]."""
-    return 0.5 * (kn * overlap * overlap * share * (1.0 if share == 1.0 else 0.8) + ks * slip)
-
-
-@device
-def _dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-@device
-def _tangential(v, n):
-    along = _dot(v, n)
-    return v[0] - along * n[0], v[1] - along * n[1], v[2] - along * n[2]
-
-
-@device
-def _turned(s, n, angle):
-    """Return a tangential vector one step later, rotated with the pair.
-
-    It is rotated about the normal, and then into the new plane at its old length.
-    """
-    x = s[0] + angle * (n[1] * s[2] - n[2] * s[1])
-    y = s[1] + angle * (n[2] * s[0] - n[0] * s[2])
-    z = s[2] + angle * (n[0] * s[1] - n[1] * s[0])
-    o = _tangential((x, y, z), n)
-    after = _dot(o, o)
-    keep = picked(after, math.sqrt(_dot(s, s) / after), 0.0)
-    return keep * o[0], keep * o[1], keep * o[2]
-
-
-@device
-def contact_force(spring, friction, overlap, now, last, twist, s, p, dt):
-    """Return the force on the second body of a contact, and its memory; for one contact, or for many in lanes.
-
-    A tangential spring that is stiffer than a step ago keeps its force, and one that is softer keeps its stretch. Its
-    stored energy therefore never grows by the change (Thornton, Cummins and Cleary, Powder Technology 233, 2013).
-    Work on the spring that it does not store counts as friction.
-
-    Args:
-        spring: stiffness dF/du [N/m]; force over it and overlap [-]; ks, and ks a step ago [N/m]; dashpots cn, cs
-            [N·s/m].
-        friction: μ [-].
-        overlap: overlap [m]; 0 if the bodies have just separated.
-        now: unit normal from the first body to the second (3), velocity of the second against the first at the
-            contact over the step (3) [m/s].
-        last: these quantities one step earlier.
-        twist: rate at which the pair rotates about the normal [rad/s].
-        s: stretch of the tangential spring [m] a step ago, (3).
-        p: force of the dashpots [N] a step ago, (3).
-        dt: time step [s].
-
-    Returns:
-        Force [N] (3), stretch (3), force of the dashpots (3), energy lost to dashpots and to friction over the step
-        [J]: the trapezoid of force over displacement, second order as the step is.
-    """
-    kn, share, ks, before, cn, cs = spring
-    (nx, ny, nz), v = now
-    opening = _dot(v, now[0])
-    elastic = share * kn * overlap
-    pressed = elastic - cn * opening
-    normal = picked(overlap, picked(pressed, pressed, 0.0), 0.0)
-    resist = normal - elastic
-    hx, hy, hz = resist * nx, resist * ny, resist * nz
-    fx, fy, fz = normal * nx, normal * ny, normal * nz
-    rubbed = 0.0 * overlap
-    sx, sy, sz = s
-    if friction > 0.0:
-        t = _tangential(v, now[0])
-        came = _turned(_tangential(last[1], last[0]), now[0], dt * twist)
-        ox, oy, oz = _turned(s, now[0], dt * twist)
-        less = picked(ks - before, before / ks, 1.0)
-        ox, oy, oz = less * ox, less * oy, less * oz
-        half = 0.5 * dt
-        ux, uy, uz = ox + half * (came[0] + t[0]), oy + half * (came[1] + t[1]), oz + half * (came[2] + t[2])
-        limit = friction * normal
-        pull = ks * math.sqrt(ux * ux + uy * uy + uz * uz)
-        held = picked(pull - limit, limit / pull, picked(overlap, 1.0, 0.0))
-        sx, sy, sz = held * ux, held * uy, held * uz
-        given = half * (before * _dot(s, last[1]) + ks * _dot((sx, sy, sz), v))
-        rubbed = given - 0.5 * (ks * _dot((sx, sy, sz), (sx, sy, sz)) - before * _dot(s, s))
-        gx, gy, gz = ks * sx + cs * t[0], ks * sy + cs * t[1], ks * sz + cs * t[2]
-        slides = gx * gx + gy * gy + gz * gz - limit * limit  # the dashpot never makes it slide
-        gx, gy, gz = picked(slides, ks * sx, gx), picked(slides, ks * sy, gy), picked(slides, ks * sz, gz)
-        hx, hy, hz = hx - (gx - ks * sx), hy - (gy - ks * sy), hz - (gz - ks * sz)
-        fx, fy, fz = fx - gx, fy - gy, fz - gz
-    damped = -0.5 * dt * (_dot(p, last[1]) + _dot((hx, hy, hz), v))
-    return (fx, fy, fz), (sx, sy, sz), (hx, hy, hz), damped, rubbed

@@ -1,11 +1,9 @@
 """Damping of the elements' own motion and of the bonds between them."""
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
 from bondem._checks import number, shown
-from bondem._compile import device
 from bondem.errors import InputError
 
 
@@ -107,47 +105,3 @@ class DampingTerms:
                 raise InputError(f"damping= has two {type(kind).__name__}; give one of each kind")
             values |= own
         return cls(**values)
-
-
-@device
-def direction(velocity):
-    """Return -1, 0 or 1, the sign of one component of velocity."""
-    return 1.0 if velocity > 0.0 else (-1.0 if velocity < 0.0 else 0.0)
-
-
-@device
-def local_damping(force, direction, gamma):
-    """Return one component of force [N] or torque [N·m], damped against the `direction` of motion, -1, 0 or 1."""
-    return force - gamma * direction * math.fabs(force)
-
-
-@device
-def dashpot_force(dx, dy, dz, vx, vy, vz, px, py, pz, qx, qy, qz, share, cn, cs, cb, ct):
-    """Return force on j and torques on i and j [N, N·m] of the dashpots of one bond; the force on i is the opposite.
-
-    Args:
-        dx, dy, dz: centre j minus centre i [m].
-        vx, vy, vz: velocity of j minus that of i [m/s].
-        px, py, pz: angular velocity of i; qx … of j [rad/s].
-        share: position of the contact point along the distance, from i [-]. Levers add up to the present length, so
-            that there is no net moment, and none in rigid motion.
-        cn, cs, cb, ct: dashpot coefficients [N·s/m, N·m·s].
-    """
-    l = math.sqrt(dx * dx + dy * dy + dz * dz)
-    inverse = 1.0 / l
-    nx, ny, nz = dx * inverse, dy * inverse, dz * inverse
-    near = share * l
-    far = l - near
-    sx, sy, sz = near * px + far * qx, near * py + far * qy, near * pz + far * qz
-    ux = vx - (sy * nz - sz * ny)
-    uy = vy - (sz * nx - sx * nz)
-    uz = vz - (sx * ny - sy * nx)
-    along = (cn - cs) * (ux * nx + uy * ny + uz * nz)
-    fx, fy, fz = -cs * ux - along * nx, -cs * uy - along * ny, -cs * uz - along * nz
-    wx, wy, wz = qx - px, qy - py, qz - pz
-    twist = (ct - cb) * (wx * nx + wy * ny + wz * nz)
-    mx, my, mz = cb * wx + twist * nx, cb * wy + twist * ny, cb * wz + twist * nz
-    tx, ty, tz = ny * fz - nz * fy, nz * fx - nx * fz, nx * fy - ny * fx
-    return (
-        fx, fy, fz, mx - near * tx, my - near * ty, mz - near * tz, -mx - far * tx, -my - far * ty, -mz - far * tz
-    )  # fmt: skip

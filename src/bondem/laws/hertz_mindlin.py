@@ -84,7 +84,7 @@ class HertzMindlin(ContactLaw):
 
     @property
     def parameters(self) -> Floats:
-        """E* of two spheres [Pa], ks / kn, μ, β and 1, in the kernels' form, (5,)."""
+        """E* of two spheres [Pa], ks / kn, μ, β and 1, in the form of the core, (5,)."""
         return np.array([self.modulus, 1.0 / self.kappa, self.friction, self.damping, 1.0])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:

@@ -17,12 +17,10 @@ The limiter keeps the length of t - kt δ_t⁻ at most |t|, and so each of its c
 axes. The text of the paper does not print it; without it nothing but its own lag holds the rotation of an element.
 """
 
-import math
 from dataclasses import dataclass
 from typing import ClassVar
 
 from bondem._checks import choice, instance, number
-from bondem._compile import device
 
 #: Points of action of the force of a bond, and of l in eq (1): the centroid of the facet, or the line of centres.
 LEVERS = ("facet", "contact")
@@ -82,30 +80,3 @@ class NonLocal:
     def G(self) -> float:
         """Shear modulus [Pa]."""
         return self.E / (2.0 * (1.0 + self.nu))
-
-
-@device
-def extra_force(s, n, area, nu, slip, limited):
-    """Return the extra force e of a bond [N].
-
-    Args:
-        s: mean stress of its elements, xx, yy, zz, xy, xz, yz [Pa].
-        n: unit normal.
-        area: A [m²].
-        nu: ν [-].
-        slip: kt δ_t of the step before [N].
-        limited: True if the shear part is limited.
-    """
-    tx = s[0] * n[0] + s[3] * n[1] + s[4] * n[2]
-    ty = s[3] * n[0] + s[1] * n[1] + s[5] * n[2]
-    tz = s[4] * n[0] + s[5] * n[1] + s[2] * n[2]
-    across = tx * n[0] + ty * n[1] + tz * n[2]
-    push = area * nu * (s[0] + s[1] + s[2] - across)
-    tx, ty, tz = area * (tx - across * n[0]), area * (ty - across * n[1]), area * (tz - across * n[2])
-    x, y, z = tx - slip[0], ty - slip[1], tz - slip[2]
-    if limited:
-        most, found = tx * tx + ty * ty + tz * tz, x * x + y * y + z * z
-        # exactly 1 within the limit; where nothing is asked for, nothing is left
-        share = math.sqrt(most / (max(found, most) + _NOTHING))
-        x, y, z = share * x, share * y, share * z
-    return push * n[0] + x, push * n[1] + y, push * n[2] + z

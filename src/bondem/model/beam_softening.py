@@ -1,4 +1,4 @@
-"""Tables of softening beams for the kernels, in their order."""
+"""Tables of softening beams, internal order."""
 
 from dataclasses import dataclass
 
@@ -38,7 +38,7 @@ class BeamSoftening:
 
         Args:
             lattice: bonds.
-            layout: order of the bonds in the kernels.
+            layout: order of the bonds.
             parts: criteria of one kind with their bonds.
             stiffness: stiffnesses of the bonds, user's order.
             at_contact: True if moments count at the contact point.

@@ -9,8 +9,8 @@ import numpy as np
 
 from bondem._core import Pass
 from bondem._types import Floats, Ints, PerBond
-from bondem.kernels.tables import lines
-from bondem.model.bond_table import BondTable, with_twins
+from bondem.model.bond_table import BondTable, with_twins, with_zeros
+from bondem.model.cache_lines import lines
 from bondem.model.layout import Layout
 
 
@@ -89,12 +89,15 @@ def beam_tables(
         may_share: whether what they share may be used; False where their lengths change.
     """
     same = bonds.alike if may_share else None
-    b = bonds.rows(layout, period, integrity, alike=same is not None)
-    columns = (
-        b.i, b.j, b.X0, b.Y0, b.Z0, b.length, b.kn, b.A, b.B, b.C, b.kt, b.ks, b.lever, b.integrity, b.period
+    X0, Y0, Z0 = bonds.direction
+    hold = integrity / bonds.length if same is not None else np.zeros(0)
+    beams = Beams(
+        i=with_twins(layout.i), j=with_twins(layout.j), X0=with_twins(X0), Y0=with_twins(Y0), Z0=with_twins(Z0),
+        length=with_twins(bonds.length), kn=with_zeros(bonds.kn), A=with_zeros(bonds.A), B=with_zeros(bonds.B),
+        C=with_zeros(bonds.C), kt=with_zeros(bonds.kt), ks=with_zeros(bonds.ks), lever=with_zeros(bonds.lever),
+        integrity=with_zeros(integrity), period=period,
     )  # fmt: skip
-    beams = Beams(*map(np.ascontiguousarray, columns))
-    return beams, None if same is None else AlikeBeams(b.hold, *same)
+    return beams, None if same is None else AlikeBeams(with_zeros(hold), *same)
 
 
 def load_beams(pose: Floats, beams: Beams, alike: AlikeBeams | None, sums: BeamSums) -> None:

@@ -11,13 +11,33 @@ The division, and with it the number of threads, therefore changes no bit.
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from bondem._types import Ints, Mask
-from bondem.kernels.tables import StepCut, lines
 from bondem.model.bond_table import GROUP, with_twins
+from bondem.model.cache_lines import lines
 from bondem.model.layout import Layout
+
+
+class StepCut(NamedTuple):
+    """Division of a step in the form of the core (attributes of `Blocks`), and the sums that it adds to."""
+
+    domain: np.ndarray
+    bond: np.ndarray
+    move: np.ndarray
+    held: np.ndarray
+    ready: np.ndarray
+    ready_row: np.ndarray
+    row_i: np.ndarray
+    row_j: np.ndarray
+    shared: np.ndarray
+    shared_row: np.ndarray
+    shared_held: int
+    part: np.ndarray
+    parts: int
+    sums: np.ndarray  #: force and torque of the bonds on each element [N, N·m], (rows, 8)
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,7 +133,7 @@ class Blocks:
         )
 
     def table(self, more: int = 0) -> StepCut:
-        """Return the division in the kernels' form, with sums at zero and `more` rows behind them."""
+        """Return the division in the form of the core, with sums at zero and `more` rows behind them."""
         return StepCut(
             domain=self.domain, bond=self.bond, move=self.move, held=self.held, ready=self.ready,
             ready_row=self.ready_row, row_i=self.row_i, row_j=self.row_j, shared=self.shared,

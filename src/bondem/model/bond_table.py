@@ -1,4 +1,4 @@
-"""Constants of the bonds in the kernels' order and form."""
+"""Constants of the bonds in the internal order."""
 
 from dataclasses import dataclass, replace
 
@@ -6,19 +6,17 @@ import numpy as np
 
 from bondem._core import core_lanes
 from bondem._types import Floats, PerBond
-from bondem.kernels.lanes import WIDTH
-from bondem.kernels.tables import Alike, Bonds
 from bondem.laws.bond import BondStiffness
 from bondem.model.layout import Layout
 from bondem.specimen.lattice import Lattice
 
-#: Bonds that a loop takes at once, at most: of Numba's loops and of the core.
-GROUP = max(WIDTH, core_lanes())
+#: Bonds that a pass of the core takes at once.
+GROUP = core_lanes()
 
 
 @dataclass(frozen=True, eq=False)
 class BondTable:
-    """Constants read by the bond pass, internal order.
+    """Constants of bonds, internal order.
 
     Attributes:
         direction: X0, from i to j in the reference [-], shape (3, m).
@@ -90,12 +88,12 @@ class BondTable:
         )
 
     def separate(self) -> "BondTable":
-        """Return the table with copies of the arrays that a kernel changes if strains change in time."""
+        """Return the table with copies of the arrays that a pass changes if strains change in time."""
         return replace(self, length=self.length.copy(), ks=self.ks.copy(), lever=self.lever.copy())
 
     @property
-    def alike(self) -> Alike | None:
-        """Return kn L, A L = C L, B L and kt L if all bonds share them, else None.
+    def alike(self) -> tuple[float, float, float, float] | None:
+        """Return kn L [N], A L = C L, B L and kt L [N·m²] if all bonds share them, else None.
 
         They do for Euler–Bernoulli bonds of one material and radius, whose stiffnesses are proportional to 1 / L.
         """
@@ -107,46 +105,16 @@ class BondTable:
         if (spread > _ROUNDING * np.append(largest, largest[1])).any():
             return None
         kn, A, B, _, kt = products.mean(axis=1).tolist()
-        return Alike(kn, A, B, kt)
-
-    def rows(
-        self,
-        layout: Layout,
-        period: Floats,
-        integrity: PerBond,
-        *,
-        alike: bool = False,
-    ) -> Bonds:
-        """Return the bonds in the kernels' form.
-
-        Fewer than WIDTH bonds are followed by copies of the first one that carry no force, so that a loop may read
-        WIDTH at once.
-
-        Args:
-            layout: ends of the bonds.
-            period: edges of the periodic cell and their inverses, (6,).
-            integrity: integrity of the bonds, (m,).
-            alike: True if the kernel will read the force over the length only.
-        """
-        m = len(layout.i)
-        X0, Y0, Z0 = self.direction
-        hold = integrity / self.length if alike else np.zeros(0)
-        return Bonds(
-            m=m, i=with_twins(layout.i), j=with_twins(layout.j),
-            X0=with_twins(X0), Y0=with_twins(Y0), Z0=with_twins(Z0), length=with_twins(self.length),
-            kn=with_zeros(self.kn), A=with_zeros(self.A), B=with_zeros(self.B), C=with_zeros(self.C),
-            kt=with_zeros(self.kt), ks=with_zeros(self.ks), kb=with_zeros(self.kb), lever=with_zeros(self.lever),
-            integrity=with_zeros(integrity), hold=with_zeros(hold), period=period,
-        )  # fmt: skip
+        return kn, A, B, kt
 
 
 def with_twins(column: np.ndarray) -> np.ndarray:
-    """Return a column of bonds (m,), padded with copies of the first one to WIDTH."""
+    """Return a column of bonds (m,), padded with copies of the first one to GROUP."""
     return _longer(column, column[:1])
 
 
 def with_zeros(columns: np.ndarray) -> np.ndarray:
-    """Return columns of bonds (…, m), padded with zeros to WIDTH."""
+    """Return columns of bonds (…, m), padded with zeros to GROUP."""
     return _longer(columns, np.zeros(1))
 
 

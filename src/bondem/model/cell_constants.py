@@ -8,10 +8,8 @@ import numpy as np
 from bondem._checks import shown
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement
 from bondem.errors import InputError
-from bondem.kernels.tables import CellTable
 from bondem.laws.bond import BondStiffness
 from bondem.laws.cell_bond import CellBond
-from bondem.model.bond_table import with_twins, with_zeros
 from bondem.model.cell_doubts import layer_axes
 from bondem.model.grips import Grips, Holds
 from bondem.model.layout import Layout
@@ -31,7 +29,7 @@ class CellConstants:
     the centres of the tessellation. Nothing else differs, because the gap of a facet is that of its two faces.
 
     Shares and H are numbers of single precision and levers multiples of `pitch`: results from them are exact, and
-    kernels read half as much.
+    passes read half as much.
 
     Attributes:
         k: 2 G A / L, of halves in series between different materials [N/m], shape (m,).
@@ -136,7 +134,7 @@ class CellConstants:
         return np.bincount(self.free_cell, weights=opened, minlength=len(self.pressed)).astype(float)
 
     def ordered(self, layout: Layout) -> "CellConstants":
-        """Return the constants in the kernels' order."""
+        """Return the constants in internal order."""
         bond, element, back = layout.bond_order, layout.order, layout.flipped[:, None]
         lever_i, lever_j = self.lever_i[bond], self.lever_j[bond]
         share_i, share_j = self.share_i[bond], self.share_j[bond]
@@ -168,8 +166,8 @@ class CellConstants:
         Cells at walls grow towards them by the mean of their facets.
 
         Args:
-            strain: ε* [-], kernels' order, as these constants are in, shape (m,), or (0,) for none.
-            layout: order of the kernels.
+            strain: ε* [-], internal order, as these constants are in, shape (m,), or (0,) for none.
+            layout: order of elements and bonds.
         """
         if strain.size == 0:
             return self
@@ -188,29 +186,6 @@ class CellConstants:
         n, open_share = len(self.weight), 1.0 - integrity
         slack = np.bincount(j, open_share * self.slack_j, n) + np.bincount(i, open_share * self.slack_i, n)
         return replace(self, weight=self.weight / (1.0 + self.weight * slack))
-
-    def rows(self, to_i: np.ndarray) -> CellTable:
-        """Return the constants in the kernels' form and order.
-
-        Args:
-            to_i: row where each facet adds to its cell i, uint32, (m,): cell i, or a row behind all cells.
-        """
-        def columns(each: Floats, kind: type) -> np.ndarray:
-            return np.ascontiguousarray(with_zeros(each.T.astype(kind)))
-
-        def whole(lever: Floats) -> np.ndarray:
-            return columns(np.rint(lever / self.pitch), np.int32)
-
-        return CellTable(
-            k=with_zeros(self.k), pitch=self.pitch, lever_i=whole(self.lever_i), lever_j=whole(self.lever_j),
-            share_i=columns(self.share_i, np.float32), share_j=columns(self.share_j, np.float32),
-            normal=columns(self.normal, np.float64),
-            H=columns(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]], np.float32),
-            weight=self.weight.copy(), to_i=with_twins(to_i), given=self.pressed.copy(),
-            swelling=np.zeros(max(len(self.weight), int(to_i.max(initial=0)) + 1)),
-            in_start=np.zeros(0, dtype=np.int64), out_start=np.zeros(0, dtype=np.int64),
-            out_bond=np.zeros(0, dtype=np.uint32), bends=None, force=None, moment=None, sums=None,
-        )  # fmt: skip
 
     def as_bonds(self, body: Lattice) -> BondStiffness:
         """Return stiffnesses of beams that are about as stiff, for approximate uses: dashpots, magnitudes."""

@@ -9,10 +9,10 @@ import numpy as np
 
 from bondem._core import Pass
 from bondem._types import Floats, Ints, PerBond
-from bondem.kernels.tables import GripTable
 from bondem.model.beam_tables import BeamSums, Poses
 from bondem.model.bond_table import with_twins, with_zeros
 from bondem.model.cell_constants import CellConstants
+from bondem.model.grips import WallConstraints
 from bondem.model.layout import Layout
 
 #: Column of a pose that holds the stress λ θ of a cell [Pa].
@@ -96,29 +96,6 @@ class FacetRelease(NamedTuple):
     wall: Ints  #: (g,)
     changed: np.ndarray  #: cells of the facets that fail in a step, then their neighbours, uint32, (n,)
     changes: Ints  #: their number, (1,)
-
-
-class WallConstraints(NamedTuple):
-    """Facets on the surface that walls hold, g of them, each by the half facet of its cell."""
-
-    cell: Ints  #: (g,)
-    row: Ints  #: row of the boundary that the cell owns, (g,)
-    k: Floats  #: 2 G A / d [N/m], (g,)
-    lever: Floats  #: from the centre of the cell to the facet in the reference [m], (g, 3)
-    arm: Floats  #: the same with stress-free and plastic strains of the cell [m], (g, 3)
-    share: Floats  #: A M⁻¹n along the held axes [m²], (g, 3)
-    H: Floats  #: resistance to rotation, xx, yy, zz, xy, xz, yz [N·m], (g, 6)
-    base: Floats  #: origin of the motion of the wall [m], and the quaternion of the cell there, (g, 7)
-    axes: Floats  #: 1 where held, along x, y, z, (g, 3)
-    drive: Ints  #: schedule that moves the wall along x, y, z, or -1, (g, 3)
-    rate: np.ndarray  #: 1 for schedules of velocities, uint8
-    times: Floats  #: schedules, one after the other
-    values: Floats
-    start: Ints
-    place: int  #: of the walls in the list of works
-    wall: Floats  #: displacement of the wall now [m], (g, 3)
-    came: Floats  #: its increment in this step [m], (g, 3)
-    load: Floats  #: force and torque on the cell [N, N·m], (g, 6)
 
 
 class FacetTractions(NamedTuple):
@@ -213,11 +190,6 @@ def facet_release(
     )  # fmt: skip
     _weigh_cells(facets, release)
     return release
-
-
-def wall_constraints(grips: GripTable) -> WallConstraints:
-    """Return held facets as the core takes them; they share the arrays that change."""
-    return WallConstraints(*grips)
 
 
 def load_body(

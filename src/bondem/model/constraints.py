@@ -1,21 +1,51 @@
-"""Boundary conditions resolved to arrays in the kernels' order; elements that are held or loaded own a row."""
+"""Boundary conditions resolved to arrays in internal order; elements that are held or loaded own a row."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from bondem._checks import shown
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import InputError
-from bondem.kernels.tables import Rows, Schedules
 from bondem.model.boundary import BoundaryCondition, Drive, Fix, Load
 from bondem.model.cell_constants import CellConstants
-from bondem.model.couples import Couple, couple_table
+from bondem.model.couples import Couple, CoupleTable, couple_table
 from bondem.model.layout import Layout
 from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure, is_face
 from bondem.model.schedules import Schedule
 from bondem.specimen.lattice import Lattice
+
+
+class Rows(NamedTuple):
+    """Rows of the elements that are held, driven or loaded, r of them; passes write all but `of` and `fixed`."""
+
+    of: np.ndarray  #: row of each element, or -1, (n,)
+    fixed: np.ndarray  #: degrees of freedom with prescribed motion, uint8, (r, 6)
+    force: np.ndarray  #: of loads now [N, N·m], (r, 6)
+    half: np.ndarray  #: prescribed velocities over the step [m/s, rad/s], (r, 6)
+    full: np.ndarray  #: prescribed velocities now, (r, 6)
+    reaction: np.ndarray  #: minus the bond forces [N, N·m], (r, 6)
+    grip: np.ndarray  #: of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any
+    work: np.ndarray  #: of loads and drives on each row [J], then of body forces, strains and walls that hold cells
+
+
+class Schedules(NamedTuple):
+    """Schedules, and the loads and motions of rows that follow them."""
+
+    times: np.ndarray  #: of all schedules, one after the other [s]
+    values: np.ndarray
+    start: np.ndarray  #: where each begins
+    drive_row: np.ndarray
+    drive_dof: np.ndarray
+    drive_schedule: np.ndarray
+    drive_rate: np.ndarray  #: 1 for a velocity, 0 for a displacement, uint8
+    load_row: np.ndarray
+    load_schedule: np.ndarray
+    load_value: np.ndarray  #: [N, N·m], (…, 6)
+    load_turns: np.ndarray  #: element with which each turns, or -1; (0,) where none does
+    couples: CoupleTable  #: moments, whose forces turn with their regions
 
 
 @dataclass(frozen=True, eq=False)
@@ -183,7 +213,7 @@ class Constraints:
 
     @property
     def schedules(self) -> Schedules:
-        """Return the schedules in the kernels' form."""
+        """Return the schedules in the form of the core."""
         return Schedules(
             times=self.times, values=self.values, start=self.start, drive_row=self.drive_row,
             drive_dof=self.drive_dof, drive_schedule=self.drive_schedule, drive_rate=self.drive_rate,
@@ -192,7 +222,7 @@ class Constraints:
         )  # fmt: skip
 
     def rows(self, reaction: Floats, work: Floats) -> Rows:
-        """Return the rows in the kernels' form, with the reactions (r, 6) and works of a state."""
+        """Return the rows in the form of the core, with the reactions (r, 6) and works of a state."""
         still = np.zeros((3, len(self.element), 6))
         return Rows(
             of=self.row_of, fixed=self.fixed, force=still[0], half=still[1], full=still[2], reaction=reaction,

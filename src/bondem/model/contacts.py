@@ -4,14 +4,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._compile import current_threads
+from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerBond, PerElement
-from bondem.kernels.tables import lines
-from bondem.kernels.walls import COLUMNS
 from bondem.laws.contact import ContactLaw
+from bondem.model.cache_lines import lines
 from bondem.model.contact_search import Walls, WallSources, found_walls
 from bondem.model.layout import Layout
 from bondem.model.local_origin import local_rest
+from bondem.model.wall_columns import WALL_COLUMNS
 from bondem.model.walls import WallTable
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.neighbours import SphereGrid, neighbours, sphere_grid
@@ -67,7 +67,7 @@ class ContactModel:
 
         Args:
             lattice: elements.
-            layout: order of the elements in the kernels.
+            layout: order of the elements.
             law: law of their contacts.
             walls: walls that they touch.
             own: see `own`.
@@ -90,7 +90,7 @@ class ContactModel:
         )
         # one place for the geometry of walls: the core, asked for walls within reach of a sphere at rest
         count = len(walls.friction)
-        still = Walls(walls.shape, np.zeros((count, COLUMNS)), walls.friction, np.zeros((count, 4)))
+        still = Walls(walls.shape, np.zeros((count, WALL_COLUMNS)), walls.friction, np.zeros((count, 4)))
         pose = lines(n)
         pose[:, :3] = position
         sources = WallSources.without_memory(radius, 0.0)

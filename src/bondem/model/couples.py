@@ -2,13 +2,25 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from bondem._types import Floats, Ints, PerElement6
-from bondem.kernels.couples import CoupleTable
 from bondem.model.balance import balanced_forces
 from bondem.model.turned_frames import turned_vectors
+
+
+class CoupleTable(NamedTuple):
+    """Moments of loads on points of elements, c of them."""
+
+    start: np.ndarray  #: where the points of each begin, (c + 1,)
+    schedule: np.ndarray  #: (c,)
+    moment: np.ndarray  #: [N·m], (c, 3)
+    element: np.ndarray  #: of each point
+    row: np.ndarray  #: of the boundary, that the element owns
+    arm: np.ndarray  #: from its centre [m], (…, 3)
+    share: np.ndarray  #: of the moment's forces [-]
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,7 +85,7 @@ class Couple:
 
 
 def couple_table(couples: Sequence[Couple], row_of: Ints) -> CoupleTable:
-    """Return couples in the kernels' form."""
+    """Return couples as the core takes them."""
     element = np.concatenate([np.zeros(0, dtype=np.int64), *(one.element for one in couples)])
     return CoupleTable(
         start=np.cumsum([0, *(len(one.element) for one in couples)]).astype(np.int64),

@@ -1,4 +1,4 @@
-"""Tables of a failure criterion for the kernels: coefficients and bounds of each bond, in their order."""
+"""Tables of a failure criterion: coefficients and bounds of each bond, internal order."""
 
 import math
 from collections.abc import Mapping
@@ -61,7 +61,7 @@ class FailureTable:
 
         Args:
             lattice: bonds or facets.
-            layout: order of the bonds in the kernels.
+            layout: order of the bonds.
             parts: criteria of one kind with their bonds.
             stiffness: stiffnesses of the bonds, user's order; None for facets of cells.
             at_contact: True if moments count at the contact point.
@@ -103,7 +103,7 @@ class FailureTable:
 
         Args:
             lattice: elements and bonds.
-            layout: order of the bonds in the kernels.
+            layout: order of the bonds.
             parts: criteria on principal stresses with their bonds.
             constants: constants of the bonds, user's order.
         """

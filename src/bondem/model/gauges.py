@@ -12,7 +12,7 @@ REDUCTIONS = ("mean", "sum", "max_abs")
 
 @dataclass(frozen=True)
 class Gauge:
-    """Three components over time, sampled inside the compiled loop.
+    """Three components over time, sampled within the steps.
 
     Attributes:
         region: elements to sample.
@@ -36,7 +36,7 @@ class Gauge:
 
 @dataclass(frozen=True)
 class WallGauge:
-    """Three components of a wall over time, sampled inside the compiled loop.
+    """Three components of a wall over time, sampled within the steps.
 
     Attributes:
         wall: index of the wall among the walls of the model.

@@ -7,11 +7,11 @@ the facet stays free.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from bondem._types import Floats, Ints, Mask, PerElement, PerElement3, PerElement6
-from bondem.kernels.tables import GripTable
 from bondem.model.boundary import BoundaryCondition, Drive, Fix
 from bondem.model.layout import Layout
 from bondem.model.loads import facet_numbers, is_face
@@ -82,6 +82,29 @@ def holds_wall(condition: Fix | Drive) -> bool:
     """Return True if a condition holds a wall: one on a face that prescribes translations."""
     first = condition.components if isinstance(condition, Fix) else [dof for dof, *_ in condition.motion]
     return is_face(condition.region) and min(first) < 3
+
+
+class WallConstraints(NamedTuple):
+    """Facets on the surface that walls hold, g of them, each by the half facet of its cell."""
+
+    cell: Ints  #: (g,)
+    row: Ints  #: row of the boundary that the cell owns, (g,)
+    k: Floats  #: 2 G A / d [N/m], (g,)
+    lever: Floats  #: from the centre of the cell to the facet in the reference [m], (g, 3)
+    arm: Floats  #: the same with stress-free and plastic strains of the cell [m], (g, 3)
+    share: Floats  #: A M⁻¹n along the held axes [m²], (g, 3)
+    H: Floats  #: resistance to rotation, xx, yy, zz, xy, xz, yz [N·m], (g, 6)
+    base: Floats  #: origin of the motion of the wall [m], and the quaternion of the cell there, (g, 7)
+    axes: Floats  #: 1 where held, along x, y, z, (g, 3)
+    drive: Ints  #: schedule that moves the wall along x, y, z, or -1, (g, 3)
+    rate: np.ndarray  #: 1 for schedules of velocities, uint8
+    times: Floats  #: schedules, one after the other
+    values: Floats
+    start: Ints
+    place: int  #: of the walls in the list of works
+    wall: Floats  #: displacement of the wall now [m], (g, 3)
+    came: Floats  #: its increment in this step [m], (g, 3)
+    load: Floats  #: force and torque on the cell [N, N·m], (g, 6)
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,12 +212,12 @@ class Grips:
         own[:, 3:, 3:] += self.H
         return own, -np.hstack([self.share, np.cross(b, self.share)])
 
-    def table(self, layout: Layout, row_of: Ints, place: int, base: Floats | None = None) -> GripTable:
-        """Return the grips in the kernels' form.
+    def table(self, layout: Layout, row_of: Ints, place: int, base: Floats | None = None) -> WallConstraints:
+        """Return the held facets as the core takes them; arrays that change are those of the table.
 
         Args:
             layout: order of the elements.
-            row_of: row of the boundary of each element, kernels' order.
+            row_of: row of the boundary of each element, internal order.
             place: place of the walls in the list of works.
             base: initial places of the walls, (g, 7); the reference if None, or of another number of facets.
         """
@@ -202,10 +225,10 @@ class Grips:
             return self.taken(base)._table(layout, row_of, place, base)
         return self._table(layout, row_of, place, reference_base(len(self.cell)))
 
-    def _table(self, layout: Layout, row_of: Ints, place: int, base: Floats) -> GripTable:
+    def _table(self, layout: Layout, row_of: Ints, place: int, base: Floats) -> WallConstraints:
         cell, count, holds = layout.rank[self.cell], len(self.cell), self.holds
         tables = [schedule.table for schedule in holds.drives]
-        return GripTable(
+        return WallConstraints(
             cell=cell, row=row_of[cell], k=self.k, lever=self.lever, arm=self.arm.copy(),
             share=self.share,
             H=np.ascontiguousarray(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]]), base=base,

@@ -1,4 +1,4 @@
-"""The order in which kernels see elements and bonds.
+"""The internal order of elements and bonds.
 
 Elements lie along a Morton curve, so that neighbours in space are neighbours in memory. Bonds are sorted by their
 farther element j > i, then by i. A pass over the bonds then streams along the elements j and reads elements i that it
@@ -7,13 +7,21 @@ has just seen. The opposite order would read elements that are not yet in the ca
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from bondem._types import Ints, PerBond, PerElement
-from bondem.kernels.tables import Adjacency
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.morton import morton_code
+
+
+class Adjacency(NamedTuple):
+    """Bonds of each element."""
+
+    in_start: np.ndarray  #: bonds in_start[p] … in_start[p + 1] end in p, (n + 1,)
+    out_start: np.ndarray  #: those that begin in p are in …, (n + 1,)
+    out_bond: np.ndarray  #: … this, from out_start[p] to out_start[p + 1], uint32, (m,)
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +82,7 @@ class Layout:
 
     @property
     def adjacency(self) -> Adjacency:
-        """Bonds of each element, in the kernels' form."""
+        """Bonds of each element, in the form of the core."""
         return Adjacency(self.in_start, self.out_start, self.out_bond)
 
 

@@ -1,4 +1,4 @@
-"""Origin of positions in the kernels, near the specimen, so that digits are kept far from the origin, as in UTM."""
+"""Origin of positions in the core, near the specimen, so that digits are kept far from the origin, as in UTM."""
 
 import numpy as np
 

@@ -9,7 +9,7 @@ from bondem.model.non_local_constants import NonLocalConstants
 
 
 def local_stiffness(constants: NonLocalConstants, layout: Layout) -> bsr_array:
-    """Return the second derivative of ½ kn δ_n² + ½ kt |δ_t|², 6×6 blocks of (u, θ), kernels' order, (6 n, 6 n)."""
+    """Return the second derivative of ½ kn δ_n² + ½ kt |δ_t|², 6×6 blocks of (u, θ), internal order, (6 n, 6 n)."""
     n, m = len(layout.order), len(layout.i)
     P = constants.normal[:, :, None] * constants.normal[:, None, :] * (constants.kn - constants.kt)[:, None, None]
     P += constants.kt[:, None, None] * np.eye(3)

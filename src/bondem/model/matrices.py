@@ -1,12 +1,12 @@
-"""Matrices of a model at rest: stiffness and mass, in the kernels' order."""
+"""Matrices of a model at rest: stiffness and mass, in internal order."""
 
 from typing import NamedTuple
 
 import numpy as np
 from scipy.sparse import bsr_array
 
-from bondem._compile import current_threads
 from bondem._core import Pass
+from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerBond, PerBond3
 from bondem.model.layout import Layout
 from bondem.model.local_stiffness import local_stiffness

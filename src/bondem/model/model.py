@@ -122,12 +122,12 @@ class Model:
 
     @cached_property
     def layout(self) -> Layout:
-        """Order of elements and bonds in the kernels."""
+        """Internal order of elements and bonds."""
         return Layout.of(self.lattice)
 
     @cached_property
     def cells(self) -> CellConstants | None:
-        """Constants of the cell law, in the kernels' order; None for other laws."""
+        """Constants of the cell law, in internal order; None for other laws."""
         return None if self._cells is None else self._cells.ordered(self.layout)
 
     @property
@@ -146,7 +146,7 @@ class Model:
 
     @cached_property
     def non_local(self) -> NonLocalConstants | None:
-        """Constants of the non-local law, in the kernels' order; None for other laws."""
+        """Constants of the non-local law, in internal order; None for other laws."""
         return None if self._non_local is None else self._non_local.ordered(self.layout)
 
     @property
@@ -184,12 +184,12 @@ class Model:
 
     @cached_property
     def bonds(self) -> BondTable:
-        """Constants of the bonds, in the kernels' order."""
+        """Constants of the bonds, in internal order."""
         return BondTable.of(self.lattice, self.layout, self.stiffness)
 
     @cached_property
     def contacts(self) -> ContactModel | None:
-        """Contacts of the reference configuration, in the kernels' form; None without a contact law."""
+        """Contacts of the reference configuration, in the form of the core; None without a contact law."""
         if self.contact is None:
             return None
         origin = local_origin(self.lattice)
@@ -218,7 +218,7 @@ class Model:
 
     @cached_property
     def breaking(self) -> FailureTable | None:
-        """Criteria by which single bonds break or begin to soften, in the kernels' order; None if there are none."""
+        """Criteria by which single bonds break or begin to soften, in internal order; None if there are none."""
         if self.failure is None:
             return None
         at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
@@ -236,7 +236,7 @@ class Model:
 
     @cached_property
     def beam_softening(self) -> BeamSoftening | None:
-        """Fracture energies of softening beams, in the kernels' order; None if no beam softens."""
+        """Fracture energies of softening beams, in internal order; None if no beam softens."""
         whole = self._cells is not None or self._non_local is not None
         if self.failure is None or whole or not self._by_bond:
             return None
@@ -245,7 +245,7 @@ class Model:
 
     @cached_property
     def softening(self) -> SofteningTable | None:
-        """Parameters of cracking facets and yielding cells, in the kernels' order; None if there are none."""
+        """Parameters of cracking facets and yielding cells, in internal order; None if there are none."""
         if self.failure is None or self.cells is None:
             return None
         return SofteningTable.of(self.lattice, self.layout, self.cells, self.failure_parts)

@@ -5,16 +5,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Floats, PerBond, PerBond3, PerElement
+from bondem._types import PerBond, PerBond3, PerElement
 from bondem.errors import InputError
-from bondem.kernels.non_local import OUTPUT_ROWS
-from bondem.kernels.tables import LaggedTable, lines
 from bondem.laws.bond import BondStiffness
 from bondem.laws.non_local import NonLocal
-from bondem.model.bond_table import with_twins, with_zeros
 from bondem.model.contact_areas import weighted_areas
 from bondem.model.layout import Layout
 from bondem.specimen.lattice import Lattice
+
+#: Rows of the history that bonds of the non-local law store, and that of the work of their extra forces.
+NON_LOCAL_ROWS, NON_LOCAL_WORK = 7, 6
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +61,7 @@ class NonLocalConstants:
         )  # fmt: skip
 
     def ordered(self, layout: Layout) -> "NonLocalConstants":
-        """Return the constants in the kernels' order."""
+        """Return the constants in internal order."""
         bond, back = layout.bond_order, layout.flipped[:, None]
         lever_i, lever_j = self.lever_i[bond], self.lever_j[bond]
         return NonLocalConstants(
@@ -69,27 +69,6 @@ class NonLocalConstants:
             normal=np.where(back, -self.normal[bond], self.normal[bond]),
             lever_i=np.where(back, lever_j, lever_i), lever_j=np.where(back, lever_i, lever_j),
             volume=self.volume[layout.order], nu=self.nu, limited=self.limited,
-        )  # fmt: skip
-
-    def rows(self, history: Floats, stress: Floats, to_i: np.ndarray) -> LaggedTable:
-        """Return the constants and the stored data of the law in the kernels' form and order.
-
-        Args:
-            history: stored data of bonds, (7, m) or longer; see `bondem.kernels.non_local`.
-            stress: stress of the elements [Pa], (n, 6).
-            to_i: row where each bond adds to its element i, uint32, (m,): element i, or a row behind all elements.
-        """
-        n = max(len(self.volume), int(to_i.max(initial=0)) + 1)
-
-        def columns(each: Floats) -> Floats:
-            return np.ascontiguousarray(with_zeros(each.T))
-
-        return LaggedTable(
-            area=with_zeros(self.area), kn=with_zeros(self.kn), kt=with_zeros(self.kt),
-            normal=columns(self.normal), lever_i=columns(self.lever_i), lever_j=columns(self.lever_j),
-            inverse=1.0 / self.volume, nu=self.nu, limited=self.limited,
-            to_i=with_twins(to_i), history=history, stress=stress, space=lines(len(stress)), moment=lines(n),
-            output=with_zeros(np.zeros((OUTPUT_ROWS, len(self.area)))),
         )  # fmt: skip
 
     def as_bonds(self, lattice: Lattice) -> BondStiffness:

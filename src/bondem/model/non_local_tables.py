@@ -9,9 +9,9 @@ import numpy as np
 
 from bondem._core import Pass
 from bondem._types import Floats, PerBond
-from bondem.kernels.tables import lines
 from bondem.model.beam_tables import Beams, Poses, beam_tables
 from bondem.model.bond_table import with_twins, with_zeros
+from bondem.model.cache_lines import lines
 from bondem.model.failure_passes import FailureIndices, Strengths, strengths_of
 from bondem.model.failure_table import FailureTable
 from bondem.model.model import Model

@@ -1,22 +1,20 @@
-"""Tables of softening facets and yielding cells for the kernels, in their order."""
+"""Tables of softening facets and yielding cells, internal order."""
 
 import math
 from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._calls import Callback, callback
-from bondem._types import Floats, Ints, Mask, PerBond, PerElement
+from bondem._types import Ints, Mask, PerBond, PerElement
 from bondem.errors import InputError
-from bondem.laws.failure.softening import Softening
-from bondem.laws.softening import SNAP
+from bondem.laws.failure.softening import SNAP, Softening, StressIndex
 from bondem.model.cell_constants import CellConstants, body_of
 from bondem.model.failure_assignment import FailurePart
 from bondem.model.layout import Layout
 from bondem.specimen.lattice import Lattice
 
-# Share of its strength at which the facets of a cell are looked at: the stress of a pair of cells agrees with the
-# traction of their facet, which may be above that of both (`kernels/stress_index.py`).
+# Share of its strength at which the facets of a cell are evaluated: the stress of a pair of cells agrees with the
+# traction of their facet, which may be above that of both (`core/laws/agreed_stress.hpp`).
 _MARGIN = 0.7
 # The same of other criteria, and of the size of a stress at which they are reached, found in a few directions.
 _WIDER, _NEARER = 0.5, 0.7
@@ -69,13 +67,12 @@ class SofteningTable:
     Attributes:
         strength: f_t of each facet [Pa], (m,).
         last: k u / A at the last opening [Pa], 0 for brittle facets, (m,).
-        kink, steep: parameters of the softening curve (`bondem.laws.softening.softened`) [-].
+        kink, steep: parameters of the softening curve (`core/laws/softening.hpp`) [-].
         area: areas [m²], (m,).
         part: part of cell i in the compliance of a facet [-], (m,).
         hot: largest principal stress of a cell from which its facets are evaluated [Pa]; for another criterion its
             value in uniaxial tension.
-        judge: index function of another criterion, or None for the largest principal stress.
-        given: parameters of the criterion.
+        judge: another criterion, or None for the largest principal stress.
         least: smallest size √(σ:σ) of a stress that reaches another criterion [Pa].
         tension: f_t of another criterion without scatter [Pa].
         friction: μ of each facet [-], (m,).
@@ -92,8 +89,7 @@ class SofteningTable:
     area: PerBond
     part: PerBond
     hot: float
-    judge: Callback | None
-    given: Floats
+    judge: StressIndex | None
     least: float
     tension: float
     friction: PerBond
@@ -110,7 +106,7 @@ class SofteningTable:
 
         Args:
             body: facets and cells.
-            layout: order of the bonds in the kernels.
+            layout: order of the bonds.
             cells: constants of the law, in that order.
             parts: criteria with their facets and cells.
 
@@ -151,8 +147,7 @@ class SofteningTable:
         return cls(
             strength=strength, last=last, kink=softening.kink, steep=softening.steep, area=area,
             part=soft_i / (soft_i + soft_j), hot=(_MARGIN if surface is None else _WIDER) * least,
-            judge=None if surface is None else callback(surface.function, len(surface.values)),
-            given=np.array(() if surface is None else surface.values, dtype=float),
+            judge=surface,
             least=0.0 if surface is None else _NEARER * surface.nearest(), tension=softening.tension,
             friction=friction, plane=plane, cohesion=cohesion, last_slip=last_slip,
             slip=SlipTable.of(parts, cells.volume, layout.rank),

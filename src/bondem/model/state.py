@@ -8,16 +8,16 @@ from bondem._checks import array, instance, shown
 from bondem._names import meant
 from bondem._types import ArrayLike, Floats, Pairs, PerBond, PerElement, PerElement3
 from bondem.errors import InputError
-from bondem.kernels.crack_tables import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT, PLASTIC_COLUMNS
-from bondem.kernels.non_local import STORED, TAKEN
-from bondem.kernels.soft_tables import SOFT_COLUMNS
-from bondem.kernels.tables import BROKEN_COLUMNS, lines
-from bondem.kernels.walls import COLUMNS, FORCE, WORK
+from bondem.model.cache_lines import lines
+from bondem.model.crack_columns import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT, PLASTIC_COLUMNS
+from bondem.model.event_columns import BROKEN_COLUMNS, SOFT_COLUMNS
 from bondem.model.grips import reference_base
 from bondem.model.loads import Eigenstrain
 from bondem.model.local_origin import local_origin, local_rest
+from bondem.model.non_local_constants import NON_LOCAL_ROWS, NON_LOCAL_WORK
 from bondem.model.origin import Origin, difference
 from bondem.model.state_walls import known_walls, rows_of_walls, set_off
+from bondem.model.wall_columns import WALL_COLUMNS, WALL_FORCE, WALL_WORK
 from bondem.model.walls import Wall
 from bondem.specimen.particles import freeze
 
@@ -38,7 +38,7 @@ class State:
         step: number of steps done.
         time: time [s].
 
-    Arrays of the solvers, in the order of the kernels; `dir` does not list them:
+    Arrays of the solvers, in internal order; `dir` does not list them:
 
     - `origin`: origin of x, y, z in `pose` [m], shape (3,); zero unless the specimen lies far from the origin.
     - `pose`: rows (x, y, z, spare, quaternion w x y z), shape (n, 8).
@@ -46,7 +46,7 @@ class State:
     - `acceleration`: translational and rotational accelerations at the present pose, shape (n, 6).
     - `integrity`: integrity of each bond, 1 intact … 0 broken, shape (m,).
     - `history`: force and moment of each bond for the incremental formulation, (6, m), else (6, 0). For the non-local
-      law: gap, extra force and its work (`bondem.kernels.non_local`), (7, m).
+      law: gap, extra force and its work (`bondem.model.non_local_tables`), (7, m).
     - `stress`: stress of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6), for the non-local law;
       else (0, 6).
     - `eigenstrain`: ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,) if none was set.
@@ -59,12 +59,12 @@ class State:
     - `stretch`: tangential stretch [m] and dashpot force [N] of these contacts, shape (c, 6).
     - `wall_touching`: internal element and wall of each contact with a wall, shape (b, 2).
     - `wall_stretch`: tangential stretch [m] and dashpot force [N] of these contacts, shape (b, 6).
-    - `walls`: positions, velocities and loads of the walls (`bondem.kernels.walls`), shape (w, 14).
+    - `walls`: positions, velocities and loads of the walls (`bondem.model.wall_columns`), shape (w, 14).
     - `broken`: breakages in order of time: time [s], step, bond, mode, gap [m], energy [J], place [m]; (e, 9).
     - `released`: energy that breaking bonds have released since the start [J], shape (1,).
-    - `cracks`: facets that have begun to crack, in order of time (`bondem.kernels.crack_tables`), shape (c, 13).
-    - `plastic`: plastic strain of cells (`bondem.kernels.crack_tables`), (n, 17), or (0, 17) if none can yield.
-    - `softened`: beams that have begun to soften, in order of time (`bondem.kernels.soft_tables`), shape (c, 6).
+    - `cracks`: facets that have begun to crack, in order of time (`bondem.model.crack_columns`), shape (c, 13).
+    - `plastic`: plastic strain of cells (`bondem.model.crack_columns`), (n, 17), or (0, 17) if none can yield.
+    - `softened`: beams that have begun to soften, in order of time (`bondem.model.event_columns`), shape (c, 6).
     - `grips`: initial places of the walls that hold facets of cells (`bondem.model.grips`), shape (g, 7).
     - `facet_force`: force of each facet on its cell i [N], (3, m), if facets may crack; else (3, 0).
     - `stale`: True if the acceleration must be recomputed before the next step.
@@ -88,7 +88,7 @@ class State:
         self.motion[:, 7] = 1.0 / model.inertia[order]
         self.acceleration = np.zeros((n, 6))
         self.integrity = np.ones(m)
-        stored = STORED if model.non_local is not None else 6
+        stored = NON_LOCAL_ROWS if model.non_local is not None else 6
         self.history = np.zeros((stored, m if model.formulation == "incremental" else 0))
         self.stress = np.zeros((n if model.non_local is not None else 0, 6))
         self.eigenstrain = np.zeros(0)
@@ -99,7 +99,7 @@ class State:
         self.stretch = np.zeros((0, 6))
         self.wall_touching = np.zeros((0, 2), dtype=np.int64)
         self.wall_stretch = np.zeros((0, 6))
-        self.walls = np.zeros((len(model.walls), COLUMNS))
+        self.walls = np.zeros((len(model.walls), WALL_COLUMNS))
         set_off(self.walls, (), model.walls)
         self.broken = np.zeros((0, BROKEN_COLUMNS))
         self.released = np.zeros(1)
@@ -174,12 +174,12 @@ class State:
         self.work = np.zeros(model.constraints.works[-1])
         self.loss[:] = 0.0
         if model.non_local is not None:
-            self.history[TAKEN] = 0.0
+            self.history[NON_LOCAL_WORK] = 0.0
         if model.contact is None:
             self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, 6))
         before = self._take_walls(model.walls)
         set_off(self.walls, before, model.walls)
-        self.walls[:, WORK] = 0.0
+        self.walls[:, WALL_WORK] = 0.0
         self.released = np.zeros(1)
         self.grips = reference_base(0 if model.cells is None else len(model.cells.grips.cell))
         self._take_damage(model)
@@ -218,7 +218,7 @@ class State:
         return freeze(internal[self.layout.rank])
 
     def _rows(self, name: str, given: ArrayLike, columns: int, *, broadcast: bool = True) -> Floats:
-        """Rows of all elements [kernels' order] from one row, or from one row per element in user's order.
+        """Rows of all elements [internal order] from one row, or from one row per element in user's order.
 
         Raises:
             InputError: a wrong shape, or values that are not finite.
@@ -350,7 +350,7 @@ class State:
     @property
     def wall_force(self) -> Floats:
         """Force of the elements on each wall [N], shape (w, 3)."""
-        return freeze(self.walls[:, FORCE : FORCE + 3].copy())
+        return freeze(self.walls[:, WALL_FORCE : WALL_FORCE + 3].copy())
 
     def set_motion(
         self, *, velocity: np.ndarray | None = None, angular_velocity: np.ndarray | None = None
@@ -381,7 +381,7 @@ class State:
 
     @property
     def rest_strain(self) -> PerBond:
-        """Present eigenstrain ε* of the bonds [-], of the state and `Eigenstrain`, kernels' order; (0,) if none."""
+        """Present eigenstrain ε* of the bonds [-], of the state and `Eigenstrain`, internal order; (0,) if none."""
         strain = self.eigenstrain
         for condition in self.model.boundary:
             if isinstance(condition, Eigenstrain):

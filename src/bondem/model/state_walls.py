@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from bondem._types import Floats, Ints
-from bondem.kernels.walls import COLUMNS, RATE
+from bondem.model.wall_columns import WALL_COLUMNS, WALL_RATE
 from bondem.model.walls import Free, Servo, Wall
 
 
@@ -21,9 +21,9 @@ def set_off(rows: Floats, before: Sequence[Wall | None], walls: Sequence[Wall]) 
         was = before[k] if k < len(before) else None
         goes_on = was is not None and type(wall.motion) is type(was.motion)
         if isinstance(wall.motion, Free) and not goes_on:
-            rows[k, RATE : RATE + 4] = [*wall.motion.velocity, 0.0]
+            rows[k, WALL_RATE : WALL_RATE + 4] = [*wall.motion.velocity, 0.0]
         elif not (goes_on and isinstance(wall.motion, Free | Servo)):
-            rows[k, RATE : RATE + 4] = 0.0
+            rows[k, WALL_RATE : WALL_RATE + 4] = 0.0
 
 
 def known_walls(before: Sequence[Wall], walls: Sequence[Wall]) -> list[int]:
@@ -50,7 +50,7 @@ def rows_of_walls(came: Sequence[int], rows: Floats, touching: Ints, stretch: Fl
     Returns:
         Rows, contacts and stretches of the new walls, without contacts with walls that no longer exist.
     """
-    number, found = np.full(len(rows), -1), np.zeros((len(came), COLUMNS))
+    number, found = np.full(len(rows), -1), np.zeros((len(came), WALL_COLUMNS))
     for new, before in enumerate(came):
         if before >= 0:
             found[new], number[before] = rows[before], new

@@ -156,7 +156,7 @@ class PlaneWall:
 
     @property
     def row(self) -> Floats:
-        """Point, normal, outer radius, kind and inner radius, in the kernels' form, (9,)."""
+        """Point, normal, outer radius, kind and inner radius, in the form of the core, (9,)."""
         if self.outer is None and not self.inner:
             return np.array([*self.point, *self.normal, 0.0, PLANE, 0.0])
         outer = np.inf if self.outer is None else self.outer
@@ -192,7 +192,7 @@ class CylinderWall:
 
     @property
     def row(self) -> Floats:
-        """Numbers that describe the cylinder to the kernels: point, axis, radius, kind and 0, (9,)."""
+        """Numbers that describe the cylinder: point, axis, radius, kind and 0, (9,)."""
         return np.array([*self.point, *self.axis, self.radius, OUTSIDE if self.outside else INSIDE, 0.0])
 
 
@@ -222,7 +222,7 @@ class SphereWall:
 
     @property
     def row(self) -> Floats:
-        """Centre, zeros, radius, kind and 0, in the kernels' form, (9,)."""
+        """Centre, zeros, radius, kind and 0, in the form of the core, (9,)."""
         return np.array([*self.centre, 0.0, 0.0, 0.0, self.radius, SHELL if self.inside else BALL, 0.0])
 
 
@@ -241,7 +241,7 @@ def check_walls(walls: object) -> tuple[Wall, ...]:
 
 @dataclass(frozen=True, eq=False)
 class WallTable:
-    """Walls in the form that the kernels require.
+    """Walls in the form of the core.
 
     Attributes:
         shape: point, normal or axis, radius, kind, radius of a hole; shape (w, 9).

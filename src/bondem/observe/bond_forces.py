@@ -7,8 +7,8 @@ import numpy as np
 from bondem._checks import instance, shown
 from bondem._types import Floats, PerBond, PerBond3, PerElement3
 from bondem.errors import InputError
-from bondem.kernels.soft_tables import SOFT_BOND
 from bondem.model.beam_tables import beam_tables, loads_of_each
+from bondem.model.event_columns import SOFT_BOND
 from bondem.model.incremental_tables import loads_of_stored
 from bondem.model.model import Model
 from bondem.model.non_local_tables import loads_of_non_local

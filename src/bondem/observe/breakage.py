@@ -7,8 +7,10 @@ import numpy as np
 from bondem._checks import instance
 from bondem._types import Floats, Ints, PerBond
 from bondem.errors import InputError
-from bondem.kernels.soft_tables import SOFT_BOND
-from bondem.kernels.tables import (
+from bondem.laws.failure.criterion import MODES
+from bondem.model.beam_tables import beam_tables
+from bondem.model.cell_tables import STRESS, cell_tables
+from bondem.model.event_columns import (
     BROKEN_BOND,
     BROKEN_ENERGY,
     BROKEN_GAP,
@@ -16,10 +18,8 @@ from bondem.kernels.tables import (
     BROKEN_PLACE,
     BROKEN_STEP,
     BROKEN_TIME,
+    SOFT_BOND,
 )
-from bondem.laws.failure.criterion import MODES
-from bondem.model.beam_tables import beam_tables
-from bondem.model.cell_tables import STRESS, cell_tables
 from bondem.model.failure_passes import beam_indices, indices_of_facets
 from bondem.model.model import Model
 from bondem.model.non_local_tables import indices_of_pairs
@@ -31,7 +31,7 @@ from bondem.observe.crack_index import crack_index
 
 @dataclass(frozen=True, eq=False)
 class BrokenBonds:
-    """Broken bonds or facets in the order of breakage; those of one step are in the kernels' order.
+    """Broken bonds or facets in the order of breakage; those of one step are in internal order.
 
     In a second stage the state keeps earlier breakages; steps are counted within the stage.
 

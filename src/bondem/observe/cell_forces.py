@@ -9,7 +9,7 @@ from bondem._checks import shown
 from bondem._types import Floats, Ints, PerBond3, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.model.cell_constants import CellConstants, body_of
-from bondem.model.cell_tables import STRESS, place_held_walls, wall_constraints
+from bondem.model.cell_tables import STRESS, place_held_walls
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.model.turned_frames import turned_vectors
@@ -184,6 +184,6 @@ def wall_places(model: Model, state: State, base: Floats | None = None) -> Float
     Their initial places are `base`, (g, 7), or those of the state.
     """
     base = state.grips if base is None else base
-    walls = wall_constraints(model.cell_constants.grips.table(model.layout, model.constraints.row_of, 0, base))
+    walls = model.cell_constants.grips.table(model.layout, model.constraints.row_of, 0, base)
     place_held_walls(walls, state.time)
     return walls.wall

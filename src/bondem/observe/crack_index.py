@@ -3,7 +3,6 @@
 import numpy as np
 
 from bondem._types import Ints, PerBond, PerBond3, PerElement
-from bondem.laws.cell_energy import bending_square
 from bondem.model.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.softening_table import SofteningTable
@@ -53,7 +52,7 @@ def crack_index(model: Model, state: State) -> PerBond:
         index = np.minimum(index, 1.0 / opened)
     else:
         scaled = agreed * (table.tension / strength)[:, None, None]
-        index = np.array([table.judge.function(one, *table.given) for one in scaled])
+        index = table.judge.indices(scaled)
         index[across <= 0.0] = 0.0
     index = np.maximum(index, 0.0)
     index = np.where(table.plane[place], np.maximum(1.0 / opened, slip), index)
@@ -100,9 +99,10 @@ def _slip_index(table: SofteningTable, place: Ints, n: PerBond3, t: PerBond3) ->
 
 
 def _bending(model: Model, state: State) -> PerBond:
-    """Return T_b of facets [Pa], user's order, (m,)."""
+    """Return T_b of facets [Pa], user's order, (m,): T_b² = 4 k v·H v / A², v the vector part of q_i* q_j."""
     facets, _ = body_of(model.lattice)
     constants, turns = model.cell_constants, state.orientation[model.lattice.pairs]
-    H = constants.H.reshape(-1, 9).T[[0, 4, 8, 1, 2, 5]]
-    square = bending_square(turns[:, 0].T, turns[:, 1].T, 4.0 * constants.k / facets.area**2, H)
-    return np.sqrt(np.maximum(square, 0.0))
+    p, q = turns[:, 0], turns[:, 1]
+    v = p[:, :1] * q[:, 1:] - q[:, :1] * p[:, 1:] - np.cross(p[:, 1:], q[:, 1:])
+    resisted = np.einsum("ma,mab,mb->m", v, constants.H, v)
+    return np.sqrt(np.maximum(4.0 * constants.k / facets.area**2 * resisted, 0.0))

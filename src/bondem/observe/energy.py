@@ -6,10 +6,10 @@ import numpy as np
 
 from bondem._types import Floats, PerBond, PerElement3
 from bondem.errors import InputError
-from bondem.kernels.beam_softening import pressed_energy
-from bondem.model.beam_tables import beam_energies, beam_tables
+from bondem.model.beam_tables import Beams, beam_energies, beam_tables
 from bondem.model.cell_constants import body_of
-from bondem.model.cell_tables import CellPoses, body_energies, cell_tables, place_held_walls, wall_constraints
+from bondem.model.cell_tables import CellPoses, body_energies, cell_tables, place_held_walls
+from bondem.model.event_columns import SOFT_BOND
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.bond_strain import BondStrain
@@ -45,7 +45,7 @@ def linear_energy(
     """Compute the energy of small displacements [m] and rotations [rad], user's order, (n, 3) each.
 
     The parts are ½ kn (δ·X - L ε*)², ½ ks |δ - (δ·X) X|², ½ kb |ρ - (ρ·X) X|², ½ kt (ρ·X)² of `BondStrain`.
-    `strain` is ε* of each bond [-], in the kernels' order.
+    `strain` is ε* of each bond [-], in internal order.
     """
     if model.cells is not None:
         return _cell_energy(model, displacement, rotation, strain)
@@ -93,7 +93,7 @@ def _cell_energy(
 def stress_free_gap(model: Model, strain: PerBond | None) -> Floats | None:
     """Return the gaps that stress-free strains subtract from the gaps of facets [m], (m, 3), with a negative sign.
 
-    `strain` is ε* [-], in the kernels' order, (m,).
+    `strain` is ε* [-], in internal order, (m,).
     """
     if strain is None or model.cells is None:
         return None
@@ -122,7 +122,7 @@ def elastic_energy(model: Model, state: State) -> EnergyParts:
 
 
 def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | None = None) -> EnergyParts:
-    """Compute the energy of a state with stress-free strains ε* [-], kernels' order, (m,), or (0,) for none.
+    """Compute the energy of a state with stress-free strains ε* [-], internal order, (m,), or (0,) for none.
 
     With `wall` [m], (g, 3), walls are at these places and tractions are those of the model's own cells. Without, both
     are as for `elastic_energy`.
@@ -132,17 +132,14 @@ def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | Non
             "elastic_energy: the state has cracks or plastic strains; use run.history.energy"
         )
     if model.cells is None:
-        bonds = model.bonds.stretched(strain).rows(model.layout, model.period, state.integrity)
         beams, _ = beam_tables(
             model.bonds.stretched(strain), model.layout, model.period, state.integrity, may_share=False
         )
         normal, *others = beam_energies(state.pose, beams)
-        count = len(state.softened)
-        normal += pressed_energy(state.pose, bonds, state.softened, count, model.hands_over) if count else 0.0
-        return EnergyParts(normal, *others)
+        return EnergyParts(normal + _pressed_energy(model, state, beams), *others)
     layout, constants = model.layout, model.cells.stretched(strain, model.layout)
-    grips = constants.grips.table(layout, model.constraints.row_of, 0, None if wall is not None else state.grips)
-    walls, whole = wall_constraints(grips), constants.damaged(state.integrity, layout.i, layout.j)
+    walls = constants.grips.table(layout, model.constraints.row_of, 0, None if wall is not None else state.grips)
+    whole = constants.damaged(state.integrity, layout.i, layout.j)
     facets, cells = cell_tables(whole, layout, model.period, state.integrity, layout.i)
     if wall is None:
         place_held_walls(walls, state.time)
@@ -150,3 +147,17 @@ def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | Non
     else:
         walls.wall[:] = wall
     return EnergyParts(*body_energies(CellPoses(state.pose, state.rest), facets, cells, walls))
+
+
+def _pressed_energy(model: Model, state: State, beams: Beams) -> float:
+    """Return the energy of the pressure on beams that soften, ½ (1 - s) kn <L - ℓ>², beside that of the beams [J].
+
+    Contacts store that of broken beams where the model has them.
+    """
+    bond = state.softened[:, SOFT_BOND].astype(np.int64)
+    if model.hands_over:
+        bond = bond[state.integrity[bond] > 0.0]
+    branch = state.pose[beams.j[bond], :3] - state.pose[beams.i[bond], :3]
+    branch -= beams.period[:3] * np.rint(branch * beams.period[3:])
+    short = np.maximum(beams.length[bond] - np.linalg.norm(branch, axis=1), 0.0)
+    return 0.5 * float(((1.0 - state.integrity[bond]) * beams.kn[bond] * short**2).sum())

@@ -1,11 +1,11 @@
-"""Opening of facets along each of the directions by which they soften (`bondem.laws.softening`)."""
+"""Opening of facets along each of the directions by which they soften (`core/laws/softening.hpp`)."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
 from bondem._types import Floats, Ints, PerBond, PerBond3
-from bondem.laws.softening import LEAST_SLOPE, SNAP
+from bondem.laws.failure.softening import LEAST_SLOPE, SNAP
 from bondem.model.softening_table import SofteningTable
 
 
@@ -17,7 +17,7 @@ class Opened:
         traction: T_a that opens them along a direction, as if they were whole [Pa], (c, 3).
         strength: strength along it, at which they begin to soften [Pa], (c, 3).
         last: T_a at zero integrity [Pa], (c, 3).
-        kink, steep: parameters of the softening curve (`bondem.laws.softening.softened`) [-].
+        kink, steep: parameters of the softening curve (`core/laws/softening.hpp`) [-].
         gone: load factors at which facets that have begun to soften reach zero integrity in any direction, (c,).
     """
 

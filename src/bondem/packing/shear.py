@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from bondem._compile import threads
+from bondem._threads import threads
 from bondem._types import Floats
 from bondem.errors import InputError, PackingError
 from bondem.laws.contact import LinearContact

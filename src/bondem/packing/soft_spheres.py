@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._compile import current_threads
 from bondem._core import Pass
+from bondem._threads import current_threads
 from bondem._types import Floats
 from bondem.packing import packing_tables as tables
 from bondem.packing.packing_tables import Near, PackingWalls, Relaxing, Spheres

@@ -1,6 +1,6 @@
 """A body of cells whose facets have any integrity, in small motions: its matrix, and the loads of its facets.
 
-A facet of integrity s is that of `bondem.laws.softening` near the reference. Each half in compression keeps its
+A facet of integrity s is that of `core/laws/softening.hpp` near the reference. Each half in compression keeps its
 stiffness along the normal: it is k (s 1 + (1 - s) n⊗n), and its share of the dilatation likewise. Closed cracks have
 no friction. All values are for a load factor of 1, and proportional to it.
 """
@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._types import Floats, Ints, Mask
-from bondem.kernels.crack_tables import CRACK_COLUMNS, FACET
 from bondem.model.cell_constants import body_of
+from bondem.model.crack_columns import CRACK_COLUMNS, FACET
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.cell_strain import CellStrain
@@ -28,7 +28,7 @@ _XX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 @dataclass(frozen=True, eq=False)
 class Loaded:
-    """Loads of facets and cells, kernels' order.
+    """Loads of facets and cells, internal order.
 
     Attributes:
         traction: traction of each facet [Pa], (m, 3).

@@ -24,8 +24,8 @@ class FacetMatrix:
         """Make the matrix from that of the whole body.
 
         Args:
-            plain: matrix of the whole body, in the kernels' order.
-            layout: order of the kernels.
+            plain: matrix of the whole body, in internal order.
+            layout: order of elements and bonds.
             root: S of each element, (n, 6, 6).
         """
         assert plain.forms is not None
@@ -71,7 +71,7 @@ class FacetMatrix:
         """Add to the contribution of facet k.
 
         Args:
-            k: kernels' number.
+            k: internal number.
             block: addition to the stiffness of its two cells, (12, 12).
             form_i, form_j: additions to V θ of each cell, (12,).
         """

@@ -15,7 +15,7 @@ _BELOW = 0.999
 
 @dataclass(frozen=True)
 class SofteningLine:
-    """Traction of a softening facet: the larger of two straight lines in its opening (`bondem.laws.softening`).
+    """Traction of a softening facet: the larger of two straight lines in its opening (`core/laws/softening.hpp`).
 
     T stands for |F⁺| / A, the traction that the facet would have if it were whole, which is proportional to its gap;
     the facet carries s T. Each line is s T = a - b (1 - s) T.

@@ -6,9 +6,9 @@ import numpy as np
 from scipy.sparse import bsr_array
 
 from bondem._types import Floats, PerBond
-from bondem.kernels.tables import lines
 from bondem.model.beam_tables import BeamSums
 from bondem.model.bond_table import with_twins
+from bondem.model.cache_lines import lines
 from bondem.model.cell_constants import CellConstants
 from bondem.model.cell_tables import (
     STRESS,
@@ -19,7 +19,6 @@ from bondem.model.cell_tables import (
     cell_tables,
     load_all_facets,
     load_body,
-    wall_constraints,
 )
 from bondem.model.local_origin import local_rest
 from bondem.model.model import Model
@@ -46,7 +45,7 @@ class BodyTables:
     def of(cls, model: Model, integrity: PerBond) -> "BodyTables":
         """Return the tables of a model with facets of some integrity [-], (m,); walls are at their final places."""
         layout, constants = model.layout, _cells(model)
-        walls = wall_constraints(constants.grips.table(layout, model.constraints.row_of, 0))
+        walls = constants.grips.table(layout, model.constraints.row_of, 0)
         walls.wall[:] = constants.grips.motion
         return cls(*cell_tables(constants, layout, model.period, integrity, layout.i), walls)
 

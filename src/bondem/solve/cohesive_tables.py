@@ -5,7 +5,11 @@ from typing import NamedTuple
 import numpy as np
 
 from bondem._types import Floats, Ints
-from bondem.kernels.crack_tables import (
+from bondem.model.bond_table import with_zeros
+from bondem.model.cache_lines import lines
+from bondem.model.cell_constants import CellConstants
+from bondem.model.cell_tables import ElasticFacets, FacetForces, WallConstraints
+from bondem.model.crack_columns import (
     ACTIVE,
     BEFORE,
     CRACK_COLUMNS,
@@ -18,10 +22,6 @@ from bondem.kernels.crack_tables import (
     STATUS,
     TOP,
 )
-from bondem.kernels.tables import lines
-from bondem.model.bond_table import with_zeros
-from bondem.model.cell_constants import CellConstants
-from bondem.model.cell_tables import ElasticFacets, FacetForces, WallConstraints
 from bondem.model.model import Model
 from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State

@@ -9,11 +9,11 @@ from scipy.spatial import KDTree
 from bondem._names import users_line
 from bondem._types import Floats, Ints
 from bondem.errors import ContactWarning
-from bondem.kernels.crack_tables import FACET, PARTED, STATUS
-from bondem.kernels.walls import RATE
 from bondem.model.contacts import ContactModel
+from bondem.model.crack_columns import FACET, PARTED, STATUS
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.model.wall_columns import WALL_RATE
 
 # Relative displacement per step over the smaller radius from which a contact is not resolved.
 _FAST = 0.1
@@ -87,7 +87,8 @@ class ContactCheck:
         a, b = c.first[free], c.second[free]
         speed.append(np.linalg.norm(velocity[b] - velocity[a], axis=1) / np.minimum(self._radius[a], self._radius[b]))
         p = c.element
-        speed.append(np.linalg.norm(velocity[p] - c.walls[c.wall, RATE : RATE + 3], axis=1) / self._radius[p])
+        of_wall = c.walls[c.wall, WALL_RATE : WALL_RATE + 3]
+        speed.append(np.linalg.norm(velocity[p] - of_wall, axis=1) / self._radius[p])
         return max(float(values.max(initial=0.0)) for values in speed)
 
 

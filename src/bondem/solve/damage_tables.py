@@ -41,7 +41,7 @@ class Postponed(NamedTuple):
 class EventLog(NamedTuple):
     """Failures of one call of the core, in the order of time."""
 
-    event: Floats  #: columns `BROKEN_…` of `bondem.kernels.tables`, (m, 9)
+    event: Floats  #: columns `BROKEN_…` of `bondem.model.event_columns`, (m, 9)
     written: Ints  #: number of events, and of those before the present step, (2,)
     released: Floats  #: energy released since the start of the run [J], (1,)
 
@@ -68,7 +68,7 @@ class SofteningBeams(NamedTuple):
     tear: Floats  #: G_f A [J], (m,)
     slide: Floats  #: G_II A [J], (m,)
     onset: Floats  #: energies of opening and sliding of beams that are found to begin [J], (m, 2)
-    row: Floats  #: beams in the order in which they began, columns of `bondem.kernels.soft_tables`, (m, 6)
+    row: Floats  #: beams in the order in which they began, columns of `bondem.model.event_columns`, (m, 6)
     begun: Ints  #: number of rows, (1,)
     listed: Ints  #: rows that have not broken, those of a portion of bonds from its first bond on, (m,)
     number: Ints  #: number of rows of each portion

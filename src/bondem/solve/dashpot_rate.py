@@ -9,7 +9,7 @@ from scipy.sparse.linalg import LinearOperator, eigsh
 from bondem._types import Floats
 from bondem.laws.damping import DampingTerms
 from bondem.model.model import Model
-from bondem.solve.added import bond_dashpots
+from bondem.solve.dashpots import bond_dashpots
 from bondem.solve.threads import one_blas_thread
 
 # Relative tolerance of the eigenvalue, which is raised by twice as much.

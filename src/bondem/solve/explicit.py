@@ -7,7 +7,6 @@ from typing import cast
 import numpy as np
 
 from bondem.errors import InputError
-from bondem.kernels.advance import FINE, NOT_FINITE, RUNAWAY
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.contact_check import SinkingCheck
@@ -15,16 +14,16 @@ from bondem.solve.energy_check import EnergyCheck
 from bondem.solve.halting import Halt
 from bondem.solve.history import History
 from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Callback, ExplicitResult, Loop, Plan, Status, settled
+from bondem.solve.plan import FINE, NOT_FINITE, RUNAWAY, Callback, ExplicitResult, Loop, Plan, Status, settled
 from bondem.solve.pulse import Pulse, heard, tell
 from bondem.solve.saving import Sink
 
-# Steps in one compiled call at most, so that progress and interrupts are not far away, and between copies of a state
-# that is good: copying costs about as much as two steps.
+# Steps in one call of the core at most, so that progress and interrupts are not far away, and between copies of a
+# state that is good: copying costs about as much as two steps.
 _CHUNK = 5_000
 # Steps in which what ends a run comes up from rounding: a copy must be older than that to be given back.
 _RISE = 1_000
-# Wall time of one compiled call, about [s], and the elements and bonds times steps that the first one takes.
+# Wall time of one call, about [s], and the elements and bonds times steps that the first one takes.
 _PATIENCE, _WORK = 1.0, 20_000_000
 
 

@@ -8,8 +8,12 @@ import numpy as np
 from bondem._extras import needed
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.kernels.tables import FIXED_COLUMNS
 
+# Columns of a record before the gauges.
+(
+    TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, CONTACT, WORK, LOSS, FRICTION, NON_LOCAL,
+    FRACTURE, PLASTIC, FIXED_COLUMNS,
+) = range(15)  # fmt: skip
 _STORED = ("translation", "rotation", "normal", "shear", "bending", "twisting", "contact")
 _ENERGIES = (*_STORED, "work", "loss", "friction", "non-local work", "fracture", "plastic")
 

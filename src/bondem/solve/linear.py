@@ -36,7 +36,7 @@ _MECHANISM = (
 
 @dataclass(frozen=True, eq=False)
 class System:
-    """The matrix of a model and its free motions, in the kernels' order.
+    """The matrix of a model and its free motions, in internal order.
 
     Attributes:
         matrix: K of all degrees of freedom [N/m, N, N·m], (6 n, 6 n).

@@ -2,23 +2,28 @@
 
 import numpy as np
 
-from bondem._compile import current_threads
 from bondem._core import Pass
 from bondem._core_steps import Composer
-from bondem.kernels.advance import FINE, NOT_FINITE, RUNAWAY, SERIAL_BONDS
-from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, StepCut, StepScheme
+from bondem._threads import current_threads
 from bondem.laws.damping import DampingTerms
-from bondem.model.blocks import Blocks
+from bondem.model.blocks import Blocks, StepCut
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.loop_cpu import BLOCK, gauge_tables, noticeable
+from bondem.solve.gauge_tables import gauge_tables
+from bondem.solve.history import CONTACT, FIXED_COLUMNS, TRANSLATION
 from bondem.solve.parts.of_model import parts_of
 from bondem.solve.parts.part import FORCES, STAGES, composed
-from bondem.solve.plan import Plan
-from bondem.solve.step_tables import HistoryRows, Portions, StepPasses, StepSpan
+from bondem.solve.plan import FINE, NOT_FINITE, RUNAWAY, Plan
+from bondem.solve.step_tables import HistoryRows, Portions, StepPasses, StepScheme, StepSpan
 
-# Bonds of a thread at least.
+# Number of bonds, with elements in contact, below which threads cost more than they gain, and those of a domain.
+SERIAL_BONDS = 2000
 _DOMAIN = SERIAL_BONDS // 4
+
+# Elements of a block: they stay in the L2 cache from their bonds to their motion.
+BLOCK = 4000
+# Elements that move by this share of their radius a step have an energy below which no guard acts.
+_STILL = 1e-6
 
 _take_steps = Pass("take_steps", StepPasses, StepCut, StepScheme, StepSpan, Portions)
 _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
@@ -129,3 +134,8 @@ class CoreLoop:
                 break
             moved = True
         return records[:written], wide, lost, _ENDINGS[ending]
+
+
+def noticeable(model: Model, dt: float) -> float:
+    """Return the kinetic energy below which no guard acts on a run [J]."""
+    return 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2

@@ -11,14 +11,14 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from bondem._device import Device, DeviceTables, Enqueue, HostCall, Launch, passes_of
-from bondem.kernels.advance import BEYOND, FINE, GUARD_INTERVAL, NOT_FINITE, RUNAWAY
-from bondem.kernels.tables import CONTACT, FIXED_COLUMNS, TRANSLATION, StepScheme
 from bondem.laws.damping import DampingTerms
 from bondem.model.blocks import Blocks
 from bondem.model.failure_passes import CRITERION_NAMES
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.loop_cpu import gauge_tables, noticeable
+from bondem.solve.gauge_tables import gauge_tables
+from bondem.solve.history import CONTACT, FIXED_COLUMNS, TRANSLATION
+from bondem.solve.loop_core import noticeable
 from bondem.solve.on_device.breakage_counterparts import Postponement, end, resuming
 from bondem.solve.on_device.contact_counterparts import deepest_overlaps, lists_of_contacts, walls_listed
 from bondem.solve.on_device.counterparts import FURTHER, launches_of
@@ -27,9 +27,14 @@ from bondem.solve.on_device.translation import Translation, count_record, names_
 from bondem.solve.parts.of_model import parts_of
 from bondem.solve.parts.part import FORCES, RESUME, Part, Passes, composed
 from bondem.solve.parts.shared_tables import SharedTables
-from bondem.solve.plan import Plan
-from bondem.solve.step_tables import HistoryRows
+from bondem.solve.plan import FINE, NOT_FINITE, RUNAWAY, Plan
+from bondem.solve.step_tables import HistoryRows, StepScheme
 
+# Steps between two guards of relative rotations, of numbers that are not finite, and of the energy.
+GUARD_INTERVAL = 100
+# Kinetic energy over all energy that was there or came in from which a run is unstable: the error of the scheme stays
+# below it at any stable step, and an unstable mode grows by orders of magnitude within an interval.
+BEYOND = 1000.0
 # Steps of a graph at most.
 _RECORDED = 64
 # Bonds from which on their numbers need more than 32 bits.

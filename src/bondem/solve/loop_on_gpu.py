@@ -1,7 +1,4 @@
-"""The loop of a run on a GPU: by the core, or by numba-cuda for what the core does not have there yet."""
-
-import importlib
-from typing import Any
+"""The loop of a run on a GPU."""
 
 from bondem import _cuda
 from bondem.errors import InputError
@@ -19,19 +16,24 @@ def require_gpu(model: Model, plan: Plan) -> None:
         ImportError: a package is missing.
     """
     if not device_has(model):
-        _older().require_runnable(model, plan)
+        raise InputError(f"device='gpu' does not run {_special(model)}; use device='cpu'")
     reason = _cuda.lacks_gpu()
     if reason is not None:
         raise InputError(f"device='gpu': {reason}")
 
 
 def loop_on_gpu(model: Model, plan: Plan, state: State, dt: float) -> Loop:
-    """Make the loop of a run: that of the core where each of its passes has a counterpart on a device."""
-    if device_has(model):
-        return DeviceLoop(model, plan, state, dt, _cuda.CudaDevice())
-    return _older().GpuLoop(model, plan, state, dt)
+    """Make the loop of a run on the first GPU."""
+    return DeviceLoop(model, plan, state, dt, _cuda.CudaDevice())
 
 
-def _older() -> Any:
-    """The loop by numba-cuda, which is a package of its own."""
-    return importlib.import_module("bondem.solve.loop_cuda")
+def _special(model: Model) -> str:
+    """Return the features of a model that only some devices have."""
+    features = {
+        "the non-local law": model.non_local is not None,
+        "the incremental formulation": model.non_local is None and model.formulation == "incremental",
+        "beams that soften": model.beam_softening is not None,
+        "facets that crack and cells that yield": model.softening is not None,
+        "facets that break": model.cells is not None and model.breaking is not None,
+    }
+    return ", ".join(name for name, there in features.items() if there) or f"{len(model.layout.i)} bonds"

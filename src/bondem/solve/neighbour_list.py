@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints, PerBond
-from bondem.kernels.tables import ContactTable
 from bondem.model.contact_search import (
     TOUCHING,
     FoundPairs,
@@ -19,7 +18,6 @@ from bondem.model.contact_search import (
 from bondem.model.contacts import ContactModel, grid_of
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.contact_check import ListedContacts
 
 # Gap up to which pairs enter the list, over the mean radius: a longer list is made more seldom. Still elements
 # get the short one, and each list that does not last makes the next one longer.
@@ -136,87 +134,6 @@ class ContactSearch:
         state.stretch = memory[touching, :6]
         state.wall_touching = np.column_stack([element[at_wall], wall[at_wall]]).astype(np.int64)
         state.wall_stretch = wall_memory[at_wall]
-
-
-class ContactList:
-    """Contacts of a state, in the form that the kernels require.
-
-    Attributes:
-        arrays: the present list; the state has its memory only after `keep`.
-    """
-
-    arrays: ContactTable
-
-    def __init__(
-        self, model: Model, contacts: ContactModel, state: State, joints: tuple[PerBond, PerBond]
-    ) -> None:
-        """Make the first list.
-
-        Args:
-            model: model of the elements.
-            contacts: contacts of the model.
-            state: state with the pose of the elements.
-            joints: result of `bondem.solve.cracks.joints`; kernels write both arrays.
-        """
-        self._search = ContactSearch(model, contacts, state, joints)
-        self._contacts = contacts
-        self._state = state
-        self._load = np.zeros((len(contacts.radius), 6))
-        self._joined, self._apart = joints
-        self._depth = 0.0
-        self.renew(state.step)
-
-    def renew(self, step: int) -> bool:
-        """Make the list for the present places of the elements; return False if a centre is not a number."""
-        found = self._search.find(step)
-        if found is None:
-            return False
-        state, walls, pairs, at_walls = self._state, self._contacts.walls, found.pairs, found.walls
-        n, c = len(found.position), len(pairs.first)
-        out_pair = np.argsort(pairs.first, kind="stable")
-        self._load[:] = 0.0
-        self.arrays = ContactTable(
-            law=self._contacts.law.parameters, radius=self._contacts.radius, load=self._load, listed=found.position,
-            reach=found.reach,
-            first=pairs.first, second=pairs.second, gap=pairs.gap, bond=pairs.bond, joined=self._joined,
-            apart=self._apart, own=found.own, of_bond=found.of_bond,
-            slack=np.zeros(c), measured=np.full((n, 3), np.inf), far=np.array([np.inf, np.inf, self._depth]),
-            near=np.zeros(c, dtype=np.int64), nears=np.zeros(2, dtype=np.int64),
-            close=np.zeros(c + 1, dtype=np.uint32),
-            stretch=pairs.memory, touch=pairs.touch, output=np.zeros((c, 8)),
-            in_start=pairs.start, out_start=_starts(pairs.first, n), out_pair=out_pair.astype(np.uint32),
-            sums=np.zeros((n, 8)), hit=np.zeros(n, dtype=np.int64), hits=np.zeros(1, dtype=np.int64),
-            met=np.zeros(n, dtype=np.uint8),
-            wall_start=found.wall_start, wall=at_walls.wall, wall_gap=at_walls.gap, wall_stretch=at_walls.memory,
-            wall_touch=at_walls.touch, wall_output=np.zeros((len(at_walls.wall), 4)),
-            shape=walls.shape, walls=state.walls, wall_listed=state.walls[:, :4].copy(), wall_friction=walls.friction,
-            times=walls.times, values=walls.values, start=walls.start, drive_wall=walls.drive_wall,
-            drive_component=walls.drive_component, drive_schedule=walls.drive_schedule, drive_rate=walls.drive_rate,
-            servo_wall=walls.servo_wall, servo_schedule=walls.servo_schedule, servo_speed=walls.servo_speed,
-            servo_mass=walls.servo_mass, free_wall=walls.free_wall, free_mass=walls.free_mass,
-            free_force=walls.free_force,
-        )  # fmt: skip
-        return True
-
-    @property
-    def listed(self) -> ListedContacts:
-        """The list in the form of its checks."""
-        c = self.arrays
-        return ListedContacts(
-            c.first, c.second, c.bond, c.joined, self._elements_at_walls, c.wall, c.walls, float(c.far[2])
-        )
-
-    @property
-    def _elements_at_walls(self) -> Ints:
-        return np.repeat(np.arange(len(self.arrays.radius)), np.diff(self.arrays.wall_start))
-
-    def keep(self) -> None:
-        """Write the memory of touching pairs into the state."""
-        c = self.arrays
-        self._depth = float(c.far[2])
-        self._search.keep(
-            c.first, c.second, c.touch, c.stretch, self._elements_at_walls, c.wall, c.wall_touch, c.wall_stretch
-        )
 
 
 def _starts(later: Ints, n: int) -> Ints:

@@ -134,6 +134,10 @@ class ExplicitResult(Solution, Plotted):
         return self.iterations
 
 
+# What a loop finds of a run.
+FINE, NOT_FINITE, RUNAWAY = range(3)
+
+
 class Loop(Protocol):
     """A loop over the steps of a run, on the CPU or another device."""
 
@@ -147,7 +151,7 @@ class Loop(Protocol):
         """Carry out steps.
 
         Returns:
-            The records, the numbers of bonds turned wide and lost, and the result of `kernels.advance.guard`.
+            The records, the numbers of bonds turned wide and lost, and FINE, NOT_FINITE or RUNAWAY.
         """
         ...
 

@@ -9,8 +9,8 @@ from bondem._core import Pass
 from bondem._progress import staged
 from bondem._types import Floats, Ints, PerElement
 from bondem.errors import ConvergenceError, InputError
-from bondem.kernels.tables import lines
 from bondem.model.beam_tables import AlikeBeams, Beams, BeamSums, beam_tables, count_turned
+from bondem.model.cache_lines import lines
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observe.energy import energy_of
@@ -22,7 +22,7 @@ from bondem.solve.timestep import stiffest
 _FREQUENCY = 1.8
 # Most by which supports move in one step: rotation [rad], and displacement over the shortest bond.
 _PACE = 0.01
-# Steps in one compiled call.
+# Steps in one call of the core.
 _CHUNK = 2_000
 # The same where forces of moments turn.
 _TURNING = 20

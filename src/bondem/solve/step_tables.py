@@ -1,8 +1,7 @@
 """Tables of the passes of a step, as `core/tables/step_tables.hpp` declares them with types and shapes.
 
-`Beams` and `AlikeBeams` are in `bondem.model.beam_tables`. `StepCut`, `StepScheme`, `Rows` and `Gauges` are in
-`bondem.kernels.tables`, `CoupleTable` in `bondem.kernels.couples` and `Strain` in `bondem.kernels.strain_tables`,
-because the loops of Numba take them too.
+`Beams` and `AlikeBeams` are in `bondem.model.beam_tables`, `StepCut` in `bondem.model.blocks`, `Rows` in
+`bondem.model.constraints`, `CoupleTable` in `bondem.model.couples` and `Gauges` in `bondem.solve.gauge_tables`.
 """
 
 from typing import NamedTuple
@@ -45,6 +44,20 @@ class Drives(NamedTuple):
     dof: Ints
     schedule: Ints
     rate: np.ndarray  #: 1 for a velocity, 0 for a displacement, uint8
+
+
+class Strain(NamedTuple):
+    """Stress-free strains that change in time; e bonds, g strains."""
+
+    schedule: np.ndarray  #: (g,)
+    bond: np.ndarray  #: uint32, (e,)
+    part: np.ndarray  #: strain of each bond at factor 1 [-], (g, e)
+    still: np.ndarray  #: 1 and what does not change [-], (e,)
+    length: np.ndarray  #: L [m], (e,)
+    shear: np.ndarray  #: ks [N/m], (e,)
+    lever: np.ndarray  #: a [m], (e,)
+    factor: np.ndarray  #: rows: present factors, those to come, energy by factor [J] a step ago and now, (4, g)
+    place: int  #: in the list of works
 
 
 class RowLoads(NamedTuple):
@@ -114,6 +127,17 @@ class StepPasses(NamedTuple):
     reopening: Ints  #: and open the next step
     guard: Ints  #: whether the run is sound
     record: Ints  #: a row of the history
+
+
+class StepScheme(NamedTuple):
+    """One step of time integration; see `bondem.solve.schemes`."""
+
+    dt: float  #: [s]
+    finish: float  #: [s]
+    begin: float  #: [s]
+    extra: float  #: [s²]
+    gamma: float  #: of local damping [-]
+    origin: float  #: time of step 0 [s]
 
 
 class StepSpan(NamedTuple):

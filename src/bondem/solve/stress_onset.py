@@ -33,7 +33,7 @@ class CandidateFacets(NamedTuple):
     total: Ints
 
 
-_OF_CORE = {mean_index: "mean_stress", cone_index: "cone"}
+_OF_CORE: dict[Any, str] = {mean_index: "mean_stress", cone_index: "cone"}
 _judge_cells = {
     name: StepPass(f"judge_cells_by_{name}", StressesOfCells, StressFunction, CandidateFacets, CrackOnset)
     for name in _OF_CORE.values()
@@ -67,9 +67,8 @@ class OnsetByStress:
         table = model.softening
         if table is None or table.judge is None:
             return None
-        surfaces = [part.criterion.softening.surface for part in model.failure_parts if part.criterion.softening]
-        name, values = _OF_CORE.get(surfaces[0].function) if surfaces[0] else None, table.given.tolist()
-        function = _one_by_one(table.judge.function)
+        function, values = table.judge.function, table.judge.values
+        name = _OF_CORE.get(function)
         passes = StressPasses.of_core(name, values) if name else StressPasses.of_function(function, values)
         m = len(strengths.strength)
         candidates = StressCandidates.of(m)._replace(number=np.zeros(portions, dtype=np.int64))
@@ -95,12 +94,3 @@ class OnsetByStress:
             (_mark_failing_facets, *tables), evaluate,
             (_find_strengths_along, self.onset),
         ]  # fmt: skip
-
-
-def _one_by_one(function: Any) -> Any:
-    """Return a function of many stresses from one of a single stress."""
-
-    def indices(stress: np.ndarray, *values: float) -> list[float]:
-        return [function(one, *values) for one in stress]
-
-    return indices

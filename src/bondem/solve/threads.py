@@ -1,7 +1,7 @@
 """BLAS on one thread within the solvers.
 
 Their dense algebra is thin (a few vectors, small blocks), so that threads gain nothing; contention with each other
-and with the threads of the kernels can cost a factor of ten. A sum on one thread also has one order.
+and with the threads of the core can cost a factor of ten. A sum on one thread also has one order.
 """
 
 from collections.abc import Callable

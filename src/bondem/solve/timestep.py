@@ -13,11 +13,11 @@ from scipy.sparse.linalg import eigsh
 from bondem._names import users_line
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import StepWarning, UnstableStepError
-from bondem.kernels.tables import lines
 from bondem.laws.damping import AnyDamping, DampingTerms
 from bondem.laws.non_local import NonLocal
 from bondem.model.beam_tables import BeamSums, beam_tables, load_beams
 from bondem.model.bond_table import BondTable
+from bondem.model.cache_lines import lines
 from bondem.model.local_origin import local_rest
 from bondem.model.local_stiffness import local_stiffness
 from bondem.model.matrices import stiffness_matrix

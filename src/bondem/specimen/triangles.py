@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bondem._compile import current_threads
 from bondem._core import Pass
+from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerElement, PerElement3
 
 _PIECES = 10_000  # more pieces: tighter boxes, more levels

@@ -33,5 +33,12 @@ struct YieldSamples {
     Index wide;
     Array<double, 2> found;  // bound of F [Pa], Δγ, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa], (11, m)
 };
+// Bounds of principal stresses, and of what bending opens of a facet (`laws/stress.hpp`).
+struct StressBoundSamples {
+    Array<const double, 2> stress;  // [Pa], (6, m)
+    Array<const double, 1> bent;    // T_b [Pa]
+    Index wide;
+    Array<double, 2> found;  // bounds of σ_1 and σ_3, another of σ_1; T_b less the pressure, and its bound [Pa], (5, m)
+};
 
 }  // namespace bondem

@@ -1,4 +1,4 @@
-// What the passes of a step take. Named once more in `bondem/kernels/tables.py` and `bondem/solve/step_tables.py`.
+// What the passes of a step take. Named once more in `bondem/solve/step_tables.py`.
 //
 // Rows of eight are one cache line: pose (x, y, z, spare, quaternion w x y z), motion (velocity, 1/m, angular velocity,
 // 1/I) and sums (force, 0, torque, 0).

@@ -1,1 +1,1 @@
-"""Failure criteria, one per file: parameters, and the scalar function that evaluates one bond."""
+"""Failure criteria, one per file: parameters, coefficients of each bond, and bounds."""

@@ -1,8 +1,9 @@
 """Common part of all failure criteria: the data of a bond that they use, and their evaluation.
 
-A criterion is data too. For each bond it gives four coefficients, from which a `@device` function of its own computes
-an index of the loads of the bond. The bond breaks where the index reaches 1. The function is called for few bonds
-only: those whose force and moments reach a bound, which the loop over all bonds evaluates for every criterion.
+A criterion is data too. For each bond it gives four coefficients, from which a function of the core
+(`core/laws/criteria/`) computes an index of the loads of the bond. The bond breaks where the index reaches 1. The
+function is called for few bonds only: those whose force and moments reach a bound, which the pass over all bonds
+evaluates for every criterion.
 """
 
 from abc import ABC, abstractmethod
@@ -109,7 +110,7 @@ class BondCriterion(Criterion):
     """A criterion for single bonds or facets, which break at once, or soften if beams have a fracture energy.
 
     Attributes:
-        kind: number of the index function (class attribute; see `bondem.kernels.judging`).
+        kind: number of the index function (class attribute; `bondem.model.failure_passes.CRITERION_NAMES`).
         needs_beams: True if it applies to beams only, not to facets of cells (class attribute).
     """
 

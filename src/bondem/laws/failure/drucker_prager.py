@@ -2,9 +2,11 @@
 
 import math
 from dataclasses import dataclass
-from typing import Any
+
+import numpy as np
 
 from bondem._checks import number
+from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.laws.failure.bilinear import Bilinear
 from bondem.laws.failure.criterion import Criterion
@@ -123,12 +125,11 @@ class DruckerPrager(Criterion):
         )  # fmt: skip
 
 
-def cone_index(stress: Any, slope: float, strength: float, pulled: float) -> float:
-    """Return (√J2 + α I1) / k of a stress (3, 3); 0 under pressure if `pulled` is not 0."""
-    trace = stress[0, 0] + stress[1, 1] + stress[2, 2]
-    if pulled != 0.0 and trace <= 0.0:
-        return 0.0
+def cone_index(stress: Floats, slope: float, strength: float, pulled: float) -> Floats:
+    """Return (√J2 + α I1) / k of stresses (k, 3, 3), (k,); 0 under pressure if `pulled` is not 0."""
+    trace = stress[:, 0, 0] + stress[:, 1, 1] + stress[:, 2, 2]
     p = trace / 3.0
-    a, b, c = stress[0, 0] - p, stress[1, 1] - p, stress[2, 2] - p
-    shear = stress[0, 1] ** 2 + stress[0, 2] ** 2 + stress[1, 2] ** 2
-    return (math.sqrt(0.5 * (a * a + b * b + c * c) + shear) + slope * trace) / strength
+    a, b, c = stress[:, 0, 0] - p, stress[:, 1, 1] - p, stress[:, 2, 2] - p
+    shear = stress[:, 0, 1] ** 2 + stress[:, 0, 2] ** 2 + stress[:, 1, 2] ** 2
+    index = (np.sqrt(0.5 * (a * a + b * b + c * c) + shear) + slope * trace) / strength
+    return np.where(trace <= 0.0, 0.0, index) if pulled != 0.0 else index

@@ -6,9 +6,8 @@ from typing import ClassVar
 import numpy as np
 
 from bondem._checks import number
-from bondem._compile import device
 from bondem._types import Floats, PerBond
-from bondem.laws.failure.criterion import BENDING, TENSION, BondCriterion, Joint, columns
+from bondem.laws.failure.criterion import BondCriterion, Joint, columns
 
 # Share of a bound of forces at which deformations are looked at: beams turned far are softer than the linear ones
 # that the bound is made of.
@@ -60,11 +59,3 @@ class Elliptic(BondCriterion):
             soft = np.where(soft > 1e-9 * (a + c), soft, 0.0)
             # (ε / ε_c)² + … ≥ 1 only where ε / ε_c + … ≥ 1
             return s[0] / (k.kn * L * _MARGIN), s[1] / (soft * _MARGIN)
-
-
-@device
-def elliptic_index(load, s):
-    """Return index and mode of a beam of strain load[4] and largest angle load[5]."""
-    stretch = max(load[4], 0.0) * s[0]
-    along, about = stretch * stretch, load[5] * s[1]
-    return along + about, TENSION if along >= about else BENDING

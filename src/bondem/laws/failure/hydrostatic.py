@@ -1,9 +1,9 @@
 """The mean stress of the material: tension from all sides."""
 
 from dataclasses import dataclass
-from typing import Any
 
 from bondem._checks import number
+from bondem._types import Floats
 from bondem.laws.failure.bilinear import Bilinear
 from bondem.laws.failure.criterion import Criterion
 from bondem.laws.failure.softening import Softening, StressIndex, check_crack
@@ -47,6 +47,6 @@ class Hydrostatic(Criterion):
         )  # fmt: skip
 
 
-def mean_index(stress: Any, tension: float) -> float:
-    """Return the mean of a stress (3, 3) over the strength."""
-    return (stress[0, 0] + stress[1, 1] + stress[2, 2]) / (3.0 * tension)
+def mean_index(stress: Floats, tension: float) -> Floats:
+    """Return the mean of stresses (k, 3, 3) over the strength, (k,)."""
+    return (stress[:, 0, 0] + stress[:, 1, 1] + stress[:, 2, 2]) / (3.0 * tension)

@@ -6,9 +6,8 @@ from typing import ClassVar
 import numpy as np
 
 from bondem._checks import number
-from bondem._compile import device
 from bondem._types import Floats, PerBond
-from bondem.laws.failure.criterion import BENDING, SHEAR, TENSION, TWISTING, BondCriterion, Joint, columns
+from bondem.laws.failure.criterion import BondCriterion, Joint, columns
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,17 +54,3 @@ class LinearSum(BondCriterion):
     def bounds(self, joint: Joint, coefficients: Floats) -> tuple[PerBond, PerBond]:
         s = coefficients.T
         return np.hypot(s[0], s[1]), np.hypot(s[2], s[3])
-
-
-@device
-def linear_index(load, s):
-    """Return index and mode of a bond under the loads N, Q, M, T."""
-    n, q, m, t = load[0] * s[0], load[1] * s[1], load[2] * s[2], load[3] * s[3]
-    mode, most = TENSION, n
-    if q > most:
-        mode, most = SHEAR, q
-    if m > most:
-        mode, most = BENDING, m
-    if t > most:
-        mode, most = TWISTING, t
-    return n + q + m + t, mode

@@ -7,10 +7,9 @@ from typing import ClassVar
 import numpy as np
 
 from bondem._checks import number
-from bondem._compile import device
 from bondem._types import Floats, PerBond
 from bondem.laws.failure.bilinear import Bilinear
-from bondem.laws.failure.criterion import SHEAR, TENSION, BondCriterion, Joint, columns
+from bondem.laws.failure.criterion import BondCriterion, Joint, columns
 from bondem.laws.failure.softening import Slip, Softening, check_crack, check_slip
 
 
@@ -23,7 +22,7 @@ class MohrCoulomb(BondCriterion):
     The traction is force over area, for a beam N/A and Q/A; moments do not count. Tension is positive, so that
     compression (t_n < 0) strengthens. If tension > c / tan φ, the cohesion alone limits the traction.
 
-    With a fracture energy beams soften from there on (`bondem.laws.beam_softening`). They absorb G_f times their
+    With a fracture energy beams soften from there on (`core/laws/beam_softening.hpp`). They absorb G_f times their
     section in tension and G_II times it in shear; G_II is finite and ψ = 0 for them. In bodies of cells the criterion
     is then that of the material. Facets crack where the largest principal stress reaches the tensile strength, as for
     `bd.Rankine`, and cells yield where
@@ -117,10 +116,3 @@ class MohrCoulomb(BondCriterion):
     def pulled_and_sheared(self, joint: Joint, factor: PerBond, arm: PerBond) -> tuple[PerBond, PerBond]:
         s = self.coefficients(joint, factor).T
         return 1.0 / np.maximum(s[0], s[1] * s[2]), 1.0 / s[1]
-
-
-@device
-def mohr_coulomb_index(load, s):
-    """Return index and mode of a bond or facet under the loads N, Q."""
-    along, across = load[0] * s[0], (load[1] + load[0] * s[2]) * s[1]
-    return (along, TENSION) if along >= across else (across, SHEAR)

@@ -6,9 +6,8 @@ from typing import ClassVar
 import numpy as np
 
 from bondem._checks import number
-from bondem._compile import device
 from bondem._types import Floats, PerBond
-from bondem.laws.failure.criterion import SHEAR, TENSION, BondCriterion, Joint, columns
+from bondem.laws.failure.criterion import BondCriterion, Joint, columns
 from bondem.laws.failure.softening import check_energies
 
 
@@ -21,7 +20,7 @@ class PeripheralStress(BondCriterion):
     with A = πr², I = πr⁴/4, J = 2I. M is the larger of the moments at both ends for beams, and that at the contact
     point for parallel and contact bonds. Tension is positive. Compression alone breaks nothing.
 
-    With a fracture energy a bond that reaches its strength softens (`bondem.laws.beam_softening`). It absorbs G_f
+    With a fracture energy a bond that reaches its strength softens (`core/laws/beam_softening.hpp`). It absorbs G_f
     times its section in tension, and G_II times it in shear.
 
     Attributes:
@@ -73,11 +72,3 @@ class PeripheralStress(BondCriterion):
     def pulled_and_sheared(self, joint: Joint, factor: PerBond, arm: PerBond) -> tuple[PerBond, PerBond]:
         s = self.coefficients(joint, factor).T
         return 1.0 / s[0], 1.0 / np.maximum(s[2], s[1] * arm)
-
-
-@device
-def peripheral_index(load, s):
-    """Return index and mode of a beam under the loads N, Q, M, T."""
-    along = load[0] * s[0] + load[2] * s[1]
-    across = load[1] * s[2] + load[3] * s[3]
-    return (along, TENSION) if along >= across else (across, SHEAR)

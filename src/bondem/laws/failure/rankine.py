@@ -21,8 +21,8 @@ class Rankine(Criterion):
     From then on the facet softens by its traction along the three present principal directions e_a of that stress.
     t·e_a follows a straight line from f_t |n·e_a| to the opening 2 G_f / f_t. With a `bd.Bilinear` it follows two
     lines, as for concrete. A crack therefore dissipates G_f per area of the crack however its facets zigzag. A load
-    in another direction finds the strength of that direction (`bondem.laws.softening`). Without a fracture energy the
-    facet breaks at once.
+    in another direction finds the strength of that direction (`core/laws/softening.hpp`). Without a fracture energy
+    the facet breaks at once.
 
     Between two regions with an entry of their own the traction of the facet alone decides: t_n ≥ tension, and G_f per
     facet area. Bonds of `bd.NonLocal` break at once where σ1 of the mean stress σ̄ itself reaches the strength; the

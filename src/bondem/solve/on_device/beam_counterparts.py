@@ -3,12 +3,12 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.kernels.strain_tables import Strain
-from bondem.kernels.tables import Rows, StepCut
 from bondem.model.beam_tables import AlikeBeams, Beams
+from bondem.model.blocks import StepCut
+from bondem.model.constraints import Rows
 from bondem.solve.on_device.device_tables import WORKS, DeviceSpan, LoadsOfBonds, StrainPortions
 from bondem.solve.on_device.translation import Counterpart, Translation
-from bondem.solve.step_tables import Dashpots, Moving, Portions, Timeline
+from bondem.solve.step_tables import Dashpots, Moving, Portions, Strain, Timeline
 
 _follow_factors = IndexPass("follow_strain_factors", DeviceSpan, Timeline, Strain, StrainPortions)
 _strain_portion = IndexPass("strain_portion", Moving, Strain, Beams, StrainPortions)

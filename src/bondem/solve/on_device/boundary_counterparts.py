@@ -1,8 +1,9 @@
 """Boundary conditions and body forces on a device."""
 
 from bondem._device import IndexPass, Launch
-from bondem.kernels.couples import CoupleTable
-from bondem.kernels.tables import Rows, StepCut
+from bondem.model.blocks import StepCut
+from bondem.model.constraints import Rows
+from bondem.model.couples import CoupleTable
 from bondem.solve.on_device.device_tables import DeviceSpan, RowOrder
 from bondem.solve.on_device.translation import Counterpart, Translation, elements, over
 from bondem.solve.step_tables import BodyForces, Drives, Moving, RowLoads, Timeline

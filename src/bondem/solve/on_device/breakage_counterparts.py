@@ -5,8 +5,9 @@ from typing import Any
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.kernels.tables import Rows, StepCut
 from bondem.model.beam_tables import AlikeBeams, Beams
+from bondem.model.blocks import StepCut
+from bondem.model.constraints import Rows
 from bondem.model.failure_passes import CRITERION_NAMES, Strengths
 from bondem.solve.damage_tables import BeamIntegrity, Candidates, EventLog, FailureBounds, Postponed
 from bondem.solve.on_device.device_tables import BondMarks, BondsOfElements, DeviceSpan, LoadsOfBonds

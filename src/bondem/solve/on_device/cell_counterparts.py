@@ -3,8 +3,8 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.kernels.tables import Rows, StepCut
 from bondem.model.beam_tables import Beams
+from bondem.model.blocks import StepCut
 from bondem.model.cell_tables import (
     CellDilatation,
     CellStrains,
@@ -13,6 +13,7 @@ from bondem.model.cell_tables import (
     FacetTractions,
     WallConstraints,
 )
+from bondem.model.constraints import Rows
 from bondem.solve.on_device.device_tables import (
     WORKS,
     BondsOfElements,

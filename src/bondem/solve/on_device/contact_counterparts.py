@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.kernels.tables import Gauges, StepCut
+from bondem.model.blocks import StepCut
 from bondem.model.contact_search import Walls
 from bondem.solve.contact_tables import (
     ContactConstants,
@@ -18,6 +18,7 @@ from bondem.solve.contact_tables import (
     WallMotions,
 )
 from bondem.solve.damage_tables import EventLog, Postponed
+from bondem.solve.gauge_tables import Gauges
 from bondem.solve.on_device.device_tables import DeviceSpan, EarlierPairs, RowOrder
 from bondem.solve.on_device.translation import Counterpart, Translation
 from bondem.solve.parts.part import Passes

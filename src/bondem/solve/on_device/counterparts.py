@@ -17,9 +17,9 @@ from bondem.solve.on_device import (
     motion_counterparts,
     non_local_counterparts,
     record_counterparts,
-    stress_onset_counterparts,
     softening_counterparts,
     stored_counterparts,
+    stress_onset_counterparts,
 )
 from bondem.solve.on_device.translation import Counterpart, Translation
 from bondem.solve.parts.part import Passes

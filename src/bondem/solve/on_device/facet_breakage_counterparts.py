@@ -1,8 +1,8 @@
 """Breakage of facets of cells on a device."""
 
 from bondem._device import IndexPass, Launch
-from bondem.kernels.tables import Rows
 from bondem.model.cell_tables import CellDilatation, ElasticFacets, FacetRelease, WallConstraints
+from bondem.model.constraints import Rows
 from bondem.model.failure_passes import Strengths
 from bondem.solve.damage_tables import Candidates, EventLog, FailureBounds, Postponed
 from bondem.solve.on_device.breakage_counterparts import marks_of, sort_failing

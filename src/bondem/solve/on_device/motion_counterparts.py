@@ -3,7 +3,8 @@
 from typing import Any
 
 from bondem._device import IndexPass, Launch
-from bondem.kernels.tables import Rows, StepCut
+from bondem.model.blocks import StepCut
+from bondem.model.constraints import Rows
 from bondem.solve.on_device.device_tables import BondsOfElements, DeviceSpan, LoadsOfBonds
 from bondem.solve.on_device.translation import Counterpart, Translation, elements, over
 from bondem.solve.step_tables import Dashpots, Moving, Resistance

@@ -3,7 +3,8 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.kernels.tables import Gauges, Rows
+from bondem.model.constraints import Rows
+from bondem.solve.gauge_tables import Gauges
 from bondem.solve.on_device.device_tables import SUM_COLUMNS, DeviceSpan, FoldedPortions, GaugeParts
 from bondem.solve.on_device.translation import Counterpart, Translation
 from bondem.solve.step_tables import HistoryRows, Moving, Portions

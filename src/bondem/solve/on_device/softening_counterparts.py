@@ -3,8 +3,8 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.kernels.tables import StepCut
 from bondem.model.beam_tables import AlikeBeams, Beams
+from bondem.model.blocks import StepCut
 from bondem.model.failure_passes import CRITERION_NAMES, Strengths
 from bondem.solve.contact_tables import ContactConstants, ContactPairs, ContactSums, NearPairs
 from bondem.solve.damage_tables import BeamIntegrity, Candidates, EventLog, SofteningBeams, SofteningBounds

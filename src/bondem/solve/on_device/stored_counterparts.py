@@ -1,8 +1,8 @@
 """Beams of the incremental formulation on a device."""
 
 from bondem._device import IndexPass, Launch
-from bondem.kernels.tables import StepCut
 from bondem.model.beam_tables import Beams
+from bondem.model.blocks import StepCut
 from bondem.model.incremental_tables import StoredLoads
 from bondem.solve.on_device.device_tables import DeviceSpan, LoadsOfBonds
 from bondem.solve.on_device.translation import Counterpart, Translation

@@ -6,7 +6,8 @@ from typing import Any, TypeVar
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.kernels.tables import Rows, StepCut, StepScheme
+from bondem.model.blocks import StepCut
+from bondem.model.constraints import Rows
 from bondem.model.layout import Layout
 from bondem.solve.damage_tables import EventLog
 from bondem.solve.on_device.device_tables import (
@@ -21,7 +22,7 @@ from bondem.solve.on_device.device_tables import (
     Tick,
     WorkPortions,
 )
-from bondem.solve.step_tables import Portions
+from bondem.solve.step_tables import Portions, StepScheme
 
 _T = TypeVar("_T")
 
@@ -53,7 +54,7 @@ class Translation:
         walls: motion, forces and work of walls, (w, 14), or None.
         logs: events of the run, whose rows are copied as far as they are filled.
         scratch: arrays of zeros of counterparts that only the device reads.
-        before_keeping: functions that bring tables in the form of the CPU, when they have been copied from the device.
+        before_keeping: functions that bring tables in the form of the CPU, copied from the device.
     """
 
     def __init__(

@@ -2,20 +2,21 @@
 
 from typing import Any
 
+import numpy as np
+
 from bondem._core_steps import StepPass
-from bondem.kernels.strain_tables import Strain
-from bondem.kernels.tables import Rows, StepCut
 from bondem.model.beam_tables import AlikeBeams, Beams, beam_tables
+from bondem.model.blocks import StepCut
+from bondem.model.constraints import Rows
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.added import changing_strain
 from bondem.solve.damage_tables import Candidates, FailureBounds, SofteningBounds
 from bondem.solve.parts.breakage import breakage
 from bondem.solve.parts.damage import BondParts, DamageTables, Joints, damage_of
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.parts.softening import SofteningTables, softening
-from bondem.solve.step_tables import Dashpots, Moving, Portions, Timeline
+from bondem.solve.step_tables import Dashpots, Moving, Portions, Strain, Timeline
 
 _follow_strains = StepPass("follow_strains", Timeline, Strain, Moving, Beams, Rows)
 _add_beam_loads = StepPass("add_beam_loads", Moving, Beams, StepCut)
@@ -38,7 +39,7 @@ _sum_beam_energies = StepPass("sum_beam_energies", Moving, Beams, Portions)
 def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> BondParts:
     """Return the parts of beams, with dashpots beside them or without: their forces, and their breakage."""
     moving, cut, portions = shared.moving, shared.cut, shared.portions
-    strain = changing_strain(model, state)
+    strain = _changing_strain(model, state)
     bonds = model.bonds.stretched(state.eigenstrain)
     if strain is not None:  # lengths change during the run
         bonds = bonds.separate()
@@ -60,6 +61,25 @@ def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots |
     )
     pressed = None if soft is None else soft.bounds
     return BondParts([forces, *failure], Joints.of(model, state, table.integrity, damage, pressed))
+
+
+def _changing_strain(model: Model, state: State) -> Strain | None:
+    """Return the stress-free strains of the boundary conditions, added to those of the state, or None."""
+    held, plain = model.constraints, model.bonds
+    if not len(held.strain_part):
+        return None
+    bond = np.flatnonzero((held.strain_part != 0.0).any(axis=0))
+    return Strain(
+        schedule=held.strain_schedule,
+        bond=bond.astype(np.uint32),
+        part=np.ascontiguousarray(held.strain_part[:, bond]),
+        still=1.0 + (state.eigenstrain[bond] if state.eigenstrain.size else np.zeros(len(bond))),
+        length=plain.length[bond],
+        shear=plain.ks[bond],
+        lever=plain.lever[bond],
+        factor=np.zeros((4, len(held.strain_part))),
+        place=held.works[1],
+    )
 
 
 def _loads(

@@ -3,8 +3,8 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.kernels.couples import CoupleTable
-from bondem.kernels.tables import Rows, Schedules
+from bondem.model.constraints import Rows, Schedules
+from bondem.model.couples import CoupleTable
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Drives, Moving, RowLoads, Timeline

@@ -7,8 +7,8 @@ import numpy as np
 
 from bondem._core_steps import StepPass
 from bondem._types import Ints
-from bondem.kernels.tables import Rows, StepCut
 from bondem.model.beam_tables import Beams, beam_tables
+from bondem.model.blocks import StepCut
 from bondem.model.cell_constants import CellConstants
 from bondem.model.cell_tables import (
     CellDilatation,
@@ -19,11 +19,10 @@ from bondem.model.cell_tables import (
     FacetTractions,
     WallConstraints,
     cell_tables,
-    wall_constraints,
 )
+from bondem.model.constraints import Rows
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.added import changing_cells
 from bondem.solve.damage_tables import Candidates, FailureBounds
 from bondem.solve.parts.damage import DamageTables
 from bondem.solve.parts.part import Part, Passes
@@ -79,7 +78,7 @@ class BodyOfCells(NamedTuple):
         walls = constants.grips.table(layout, held.row_of, held.works[2], state.grips)
         integrity = beams.integrity if model.softening is None else beams.integrity.copy()
         return cls(
-            beams, facets._replace(integrity=integrity), cells, wall_constraints(walls), _tractions(model),
+            beams, facets._replace(integrity=integrity), cells, walls, _tractions(model),
             _strains(model, state, shared.portions),
         )  # fmt: skip
 
@@ -190,9 +189,17 @@ def _tractions(model: Model) -> FacetTractions | None:
 
 
 def _strains(model: Model, state: State, portions: Portions) -> CellStrains | None:
-    strained = changing_cells(model, state)
-    if strained is None:
+    """Return the stress-free strains of the boundary conditions, on top of those of the state, or None."""
+    held, cells, layout = model.constraints, model.cells, model.layout
+    if cells is None or not len(held.strain_part):
         return None
-    count, columns = len(strained.schedule), strained._asdict()
-    columns["power"], columns["due"] = np.zeros((len(portions.bonds), count)), np.zeros(2, dtype=np.uint8)
-    return CellStrains(**columns, cracked=np.zeros(count))
+    count, still = len(held.strain_part), state.eigenstrain if state.eigenstrain.size else np.zeros(len(layout.i))
+    wall = cells.grips.cell
+    return CellStrains(
+        schedule=held.strain_schedule, base_i=np.ascontiguousarray(cells.lever_i.T),
+        base_j=np.ascontiguousarray(cells.lever_j.T), still=1.0 + still, part=held.strain_part,
+        wall_base=cells.grips.lever, wall_still=1.0 + layout.of_elements(still)[wall],
+        wall_part=np.array([layout.of_elements(part)[wall] for part in held.strain_part]),
+        place=held.works[1], factor=np.zeros((4, count)), power=np.zeros((len(portions.bonds), count)),
+        cracked=np.zeros(count), due=np.zeros(2, dtype=np.uint8),
+    )  # fmt: skip

@@ -3,9 +3,9 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.kernels.crack_tables import FACET
-from bondem.kernels.tables import BROKEN_COLUMNS, Rows, StepCut, lines
+from bondem.model.blocks import StepCut
 from bondem.model.bond_table import with_zeros
+from bondem.model.cache_lines import lines
 from bondem.model.cell_tables import (
     CellDilatation,
     CellStrains,
@@ -15,6 +15,9 @@ from bondem.model.cell_tables import (
     FacetTractions,
     WallConstraints,
 )
+from bondem.model.constraints import Rows
+from bondem.model.crack_columns import FACET
+from bondem.model.event_columns import BROKEN_COLUMNS
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.cohesive_tables import (

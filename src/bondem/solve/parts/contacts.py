@@ -3,7 +3,8 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.kernels.tables import Gauges, StepCut, lines
+from bondem.model.blocks import StepCut
+from bondem.model.cache_lines import lines
 from bondem.model.contact_search import Walls
 from bondem.model.contacts import ContactModel
 from bondem.model.model import Model
@@ -22,6 +23,7 @@ from bondem.solve.contact_tables import (
     WallMotions,
 )
 from bondem.solve.damage_tables import EventLog, Postponed, SofteningBounds
+from bondem.solve.gauge_tables import Gauges
 from bondem.solve.neighbour_list import ContactSearch, FoundContacts
 from bondem.solve.parts.damage import Joints
 from bondem.solve.parts.part import Part, Passes

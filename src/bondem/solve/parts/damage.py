@@ -6,8 +6,9 @@ import numpy as np
 
 from bondem._core_steps import StepPass
 from bondem._types import PerBond
-from bondem.kernels.soft_tables import SOFT_BOND
-from bondem.kernels.tables import BROKEN_COLUMNS, Rows, StepCut
+from bondem.model.blocks import StepCut
+from bondem.model.constraints import Rows
+from bondem.model.event_columns import BROKEN_COLUMNS, SOFT_BOND
 from bondem.model.failure_table import FailureTable
 from bondem.model.model import Model
 from bondem.model.non_local_tables import LaggedStresses

@@ -1,9 +1,9 @@
 """Breakage of facets of cells by the damage pipeline of the core."""
 
 from bondem._core_steps import StepPass
-from bondem.kernels.tables import Rows
 from bondem.model.beam_tables import Beams
 from bondem.model.cell_tables import ElasticFacets, FacetRelease, WallConstraints, facet_release
+from bondem.model.constraints import Rows
 from bondem.model.failure_passes import CRITERION_NAMES, Strengths, strengths_of
 from bondem.model.model import Model
 from bondem.model.state import State

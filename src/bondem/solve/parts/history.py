@@ -1,7 +1,8 @@
 """Rows of the history: the energies of a run and its gauges, and the guard of its energy."""
 
 from bondem._core_steps import StepPass
-from bondem.kernels.tables import Gauges, Rows
+from bondem.model.constraints import Rows
+from bondem.solve.gauge_tables import Gauges
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import HistoryRows, Moving, Portions

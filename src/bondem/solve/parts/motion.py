@@ -3,8 +3,12 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.kernels.tables import Added, Rows, StepCut
 from bondem.laws.damping import DampingTerms
+from bondem.model.blocks import StepCut
+from bondem.model.bond_table import with_zeros
+from bondem.model.constraints import Rows
+from bondem.model.model import Model
+from bondem.solve.dashpots import bond_dashpots
 from bondem.solve.parts.part import Part, Passes
 from bondem.solve.parts.shared_tables import SharedTables
 from bondem.solve.step_tables import Dashpots, Moving, Resistance
@@ -43,18 +47,19 @@ def motion(shared: SharedTables, dashpots: Dashpots | None, resistance: Resistan
     return Part({"opening": opening, "gather": gather, "move": move, "resume": move, "reopening": reopening})
 
 
-def dashpots_of(more: Added | None) -> Dashpots | None:
+def dashpots_of(model: Model, terms: DampingTerms, cut: StepCut) -> Dashpots | None:
     """Return the dashpots of bonds, or None."""
-    if more is None or len(more.dashed) == 0:
+    if terms.eta == 0.0 and terms.beta == 0.0:
         return None
-    return Dashpots(more.dashpot, more.share, more.dashed)
+    share = model.bonds.lever / model.bonds.length
+    return Dashpots(with_zeros(bond_dashpots(model, terms)), with_zeros(share), np.zeros((len(cut.sums), 8)))
 
 
-def resistance_of(terms: DampingTerms, more: Added | None) -> Resistance | None:
+def resistance_of(model: Model, terms: DampingTerms, dashpots: Dashpots | None) -> Resistance | None:
     """Return damping and dashpots that resist the motion of elements, or None."""
-    viscous = more is not None and more.viscous
+    absorbing = model.constraints.absorbing
+    viscous = dashpots is not None or len(absorbing) > 0 or terms.alpha > 0.0
     if not viscous and terms.gamma == 0.0:
         return None
-    if more is None:
-        return Resistance(terms.gamma, 0.0, False, np.zeros((0, 8)), np.zeros((0, 6)))
-    return Resistance(terms.gamma, more.alpha, viscous, more.dashed, more.absorbing)
+    dashed = np.zeros((0, 8)) if dashpots is None else dashpots.sums
+    return Resistance(terms.gamma, terms.alpha, viscous, dashed, absorbing)

@@ -3,8 +3,8 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.kernels.tables import StepCut
 from bondem.model.beam_tables import Beams
+from bondem.model.blocks import StepCut
 from bondem.model.failure_passes import Strengths, strengths_of
 from bondem.model.model import Model
 from bondem.model.non_local_tables import (

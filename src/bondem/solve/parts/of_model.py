@@ -1,11 +1,11 @@
 """Parts of the step of a model."""
 
-from bondem.kernels.tables import Gauges, StepCut
 from bondem.laws.damping import DampingTerms
+from bondem.model.blocks import StepCut
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.added import added
 from bondem.solve.cracks import joints
+from bondem.solve.gauge_tables import Gauges
 from bondem.solve.parts.beams import beams
 from bondem.solve.parts.body_forces import body_forces
 from bondem.solve.parts.boundary import boundary
@@ -27,8 +27,7 @@ def parts_of(
 ) -> tuple[SharedTables, list[Part]]:
     """Return the tables and the parts of a run from a state, whose arrays they share."""
     shared = SharedTables.of(model, state, cut)
-    more = added(model, terms, state, len(cut.sums))
-    dashpots = dashpots_of(more)
+    dashpots = dashpots_of(model, terms, cut)
     bonds = _bonds(model, state, shared, dashpots, dt)
     contacts, moments = [], []
     if model.contacts is not None:
@@ -40,10 +39,11 @@ def parts_of(
         *contacts,
         *bonds.parts,
         *moments,
-        motion(shared, dashpots, resistance_of(terms, more)),
+        motion(shared, dashpots, resistance_of(model, terms, dashpots)),
     ]
-    if more is not None and len(more.group):
-        parts.append(body_forces(shared, more))  # their work is that at the velocities after the kick
+    pulled = body_forces(model, state, shared)
+    if pulled is not None:
+        parts.append(pulled)  # its work is that at the velocities after the kick
     return shared, [*parts, history(shared, gauges)]
 
 

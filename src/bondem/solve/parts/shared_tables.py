@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 
-from bondem.kernels.tables import Rows, Schedules, StepCut
+from bondem.model.blocks import StepCut
+from bondem.model.constraints import Rows, Schedules
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.solve.step_tables import Moving, Portions, Timeline

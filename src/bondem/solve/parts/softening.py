@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.kernels.soft_tables import SOFT_BOND, SOFT_COLUMNS
 from bondem.model.beam_softening import BeamSoftening
 from bondem.model.beam_tables import AlikeBeams, Beams
+from bondem.model.event_columns import SOFT_BOND, SOFT_COLUMNS
 from bondem.model.failure_passes import CRITERION_NAMES, Strengths, strengths_of
 from bondem.model.state import State
 from bondem.solve.damage_tables import (

@@ -1,8 +1,8 @@
 """Beams of the incremental formulation, which store force and moment from step to step."""
 
 from bondem._core_steps import StepPass
-from bondem.kernels.tables import StepCut
 from bondem.model.beam_tables import Beams
+from bondem.model.blocks import StepCut
 from bondem.model.incremental_tables import StoredLoads, stored_beam_tables
 from bondem.model.model import Model
 from bondem.model.state import State

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from bondem._compile import current_threads
+from bondem._threads import current_threads
 from bondem._types import Floats, Ints, Mask, Pairs, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.specimen.cells.gathering import Polygons, facets, free_facets, together

@@ -4,6 +4,8 @@
 #include "../../laws/crack.hpp"
 #include "../../laws/plasticity.hpp"
 #include "../../laws/softening.hpp"
+#include "../../laws/stress.hpp"
+#include "crack_groups.hpp"
 
 namespace bondem {
 namespace {
@@ -80,7 +82,7 @@ template <class T> T swelling(const SwellingHalf<T> &half, T stress) {
     return half.swollen - half.loose * (half.pulled + stress * half.square - press * half.along);
 }
 
-template <class T> void crack(const CrackSamples &samples, Index e) {
+template <class T> void load_crack(const CrackSamples &samples, Index e) {
     ReadColumns<T> of(samples.given, e);
     const Ends<T> ends = {of.vector(), of.quaternion(), of.quaternion()};
     const FacetShape<T> shape = {of.vector(), of.vector(), of.vector(), of.vector()};
@@ -122,6 +124,15 @@ template <class T> void flow(const YieldSamples &samples, Index e) {
     found(Vector3<T>{p.stress[0], p.stress[1], p.stress[2]});
 }
 
+template <class T> void bound(const StressBoundSamples &samples, Index e) {
+    const Symmetric3<T> s = ReadColumns<T>(samples.stress, e).tensor();
+    const T bent = column_at<T>(samples.bent, e);
+    const PrincipalBounds<T> of = principal_bounds(s);
+    WriteColumns<T> found(samples.found, e);
+    found(of.largest), found(of.least), found(largest_at_most(invariants(s)));
+    found(positive(T(bent - largest_pressure(principal(s))))), found(opened_at_most(bent, s));
+}
+
 // Calls one(e) for each sample, or several(e) for groups of them; samples behind the last whole group one by one.
 template <class One, class Several> void over(Index count, Index wide, One one, Several several) {
     Index e = 0;
@@ -138,13 +149,18 @@ Index evaluate_softening(Index, const SofteningSamples &samples) {
     return 0;
 }
 Index evaluate_cracks(Index, const CrackSamples &samples) {
-    over(samples.given.shape[1], samples.wide, [&](Index e) { crack<double>(samples, e); },
-         [&](Index e) { crack<Lanes>(samples, e); });
+    over(samples.given.shape[1], samples.wide, [&](Index e) { load_crack<double>(samples, e); },
+         [&](Index e) { load_crack<Lanes>(samples, e); });
     return 0;
 }
 Index evaluate_yielding(Index, const YieldSamples &samples) {
     over(samples.stress.shape[1], samples.wide, [&](Index e) { flow<double>(samples, e); },
          [&](Index e) { flow<Lanes>(samples, e); });
+    return 0;
+}
+Index evaluate_stress_bounds(Index, const StressBoundSamples &samples) {
+    over(samples.bent.size(), samples.wide, [&](Index e) { bound<double>(samples, e); },
+         [&](Index e) { bound<Lanes>(samples, e); });
     return 0;
 }
 

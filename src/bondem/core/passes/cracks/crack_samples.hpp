@@ -7,5 +7,6 @@ namespace bondem {
 Index evaluate_softening(Index threads, const SofteningSamples &samples);
 Index evaluate_cracks(Index threads, const CrackSamples &samples);
 Index evaluate_yielding(Index threads, const YieldSamples &samples);
+Index evaluate_stress_bounds(Index threads, const StressBoundSamples &samples);
 
 }  // namespace bondem

@@ -1,0 +1,142 @@
+"""Laws of softening, cracks and yielding over arrays of samples, each evaluated by the core."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._core import Pass
+
+
+class SofteningSamples(NamedTuple):
+    """Facets that may soften."""
+
+    traction: np.ndarray
+    normal: np.ndarray
+    stress: np.ndarray
+    bent: np.ndarray
+    integrity: np.ndarray
+    strength: np.ndarray
+    kink: float
+    steep: float
+    wide: bool
+    left: np.ndarray
+
+
+class CrackSamples(NamedTuple):
+    """Cracks of any integrity."""
+
+    given: np.ndarray
+    wide: bool
+    found: np.ndarray
+
+
+class YieldSamples(NamedTuple):
+    """Cells that may yield."""
+
+    stress: np.ndarray
+    strength: np.ndarray
+    cone: bool
+    wide: bool
+    found: np.ndarray
+
+
+class StressBoundSamples(NamedTuple):
+    """Stresses and their bounds."""
+
+    stress: np.ndarray
+    bent: np.ndarray
+    wide: bool
+    found: np.ndarray
+
+
+evaluate_softening = Pass("evaluate_softening", SofteningSamples)
+evaluate_cracks = Pass("evaluate_cracks", CrackSamples)
+evaluate_yielding = Pass("evaluate_yielding", YieldSamples)
+evaluate_stress_bounds = Pass("evaluate_stress_bounds", StressBoundSamples)
+
+#: Places of the components xx, yy, zz, xy, xz, yz in a matrix.
+ROW, COLUMN = [0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]
+
+
+def softening(
+    s: float, traction, normal, stress, *, strength: float, last: float, bent=0.0, kink: float = 0.0,
+    steep: float = 1.0, plane: bool = False, cohesion: float = math.inf, last_slip: float = math.inf,
+    friction: float = 0.0,
+) -> np.ndarray:  # fmt: skip
+    """Return the integrity of a facet under some loads, at most s, and the traction below which none softens it [Pa].
+
+    Args:
+        s: present integrity.
+        traction: tractions that the facet would have if it were whole [Pa], (3,) or (m, 3).
+        normal: normal of the facet.
+        stress: mean stress of its cells [Pa], (3, 3).
+        strength: strength in tension [Pa].
+        last: traction of the whole facet at its last opening [Pa].
+        bent: rms of the tractions of bending [Pa], one or (m,).
+        kink, steep: parameters of the softening curve.
+        plane: whether the facet belongs to a material plane.
+        cohesion, last_slip, friction: cohesion of a plane [Pa], `last` of its slip [Pa], and tan φ.
+
+    Returns:
+        Shape (2,) or (2, m).
+    """
+    loads = np.atleast_2d(np.asarray(traction, dtype=float)).T
+    m = loads.shape[1]
+
+    def same(numbers) -> np.ndarray:
+        return np.repeat(np.array(numbers, dtype=float)[:, None], m, axis=1)
+
+    samples = SofteningSamples(
+        np.ascontiguousarray(loads), same(normal), same(np.asarray(stress)[ROW, COLUMN]), np.full(m, 0.0) + bent,
+        np.full(m, float(s)), same([strength, 1.0 / last, cohesion, 1.0 / last_slip, friction, float(plane)]), kink,
+        steep, False, np.empty((2, m)),
+    )  # fmt: skip
+    evaluate_softening(samples)
+    return samples.left if np.ndim(traction) == 2 else samples.left[:, 0]
+
+
+def left_in_bulk(s: float, traction, normal, stress, **options) -> np.ndarray:
+    """Return the integrity of a facet of the material under loads (`softening`)."""
+    return softening(s, traction, normal, stress, **options)[0]
+
+
+def left_on_plane(s: float, traction, normal, **options) -> np.ndarray:
+    """Return the integrity of a facet of a material plane under loads (`softening`)."""
+    return softening(s, traction, normal, np.zeros((3, 3)), plane=True, **options)[0]
+
+
+def softened(s: float, traction, strength: float, last: float, kink: float, steep: float) -> np.ndarray:
+    """Return the integrity that tractions across a facet leave by the softening curve alone."""
+    normal = np.array([1.0, 0.0, 0.0])
+    loads = np.multiply.outer(traction, normal)
+    return left_on_plane(s, loads, normal, strength=strength, last=last, kink=kink, steep=steep)
+
+
+def yielding(stress: np.ndarray, strength: np.ndarray, *, cone: bool) -> np.ndarray:
+    """Return the bound of F [Pa], Δγ, the plastic strain and the principal stresses [Pa] of cells, (11, m).
+
+    Args:
+        stress: stresses xx, yy, zz, xy, xz, yz [Pa], (6, m).
+        strength: strength [Pa], slope, dilation and stiffness [Pa] of each cell, (4, m).
+        cone: whether by Drucker and Prager.
+    """
+    found = np.empty((11, stress.shape[1]))
+    evaluate_yielding(YieldSamples(np.ascontiguousarray(stress), np.ascontiguousarray(strength), cone, False, found))
+    return found
+
+
+def stress_bounds(stress: np.ndarray, bent: np.ndarray) -> np.ndarray:
+    """Return bounds of stresses and of what bending opens [Pa], (5, m).
+
+    Args:
+        stress: stresses xx, yy, zz, xy, xz, yz [Pa], (6, m).
+        bent: rms of the tractions of bending [Pa], (m,).
+
+    Returns:
+        Bounds of the largest and the least principal stress, another bound of the largest, bending less the largest
+        pressure, at least 0, and a bound of that.
+    """
+    found = np.empty((5, len(bent)))
+    evaluate_stress_bounds(StressBoundSamples(np.ascontiguousarray(stress), bent, False, found))
+    return found
