@@ -54,6 +54,7 @@ def test_the_fastest_advance_is_a_mean_over_ten_microseconds():
     assert fastest(time[:50], length[:50]) is None
 
 
+@pytest.mark.validate  # a whole study; `test_validation_fracture` and `test_validation_beams` keep one of each kind
 def test_a_small_plate_breaks_and_is_judged(tmp_path, monkeypatch):
     """A thousand cells and 30 µs: the crack starts once the waves have been at the notch, 20 mm / 3.8 km/s."""
     monkeypatch.setitem(branches.PLATES, "A", replace(PLATE, duration=30e-6))
@@ -104,6 +105,7 @@ def test_a_small_bar_spalls(tmp_path):
     assert strong["lengths"] == [pytest.approx(bar.length, rel=2e-3)]
 
 
+@pytest.mark.validate  # a whole study; `test_validation_fracture` and `test_validation_beams` keep one of each kind
 def test_the_study_of_spalling_draws_and_keeps_its_numbers(tmp_path):
     found = run(Spall(strengths=(18.9,), energies=(50.0,), seeds=(1,), sizes=(7.0,)), tmp_path, processes=1,
                 command="by a test")  # fmt: skip
@@ -156,6 +158,7 @@ def test_small_specimens_break_near_their_strength(test, least, most, tmp_path):
     assert max(row["curve"]["stress"]) == pytest.approx(row["peak"], rel=1e-3)
 
 
+@pytest.mark.validate  # a whole study; `test_validation_fracture` and `test_validation_beams` keep one of each kind
 def test_granite_is_judged_by_its_claims(tmp_path):
     study = GraniteStudy(tests=("direct_tension",), counts=(200,), seeds=(1,))
     found = run(study, tmp_path, processes=1, command="by a test")
@@ -163,6 +166,9 @@ def test_granite_is_judged_by_its_claims(tmp_path):
     assert one["verdict"] == CLAIMS["direct_tension"].verdict(one["values"])
     assert one["over"] == pytest.approx(one["mean"]["mean"] / 6.9e6)
     assert (tmp_path / "figures" / "granite.png").stat().st_size > 10_000
+
+
+def test_means_of_granite_are_judged_by_the_published_range():
     assert first_peak([0.0, 3.0, 7.0, 6.0, 5.0, 8.0, 2.0]) == 7.0
     assert first_peak([0.0, 3.0, 7.0, 6.0]) == 7.0
     rows = [{"seed": 1, "count": 9}, {"seed": 2, "count": 9}]

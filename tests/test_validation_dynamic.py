@@ -88,6 +88,7 @@ def test_bars_have_their_volume_and_their_strength(tmp_path):
     assert len({asked.name, *(one.name for one in others)}) == 3
 
 
+@pytest.mark.validate  # a whole study; `test_validation_fracture` and `test_validation_beams` keep one of each kind
 @pytest.mark.filterwarnings("ignore::bondem.errors.StrengthWarning")
 def test_the_study_of_bars_compares_with_the_weakest_link(tmp_path, monkeypatch):
     monkeypatch.setattr("validation.studies.weibull._VOLUMES", (30, 60, 90))

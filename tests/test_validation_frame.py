@@ -63,6 +63,7 @@ def test_data_beside_a_module_count(copy):
     path.write_text(text)
 
 
+@pytest.mark.validate  # `test_validation_fracture` has a study that keeps its rows
 def test_a_study_of_bars_goes_on_with_what_is_there(tmp_path):
     study = WaveStudy(count=600, packings=2)
     first = run(study, tmp_path, processes=1, command="by a test")
