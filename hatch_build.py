@@ -1,5 +1,6 @@
 """Compile the core when bondem is installed, and put it into the wheel."""
 
+import ctypes
 import os
 import sys
 from importlib.util import module_from_spec, spec_from_file_location
@@ -10,7 +11,10 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface  # pyri
 
 
 class CompiledCore(BuildHookInterface):
-    """Build hook of hatch: libraries for all levels of instructions of the machine that BONDEM_TARGET names."""
+    """Build hook of hatch: libraries for all levels of instructions of the machine that BONDEM_TARGET names.
+
+    An editable installation has those of this CPU alone; `bondem._core` compiles others where they are asked for.
+    """
 
     PLUGIN_NAME = "custom"
 
@@ -24,7 +28,11 @@ class CompiledCore(BuildHookInterface):
         sys.modules[spec.name] = build  # dataclasses look their module up
         spec.loader.exec_module(build)
         target = build.Platform.named(os.environ.get("BONDEM_TARGET"))
-        made = build.compile_core(target, target.levels)
+        levels = target.levels
+        made = build.compile_core(target, [build.PROBE]) if len(levels) > 1 else []
+        if version == "editable" and made:
+            levels = levels[: ctypes.CDLL(str(made[0])).bondem_level() - 1][-1:]
+        made += build.compile_core(target, levels)
         if version != "editable":
             build_data["force_include"] |= {str(path): f"bondem/core/{build.LIBRARIES}/{path.name}" for path in made}
         build_data["pure_python"] = False

@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from bondem._core_build import LIBRARIES, SOURCES, Platform, compile_core, source_digest
+from bondem._core_build import LIBRARIES, PROBE, SOURCES, Platform, compile_core, source_digest
 from bondem._lock import alone
 from bondem.errors import InputError
 
@@ -90,8 +90,8 @@ def _level(target: Platform) -> str:
     levels = target.levels
     if len(levels) == 1:
         return levels[0]
-    lowest = _found(levels[0], target.suffix) or _compiled(target, levels[0])
-    offered = levels[: int(ctypes.CDLL(str(lowest)).bondem_level()) - 1]
+    probe = _found(PROBE, target.suffix) or _compiled(target, PROBE)
+    offered = levels[: int(ctypes.CDLL(str(probe)).bondem_level()) - 1]
     asked = os.environ.get("BONDEM_ISA", "")
     names = {level.rpartition("_")[2]: level for level in offered}
     if asked and asked not in names:

@@ -20,6 +20,8 @@ from pathlib import Path
 #: Sources of the core, and the folder of its libraries among them.
 SOURCES = Path(__file__).parent / "core"
 LIBRARIES = "libraries"
+#: Library that says what a CPU offers; it is small, and compiled for the lowest level.
+PROBE = "level"
 
 # Contraction within expressions only: the same bits on every level that has fused multiply-add. The SLP vectoriser
 # makes the passes over lanes slower.
@@ -121,7 +123,7 @@ def compile_core(target: Platform, levels: Iterable[str], *, folder: Path = SOUR
 
     Args:
         target: the machine to compile for.
-        levels: some of its levels.
+        levels: some of its levels, or `PROBE`.
         folder: folder of the sources.
 
     Returns:
@@ -141,9 +143,11 @@ def compile_core(target: Platform, levels: Iterable[str], *, folder: Path = SOUR
 
     def make(level: str) -> Path:
         library = out / f"{level}.{digest}{target.suffix}"
+        source = [str(folder / f"{PROBE}.cpp")] if level == PROBE else sources
+        flags = target.flags(target.levels[0] if level == PROBE else level)
         with tempfile.TemporaryDirectory(dir=out) as aside:
             made = Path(aside) / library.name
-            _run([*command, *_FLAGS, *target.flags(level), *sources, "-o", str(made)], environment)
+            _run([*command, *_FLAGS, *flags, *source, "-o", str(made)], environment)
             for old in out.glob(f"{level}.*{target.suffix}"):
                 old.unlink(missing_ok=True)
             shutil.move(made, library)

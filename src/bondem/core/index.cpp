@@ -3,6 +3,7 @@
 #include "crack_descriptions.hpp"
 #include "described.hpp"
 #include "device_descriptions.hpp"
+#include "exported.hpp"
 #include "instructions.hpp"
 #include "lagged_descriptions.hpp"
 #include "lanes.hpp"
@@ -175,12 +176,6 @@ const PassDescription index_passes[] = {BONDEM_INDEX_PASSES(X)};
 }  // namespace
 }  // namespace bondem
 
-#if defined(_WIN32)
-#define BONDEM_EXPORT extern "C" __declspec(dllexport)
-#else
-#define BONDEM_EXPORT extern "C" __attribute__((visibility("default")))
-#endif
-
 BONDEM_EXPORT const bondem::TableDescription *bondem_tables(bondem::Index *count) {
     *count = sizeof(bondem::tables) / sizeof(bondem::tables[0]);
     return bondem::tables;
@@ -197,8 +192,6 @@ BONDEM_EXPORT const bondem::PassDescription *bondem_index_passes(bondem::Index *
     *count = sizeof(bondem::index_passes) / sizeof(bondem::index_passes[0]);
     return bondem::index_passes;
 }
-// The highest level of instructions that this CPU and its system offer: 2, 3 or 4 of x86-64, else 0.
-BONDEM_EXPORT bondem::Index bondem_level() { return bondem::instruction_level(); }
 // Numbers of a register, as many as there are bonds in a group; tables of fewer bonds are filled.
 BONDEM_EXPORT bondem::Index bondem_lanes() { return bondem::lanes; }
 // The level that this library was compiled for.

@@ -1,0 +1,8 @@
+// Functions that a library offers.
+#pragma once
+
+#if defined(_WIN32)
+#define BONDEM_EXPORT extern "C" __declspec(dllexport)
+#else
+#define BONDEM_EXPORT extern "C" __attribute__((visibility("default")))
+#endif

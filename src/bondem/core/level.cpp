@@ -1,0 +1,6 @@
+// What a CPU offers: a part of every library, and a small library by itself, which any CPU can load.
+#include "exported.hpp"
+#include "instructions.hpp"
+
+// The highest level of instructions that this CPU and its system offer: 2, 3 or 4 of x86-64, else 0.
+BONDEM_EXPORT bondem::Index bondem_level() { return bondem::instruction_level(); }
