@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from bondem._checks import array, instance, number, several, shown
+from bondem._checks import array, choice, instance, number, several, shown
 from bondem._progress import staged
 from bondem._types import PerElement
 from bondem.calibration.abacus import curve
@@ -109,11 +109,10 @@ class Calibration:
         Raises:
             InputError: an unknown quantity.
         """
+        choice("sample", "quantity", quantity, ("E", "nu", "E_mu", "value"))
         E, nu = (np.array([getattr(one, name) for one in self.responses]) for name in ("E", "nu"))
         if quantity in ("E", "nu"):
             return Sample(E if quantity == "E" else nu)
-        if quantity not in ("E_mu", "value"):
-            raise InputError(f"quantity = '{quantity}': unknown quantity; choose from E, nu, E_mu, value")
         shift = (nu.mean() - nu) / np.array([slope.nu for slope in self.slopes])
         if quantity == "value":
             return Sample(self.value + shift)

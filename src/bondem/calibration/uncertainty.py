@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import stdtrit
 
+from bondem._checks import choice
 from bondem._types import Floats
 from bondem.errors import InputError
 
@@ -16,8 +17,7 @@ _MOST = 100_000
 
 def half_width(n: int, *, kind: str, level: float) -> float:
     """Half-width of an interval over the standard deviation of n packings; see `Sample.interval`."""
-    if kind not in KINDS:
-        raise InputError(f"kind = '{kind}': unknown kind; choose from {', '.join(KINDS)}")
+    choice("interval", "kind", kind, KINDS)
     if not 0.0 < level < 1.0:
         raise InputError(f"level = {level}: not a probability; give a number between 0 and 1, such as 0.95")
     if n < 2:

@@ -12,9 +12,8 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
-from bondem._checks import instance
+from bondem._checks import choice, instance
 from bondem._types import Floats, Ints, PerBond, PerBond3
-from bondem.errors import InputError
 from bondem.laws.bond import BondStiffness, Section
 from bondem.laws.failure.scatter import Normal, Weibull
 from bondem.laws.failure.softening import Softening
@@ -81,8 +80,8 @@ class Criterion(ABC):
         if self.scatter is not None:
             wanted = "bd.Weibull(...), bd.Normal(...) or None"
             instance(type(self).__name__, "scatter", self.scatter, (Weibull, Normal), wanted)
-        if self.on not in (None, "stress", "traction"):
-            raise InputError(f"{type(self).__name__}: on = {self.on!r}; give 'stress', 'traction' or None")
+        if self.on is not None:
+            choice(type(self).__name__, "on", self.on, ("stress", "traction"))
 
     @property
     @abstractmethod
