@@ -49,11 +49,17 @@ def device_has(model: Model) -> bool:
     return (
         (model.breaking is None or (model.cells is None and model.breaking.kind < len(CRITERION_NAMES)))
         and model.beam_softening is None
-        and model.softening is None
+        and (model.softening is None or _cracks_on_device(model))
         and model.non_local is None
         and model.formulation == "total"
         and len(model.layout.i) < _MOST_BONDS
     )
+
+
+def _cracks_on_device(model: Model) -> bool:
+    """Return whether cracks of a body of cells have counterparts on a device."""
+    table = model.softening
+    return table is not None and table.slip is None and table.judge is None and not table.plane.any()
 
 
 def _composed(model: Model, plan: Plan, state: State, dt: float) -> tuple[SharedTables, list[Part]]:
@@ -92,7 +98,11 @@ class DeviceLoop:
         self._width = self._first_gauge + 3 * self._gauges
         self._budget, self._still = np.zeros(2), noticeable(model, dt)
         self._late, self._listed = late, model.contacts is not None
+        begins = self._launches("begin")
         self._compose()
+        if begins:
+            self._set_clock()
+            _run(self._tables.prepared([self._tick(first=True), *self._launches("present"), *begins]))
 
     def _compose(self) -> None:
         """Prepare the launches of the present parts."""
@@ -265,6 +275,8 @@ class DeviceLoop:
         self._tables.fetch_written()
         for log in self._run.logs:
             self._tables.fetch(log.event[: log.written[0]])
+        for arranged in self._run.before_keeping:
+            arranged()
         for part in self._parts:
             part.keep()
 

@@ -13,6 +13,8 @@ from bondem.solve.on_device import (
     breakage_counterparts,
     cell_counterparts,
     contact_counterparts,
+    crack_counterparts,
+    crack_onset_counterparts,
     motion_counterparts,
     record_counterparts,
 )
@@ -20,7 +22,7 @@ from bondem.solve.on_device.translation import Counterpart, Translation
 from bondem.solve.parts.part import Passes
 
 #: Passes that act on elements beside the loads of their bonds.
-FURTHER = {"add_dashpot_loads", "add_body_forces", "add_wall_loads", "add_contact_loads"}
+FURTHER = {"add_dashpot_loads", "add_body_forces", "add_wall_loads", "add_contact_loads", "add_crack_loads"}
 
 _ALL = {
     **boundary_counterparts.COUNTERPARTS,
@@ -28,6 +30,8 @@ _ALL = {
     **breakage_counterparts.COUNTERPARTS,
     **cell_counterparts.COUNTERPARTS,
     **contact_counterparts.COUNTERPARTS,
+    **crack_counterparts.COUNTERPARTS,
+    **crack_onset_counterparts.COUNTERPARTS,
     **motion_counterparts.COUNTERPARTS,
     **record_counterparts.COUNTERPARTS,
 }

@@ -52,6 +52,8 @@ class Translation:
         held: number of elements that own rows.
         walls: motion, forces and work of walls, (w, 14), or None.
         logs: events of the run, whose rows are copied as far as they are filled.
+        scratch: arrays of zeros of counterparts that only the device reads.
+        before_keeping: functions that bring tables in the form of the CPU, when they have been copied from the device.
     """
 
     def __init__(
@@ -69,6 +71,8 @@ class Translation:
         most = max(-(-n // 1024), -(-m // 2048), len(self._works.works), 1)
         self.folded = FoldedPortions(np.zeros((-(-most // GROUP), len(SUM_COLUMNS))))
         self.logs: list[EventLog] = []
+        self.scratch: list[np.ndarray] = []
+        self.before_keeping: list[Callable[[], None]] = []
         self.walls: np.ndarray | None = None
         self._rows = rows
         self._made: dict[int, tuple[Any, Any]] = {}
@@ -76,7 +80,7 @@ class Translation:
     @property
     def work_spaces(self) -> list[np.ndarray]:
         """Arrays that only the device reads."""
-        return [self.loads.load, self.dashed.load, self.cut.sums, *(log.event for log in self.logs)]
+        return [self.loads.load, self.dashed.load, self.cut.sums, *self.scratch, *(log.event for log in self.logs)]
 
     def keep_log(self, log: EventLog) -> None:
         """Take note of a table of events."""
@@ -127,6 +131,11 @@ def over(one: IndexPass, count: Callable[[Translation], int], *, spans: bool = T
 def elements(run: Translation) -> int:
     """Return the number of elements."""
     return run.span.n
+
+
+def bonds(run: Translation) -> int:
+    """Return the number of bonds or facets."""
+    return run.span.m
 
 
 def names_of(passes: Iterable[tuple[Any, ...]]) -> set[str]:
