@@ -187,9 +187,11 @@ inline void touch_parted_face(Index k, const Moving &all, const ContactPairs &pa
 
 inline void load_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                        const CohesiveCracks &cracks, const CrackLists &lists, const LossesOfCracks &losses) {
-    if (!is_treated(cracks, k)) return;
-    lists.flag(k) = crack::unchanged;
-    losses.lost(k) = load_each(OneCrack(facets, k), all, facets.period.data, cracks, lists, 0, takes_time(span));
+    const bool treated = is_treated(cracks, k);
+    if (!treated && !leaves(lists.flag(k))) return;
+    if (treated) lists.flag(k) = crack::unchanged;
+    const double lost = load_each(OneCrack(facets, k), all, facets.period.data, cracks, lists, 0, takes_time(span));
+    if (treated) losses.lost(k) = lost;
     if (lists.flag(k) == crack::fell) losses.fallen(count_up(losses.count(0))) = k;
 }
 inline void add_crack_load(Index e, const DeviceSpan &span, const Moving &all, const StressesOfCells &stresses,
