@@ -18,12 +18,12 @@ _DT = 1e-7
 
 
 def body() -> bd.Lattice:
-    """A bar of 120 cells."""
+    """A bar of 128 cells."""
     rng = np.random.default_rng(1)
-    counts = np.array([8, 4, 4])
+    counts = (8, 4, 4)
     grid = 4e-3 * (np.indices(counts).reshape(3, -1).T + 0.5)
     centre, radius = grid + rng.uniform(-7e-4, 7e-4, grid.shape), rng.uniform(1e-3, 1.2e-3, len(grid))
-    return cut("cracking bar", bd.Particles(centre, radius, shape=bd.Box(4e-3 * counts)))
+    return cut("cracking bar", bd.Particles(centre, radius, shape=bd.Box((32e-3, 16e-3, 16e-3))))
 
 
 def thrown(along: tuple[float, float, float], noise: float = 0.05) -> Callable[[bd.Model], State]:
@@ -58,7 +58,8 @@ def held() -> bd.Model:
 CASES: dict[str, Callable[[], Case]] = {
     "torn apart": lambda: (free(RANKINE), thrown((2.0, -0.4, 0.6)), 240, _DT, {"every": 20}),
     "brittle": lambda: (
-        free(bd.Rankine(tension=4e6)), thrown((2.0, -0.4, 0.6)), 200, _DT, {"every": 20, "damping": bd.LocalDamping(0.05)}
+        free(bd.Rankine(tension=4e6)), thrown((2.0, -0.4, 0.6)), 200, _DT,
+        {"every": 20, "damping": bd.LocalDamping(0.05)}
     ),
     "bilinear": lambda: (
         free(bd.Rankine(tension=4e6, fracture_energy=50.0, curve=bd.Bilinear())), thrown((2.0, -0.4, 0.6)), 200, _DT,
@@ -66,7 +67,7 @@ CASES: dict[str, Callable[[], Case]] = {
     ),
     "held and pulled": lambda: (held(), thrown((0.5, 0.0, 0.0)), 240, _DT, {"every": 20, "gauges": GAUGES}),
     "driven together and touching": lambda: (
-        free(RANKINE, contact=bd.LinearContact(E=40e9, friction=0.4)), thrown((-40.0, -12.0, -12.0), 10.0), 500, 0.25 * _DT,
-        {"every": 100},
+        free(RANKINE, contact=bd.LinearContact(E=40e9, friction=0.4)), thrown((-40.0, -12.0, -12.0), 10.0), 500,
+        0.25 * _DT, {"every": 100},
     ),
 }  # fmt: skip

@@ -19,6 +19,7 @@ from tests.recording import Record
 
 pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
 
+
 def on_device(model: bd.Model, plan: Plan, state: State, dt: float) -> DeviceLoop:
     assert device_has(model)
     return DeviceLoop(model, plan, state, dt, Host())

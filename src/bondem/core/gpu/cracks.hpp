@@ -192,7 +192,7 @@ inline void load_crack(Index k, const DeviceSpan &span, const Moving &all, const
     if (treated) lists.flag(k) = crack::unchanged;
     const double lost = load_each(OneCrack(facets, k), all, facets.period.data, cracks, lists, 0, takes_time(span));
     if (treated) losses.lost(k) = lost;
-    if (lists.flag(k) == crack::fell) losses.fallen(count_up(losses.count(0))) = k;
+    if (lists.flag(k) == crack::fell) losses.fallen(count_up(losses.number(0))) = k;
 }
 inline void add_crack_load(Index e, const DeviceSpan &span, const Moving &all, const StressesOfCells &stresses,
                            const CohesiveCracks &cracks, const CrackLists &lists, const StepCut &cut) {
@@ -222,10 +222,10 @@ inline void log_all_cracks(Index, const DeviceSpan &span, const Moving &all, con
     log.released(0) += sum;
     log.written(1) = log.written(0);
     const auto key = [&](Index e) { return losses.fallen(e); };
-    sort_by_heap(losses.count(0), key, [&](Index a, Index b) { exchange(losses.fallen(a), losses.fallen(b)); });
-    for (Index e = 0; e < losses.count(0); e++)
+    sort_by_heap(losses.number(0), key, [&](Index a, Index b) { exchange(losses.fallen(a), losses.fallen(b)); });
+    for (Index e = 0; e < losses.number(0); e++)
         log_crack(clock_of(span), all, facets, cracks, log, losses.fallen(e));
-    losses.count(0) = 0;
+    losses.number(0) = 0;
 }
 
 }  // namespace bondem

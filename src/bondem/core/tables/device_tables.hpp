@@ -59,7 +59,7 @@ struct WallEnergy {
 struct LossesOfCracks {
     Array<double, 1> lost;  // of each facet, (m,)
     Array<double, 1> portion, group;  // sums of it
-    Array<Index, 1> fallen, count;  // facets, in any order until they are logged, (m,), and how many, (1,)
+    Array<Index, 1> fallen, number;  // facets, in any order until they are logged, (m,), and how many, (1,)
 };
 // Levers of the cells of each facet in space [m], and T_b² [Pa²].
 struct FacetArms {

@@ -16,7 +16,7 @@ from bondem.solve.cohesive_tables import (
 )
 from bondem.solve.contact_tables import ContactPairs, NearPairs
 from bondem.solve.damage_tables import EventLog
-from bondem.solve.on_device.device_tables import BondsOfElements, LossesOfCracks, DeviceSpan
+from bondem.solve.on_device.device_tables import BondsOfElements, DeviceSpan, LossesOfCracks
 from bondem.solve.on_device.translation import Counterpart, Translation, bonds, elements, over
 from bondem.solve.step_tables import Moving
 
@@ -46,7 +46,9 @@ _touch_parted_face = IndexPass(
     "touch_parted_face", Moving, ContactPairs, CohesiveCracks, CrackLists, PartedReach
 )  # fmt: skip
 _load_crack = IndexPass("load_crack", DeviceSpan, Moving, *_CRACKS, LossesOfCracks)
-_add_crack_load = IndexPass("add_crack_load", DeviceSpan, Moving, StressesOfCells, CohesiveCracks, CrackLists, StepCut)
+_add_crack_load = IndexPass(
+    "add_crack_load", DeviceSpan, Moving, StressesOfCells, CohesiveCracks, CrackLists, StepCut
+)
 _sum_portion = IndexPass("sum_portion_of_losses", DeviceSpan, LossesOfCracks)
 _sum_group = IndexPass("sum_group_of_losses", LossesOfCracks)
 _log_cracks = IndexPass("log_all_cracks", DeviceSpan, Moving, ElasticFacets, CohesiveCracks, EventLog, LossesOfCracks)

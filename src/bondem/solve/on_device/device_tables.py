@@ -87,13 +87,13 @@ class WallEnergy(NamedTuple):
 
 
 class LossesOfCracks(NamedTuple):
-    """What cracks dissipate in a step, and those of which nothing is left."""
+    """Energies that cracks dissipate in a step, and cracks that break."""
 
     lost: Floats  #: of each facet [J], (m,)
     portion: Floats  #: sums of it
     group: Floats
     fallen: Ints  #: facets, in any order until they are logged, (m,)
-    count: Ints  #: how many, (1,)
+    number: Ints  #: how many, (1,)
 
 
 class FacetArms(NamedTuple):

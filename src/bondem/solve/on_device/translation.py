@@ -53,7 +53,7 @@ class Translation:
         walls: motion, forces and work of walls, (w, 14), or None.
         logs: events of the run, whose rows are copied as far as they are filled.
         scratch: arrays of zeros of counterparts that only the device reads.
-        before_keeping: functions that bring tables in the form of the CPU, when they have been copied from the device.
+        before_keeping: functions that convert tables copied from the device to the form of the CPU.
     """
 
     def __init__(
