@@ -1,13 +1,13 @@
 """Bodies of cells that crack, for devices: with each kind of what begins, ends and dissipates."""
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 import numpy as np
 
 import bondem as bd
 from bondem.model.state import State
-from tests.device_cases import cut
 from tests.device_runs import Case
 
 LAW = bd.CellBond(E=40e9, nu=0.2)
@@ -17,13 +17,14 @@ GAUGES = {"end": bd.Gauge(bd.Face("x_max"), "displacement"), "wall": bd.Gauge(bd
 _DT = 1e-7
 
 
+@cache
 def body() -> bd.Lattice:
     """A bar of 128 cells."""
     rng = np.random.default_rng(1)
     counts = (8, 4, 4)
     grid = 4e-3 * (np.indices(counts).reshape(3, -1).T + 0.5)
     centre, radius = grid + rng.uniform(-7e-4, 7e-4, grid.shape), rng.uniform(1e-3, 1.2e-3, len(grid))
-    return cut("cracking bar", bd.Particles(centre, radius, shape=bd.Box((32e-3, 16e-3, 16e-3))))
+    return bd.connect(bd.Particles(centre, radius, shape=bd.Box((32e-3, 16e-3, 16e-3))), method="laguerre")
 
 
 def thrown(along: tuple[float, float, float], noise: float = 0.05) -> Callable[[bd.Model], State]:

@@ -34,6 +34,5 @@ def _special(model: Model) -> str:
         "cells that yield": table is not None and table.slip is not None,
         "material planes": table is not None and bool(table.plane.any()),
         "facets that crack under strains that change": table is not None and len(model.constraints.strain_part) > 0,
-        "beams that break by a function of the stress": table is None and model.breaking is not None,
     }
     return ", ".join(name for name, there in features.items() if there) or f"{len(model.layout.i)} bonds"

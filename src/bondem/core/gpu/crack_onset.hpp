@@ -32,7 +32,7 @@ inline void load_kept_facet(Index k, const Moving &all, const ElasticFacets &fac
     }
     arms.arm(bending_row, k) = bending_square(ends, kept.bends(k), stiffness.H);
 }
-inline void gather_moments(Index p, const FacetForces &kept, const BondsOfElements &bonds, const LoadsOfBonds &from,
+inline void gather_facet_moments(Index p, const FacetForces &kept, const BondsOfElements &bonds, const LoadsOfBonds &from,
                            const FacetArms &arms) {
     double sum[7] = {};
     const auto add = [&](Index k, Index side, double sign) {

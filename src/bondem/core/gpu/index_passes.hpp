@@ -177,7 +177,7 @@
     X(sum_group_of_losses)              \
     X(log_all_cracks)                   \
     X(load_kept_facet)                  \
-    X(gather_moments)                   \
+    X(gather_facet_moments)             \
     X(sum_moments_of_cell)              \
     X(find_cell_stress)                 \
     X(add_surface_stress)               \

@@ -42,7 +42,7 @@ class StressCriterion(Criterion):
     Without a fracture energy a facet breaks at once.
 
     The address of a C function (`numba.cfunc`, cffi, ctypes) is faster than a function of Python. Its parameters are
-    those given, in this order:
+    those given, in this order::
 
         void function(int64_t count, const double *stress, const double *parameter, double *index)
 

@@ -33,7 +33,7 @@ from bondem.solve.on_device.translation import Counterpart, Translation, bonds, 
 from bondem.solve.step_tables import HistoryRows, Moving, Portions
 
 _load_facet = IndexPass("load_kept_facet", Moving, ElasticFacets, FacetForces, LoadsOfBonds, FacetArms)
-_gather_moments = IndexPass("gather_moments", FacetForces, BondsOfElements, LoadsOfBonds, FacetArms)
+_gather_facet_moments = IndexPass("gather_facet_moments", FacetForces, BondsOfElements, LoadsOfBonds, FacetArms)
 _sum_moments = IndexPass(
     "sum_moments_of_cell", DeviceSpan, Moving, ElasticFacets, FacetsOfCells, FacetForces
 )  # fmt: skip
@@ -72,7 +72,7 @@ def _load(run: Translation, moving: Moving, facets: ElasticFacets, kept: FacetFo
 
 
 def _moments(run: Translation, kept: FacetForces) -> list[Launch]:
-    return [(_gather_moments, run.span.n, (kept, run.bonds, run.loads, _arms(run, kept)))]
+    return [(_gather_facet_moments, run.span.n, (kept, run.bonds, run.loads, _arms(run, kept)))]
 
 
 def on_surface(run: Translation, walls: WallConstraints) -> RowOrder:
