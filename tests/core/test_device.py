@@ -19,6 +19,7 @@ from bondem.solve.plan import ExplicitResult, Plan
 from tests.bits import assert_same_bits, assert_same_fracture, assert_same_run
 from tests.core.test_stress_onset_on_device import ONSET
 from tests.device_cases import CRITERIA, CUBE_DT, CUBE_STEPS, NUS, cell, cubes, moving, pressed_bar
+from tests.device_cracks import CASES as CRACKING
 from tests.device_runs import CASES, deviation
 from tests.recording import Record
 
@@ -81,8 +82,8 @@ def test_these_runs_have_all_that_acts_on_bodies() -> None:
         assert abs(records[-1, WORK]) > 0.1 * records[-1, TRANSLATION:WORK].sum()
         assert abs(work[-1]) > 0.01 * np.abs(work).max()  # of walls and tractions
         assert (np.abs(records[-1, FIXED_COLUMNS:]) > 0.0).all()
-    for case in CASES:
-        model, start, _, dt, options = CASES[case]()
+    for make in (*CASES.values(), *CRACKING.values()):
+        model, start, _, dt, options = make()
         DeviceLoop(model, Plan(duration=dt, dt=dt, **options), start(model), dt, Noting()).look()
     assert set(index_pass_names()) - ONSET == LAUNCHED
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "cell_descriptions.hpp"
 #include "contact_descriptions.hpp"
+#include "crack_descriptions.hpp"
 #include "damage_descriptions.hpp"
 #include "gpu/for_each.hpp"
 #include "gpu/index_passes.hpp"
@@ -22,14 +23,20 @@ BONDEM_TABLE(RowOrder, F(start, "*"), F(load, "*"))
 BONDEM_TABLE(WorkPortions, F(works, "work_portions 2"))
 BONDEM_TABLE(StrainPortions, F(due, "2"), F(power, "* *"))
 BONDEM_TABLE(WallEnergy, F(energy, "wall_portions"))
+BONDEM_TABLE(LossesOfCracks, F(lost, "*"), F(portion, "loss_portions"), F(group, "loss_groups"), F(fallen, "*"), F(number, "1"))
+BONDEM_TABLE(FacetArms, F(arm, "7 *"))
+BONDEM_TABLE(CrackPortions, F(energy, "* 3"))
 BONDEM_TABLE(FoldedPortions, F(sums, "folds 13"))
 BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
 
 #undef F
 
 #define BONDEM_DEVICE_TABLES                                                                                          \
-    described<DeviceSpan>(), described<Tick>(), described<BondMarks>(), described<SofteningLosses>(), described<LoadsOfBonds>(), described<BondsOfElements>(), described<EarlierPairs>(), described<RowOrder>(), \
-        described<WorkPortions>(), described<StrainPortions>(), described<WallEnergy>(), described<FoldedPortions>(), described<GaugeParts>()
+    described<DeviceSpan>(), described<Tick>(), described<BondMarks>(), described<SofteningLosses>(), \
+        described<LoadsOfBonds>(), described<BondsOfElements>(), described<EarlierPairs>(), \
+        described<RowOrder>(), described<WorkPortions>(), described<StrainPortions>(), \
+        described<WallEnergy>(), described<FoldedPortions>(), described<GaugeParts>(), \
+        described<LossesOfCracks>(), described<FacetArms>(), described<CrackPortions>()
 
 // The loop of a pass over all its indices.
 template <auto pass> struct IndexPass;

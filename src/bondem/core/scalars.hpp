@@ -49,6 +49,13 @@ template <class T> inline T get_shared(const T &place) { return __atomic_load_n(
 inline Index count_up(Index &count) { return __atomic_fetch_add(&count, Index(1), __ATOMIC_RELAXED); }
 #endif
 
+// Asks for a line of the memory that is read soon.
+BONDEM_INLINE void prefetch([[maybe_unused]] const void *at) {
+#if defined(BONDEM_LANES)
+    __builtin_prefetch(at);
+#endif
+}
+
 template <class T> inline T least(T a, T b) { return b < a ? b : a; }
 template <class T> inline T most(T a, T b) { return b > a ? b : a; }
 template <class T> inline T within(T a, T low, T high) { return least(most(a, low), high); }

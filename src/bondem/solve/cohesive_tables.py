@@ -28,6 +28,8 @@ from bondem.model.state import State
 
 # Places of a portion of a list, as in the core, and places behind a list that lanes and prefetching read.
 _PORTION, _BEHIND = 256, 64
+#: Column of the history of a crack that says in which step it began.
+BEGAN = 5
 
 
 class StressesOfCells(NamedTuple):

@@ -57,9 +57,16 @@ def device_has(model: Model) -> bool:
             or model.non_local is not None
             or model.breaking.kind < len(CRITERION_NAMES)
         )
-        and model.softening is None
+        and (model.softening is None or _cracks_on_device(model))
         and len(model.layout.i) < _MOST_BONDS
     )
+
+
+def _cracks_on_device(model: Model) -> bool:
+    """Return whether cracks of a body of cells have counterparts on a device."""
+    table = model.softening
+    strained = len(model.constraints.strain_part) > 0
+    return table is not None and table.slip is None and not strained and not table.plane.any()
 
 
 def _composed(model: Model, plan: Plan, state: State, dt: float) -> tuple[SharedTables, list[Part]]:
@@ -98,7 +105,11 @@ class DeviceLoop:
         self._width = self._first_gauge + 3 * self._gauges
         self._budget, self._still = np.zeros(2), noticeable(model, dt)
         self._late, self._listed = late, model.contacts is not None
+        begins = self._launches("begin")
         self._compose()
+        if begins:
+            self._set_clock()
+            _run(self._tables.prepared([self._tick(first=True), *self._launches("present"), *begins]))
 
     def _compose(self) -> None:
         """Prepare the launches of the present parts."""
@@ -270,6 +281,8 @@ class DeviceLoop:
         self._tables.fetch_written()
         for log in self._run.logs:
             self._tables.fetch(log.event[: log.written[0]])
+        for arranged in self._run.before_keeping:
+            arranged()
         for part in self._parts:
             part.keep()
 

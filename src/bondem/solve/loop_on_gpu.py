@@ -29,11 +29,10 @@ def loop_on_gpu(model: Model, plan: Plan, state: State, dt: float) -> Loop:
 
 def _special(model: Model) -> str:
     """Return the features of a model that only some devices have."""
+    table = model.softening
     features = {
-        "the non-local law": model.non_local is not None,
-        "the incremental formulation": model.non_local is None and model.formulation == "incremental",
-        "beams that soften": model.beam_softening is not None,
-        "facets that crack and cells that yield": model.softening is not None,
-        "facets that break": model.cells is not None and model.breaking is not None,
+        "cells that yield": table is not None and table.slip is not None,
+        "material planes": table is not None and bool(table.plane.any()),
+        "facets that crack under strains that change": table is not None and len(model.constraints.strain_part) > 0,
     }
     return ", ".join(name for name, there in features.items() if there) or f"{len(model.layout.i)} bonds"

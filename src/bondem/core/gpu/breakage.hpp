@@ -8,6 +8,7 @@
 #include "../passes/damage/beam_verdicts.hpp"
 #include "../passes/damage/pipeline.hpp"
 #include "beams.hpp"
+#include "heap_sort.hpp"
 #include "motion.hpp"
 #include "record.hpp"
 
@@ -71,27 +72,13 @@ BONDEM_JUDGE(linear_sum, LinearSum)
 BONDEM_JUDGE(ellipse, Elliptic)
 #undef BONDEM_JUDGE
 
-// Sorts the bonds that fail by their numbers: a heap, the largest on top.
+// Sorts the bonds that fail by their numbers.
 inline void sort_failing(Index, const Candidates &candidates) {
     if (!any_fails(candidates)) return;
-    const Index count = candidates.count(0);
-    const auto swap = [&](Index a, Index b) {
+    sort_by_heap(candidates.count(0), [&](Index e) { return candidates.marked(e); }, [&](Index a, Index b) {
         exchange(candidates.marked(a), candidates.marked(b));
         exchange(candidates.mode(a), candidates.mode(b));
-    };
-    const auto sift = [&](Index root, Index end) {
-        for (Index child = 2 * root + 1; child < end; child = 2 * root + 1) {
-            if (child + 1 < end && candidates.marked(child) < candidates.marked(child + 1)) child++;
-            if (candidates.marked(root) >= candidates.marked(child)) return;
-            swap(root, child);
-            root = child;
-        }
-    };
-    for (Index root = count / 2 - 1; root >= 0; root--) sift(root, count);
-    for (Index last = count - 1; last > 0; last--) {
-        swap(0, last);
-        sift(0, last);
-    }
+    });
 }
 
 // ---- elements that are postponed, number e of the list

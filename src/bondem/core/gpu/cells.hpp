@@ -31,16 +31,19 @@ inline void set_stress(Index p, const Moving &all, const CellDilatation &cells) 
 
 // ---- forces
 
+BONDEM_INLINE void put_loads(const LoadsOfBonds &to, Index k, const FacetLoads<double> &loads) {
+    const Index m = to.load.shape[1];
+    const double each[9] = {loads.force.x, loads.force.y, loads.force.z, loads.on_i.x, loads.on_i.y,
+                            loads.on_i.z,  loads.on_j.x,  loads.on_j.y,  loads.on_j.z};
+    for (Index c = 0; c < 9; c++) to.load.data[c * m + k] = each[c];
+}
 inline void load_facet(Index k, const Moving &all, const ElasticFacets &facets, const LoadsOfBonds &to) {
     const FacetColumns columns(facets);
     const Row<double> i = gather(all.pose.data, facets.i(k)), j = gather(all.pose.data, facets.j(k));
     const double s = facets.integrity(k);
     const FacetLoads<double> loads = facet_loads(ends_of(i, j, facets.period.data), columns.shape<double>(k),
                                                  columns.stiffness<double>(k, s), stresses_of(i, j, s));
-    const Index m = to.load.shape[1];
-    const double each[9] = {loads.force.x, loads.force.y, loads.force.z, loads.on_i.x, loads.on_i.y,
-                            loads.on_i.z,  loads.on_j.x,  loads.on_j.y,  loads.on_j.z};
-    for (Index c = 0; c < 9; c++) to.load.data[c * m + k] = each[c];
+    put_loads(to, k, loads);
 }
 
 // ---- walls that hold facets

@@ -5,6 +5,9 @@
 #include "breakage.hpp"
 #include "cells.hpp"
 #include "contacts.hpp"
+#include "crack_onset.hpp"
+#include "crack_report.hpp"
+#include "cracks.hpp"
 #include "facet_breakage.hpp"
 #include "motion.hpp"
 #include "non_local_pairs.hpp"
@@ -150,4 +153,38 @@
     X(stretch_wall_of_step)             \
     X(sum_strain_portion)               \
     X(begin_cell_strains)               \
-    X(add_work_of_cell_strains)
+    X(add_work_of_cell_strains)            \
+    X(begin_all_levers)                 \
+    X(restore_crack)                    \
+    X(weigh_cell)                       \
+    X(carry_cell)                       \
+    X(link_halves)                      \
+    X(begin_base)                       \
+    X(measure_crack)                    \
+    X(relax_cell)                       \
+    X(relax_stale_cell)                 \
+    X(watch_resting_crack)              \
+    X(wake_crack)                       \
+    X(take_woken)                       \
+    X(soften_crack)                     \
+    X(part_crack)                       \
+    X(leave_crack)                      \
+    X(take_leaving)                     \
+    X(touch_parted_face)                \
+    X(load_crack)                       \
+    X(add_crack_load)                   \
+    X(sum_portion_of_losses)            \
+    X(sum_group_of_losses)              \
+    X(log_all_cracks)                   \
+    X(load_kept_facet)                  \
+    X(gather_facet_moments)             \
+    X(sum_moments_of_cell)              \
+    X(find_cell_stress)                 \
+    X(add_surface_stress)               \
+    X(judge_cell)                       \
+    X(mark_facet)                       \
+    X(begin_marked_crack)               \
+    X(sum_stressed_portion)             \
+    X(sum_portion_of_cracks)            \
+    X(add_energies_of_cracks)           \
+    X(write_energy_of_yielding)

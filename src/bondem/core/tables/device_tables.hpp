@@ -59,6 +59,20 @@ struct StrainPortions {
 struct WallEnergy {
     Array<double, 1> energy;
 };
+// What cracks dissipate in a step [J], and those of which nothing is left.
+struct LossesOfCracks {
+    Array<double, 1> lost;  // of each facet, (m,)
+    Array<double, 1> portion, group;  // sums of it
+    Array<Index, 1> fallen, number;  // facets, in any order until they are logged, (m,), and how many, (1,)
+};
+// Levers of the cells of each facet in space [m], and T_b² [Pa²].
+struct FacetArms {
+    Array<double, 2> arm;  // (7, m)
+};
+// Energies across and along cracks, and of bending, of portions of facets [J].
+struct CrackPortions {
+    Array<double, 2> energy;  // (portions, 3)
+};
 // Sums over groups of portions, see `gpu/record.hpp`.
 struct FoldedPortions {
     Array<double, 2> sums;  // (groups, 13)

@@ -158,14 +158,17 @@ def _cell_energies(run: Translation, cells: CellDilatation, found: DilatationEne
     return [(_sum_portion_of_cells, len(found.energy), (run.span, cells, found))]
 
 
+def energy_of_walls(run: Translation, moving: Moving, walls: WallConstraints) -> tuple[WallEnergy, list[Launch]]:
+    """Return the energy of portions of walls, and the launches that find it."""
+    held = run.once(walls, lambda: WallEnergy(np.zeros(-(-len(walls.cell) // WORKS))))
+    return held, [(_sum_portion_of_walls, len(held.energy), (moving, walls, held))]
+
+
 def _add_cell_energies(
     run: Translation, moving: Moving, walls: WallConstraints, found: DilatationEnergy, portions: Portions
 ) -> list[Launch]:
-    held = run.once(walls, lambda: WallEnergy(np.zeros(-(-len(walls.cell) // WORKS))))
-    return [
-        (_sum_portion_of_walls, len(held.energy), (moving, walls, held)),
-        (_add_energies, 1, (found, held, portions)),
-    ]
+    held, launches = energy_of_walls(run, moving, walls)
+    return [*launches, (_add_energies, 1, (found, held, portions))]
 
 
 COUNTERPARTS: dict[str, Counterpart] = {

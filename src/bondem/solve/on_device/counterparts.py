@@ -13,6 +13,8 @@ from bondem.solve.on_device import (
     breakage_counterparts,
     cell_counterparts,
     contact_counterparts,
+    crack_counterparts,
+    crack_onset_counterparts,
     facet_breakage_counterparts,
     motion_counterparts,
     non_local_counterparts,
@@ -25,7 +27,7 @@ from bondem.solve.on_device.translation import Counterpart, Translation
 from bondem.solve.parts.part import Passes
 
 #: Passes that act on elements beside the loads of their bonds.
-FURTHER = {"add_dashpot_loads", "add_body_forces", "add_wall_loads", "add_contact_loads"}
+FURTHER = {"add_dashpot_loads", "add_body_forces", "add_wall_loads", "add_contact_loads", "add_crack_loads"}
 
 _ALL = {
     **boundary_counterparts.COUNTERPARTS,
@@ -33,6 +35,8 @@ _ALL = {
     **breakage_counterparts.COUNTERPARTS,
     **cell_counterparts.COUNTERPARTS,
     **contact_counterparts.COUNTERPARTS,
+    **crack_counterparts.COUNTERPARTS,
+    **crack_onset_counterparts.COUNTERPARTS,
     **facet_breakage_counterparts.COUNTERPARTS,
     **motion_counterparts.COUNTERPARTS,
     **non_local_counterparts.COUNTERPARTS,

@@ -92,6 +92,28 @@ class WallEnergy(NamedTuple):
     energy: Floats  #: [J], (portions,)
 
 
+class LossesOfCracks(NamedTuple):
+    """Energies that cracks dissipate in a step, and cracks that break."""
+
+    lost: Floats  #: of each facet [J], (m,)
+    portion: Floats  #: sums of it
+    group: Floats
+    fallen: Ints  #: facets, in any order until they are logged, (m,)
+    number: Ints  #: how many, (1,)
+
+
+class FacetArms(NamedTuple):
+    """Levers of the cells of each facet in space, and the square of what bending opens."""
+
+    arm: Floats  #: [m], and T_b² [Pa²], (7, m)
+
+
+class CrackPortions(NamedTuple):
+    """Energies of cracks of portions of facets."""
+
+    energy: Floats  #: across and along cracks, and of bending [J], (portions, 3)
+
+
 class FoldedPortions(NamedTuple):
     """Sums over groups of portions."""
 

@@ -54,6 +54,7 @@ class Translation:
         walls: motion, forces and work of walls, (w, 14), or None.
         logs: events of the run, whose rows are copied as far as they are filled.
         scratch: arrays of zeros of counterparts that only the device reads.
+        before_keeping: functions that convert tables copied from the device to the form of the CPU.
     """
 
     def __init__(
@@ -72,6 +73,7 @@ class Translation:
         self.folded = FoldedPortions(np.zeros((-(-most // GROUP), len(SUM_COLUMNS))))
         self.logs: list[EventLog] = []
         self.scratch: list[np.ndarray] = []
+        self.before_keeping: list[Callable[[], None]] = []
         self.walls: np.ndarray | None = None
         self._rows = rows
         self._made: dict[int, tuple[Any, Any]] = {}
@@ -130,6 +132,11 @@ def over(one: IndexPass, count: Callable[[Translation], int], *, spans: bool = T
 def elements(run: Translation) -> int:
     """Return the number of elements."""
     return run.span.n
+
+
+def bonds(run: Translation) -> int:
+    """Return the number of bonds or facets."""
+    return run.span.m
 
 
 def names_of(passes: Iterable[tuple[Any, ...]]) -> set[str]:

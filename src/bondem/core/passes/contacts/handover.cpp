@@ -51,11 +51,8 @@ double hand_over(const Moving &all, const ContactConstants &c, const ContactPair
 }
 
 double let_touch(const Moving &all, const ContactPairs &pairs, const NearPairs &near, Index facet, double apart) {
-    const Index k = pairs.of_bond(facet);
-    const double reach = least(apart, length(branch_of(all.pose.data, pairs, k)));
-    pairs.joined(facet) = 0.0;
-    pairs.reach(k) = reach;
-    examine(pairs, near, k);
+    const double reach = open_pair(all, pairs, facet, apart);
+    examine(pairs, near, pairs.of_bond(facet));
     return reach;
 }
 

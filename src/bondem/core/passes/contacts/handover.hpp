@@ -27,6 +27,14 @@ double hand_over(const Moving &all, const ContactConstants &c, const ContactPair
 
 // Contact of a facet that carries nothing any more begins at its rest length `apart`, or at the present distance where that
 // is less: without a force, and with no energy. Returns that distance [m].
+inline double open_pair(const Moving &all, const ContactPairs &pairs, Index facet, double apart) {
+    const Index k = pairs.of_bond(facet);
+    const double reach = least(apart, length(branch_of(all.pose.data, pairs, k)));
+    pairs.joined(facet) = 0.0;
+    pairs.reach(k) = reach;
+    return reach;
+}
+// The same, and the pair is examined in every step from now on.
 double let_touch(const Moving &all, const ContactPairs &pairs, const NearPairs &near, Index facet, double apart);
 
 // Begins contact where beams have broken in this step, on the sums that are kept for their ends.

@@ -19,4 +19,17 @@ struct Carried {
     }
 };
 
+// Those of cell p, from the forces of the last step.
+inline void carry_cracks_of(const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
+                            Index p) {
+    Carried sum = {};
+    for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
+        const double *const pull = &cracks.pull(lists.treated((h - 1) >> 1), 0);
+        double f[4];
+        for (int d = 0; d < 4; d++) f[d] = h & 1 ? pull[d] : -pull[d];
+        sum.add(&lists.node(h, 1), f);
+    }
+    sum.put(stresses, cracks.pitch.data, p);
+}
+
 }  // namespace bondem

@@ -1,10 +1,64 @@
-// Cracks as passes read them: as many as there are lanes.
+// Cracks as passes read and write them: one, or as many as there are lanes. What becomes of them is written once, of
+// either (`crack_places.hpp` and others).
 #pragma once
 #include "../../threads.hpp"
 #include "../cells/facets.hpp"
 #include "crack_rows.hpp"
 
 namespace bondem {
+
+// The facet of crack k in the reference.
+BONDEM_INLINE FacetShape<double> facet_shape(const CohesiveCracks &cracks, Index k) {
+    const CrackShapeRow &of = shape_of(cracks, k);
+    const double *const pitch = cracks.pitch.data;
+    const auto lever = [&](const int32_t *b) {
+        return Vector{pitch[0] * double(b[0]), pitch[1] * double(b[1]), pitch[2] * double(b[2])};
+    };
+    const auto share = [](const float *g) { return Vector{double(g[0]), double(g[1]), double(g[2])}; };
+    return {lever(of.lever_i), lever(of.lever_j), share(of.share_i), share(of.share_j)};
+}
+
+// The crack of facet k, whose place in a list is that of its facet.
+struct OneCrack {
+    using Number = double;
+    Index e, crack;
+    Short i, j;
+
+    OneCrack(const ElasticFacets &facets, Index k) : e(k), crack(k), i(facets.i(k)), j(facets.j(k)) {}
+
+    BONDEM_INLINE Row<double> lines(const Array<double, 2> &table) const { return table.row<Row<double>>(crack); }
+    BONDEM_INLINE void put(const Array<double, 2> &table, const Row<double> &all) const {
+        table.row<Row<double>>(crack) = all;
+    }
+    BONDEM_INLINE double number(const Array<double, 2> &table, int column) const { return table(crack, column); }
+    BONDEM_INLINE void put(const Array<double, 2> &table, int column, double value) const {
+        table(crack, column) = value;
+    }
+    BONDEM_INLINE void prefetch(const Array<double, 2> &) const {}
+    BONDEM_INLINE FacetShape<double> shapes(const CohesiveCracks &cracks) const { return facet_shape(cracks, crack); }
+    BONDEM_INLINE Symmetric3<double> resistances(const CohesiveCracks &cracks, double *plane) const {
+        const CrackSofteningRow &of = softening_of(cracks, crack);
+        *plane = of.plane;
+        return {of.H[0], of.H[1], of.H[2], of.H[3], of.H[4], of.H[5]};
+    }
+    BONDEM_INLINE bool flagged(const Array<Byte, 1> &flag) const { return flag(e) != 0; }
+    BONDEM_INLINE void flag(const Array<Byte, 1> &to, const Array<Index, 1> &, Index, bool where, Byte value,
+                            Index = 1) const {
+        if (where) to(e) = value;
+    }
+    BONDEM_INLINE void put_halves(double *table, const Row<double> &on_i, const Row<double> &on_j) const {
+        Row<double> *const half = reinterpret_cast<Row<double> *>(table) + 2 * e + 1;
+        half[0] = on_i, half[1] = on_j;
+    }
+    // Calls on(crack, place, lane) where a mask says so.
+    template <class On> BONDEM_INLINE void where(bool mask, On on) const {
+        if (mask) on(crack, e, 0);
+    }
+    static BONDEM_INLINE double lane(double a, int) { return a; }
+    static BONDEM_INLINE void add(double a, double &total) { total += a; }
+};
+
+#if defined(BONDEM_LANES)
 
 // ---- rows of a table, a lane each
 
@@ -62,6 +116,7 @@ BONDEM_INLINE Four widened_single(const char *from) {
 
 // Cracks of a list from place e on.
 struct CrackGroup {
+    using Number = Lanes;
     Index e;
     int known;  // how many there are; lanes behind repeat one, and are not written
     const Index *crack;
@@ -95,110 +150,64 @@ struct CrackGroup {
     // Asks for the lines of a table that the crack some places later has.
     BONDEM_INLINE void prefetch(const Array<double, 2> &table) const {
         constexpr Index ahead = 24;
-        for (int n = 0; n < known; n++) __builtin_prefetch(table.data + 8 * crack[known == lanes ? ahead + n : 0]);
+        for (int n = 0; n < known; n++) bondem::prefetch(table.data + 8 * crack[known == lanes ? ahead + n : 0]);
+    }
+    // The shape of their facets.
+    BONDEM_INLINE FacetShape<Lanes> shapes(const CohesiveCracks &cracks) const {
+        const char *row[lanes];
+        for (int n = 0; n < lanes; n++) row[n] = reinterpret_cast<const char *>(cracks.shape.data + 8 * crack[n]);
+        const FourColumns first = gather_four(row, widened_whole);
+        const FourColumns middle = gather_four(row, [](const char *from) {
+            return __builtin_shufflevector(widened_whole(from + 16), widened_single(from + 16), 0, 1, 6, 7);
+        });
+        const FourColumns last = gather_four(row, [](const char *from) { return widened_single(from + 32); });
+        const double *const pitch = cracks.pitch.data;
+        const Lanes *const a = first.column, *const b = middle.column, *const c = last.column;
+        return {{pitch[0] * a[0], pitch[1] * a[1], pitch[2] * a[2]},
+                {pitch[0] * a[3], pitch[1] * b[0], pitch[2] * b[1]}, {b[2], b[3], c[0]}, {c[1], c[2], c[3]}};
+    }
+    BONDEM_INLINE Symmetric3<Lanes> resistances(const CohesiveCracks &cracks, Lanes *plane) const {
+        const char *row[lanes];
+        for (int n = 0; n < lanes; n++) row[n] = reinterpret_cast<const char *>(cracks.softening.data + 8 * crack[n]);
+        const FourColumns h = gather_four(row, widened_single);
+        const FourColumns k = gather_four(row, [](const char *from) { return widened_single(from + 16); });
+        *plane = k.column[2];
+        return {h.column[0], h.column[1], h.column[2], h.column[3], k.column[0], k.column[1]};
+    }
+    // Which of them have a flag.
+    BONDEM_INLINE Mask<Lanes> flagged(const Array<Byte, 1> &flag) const {
+        Lanes all;
+        for (int n = 0; n < lanes; n++) all[n] = flag.data[e + n];
+        return all > Lanes{};
+    }
+    // Writes flags of known places.
+    void flag(const Array<Byte, 1> &to, const Array<Index, 1> &of_portions, Index portion, Mask<Lanes> where, Byte value,
+              Index as = 1) const {
+        if (!any(where)) return;
+        for (int n = 0; n < known; n++)
+            if (where[n] != 0) to(e + n) = value;
+        of_portions(portion) = as;
+    }
+    // Writes rows of both halves.
+    BONDEM_INLINE void put_halves(double *table, const Row<Lanes> &on_i, const Row<Lanes> &on_j) const {
+        double *i[lanes], *j[lanes];
+        for (int n = 0; n < lanes; n++) {
+            i[n] = table + 8 * (2 * (e + n) + 1);
+            j[n] = i[n] + 8;
+        }
+        scatter_rows(i, on_i);
+        scatter_rows(j, on_j);
+    }
+    // Calls on(crack, place, lane) for those that a mask names.
+    template <class On> BONDEM_INLINE void where(Mask<Lanes> mask, On on) const {
+        for (int n = 0; n < known; n++)
+            if (mask[n] != 0) on(crack[n], e + n, n);
+    }
+    static BONDEM_INLINE double lane(Lanes a, int n) { return a[n]; }
+    BONDEM_INLINE void add(Lanes a, double &total) const {
+        for (int n = 0; n < known; n++) total += a[n];
     }
 };
-
-// The shape of the facets of a group.
-BONDEM_INLINE FacetShape<Lanes> shapes_of(const CrackGroup &group, const CohesiveCracks &cracks) {
-    const char *row[lanes];
-    for (int n = 0; n < lanes; n++) row[n] = reinterpret_cast<const char *>(cracks.shape.data + 8 * group.crack[n]);
-    const FourColumns first = gather_four(row, widened_whole);
-    const FourColumns middle = gather_four(row, [](const char *from) {
-        return __builtin_shufflevector(widened_whole(from + 16), widened_single(from + 16), 0, 1, 6, 7);
-    });
-    const FourColumns last = gather_four(row, [](const char *from) { return widened_single(from + 32); });
-    const double *const pitch = cracks.pitch.data;
-    const Lanes *const a = first.column, *const b = middle.column, *const c = last.column;
-    return {{pitch[0] * a[0], pitch[1] * a[1], pitch[2] * a[2]}, {pitch[0] * a[3], pitch[1] * b[0], pitch[2] * b[1]},
-            {b[2], b[3], c[0]}, {c[1], c[2], c[3]}};
-}
-
-// The faces of the cracks of a group, and what belongs to them.
-struct CrackPlace {
-    Ends<Lanes> ends;
-    OfCells<Lanes> stress;  // of both cells [Pa]
-    FacedFaces<Lanes> now;
-    FacetCompliance<Lanes> facet;
-    Lanes area, s, friction;
-};
-BONDEM_INLINE CrackPlace place_of(const CrackGroup &group, const Array<double, 2> &pose, const double *period,
-                                  const CohesiveCracks &cracks) {
-    group.prefetch(cracks.shape);
-    group.prefetch(cracks.face);
-    const Row<Lanes> a = gather(pose.data, group.i), b = gather(pose.data, group.j);
-    const Ends<Lanes> ends = ends_of(a, b, period);
-    const Row<Lanes> face = group.lines(cracks.face);
-    const Lanes *const f = face.column;
-    return {ends, {a.column[stress_column], b.column[stress_column]},
-            crack_faces(ends, shapes_of(group, cracks), {f[0], f[1], f[2]}), {f[7], f[3]}, f[4], f[5], f[6]};
-}
-
-// How the cracks of a group soften.
-struct CrackJudgement {
-    Symmetric3<Lanes> H;
-    Lanes bends, fastest;
-    CrackStrength<Lanes> by;
-};
-BONDEM_INLINE Symmetric3<Lanes> resistances_of(const CrackGroup &group, const CohesiveCracks &cracks, Lanes *plane) {
-    const char *row[lanes];
-    for (int n = 0; n < lanes; n++) row[n] = reinterpret_cast<const char *>(cracks.softening.data + 8 * group.crack[n]);
-    const FourColumns h = gather_four(row, widened_single);
-    const FourColumns k = gather_four(row, [](const char *from) { return widened_single(from + 16); });
-    *plane = k.column[2];
-    return {h.column[0], h.column[1], h.column[2], h.column[3], k.column[0], k.column[1]};
-}
-BONDEM_INLINE CrackJudgement judgement_of(const CrackGroup &group, const CohesiveCracks &cracks) {
-    group.prefetch(cracks.softening);
-    Lanes plane;
-    const Symmetric3<Lanes> H = resistances_of(group, cracks, &plane);
-    const auto column = [&](int c) { return group.number(cracks.softening, c); };
-    const Mask<Lanes> on_plane = plane > all<Lanes>(0.5);
-    PlaneStrength<Lanes> more = {all<Lanes>(infinity), Lanes{}, Lanes{}};
-    if (any(on_plane)) {
-        const Row<Lanes> rows = group.lines(cracks.history);
-        more = {rows.column[2], rows.column[3], rows.column[4]};
-    }
-    return {H, column(4), column(6), {{column(7), column(5)}, more, on_plane}};
-}
-
-// The mean stress of two cells.
-BONDEM_INLINE Symmetric3<Lanes> mean_stress(const StressesOfCells &stresses, const Short *i, const Short *j) {
-    const Row<Lanes> a = gather(stresses.tensor.data, i), b = gather(stresses.tensor.data, j);
-    const auto mean = [&](int c) { return 0.5 * (a.column[c] + b.column[c]); };
-    return {mean(0), mean(1), mean(2), mean(3), mean(4), mean(5)};
-}
-// A bound of what bending opens of a facet, without an angle: σ_3 is at most the least of the diagonal.
-template <class T> BONDEM_INLINE T opened_at_most(T bent, const Symmetric3<T> &mean) {
-    return positive(T(bent + least(least(least(mean.xx, mean.yy), mean.zz), T{})));
-}
-
-template <class T> BONDEM_INLINE Row<T> row_of(const SwellingHalf<T> &half) {
-    return {{half.swollen, half.pulled, half.square, half.along, half.pressed, half.closed, half.loose, half.turns}};
-}
-BONDEM_INLINE SwellingHalf<Lanes> half_of(const Row<Lanes> &row) {
-    const Lanes *const c = row.column;
-    return {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
-}
-// Writes rows of both halves of the cracks of a group.
-BONDEM_INLINE void put_halves(double *table, const CrackGroup &group, const Row<Lanes> &on_i,
-                              const Row<Lanes> &on_j) {
-    double *i[lanes], *j[lanes];
-    for (int n = 0; n < lanes; n++) {
-        i[n] = table + 8 * (2 * (group.e + n) + 1);
-        j[n] = i[n] + 8;
-    }
-    scatter_rows(i, on_i);
-    scatter_rows(j, on_j);
-}
-template <class T> struct SwellingHalves {
-    SwellingHalf<T> i, j;
-};
-template <class T>
-BONDEM_INLINE SwellingHalves<T> swelling_halves(const FacetCompliance<T> &facet, T s, const CrackFaces<T> &at) {
-    return {swelling_half(facet.k, facet.part, s, at.gap, at.share_i, at.normal),
-            swelling_half(facet.k, T(1.0 - facet.part), s, at.gap, at.share_j, at.normal)};
-}
 
 // ---- lists
 
@@ -219,19 +228,6 @@ inline void over_treated(const Turn &turn, const CrackLists &lists, Before befor
             on(CrackGroup{lists.treated, lists.treated_i, lists.treated_j, e, count}, portion);
     });
 }
-// Whether each lane has a flag.
-BONDEM_INLINE Mask<Lanes> flagged(const Byte *flag) {
-    Lanes all;
-    for (int n = 0; n < lanes; n++) all[n] = flag[n];
-    return all > Lanes{};
-}
-// Writes flags of the known places of a group.
-inline void put_flags(const Array<Byte, 1> &flag, const Array<Index, 1> &flagged_portion, const CrackGroup &group,
-                      Index portion, Mask<Lanes> where, Byte value) {
-    if (!any(where)) return;
-    for (int n = 0; n < group.known; n++)
-        if (where[n] != 0) flag(group.e + n) = value;
-    flagged_portion(portion) = 1;
-}
+#endif
 
 }  // namespace bondem

@@ -101,17 +101,7 @@ void weigh_cracked_cells(const Turn &, const ElasticFacets &facets, const CellDi
 
 void carry_cracks(const Turn &, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                   const CrackLists &lists) {
-    for (Index q = 0; q < lists.size(2); q++) {
-        const Index p = lists.cell(q);
-        Carried sum = {};
-        for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
-            const double *const pull = &cracks.pull(lists.treated((h - 1) >> 1), 0);
-            double f[4];
-            for (int d = 0; d < 4; d++) f[d] = h & 1 ? pull[d] : -pull[d];
-            sum.add(&lists.node(h, 1), f);
-        }
-        sum.put(stresses, cracks.pitch.data, p);
-    }
+    for (Index q = 0; q < lists.size(2); q++) carry_cracks_of(stresses, cracks, lists, lists.cell(q));
 }
 
 }  // namespace bondem

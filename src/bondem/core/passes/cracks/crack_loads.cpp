@@ -3,79 +3,29 @@
 
 #include "../cells/walls.hpp"
 #include "../record/columns.hpp"
-#include "../damage/pipeline.hpp"
 #include "carried.hpp"
+#include "loaded_cracks.hpp"
 
 namespace bondem {
 namespace {
 
-
 constexpr Index rubbed_loss = 2;  // column of the losses of an element
 
-// Forces of the cracks of a group, and the energy that they dissipate.
-void load_group(const CrackGroup &group, const Moving &all, const double *period, const CohesiveCracks &cracks,
-                const CrackLists &lists, Index portion, bool changes) {
-    group.prefetch(cracks.state);
-    const Lanes zero = {};
-    const CrackPlace at = place_of(group, all.pose, period, cracks);
-    Row<Lanes> row = group.lines(cracks.state);
-    Lanes *const state = row.column;
-    const Lanes s = at.s, s_before = state[6];
-    const Vector3<Lanes> slip = turned_by(at.ends.i, Vector3<Lanes>{state[0], state[1], state[2]});
-    CrackLoads<Lanes> loads = crack_loads(at.facet, at.now.faces, s, at.stress, slip, at.friction);
-    Lanes rate = loads.rate;
-    const Mask<Lanes> bound = (s > zero) | (s_before > zero);
-    if (any(bound)) {
-        Lanes plane;
-        const FacetBending<Lanes> bending = facet_bending(at.ends, resistances_of(group, cracks, &plane));
-        loads.on_i = plus(loads.on_i, s, bending.torque);
-        loads.on_j = minus(loads.on_j, s, bending.torque);
-        rate = select(bound, rate + bending.energy, rate);
-    }
-    const Mask<Lanes> treated = opposite(flagged(lists.flag.data + group.e));
-    const auto kept = [&](Lanes x) { return select(treated, x, zero); };
-    const Vector3<Lanes> f = loads.force, rub = loads.friction.force, now = loads.friction.slip, came = now - slip;
-    CrackLosses<Lanes> lost = {zero, zero};
-    if (changes) {
-        const CrackStep<Lanes> step = {s_before, s, state[7], rate, {state[3], state[4], state[5]}, rub, came};
-        lost = crack_losses(at.facet.k, step);
-        lost = {kept(lost.cracked), kept(lost.rubbed)};
-        const Vector3<Lanes> own = turned_by(inverse(at.ends.i), now);
-        const Vector3<Lanes> none = {};
-        const Vector3<Lanes> own_kept = select<Lanes>(treated, own, none), rub_kept = select<Lanes>(treated, rub, none);
-        group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, s_before,
-                                  rate}});
-        if (any(lost.cracked != zero))
-            group.put(cracks.history, 1, group.number(cracks.history, 1) + lost.cracked);
-        const Mask<Lanes> breaks = treated & (s == zero) & (s_before > zero);
-        if (any(breaks)) {
-            for (int n = 0; n < group.known; n++)
-                if (breaks[n] != 0) lists.flag(group.e + n) = crack::fell;
-            lists.flagged(portion) = 2;
-        }
-    }
-    for (int n = 0; n < group.known; n++) {
-        double *const pull = &cracks.pull(group.crack[n], 0);
-        if (treated[n] != 0) pull[0] = f.x[n], pull[1] = f.y[n], pull[2] = f.z[n];
-    }
-    const Vector3<Lanes> p = loads.on_i, q = loads.on_j;
-    put_halves(lists.output.data, group, {{kept(f.x), kept(f.y), kept(f.z), lost.rubbed, kept(p.x), kept(p.y),
-                                           kept(p.z), zero}},
-               {{kept(-f.x), kept(-f.y), kept(-f.z), zero, kept(q.x), kept(q.y), kept(q.z), zero}});
-    // one by one: the sum has the same bits for any number of lanes
-    for (int n = 0; n < group.known; n++) lists.lost(portion, 0) += lost.cracked[n];
-}
-
 }  // namespace
+
+#if defined(BONDEM_LANES)
 
 void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                  const CrackLists &lists) {
     const bool changes = turn.clock.dt > 0.0;
     over_treated(turn, lists, [&](Index, Index, Index portion) { lists.lost(portion, 0) = 0.0; },
                  [&](const CrackGroup &group, Index portion) {
-                     load_group(group, all, facets.period.data, cracks, lists, portion, changes);
+                     load_each(group, all, facets.period.data, cracks, lists, portion, changes,
+                               lists.lost(portion, 0));
                  });
 }
+
+#endif
 
 void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                 const CrackLists &lists, const EventLog &log) {
@@ -88,13 +38,7 @@ void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets
         if (lists.flagged(q) != 2) continue;
         for (Index e = q * crack::of_portion; e < least(count, (q + 1) * crack::of_portion); e++) {
             if (lists.flag(e) != crack::fell) continue;
-            const Index k = lists.treated(e);
-            const SingleCrack one(all.pose, facets, cracks, k);
-            const CrackFaces<double> &at = one.now.faces;
-            const Vector centre = {all.pose(facets.i(k), 0), all.pose(facets.i(k), 1), all.pose(facets.i(k), 2)};
-            const double gap = dot(at.gap, at.normal);
-            const Removal removal = {history_of(cracks, k).spent, gap, centre + at.arm_i};
-            log_event(turn.clock, log, k, gap > 0.0 ? tension_mode : shear_mode, removal);
+            log_crack(turn.clock, all, facets, cracks, log, lists.treated(e));
         }
     }
     log.released(0) += lost;
@@ -106,8 +50,8 @@ void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells 
     for (Index at = turn.first; at < turn.last; at++) {
         const Short p = turn.element[at];
         const Index later = lists.head(turn.element[least(at + 4, turn.last - 1)]);
-        __builtin_prefetch(lists.node.data + 4 * later);
-        __builtin_prefetch(lists.output.data + 8 * later);
+        prefetch(lists.node.data + 4 * later);
+        prefetch(lists.output.data + 8 * later);
         if (lists.head(p) == 0) continue;
         double sum[8] = {};
         Carried carried = {};
@@ -115,7 +59,7 @@ void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells 
             const double *const of = &lists.output(h, 0);
             const int32_t *const node = &lists.node(h, 0);
             h = node[0];
-            __builtin_prefetch(lists.output.data + 8 * h);
+            prefetch(lists.output.data + 8 * h);
             for (int d = 0; d < 8; d++) sum[d] += of[d];
             carried.add(node + 1, of);
         }
@@ -150,21 +94,12 @@ void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingC
 
 void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                         const CrackEnergies &found) {
-    double normal = 0.0, along = 0.0, bend = 0.0;
+    Vector sum = {};
     for (Index c = 0; c < cracks.size(0); c++) {
         const Index k = cracks.order(c);
-        if (history_of(cracks, k).status != crack::active) continue;
-        const SingleCrack one(all.pose, facets, cracks, k);
-        const double *const q = state_of(cracks, k).rub;
-        const float *const h = softening_of(cracks, k).H;
-        const CrackHalves<double> half = crack_halves(one.stiffness, one.now.faces, one.stress);
-        const Vector rub = {q[0], q[1], q[2]};
-        const CrackEnergy<double> energy = crack_energy(one.stiffness, one.now.faces, one.s, half, rub);
-        normal += energy.across;
-        along += energy.along;
-        bend += one.s * facet_bending(one.ends, Symmetric3<double>{h[0], h[1], h[2], h[3], h[4], h[5]}).energy;
+        if (history_of(cracks, k).status == crack::active) add_energies_of_crack(all, facets, cracks, k, sum);
     }
-    found.cracked(0) = normal, found.cracked(1) = along, found.cracked(2) = bend;
+    for (Index d = 0; d < 3; d++) found.cracked(d) = sum[d];
 }
 
 void add_crack_energies(const Turn &, const Moving &all, const WallConstraints &walls, const CrackEnergies &found,

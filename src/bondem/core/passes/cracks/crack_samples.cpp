@@ -6,6 +6,7 @@
 #include "../../laws/softening.hpp"
 #include "../../laws/stress.hpp"
 #include "crack_groups.hpp"
+#include "crack_places.hpp"
 
 namespace bondem {
 namespace {

@@ -1,6 +1,6 @@
 // One crack at a time, for what concerns few of them: when they begin, rest, wake, or part.
 #pragma once
-#include "crack_groups.hpp"
+#include "crack_places.hpp"
 
 namespace bondem {
 
@@ -15,18 +15,11 @@ struct SingleCrack {
     SingleCrack(const Array<double, 2> &pose, const ElasticFacets &facets, const CohesiveCracks &cracks, Index k)
         : ends(ends_of(pose.data, facets, k)),
           stress{pose(facets.i(k), stress_column), pose(facets.j(k), stress_column)} {
-        const CrackShapeRow &of = shape_of(cracks, k);
         const CrackFaceRow &face = face_of(cracks, k);
-        const double *const pitch = cracks.pitch.data;
         stiffness = {face.k, face.part};
         area = face.area;
         s = face.integrity;
-        const auto lever = [&](const int32_t *b) {
-            return Vector{pitch[0] * double(b[0]), pitch[1] * double(b[1]), pitch[2] * double(b[2])};
-        };
-        const auto share = [](const float *g) { return Vector{double(g[0]), double(g[1]), double(g[2])}; };
-        const FacetShape<double> shape = {lever(of.lever_i), lever(of.lever_j), share(of.share_i), share(of.share_j)};
-        now = crack_faces(ends, shape, {face.normal[0], face.normal[1], face.normal[2]});
+        now = crack_faces(ends, facet_shape(cracks, k), {face.normal[0], face.normal[1], face.normal[2]});
     }
 };
 
@@ -47,19 +40,24 @@ inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Ind
     history_of(cracks, k).status = status;
     cracks.listed(k) = Byte(1 + status);
     facets.integrity(k) = status == crack::active ? 0.0 : cracks.integrity(k);
-    cracks.size(1) = 1;
+    put_shared(cracks.size(1), Index(1));
 }
 
-// λ / V of a cell: of what its cracks lack that are not treated one by one, they are free facets.
-inline void weigh_cracked(const CellDilatation &cells, const CellSlack &of, const CohesiveCracks &cracks, Index p) {
+// λ / V of a cell: of what its cracks lack that are not treated one by one, they are free facets. `counts` names them.
+template <class Counts>
+inline double weight_with(const CellSlack &of, const CohesiveCracks &cracks, Index p, Counts counts) {
     double slack = 0.0;
     const auto add = [&](Index k, const Array<const double, 1> &side) {
-        if (cracks.listed(k) > 1 + crack::active) slack += (1.0 - cracks.integrity(k)) * side(k);
+        if (counts(k)) slack += (1.0 - cracks.integrity(k)) * side(k);
     };
     for (Index k = of.in_start(p); k < of.in_start(p + 1); k++) add(k, of.slack_j);
     for (Index e = of.out_start(p); e < of.out_start(p + 1); e++)
         add(of.in_start(0) + Index(of.out_bond(e)), of.slack_i);
-    cells.weight(p) = of.weight(p) / (1.0 + of.weight(p) * slack);
+    return of.weight(p) / (1.0 + of.weight(p) * slack);
+}
+inline bool treated_as_facet(const CohesiveCracks &cracks, Index k) { return cracks.listed(k) > 1 + crack::active; }
+inline void weigh_cracked(const CellDilatation &cells, const CellSlack &of, const CohesiveCracks &cracks, Index p) {
+    cells.weight(p) = weight_with(of, cracks, p, [&](Index k) { return treated_as_facet(cracks, k); });
 }
 
 inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &cracks, Index k) {
@@ -68,7 +66,7 @@ inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &crac
         of.lever_i[d] = facets.lever_i(d, k);
         of.lever_j[d] = facets.lever_j(d, k);
     }
-    cracks.size(1) = 1;  // lists have levers too
+    put_shared(cracks.size(1), Index(1));  // lists have levers too
 }
 
 // Writes down what is constant of a facet as it becomes a crack.
@@ -97,6 +95,23 @@ inline void write_constants(const ElasticFacets &facets, const FacetForces &kept
     history.cohesion = strengths.cohesion(k);
     history.slip_brittleness = strengths.slip_brittleness(k);
     history.friction = strengths.friction(k);
+}
+
+// Facet k, which is marked, begins to crack.
+inline void begin_crack(const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
+                        const CrackOnset &onset, const CohesiveCracks &cracks, Index k, Index step) {
+    state_of(cracks, k) = {};
+    state_of(cracks, k).before = crack::fresh;
+    history_of(cracks, k) = {};
+    history_of(cracks, k).began = double(step);
+    softening_of(cracks, k).strength = onset.marked(k) == 1 ? strengths.strength(k) : 0.0;
+    shape_of(cracks, k).top = 0.0;
+    write_constants(facets, kept, strengths, cracks, k);
+    for (Index d = 0; d < 3; d++) cracks.pull(k, d) = kept.force(d, k);
+    treat(facets, cracks, k, crack::active);
+    put_shared(onset.cracked(facets.i(k)), Byte(1));
+    put_shared(onset.cracked(facets.j(k)), Byte(1));
+    onset.marked(k) = 0;
 }
 
 }  // namespace bondem

@@ -4,19 +4,10 @@
 // turn with the cell: R Σ b⊗f is the same sum in space.
 #include "stress_state.hpp"
 
-#include "../../laws/principal.hpp"
 #include "crack_groups.hpp"
 
 namespace bondem {
 namespace {
-
-Symmetric3<double> tensor_of(const StressesOfCells &stresses, Index p) {
-    const double *s = &stresses.tensor(p, 0);
-    return {s[0], s[1], s[2], s[3], s[4], s[5]};
-}
-void put_size(const StressesOfCells &stresses, Index p) {
-    stresses.tensor(p, 7) = root(square_of(tensor_of(stresses, p)));
-}
 
 // b⊗f in space from b_x f, b_y f, b_z f in the reference of b: b' = R b has the components of R by rows.
 Symmetric3<double> turned_moment(Quaternion<double> q, const double *c) {
@@ -41,19 +32,8 @@ void find_stresses(const Turn &turn, const Moving &all, const FacetForces &kept,
 void add_of_surface(const Moving &all, const WallConstraints &walls, const FacetTractions &tractions,
                     const StressesOfCells &stresses) {
     for (Index l = 0; l < stresses.pressed.shape[0]; l++)
-        for (Index p = 0; p < stresses.volume.size(); p++) {
-            for (Index d = 0; d < 6; d++)
-                stresses.tensor(p, d) += tractions.factor(l) * stresses.pressed(l, p, d) / stresses.volume(p);
-            put_size(stresses, p);
-        }
-    for (Index g = 0; g < walls.cell.size(); g++) {
-        const Index p = walls.cell(g);
-        const Vector arm = turned_by(orientation(gather(all.pose.data, Short(p))), walls.arm.row<const Vector>(g));
-        const Symmetric3<double> m = symmetric_product(arm, walls.load.row<Vector>(g));
-        const double more[6] = {m.xx, m.yy, m.zz, m.xy, m.xz, m.yz};
-        for (Index d = 0; d < 6; d++) stresses.tensor(p, d) += more[d] / stresses.volume(p);
-        put_size(stresses, p);
-    }
+        for (Index p = 0; p < stresses.volume.size(); p++) add_traction_stress(tractions, stresses, l, p);
+    for (Index g = 0; g < walls.cell.size(); g++) add_wall_stress(all, walls, stresses, g);
 }
 
 }  // namespace

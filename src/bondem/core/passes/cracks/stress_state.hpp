@@ -1,9 +1,33 @@
 #pragma once
+#include "../../laws/principal.hpp"
 #include "../../steps.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/crack_tables.hpp"
+#include "../motion/elements.hpp"
 
 namespace bondem {
+
+inline Symmetric3<double> tensor_of(const StressesOfCells &stresses, Index p) {
+    const double *s = &stresses.tensor(p, 0);
+    return {s[0], s[1], s[2], s[3], s[4], s[5]};
+}
+inline void put_size(const StressesOfCells &stresses, Index p) {
+    stresses.tensor(p, 7) = root(square_of(tensor_of(stresses, p)));
+}
+// Adds what load l on free facets contributes to the stress of cell p, and what wall g does.
+inline void add_traction_stress(const FacetTractions &tractions, const StressesOfCells &stresses, Index l, Index p) {
+    for (Index d = 0; d < 6; d++)
+        stresses.tensor(p, d) += tractions.factor(l) * stresses.pressed(l, p, d) / stresses.volume(p);
+    put_size(stresses, p);
+}
+inline void add_wall_stress(const Moving &all, const WallConstraints &walls, const StressesOfCells &stresses, Index g) {
+    const Index p = walls.cell(g);
+    const Vector arm = turned_by(orientation(gather(all.pose.data, Short(p))), walls.arm.row<const Vector>(g));
+    const Symmetric3<double> m = symmetric_product(arm, walls.load.row<Vector>(g));
+    const double more[6] = {m.xx, m.yy, m.zz, m.xy, m.xz, m.yz};
+    for (Index d = 0; d < 6; d++) stresses.tensor(p, d) += more[d] / stresses.volume(p);
+    put_size(stresses, p);
+}
 
 // Finds the mean stresses of cells from the forces of the last step on their facets and cracks.
 void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &kept,

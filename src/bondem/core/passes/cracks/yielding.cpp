@@ -17,10 +17,6 @@ Symmetric3<double> strain_of(const YieldingCells &cells, Index p) {
     const double *e = &cells.plastic(p, increment);
     return {e[0], e[1], e[2], e[3], e[4], e[5]};
 }
-Symmetric3<double> tensor_of(const StressesOfCells &stresses, Index p) {
-    const double *s = &stresses.tensor(p, 0);
-    return {s[0], s[1], s[2], s[3], s[4], s[5]};
-}
 
 // Takes over what the last increment dissipated, and returns which share of the cohesion is left.
 double close_increment(const StressesOfCells &stresses, const YieldingCells &cells, Index p) {

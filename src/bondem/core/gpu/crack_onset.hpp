@@ -1,0 +1,119 @@
+// Forces that criteria of cracks need, stresses of cells, and facets that begin to crack, on a device: a thread computes
+// one facet or adds up one cell.
+#pragma once
+#include "../passes/cells/cell_stress.hpp"
+#include "../passes/cracks/onset_of_facets.hpp"
+#include "../passes/cracks/stress_state.hpp"
+#include "cells.hpp"
+#include "cracks.hpp"
+
+namespace bondem {
+
+// ---- forces of facets and moments of cells
+
+// Rows of `FacetArms`: levers of both cells in space, and T_b².
+constexpr Index arm_of_i = 0, arm_of_j = 3, bending_row = 6;
+
+inline void load_kept_facet(Index k, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+                            const LoadsOfBonds &to, const FacetArms &arms) {
+    const FacetColumns columns(facets);
+    const Row<double> i = gather(all.pose.data, facets.i(k)), j = gather(all.pose.data, facets.j(k));
+    const Ends<double> ends = ends_of(i, j, facets.period.data);
+    const double s = facets.integrity(k);
+    const FacetShape<double> shape = columns.shape<double>(k);
+    const FacetStiffness<double> stiffness = columns.stiffness<double>(k, s);
+    const OpenFacet<double> open = opened(ends, shape);
+    const FacetLoads<double> loads = facet_loads(ends, shape, open, stiffness, stresses_of(i, j, s));
+    put_loads(to, k, loads);
+    for (Index d = 0; d < 3; d++) {
+        kept.force(d, k) = -loads.force[d];
+        arms.arm(arm_of_i + d, k) = open.arm_i[d];
+        arms.arm(arm_of_j + d, k) = open.arm_j[d];
+    }
+    arms.arm(bending_row, k) = bending_square(ends, kept.bends(k), stiffness.H);
+}
+inline void gather_facet_moments(Index p, const FacetForces &kept, const BondsOfElements &bonds, const LoadsOfBonds &from,
+                           const FacetArms &arms) {
+    double sum[7] = {};
+    const auto add = [&](Index k, Index side, double sign) {
+        const Vector f = {sign * from.load(0, k), sign * from.load(1, k), sign * from.load(2, k)};
+        const Vector arm = {arms.arm(side, k), arms.arm(side + 1, k), arms.arm(side + 2, k)};
+        const Symmetric3<double> m = symmetric_product(arm, f);
+        const double each[7] = {m.xx, m.yy, m.zz, m.xy, m.xz, m.yz, arms.arm(bending_row, k)};
+        for (Index c = 0; c < 7; c++) sum[c] += each[c];
+    };
+    for (Index k = bonds.in_start(p); k < bonds.in_start(p + 1); k++) add(k, arm_of_j, 1.0);
+    for (Index e = bonds.out_start(p); e < bonds.out_start(p + 1); e++) add(bonds.out_bond(e), arm_of_i, -1.0);
+    for (Index c = 0; c < 7; c++) kept.moment(p, c) = sum[c];
+}
+inline void sum_moments_of_cell(Index p, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                                const FacetsOfCells &of_cells, const FacetForces &kept) {
+    sum_moments(turn_of(span, p), all, facets, of_cells, kept);
+}
+
+// ---- stresses of cells
+
+inline void find_cell_stress(Index p, const DeviceSpan &span, const Moving &all, const FacetForces &kept,
+                             const StressesOfCells &stresses) {
+    find_cell_stresses(turn_of(span, p), all, kept, stresses);
+}
+inline void find_still_stress(Index p, const DeviceSpan &span, const Moving &all, const FacetForces &kept,
+                              const StressesOfCells &stresses) {
+    find_still_stresses(turn_of(span, p), all, kept, stresses);
+}
+BONDEM_INLINE void add_surface(Index p, const Moving &all, const WallConstraints &walls, const RowOrder &of_cell,
+                               const FacetTractions &tractions, const StressesOfCells &stresses) {
+    for (Index l = 0; l < stresses.pressed.shape[0]; l++) add_traction_stress(tractions, stresses, l, p);
+    for (Index e = of_cell.start(p); e < of_cell.start(p + 1); e++)
+        add_wall_stress(all, walls, stresses, of_cell.load(e));
+}
+inline void add_surface_stress(Index p, const DeviceSpan &span, const Moving &all, const WallConstraints &walls,
+                               const RowOrder &of_cell, const FacetTractions &tractions,
+                               const StressesOfCells &stresses) {
+    if (takes_time(span)) add_surface(p, all, walls, of_cell, tractions, stresses);
+}
+inline void add_still_surface_stress(Index p, const DeviceSpan &span, const Moving &all, const WallConstraints &walls,
+                                     const RowOrder &of_cell, const FacetTractions &tractions,
+                                     const StressesOfCells &stresses) {
+    if (!takes_time(span)) add_surface(p, all, walls, of_cell, tractions, stresses);
+}
+
+// ---- facets that begin to crack
+
+inline void judge_cell(Index p, const DeviceSpan &span, const FacetStrengths &strengths, const StressesOfCells &stresses,
+                       const CrackOnset &onset) {
+    judge_cells(turn_of(span, p), strengths, stresses, onset);
+}
+inline void mark_facet(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                       const FacetForces &kept, const FacetStrengths &strengths, const StressesOfCells &stresses,
+                       const CrackOnset &onset) {
+    if (!takes_time(span) || onset.listed(k) != 0) return;
+    const Short i = facets.i(k), j = facets.j(k);
+    const Byte judged = most(onset.judged(i), onset.judged(j));
+    if (judged == 0) return;
+    if (judged == 2) {
+        onset.marked(k) = 2;
+        return;
+    }
+    if (strengths.plane(k) != 0.0) return;
+    const Row<double> of_i = gather(stresses.tensor.data, i), of_j = gather(stresses.tensor.data, j);
+    const double size = of_i.column[7] + of_j.column[7], bends = least(of_i.column[6], of_j.column[6]);
+    const auto place = [&] {
+        return facet_in_body(all, facets, kept, mean_stress(of_i, of_j), normal_of(facets, k), k);
+    };
+    if (begins_to_crack(traction_of(kept, strengths, k), size, bends, strengths.strength(k), place)) onset.marked(k) = 1;
+}
+// Number e of the facets of material planes.
+inline void mark_plane(Index e, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                       const FacetForces &kept, const FacetStrengths &strengths, const CrackOnset &onset) {
+    const Index k = strengths.planes(e);
+    if (!takes_time(span) || onset.listed(k) != 0 || onset.marked(k) != 0) return;
+    if (plane_begins(all, facets, kept, strengths, k)) onset.marked(k) = 1;
+}
+inline void begin_marked_crack(Index k, const DeviceSpan &span, const ElasticFacets &facets, const FacetForces &kept,
+                               const FacetStrengths &strengths, const CrackOnset &onset, const CohesiveCracks &cracks) {
+    if (takes_time(span) && onset.marked(k) != 0)
+        begin_crack(facets, kept, strengths, onset, cracks, k, clock_of(span).step);
+}
+
+}  // namespace bondem

@@ -1,0 +1,36 @@
+// Energies of bodies with cracks on a device, portion by portion.
+#pragma once
+#include "crack_onset.hpp"
+#include "record.hpp"
+
+namespace bondem {
+
+inline void sum_stressed_portion(Index b, const DeviceSpan &span, const Moving &all, const CellDilatation &cells,
+                                 const CrackEnergies &found) {
+    sum_stressed_dilatation(portion_of(span, b, elements_of_portion, span.n), all, cells, found);
+}
+inline void sum_portion_of_cracks(Index b, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                                  const CohesiveCracks &cracks, const CrackPortions &found) {
+    const Index last = least((b + 1) * bonds_of_portion, span.m);
+    Vector sum = {};
+    for (Index k = b * bonds_of_portion; k < last; k++)
+        if (is_treated(cracks, k)) add_energies_of_crack(all, facets, cracks, k, sum);
+    found.energy.row<Vector>(b) = sum;
+}
+inline void add_energies_of_cracks(Index, const WallEnergy &of_walls, const CrackEnergies &found,
+                                   const CrackPortions &of_cracks, const Portions &portions) {
+    Vector sum = {};
+    for (Index b = 0; b < of_cracks.energy.size(); b++) sum = sum + of_cracks.energy.row<Vector>(b);
+    for (Index q = 0; q < found.dilatation.size(); q++) sum.x += found.dilatation(q);
+    for (Index q = 0; q < of_walls.energy.size(); q++) sum.x += of_walls.energy(q);
+    if (portions.bonds.size() == 0) return;
+    for (Index d = 0; d < 3; d++) portions.bonds(0, d) += sum[d];
+}
+inline void write_energy_of_yielding(Index, const DeviceSpan &span, const CrackEnergies &found,
+                                     const HistoryRows &history) {
+    double heat = 0.0;
+    for (Index q = 0; q < found.heat.size(); q++) heat += found.heat(q);
+    history.record(clock_of(span).record, of_plasticity) = heat;
+}
+
+}  // namespace bondem

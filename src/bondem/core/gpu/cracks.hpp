@@ -1,0 +1,232 @@
+// Cracks on a device: a thread treats one crack, or adds up one cell. There are no lists of cracks: places and halves have
+// the numbers of their facets, and the list of the halves of a cell is made by the thread of the cell.
+//
+// What several cracks change of a cell is added by its thread, in the order of the CPU, from flags of its facets. Flags of
+// both kinds are those of the present step: `flag` of cracks that are treated one by one, `waking` of those at rest.
+#pragma once
+#include "../passes/contacts/handover.hpp"
+#include "../passes/cracks/carried.hpp"
+#include "../passes/cracks/crack_loads.hpp"
+#include "../passes/cracks/loaded_cracks.hpp"
+#include "../passes/cracks/opening.hpp"
+#include "../passes/cracks/opening_cracks.hpp"
+#include "../passes/cracks/resting_cracks.hpp"
+#include "../passes/cracks/softening_cracks.hpp"
+#include "heap_sort.hpp"
+#include "turns.hpp"
+
+namespace bondem {
+
+BONDEM_INLINE bool takes_time(const DeviceSpan &span) { return clock_of(span).dt > 0.0; }
+BONDEM_INLINE bool is_treated(const CohesiveCracks &cracks, Index k) { return cracks.listed(k) == 1 + crack::active; }
+// Whether a crack is no longer treated one by one from this step on.
+BONDEM_INLINE bool leaves(Byte flag) { return flag == crack::calmed || flag == crack::parts; }
+BONDEM_INLINE void make_stale(const CrackLists &lists, const ElasticFacets &facets, Index k) {
+    put_shared(lists.stale(facets.i(k)), Byte(1));
+    put_shared(lists.stale(facets.j(k)), Byte(1));
+}
+// Calls on(k, whether it is cell i) for the facets of cell p, in ascending order.
+template <class Facets, class On> BONDEM_INLINE void for_each_facet_of(const Facets &of, Index p, On on) {
+    for (Index k = of.in_start(p); k < of.in_start(p + 1); k++) on(k, false);
+    for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) on(Index(of.out_bond(e)), true);
+}
+
+// ---- the beginning of a run
+
+inline void begin_all_levers(Index, const ElasticFacets &facets, const CohesiveCracks &cracks) {
+    for (Index d = 0; d < 3; d++) cracks.pitch(d) = facets.pitch(d);
+    cracks.size(1) = 1;
+}
+inline void restore_crack(Index k, const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
+                          const CohesiveCracks &cracks) {
+    if (cracks.listed(k) == 0) return;
+    write_constants(facets, kept, strengths, cracks, k);
+    treat(facets, cracks, k, int(history_of(cracks, k).status));
+}
+inline void weigh_cell(Index p, const CellDilatation &cells, const CellSlack &slack, const CohesiveCracks &cracks) {
+    weigh_cracked(cells, slack, cracks, p);
+}
+inline void carry_cell(Index p, const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
+    if (lists.head(p) != 0) carry_cracks_of(stresses, cracks, lists, p);
+}
+// Takes over the levers of a facet, where strains of cells change them.
+inline void follow_lever(Index k, const ElasticFacets &facets, const CohesiveCracks &cracks) {
+    if (cracks.listed(k) != 0) write_levers(facets, cracks, k);
+}
+
+// ---- the halves of each cell, from the last facet to the first
+
+template <class Facets>
+BONDEM_INLINE void link_cell(Index p, const CohesiveCracks &cracks, const CrackLists &lists, const Facets &of) {
+    int32_t first = 0;
+    for_each_facet_of(of, p, [&](Index k, bool is_i) {
+        if (!is_treated(cracks, k)) return;
+        const Index number = is_i ? 2 * k + 1 : 2 * k + 2;
+        const CrackShapeRow &shape = shape_of(cracks, k);
+        put_node(lists, number, first, is_i ? shape.lever_i : shape.lever_j);
+        first = int32_t(number);
+    });
+    lists.head(p) = first;
+}
+inline void link_halves(Index p, const CohesiveCracks &cracks, const CrackLists &lists, const BondsOfElements &of) {
+    if (get_shared(cracks.size(1)) != 0) link_cell(p, cracks, lists, of);
+}
+
+// ---- opening
+
+inline void begin_base(Index p, const DeviceSpan &span, const Moving &all, const CellDilatation &cells,
+                       const CrackLists &lists) {
+    begin_bases(turn_of(span, p), all, cells, lists);
+}
+inline void measure_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                          const CohesiveCracks &cracks, const CrackLists &lists, const LossesOfCracks &losses) {
+    if (k == 0) cracks.size(1) = 0;  // all halves are linked
+    lists.flag(k) = lists.waking(k) = crack::unchanged;
+    losses.lost(k) = 0.0;
+    if (!is_treated(cracks, k)) return;
+    measure_each(OneCrack(facets, k), all, facets.period.data, cracks, lists, 0, takes_time(span));
+}
+inline void relax_cell(Index p, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
+    if (lists.head(p) != 0) relax(OneCell{Short(p)}, all, cells, lists, false);
+}
+inline void relax_stale_cell(Index p, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
+    if (lists.stale(p) != 0 && lists.head(p) != 0) relax(OneCell{Short(p)}, all, cells, lists, true);
+}
+
+// ---- rest
+
+inline void watch_resting_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                                const FacetStrengths &strengths, const StressesOfCells &stresses,
+                                const CohesiveCracks &cracks, const CrackLists &lists) {
+    if (cracks.listed(k) != 1 + crack::resting || !takes_time(span)) return;
+    watch_each(OneCrack(facets, k), all, facets.period.data, strengths, stresses, cracks, lists, 0);
+}
+inline void wake_crack(Index k, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
+                       const CrackLists &lists) {
+    if (lists.waking(k) != crack::wakes) return;
+    const SingleCrack one(all.pose, facets, cracks, k);
+    if (one.s == 0.0 && turned_away(one.now, one.area)) {
+        part_resting(facets, cracks, k);
+        lists.waking(k) = crack::parts;
+        return;
+    }
+    begin_treating(one, facets, cracks, lists, k, k);
+    make_stale(lists, facets, k);
+}
+// Adds to V θ of cell p without its cracks what those contribute that `changes` names, times a sign.
+template <class Changes>
+BONDEM_INLINE bool change_base(Index p, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
+                               const CohesiveCracks &cracks, const CrackLists &lists, double sign, Changes changes) {
+    bool any = false;
+    for_each_facet_of(slack, p, [&](Index k, bool is_i) {
+        if (!changes(k)) return;
+        any = true;
+        const CrackFaces<double> at = SingleCrack(all.pose, facets, cracks, k).now.faces;
+        lists.base(p) += sign * cracks.integrity(k) * dot(is_i ? at.share_i : at.share_j, at.gap);
+    });
+    return any;
+}
+inline void take_woken(Index p, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                       const CellDilatation &cells, const CellSlack &slack, const CohesiveCracks &cracks,
+                       const CrackLists &lists) {
+    if (lists.stale(p) == 0 || !takes_time(span)) return;
+    const auto woken = [&](Index k) { return lists.waking(k) == crack::wakes; };
+    if (!change_base(p, all, facets, slack, cracks, lists, -1.0, woken)) return;
+    weigh_cracked(cells, slack, cracks, p);
+    link_cell(p, cracks, lists, slack);
+}
+
+// ---- softening
+
+inline void soften_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                         const FacetStrengths &strengths, const StressesOfCells &stresses, const CohesiveCracks &cracks,
+                         const CrackLists &lists) {
+    if (!is_treated(cracks, k) || !takes_time(span)) return;
+    soften_each(OneCrack(facets, k), all, strengths, stresses, cracks, lists, facets.period.data, 0);
+    if (lists.flag(k) != crack::unchanged) make_stale(lists, facets, k);
+}
+
+// ---- parting and rest
+
+// The energy of a crack that parts, in the state in which those have left that the CPU treats before: whole ones first,
+// then broken ones by their numbers.
+inline void part_crack(Index k, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
+                       const CohesiveCracks &cracks, const CrackLists &lists, const LossesOfCracks &losses) {
+    if (lists.flag(k) != crack::parts) return;
+    const auto left_before = [&](Index other) {
+        return leaves(lists.flag(other)) && (cracks.integrity(other) > 0.0 || other < k);
+    };
+    const auto stiffness = [&](Short p, Index half) {
+        const double weight = weight_with(slack, cracks, p, [&](Index other) {
+            return treated_as_facet(cracks, other) || left_before(other);
+        });
+        return stiffness_without(all, lists, weight, p, half, [&](Index h) { return left_before((h - 1) >> 1); });
+    };
+    losses.lost(k) = energy_of_parting(SingleCrack(all.pose, facets, cracks, k), facets, cracks, lists, k, k, stiffness);
+}
+inline void leave_crack(Index k, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists) {
+    const Byte flag = lists.flag(k);
+    if (leaves(flag))
+        end_treating(facets, cracks, lists, k, k, flag == crack::parts ? crack::parted : crack::resting);
+}
+inline void take_leaving(Index p, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                         const CellDilatation &cells, const CellSlack &slack, const CohesiveCracks &cracks,
+                         const CrackLists &lists) {
+    if (lists.stale(p) == 0 || !takes_time(span)) return;
+    const auto left = [&](Index k) { return leaves(lists.flag(k)); };
+    if (change_base(p, all, facets, slack, cracks, lists, 1.0, left)) weigh_cracked(cells, slack, cracks, p);
+}
+// Lets the cells touch like others whose faces have parted in this step.
+inline void touch_parted_face(Index k, const Moving &all, const ContactPairs &pairs, const CohesiveCracks &cracks,
+                              const CrackLists &lists, const PartedReach &reach) {
+    if (lists.flag(k) != crack::parts && lists.waking(k) != crack::parts) return;
+    shape_of(cracks, k).top = reach.apart(k) = open_pair(all, pairs, k, reach.apart(k));
+}
+
+// ---- forces, and what is dissipated
+
+inline void load_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                       const CohesiveCracks &cracks, const CrackLists &lists, const LossesOfCracks &losses) {
+    const bool treated = is_treated(cracks, k);
+    if (!treated && !leaves(lists.flag(k))) return;
+    if (treated) lists.flag(k) = crack::unchanged;
+    double lost = 0.0;
+    load_each(OneCrack(facets, k), all, facets.period.data, cracks, lists, 0, takes_time(span), lost);
+    if (treated) losses.lost(k) = lost;
+    if (lists.flag(k) == crack::fell) losses.fallen(count_up(losses.number(0))) = k;
+}
+inline void add_crack_load(Index e, const DeviceSpan &span, const Moving &all, const StressesOfCells &stresses,
+                           const CohesiveCracks &cracks, const CrackLists &lists, const StepCut &cut) {
+    add_crack_loads(turn_of(span, cut, e), all, stresses, cracks, lists, cut);
+}
+
+constexpr Index cracks_of_portion = 256, portions_of_losses = 64;
+
+inline void sum_portion_of_losses(Index q, const DeviceSpan &span, const LossesOfCracks &losses) {
+    const Index last = least((q + 1) * cracks_of_portion, span.m);
+    double sum = 0.0;
+    for (Index k = q * cracks_of_portion; k < last; k++) sum += losses.lost(k);
+    losses.portion(q) = sum;
+}
+inline void sum_group_of_losses(Index g, const LossesOfCracks &losses) {
+    const Index last = least((g + 1) * portions_of_losses, losses.portion.size());
+    double sum = 0.0;
+    for (Index q = g * portions_of_losses; q < last; q++) sum += losses.portion(q);
+    losses.group(g) = sum;
+}
+// Adds up what cracks have dissipated, and writes down those of which nothing is left, by the numbers of their facets.
+inline void log_all_cracks(Index, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                           const CohesiveCracks &cracks, const EventLog &log, const LossesOfCracks &losses) {
+    if (!takes_time(span)) return;
+    double sum = 0.0;
+    for (Index g = 0; g < losses.group.size(); g++) sum += losses.group(g);
+    log.released(0) += sum;
+    log.written(1) = log.written(0);
+    const auto key = [&](Index e) { return losses.fallen(e); };
+    sort_by_heap(losses.number(0), key, [&](Index a, Index b) { exchange(losses.fallen(a), losses.fallen(b)); });
+    for (Index e = 0; e < losses.number(0); e++)
+        log_crack(clock_of(span), all, facets, cracks, log, losses.fallen(e));
+    losses.number(0) = 0;
+}
+
+}  // namespace bondem

@@ -1,0 +1,77 @@
+// Whether facets begin to crack: they are pulled or sheared, and the largest principal stress of σ* reaches their
+// strength.
+//
+// σ* is the mean stress σ of both cells made to agree with the traction t of the facet, with what bending opens of it
+// (`laws/softening.hpp`) added to the traction that pulls:
+//
+//     σ* = σ + r⊗n + n⊗r - (r·n) n⊗n        r = t - σ n
+//
+// Most facets carry far less: σ1(σ*) is at most (1 + √2) |σ| + √2 (|t| + T_b).
+#pragma once
+#include "../../laws/agreed_stress.hpp"
+#include "single_cracks.hpp"
+
+namespace bondem {
+
+// A facet in space: its normal, the mean stress of its cells, and T_b.
+template <class T> struct FacetInBody {
+    Vector3<T> normal;
+    Symmetric3<T> mean;
+    T bent;
+};
+
+// Whether a facet of traction t begins, `bent` being what bending opens of it.
+template <class T>
+BONDEM_INLINE Mask<T> reaches_strength(Vector3<T> t, Vector3<T> n, const Symmetric3<T> &mean, T bent, T strength) {
+    const T across = dot(t, n), zero = {}, pulled = positive(across) + bent;
+    const Mask<T> opens = bent > zero;
+    const Vector3<T> pull = select<T>(opens, plus(t, T(pulled - across), n), t);
+    const T along = select(opens, pulled, across);
+    // the traction of a pressed facet has a principal stress beyond the strength by itself
+    const Mask<T> sheared = dot(pull, pull) - along * along >= strength * (strength - along);
+    return ((along > zero) | sheared) & opposite(is_below(agreed_stress(mean, n, pull), strength));
+}
+// The same without what bending opens: `size` is the sum of |σ| of both cells, `bends` the lesser of their T_b² in the
+// last step. place() gives the facet, and is called where the bound is reached only.
+template <class T, class Place>
+BONDEM_INLINE Mask<T> begins_to_crack(Vector3<T> t, T size, T bends, T strength, Place place) {
+    constexpr double root_two = 1.4142135623730951;
+    constexpr double near_strength = 0.8;  // share of the strength that the bound has to reach
+    const T bound = (0.5 * (1.0 + root_two)) * size + root_two * (root(dot(t, t)) + root(positive(bends)));
+    Mask<T> begin = bound >= near_strength * strength;
+    if (!any(begin)) return begin;
+    const FacetInBody<T> at = place();
+    const T most_open = opened_at_most(at.bent, at.mean);
+    // what opens is at most this; more of it never keeps a facet from cracking
+    begin &= reaches_strength(t, at.normal, at.mean, most_open, strength);
+    if (!any(begin)) return begin;
+    const T open = select(most_open > T{}, positive(T(at.bent - largest_pressure(principal(at.mean)))), T{});
+    begin &= reaches_strength(t, at.normal, at.mean, open, strength);
+    return begin;
+}
+
+// Facet k in space.
+inline FacetInBody<double> facet_in_body(const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+                                         const Symmetric3<double> &mean, Vector normal, Index k) {
+    const Ends<double> ends = ends_of(all.pose.data, facets, k);
+    const Symmetric3<double> H = FacetColumns(facets).stiffness(k, 1.0).H;
+    return {turned_by(ends.i, normal), mean, bending_traction(ends, kept.bends(k), H)};
+}
+inline Vector traction_of(const FacetForces &kept, const FacetStrengths &strengths, Index k) {
+    const double one = 1.0 / strengths.area(k);
+    return {one * kept.force(0, k), one * kept.force(1, k), one * kept.force(2, k)};
+}
+
+// Whether facet k of a material plane begins to crack.
+inline bool plane_begins(const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
+                         const FacetStrengths &strengths, Index k) {
+    const Ends<double> ends = ends_of(all.pose.data, facets, k);
+    const double bent = bending_traction(ends, kept.bends(k), FacetColumns(facets).stiffness(k, 1.0).H);
+    const Softening<double> facet = {strengths.strength(k), strengths.brittleness(k)};
+    const PlaneStrength<double> plane = {strengths.cohesion(k), strengths.slip_brittleness(k), strengths.friction(k)};
+    const CurveShape curve = {strengths.kink, strengths.steep};
+    const Vector n = present_normal(ends, normal_of(facets, k));
+    return left_on_plane(1.0, traction_of(kept, strengths, k), n, bent, facet, plane, curve) < 1.0;
+}
+
+}  // namespace bondem

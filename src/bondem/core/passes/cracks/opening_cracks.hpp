@@ -1,0 +1,124 @@
+// Faces of cracks, and the stresses of their cells as cracks open or press: one, or as many as there are lanes.
+//
+// V θ = Σ g·δ - (1 - s) g·F⁺ / k of the halves of a cell (`laws/crack.hpp`), and σ = weight · V θ. Newton's method on
+// this piecewise linear, rising function: a step is exact where no half closes or opens on the way.
+#pragma once
+#include "single_cracks.hpp"
+
+namespace bondem {
+
+// Halves of the cracks of a group, and which of these part.
+template <class Group, class T = typename Group::Number>
+BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const double *period, const CohesiveCracks &cracks,
+                                const CrackLists &lists, Index portion, bool changes) {
+    const CrackPlace<T> at = place_of(group, all.pose, period, cracks);
+    const SwellingHalves<T> half = swelling_halves(at.facet, at.s, at.now.faces);
+    group.put_halves(lists.half.data, row_of(half.i), row_of(half.j));
+    if (!changes) return;
+    const Mask<T> away = (at.s == T{}) & turned_away(at.now, at.area);
+    group.flag(lists.flag, lists.flagged, portion, away, crack::parts);
+}
+
+namespace crack {
+constexpr int most_steps = 30;
+constexpr double rounding_of_stress = 1e-14;
+}  // namespace crack
+
+// A cell, and its halves one after the other.
+struct OneCell {
+    using Number = double;
+    Short p;
+
+    template <class Of> BONDEM_INLINE double each(Of of) const { return of(p); }
+    template <class To> BONDEM_INLINE void put(double a, To to) const { to(p, a); }
+
+    struct Halves {
+        const CrackLists &lists;
+        Index half;
+        Halves(const OneCell &cell, const CrackLists &lists) : lists(lists), half(lists.head(cell.p)) {}
+        BONDEM_INLINE bool next(Row<double> &row) {
+            if (half == 0) return false;
+            row = lists.half.row<Row<double>>(half);
+            half = lists.node(half, 0);
+            return true;
+        }
+    };
+};
+
+#if defined(BONDEM_LANES)
+
+// Cells of a list.
+struct CellGroup {
+    using Number = Lanes;
+    const Short *cell;
+
+    template <class Of> BONDEM_INLINE Lanes each(Of of) const {
+        Lanes all;
+        for (int n = 0; n < lanes; n++) all[n] = of(cell[n]);
+        return all;
+    }
+    template <class To> BONDEM_INLINE void put(Lanes a, To to) const {
+        for (int n = 0; n < lanes; n++) to(cell[n], a[n]);
+    }
+
+    struct Halves {
+        const CrackLists &lists;
+        Index half[lanes];
+        Halves(const CellGroup &group, const CrackLists &lists) : lists(lists) {
+            for (int n = 0; n < lanes; n++) half[n] = lists.head(group.cell[n]);
+        }
+        BONDEM_INLINE bool next(Row<Lanes> &rows) {
+            const double *row[lanes];
+            Index more = 0;
+            for (int n = 0; n < lanes; n++) {
+                row[n] = lists.half.data + 8 * half[n];
+                more |= half[n];
+                half[n] = half[n] == 0 ? 0 : lists.node(half[n], 0);
+                prefetch(lists.half.data + 8 * half[n]);
+            }
+            if (more == 0) return false;
+            rows = gather_rows(row);
+            return true;
+        }
+    };
+};
+
+#endif
+
+// The stresses of cells, of all of them or of those that are stale.
+template <class Cells, class T = typename Cells::Number>
+BONDEM_INLINE void relax(const Cells &at, const Moving &all, const CellDilatation &cells, const CrackLists &lists,
+                         bool only_stale) {
+    const T weight = at.each([&](Short p) { return cells.weight(p); });
+    T stress = at.each([&](Short p) { return all.pose(p, stress_column); });
+    const T base = at.each([&](Short p) { return lists.base(p); });
+    const T work = at.each([&](Short p) { return !only_stale || lists.stale(p) != 0 ? 1.0 : 0.0; });
+    at.put(work, [&](Short p, double) { lists.stale(p) = 0; });
+    const T zero = {}, none = bondem::all<T>(infinity);
+    Mask<T> moves = work > zero;
+    if (!any(moves)) return;
+    for (int step = 0; step < crack::most_steps; step++) {
+        T swelling = base, softness = zero, up = none, down = -none;
+        typename Cells::Halves halves(at, lists);
+        for (Row<T> row; halves.next(row);) {
+            const SwellingHalf<T> of = half_of(row);
+            const T press = of.closed + stress * of.pressed, turns = of.turns - stress;
+            const Mask<T> closed = press < zero;
+            up = select(turns > zero, least(up, turns), up);
+            down = select(turns <= zero, most(down, turns), down);
+            const T open = of.pulled + stress * of.square;
+            const T opening = select(closed, open - press * of.along, open);
+            const T square = select(closed, of.square - of.pressed * of.along, of.square);
+            swelling += of.swollen - of.loose * opening;
+            softness += of.loose * square;
+        }
+        const T change = (weight * swelling - stress) / (1.0 + weight * softness);
+        stress = select(moves, stress + change, stress);
+        moves &= opposite(((down < change) & (change < up)) |
+                          (absolute(change) <= crack::rounding_of_stress * absolute(stress)));
+        if (!any(moves)) break;
+    }
+    at.put(stress, [&](Short p, double a) { all.pose(p, stress_column) = a; });
+}
+
+}  // namespace bondem

@@ -1,0 +1,74 @@
+"""Bodies of cells that crack, for devices: with each kind of what begins, ends and dissipates."""
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+import bondem as bd
+from bondem.model.state import State
+from tests.device_runs import Case
+
+LAW = bd.CellBond(E=40e9, nu=0.2)
+RANKINE = bd.Rankine(tension=4e6, fracture_energy=50.0)
+GAUGES = {"end": bd.Gauge(bd.Face("x_max"), "displacement"), "wall": bd.Gauge(bd.Face("x_min"), "force", "sum")}
+# Stable time step of the bodies, about [s].
+_DT = 1e-7
+
+
+@cache
+def body() -> bd.Lattice:
+    """A bar of 128 cells."""
+    rng = np.random.default_rng(1)
+    counts = (8, 4, 4)
+    grid = 4e-3 * (np.indices(counts).reshape(3, -1).T + 0.5)
+    centre, radius = grid + rng.uniform(-7e-4, 7e-4, grid.shape), rng.uniform(1e-3, 1.2e-3, len(grid))
+    return bd.connect(bd.Particles(centre, radius, shape=bd.Box((32e-3, 16e-3, 16e-3))), method="laguerre")
+
+
+def thrown(along: tuple[float, float, float], noise: float = 0.05) -> Callable[[bd.Model], State]:
+    """Velocities in proportion to the place, by axis at the ends [m/s], and some of no order."""
+
+    def start(model: bd.Model) -> State:
+        centre = model.lattice.centre
+        x = (centre - centre.mean(axis=0)) / (0.5 * np.ptp(centre[:, 0]))
+        state = model.state()
+        rng = np.random.default_rng(0)
+        state.set_motion(velocity=x * np.array(along) + noise * rng.standard_normal(x.shape))
+        return state
+
+    return start
+
+
+def free(failure: Any, **more: Any) -> bd.Model:
+    """The bar, free of anything else."""
+    return bd.Model(body(), LAW, 2500.0, failure=failure, **more)
+
+
+def held() -> bd.Model:
+    """The bar, held at one end, pulled at the other and pressed from one side."""
+    return bd.Model(body(), LAW, 2500.0, failure=RANKINE, boundary=[
+        bd.Fix(bd.Face("x_min")),
+        bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, 4.0, 5e-6)),
+        bd.Pressure(bd.Face("y_max"), 1e6, schedule=bd.Ramp(0.0, 1.0, 1e-5)),
+        bd.BodyForce((0.0, 0.0, -30.0)),
+    ])  # fmt: skip
+
+
+CASES: dict[str, Callable[[], Case]] = {
+    "torn apart": lambda: (free(RANKINE), thrown((2.0, -0.4, 0.6)), 240, _DT, {"every": 20}),
+    "brittle": lambda: (
+        free(bd.Rankine(tension=4e6)), thrown((2.0, -0.4, 0.6)), 200, _DT,
+        {"every": 20, "damping": bd.LocalDamping(0.05)}
+    ),
+    "bilinear": lambda: (
+        free(bd.Rankine(tension=4e6, fracture_energy=50.0, curve=bd.Bilinear())), thrown((2.0, -0.4, 0.6)), 200, _DT,
+        {"every": 20, "damping": bd.BondDamping(eta=0.1)},
+    ),
+    "held and pulled": lambda: (held(), thrown((0.5, 0.0, 0.0)), 240, _DT, {"every": 20, "gauges": GAUGES}),
+    "driven together and touching": lambda: (
+        free(RANKINE, contact=bd.LinearContact(E=40e9, friction=0.4)), thrown((-40.0, -12.0, -12.0), 10.0), 500,
+        0.25 * _DT, {"every": 100},
+    ),
+}  # fmt: skip
