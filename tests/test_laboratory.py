@@ -153,7 +153,7 @@ def test_a_study_splits_and_confines(tmp_path: Path) -> None:
     assert pressed["error"] == pytest.approx(0.0, abs=0.05)
 
 
-@pytest.mark.parametrize("name", ["three_point_bending", "shear"])
+@pytest.mark.parametrize("name", [pytest.param("three_point_bending", marks=pytest.mark.validate), "shear"])
 def test_a_study_of_a_cut_specimen_breaks_it_only(name: str, tmp_path: Path) -> None:
     notched = BEAM | {"notch": {"width": "1 mm", "depth": "3 mm"}}
     punch = {"shape": "punch", "diameter": "0.1 m", "height": "60 mm", "count": 300, "method": "even"}

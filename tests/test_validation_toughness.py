@@ -107,6 +107,7 @@ def test_beams_of_other_depths_are_alike():
     assert case.shape.contains([[0.35, 0.099, 0.025], [0.35, 0.101, 0.025]]).tolist() == [False, True]
 
 
+@pytest.mark.validate
 def test_a_study_of_sizes_fits_the_law_and_draws(tmp_path, monkeypatch):
     monkeypatch.setattr("validation.studies.size_effect._DEPTHS", (0.1, 0.2))
     found = run(SizeEffectStudy(depths=(100.0, 200.0), finer=0.7), tmp_path, processes=1, command="by a test")
