@@ -27,10 +27,11 @@ class CompiledCore(BuildHookInterface):
         build = module_from_spec(spec)
         sys.modules[spec.name] = build  # dataclasses look their module up
         spec.loader.exec_module(build)
-        target = build.Platform.named(os.environ.get("BONDEM_TARGET"))
+        foreign = os.environ.get("BONDEM_TARGET")
+        target = build.Platform.named(foreign)
         levels = target.levels
         made = build.compile_core(target, [build.PROBE]) if len(levels) > 1 else []
-        if version == "editable" and made:
+        if version == "editable" and made and foreign is None:
             levels = levels[: ctypes.CDLL(str(made[0])).bondem_level() - 1][-1:]
         made += build.compile_core(target, levels)
         if version != "editable":

@@ -1,5 +1,6 @@
 """Small models for devices: bodies of beams and of cells, with all that acts on them, and moving states of them."""
 
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -8,6 +9,9 @@ from scipy.spatial.transform import Rotation
 
 import bondem as bd
 from bondem.model.state import State
+
+#: A model, how its state begins, number of steps, time step [s], and options of the plan.
+Case = tuple[bd.Model, Callable[[bd.Model], State], int, float, dict[str, Any]]
 
 GAUGES = {
     "end": bd.Gauge(bd.Face("x_max", depth=0.5), "displacement"),

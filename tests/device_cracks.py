@@ -8,7 +8,7 @@ import numpy as np
 
 import bondem as bd
 from bondem.model.state import State
-from tests.device_runs import Case
+from tests.device_cases import Case
 
 LAW = bd.CellBond(E=40e9, nu=0.2)
 RANKINE = bd.Rankine(tension=4e6, fracture_energy=50.0)

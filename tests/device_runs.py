@@ -14,6 +14,7 @@ from tests.device_cases import (
     CELL_GAUGES,
     CRITERIA,
     GAUGES,
+    Case,
     bar,
     body,
     breaking_bar,
@@ -92,7 +93,6 @@ TOUCHING: dict[str, Any] = {
 }  # fmt: skip
 
 
-Case = tuple[bd.Model, Callable[[bd.Model], State], int, float, dict[str, Any]]
 CASES: dict[str, Callable[[], Case]] = {
     "bar": lambda: (bar(), moving, 320, 2e-3, {"damping": DAMPED, "gauges": GAUGES, "every": 6}),
     "dissipative": lambda: (

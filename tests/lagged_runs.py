@@ -10,10 +10,9 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
-from bondem.model.state import State
 from bondem.solve.timestep import highest_frequency
 from tests.core import contact_cases
-from tests.device_cases import CELL_GAUGES, GAUGES, bar, body, cell, moving
+from tests.device_cases import CELL_GAUGES, GAUGES, Case, bar, body, cell, moving
 
 SHEARED = bd.MohrCoulomb(tension=6e5, cohesion=3e5, friction_angle=0.6)
 PULLED = bd.Rankine(tension=5e4)
@@ -98,7 +97,6 @@ def _lagged(make: Callable[[], bd.Model], steps: int, damping: Any, **options: A
     return case
 
 
-Case = tuple[bd.Model, Callable[[bd.Model], State], int, float, dict[str, Any]]
 CASES: dict[str, Callable[[], Case]] = {
     "stored": lambda: (
         storing_bar(bd.Timoshenko(E=1e7, nu=0.2, radius_ratio=0.6)), moving, 240, 2e-3,

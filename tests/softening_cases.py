@@ -5,7 +5,7 @@ from typing import Any
 
 import bondem as bd
 from bondem.model.state import State
-from tests.device_cases import GAUGES, bar, cell, moving
+from tests.device_cases import GAUGES, Case, bar, cell, moving
 
 SOFT: dict[str, Any] = {"fracture_energy": 1.5e3, "fracture_energy_shear": 3e3}
 CRITERIA: dict[str, Any] = {
@@ -34,7 +34,6 @@ def fast(model: bd.Model) -> State:
     return moving(model, speed=3.0)
 
 
-Case = tuple[bd.Model, Callable[[bd.Model], State], int, float, dict[str, Any]]
 CASES: dict[str, Callable[[], Case]] = {
     **{
         f"softening, {name}": lambda criterion=criterion: (

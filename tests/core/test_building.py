@@ -73,7 +73,7 @@ SANITIZERS = {"address": "libasan.so", "thread": "libtsan.so"}
 # Tests that run with them, without those that compare numbers: another compiler rounds otherwise.
 TESTED = (
     "tables", "passes", "steps", "beams", "breakage", "beam_softening", "stress_criteria", "lagged_steps",
-    "dynamic_relaxation",
+    "dynamic_relaxation", "cells", "facet_breakage", "cohesive_cracks", "crack_laws", "stress_onset", "contacts",
 )
 
 

@@ -10,17 +10,24 @@ from bondem._core import index_pass_names
 from bondem._device import DeviceTables, Enqueue, Host, IndexPass
 from bondem.model.cell_tables import STRESS
 from bondem.model.event_columns import BROKEN_STEP
-from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.history import FIXED_COLUMNS, FRACTURE, TRANSLATION, WORK
 from bondem.solve.loop_core import CoreLoop
-from bondem.solve.loop_device import DeviceLoop, device_has
-from bondem.solve.plan import ExplicitResult, Plan
+from bondem.solve.loop_device import DeviceLoop
+from bondem.solve.plan import Plan
 from tests.bits import assert_same_bits, assert_same_fracture, assert_same_run
 from tests.core.test_stress_onset_on_device import ONSET
 from tests.device_cases import CRITERIA, CUBE_DT, CUBE_STEPS, NUS, cell, cubes, moving, pressed_bar
 from tests.device_cracks import CASES as CRACKING
 from tests.device_runs import CASES, deviation
+from tests.device_sides import (
+    assert_pauses_change_no_bit,
+    carried_out,
+    continued_on_the_other_side,
+    loop_on,
+    on_both_sides,
+    on_device,
+)
 from tests.recording import Record
 
 # Cases of contact are fast and soft, so that much happens in few steps.
@@ -43,26 +50,9 @@ class Backwards(Host):
         return super().prepared(one, -count, tables, halted)
 
 
-def on_device(model: bd.Model, plan: Plan, state: State, dt: float) -> DeviceLoop:
-    assert device_has(model)
-    return DeviceLoop(model, plan, state, dt, Noting())
-
-
-def backwards(model: bd.Model, plan: Plan, state: State, dt: float) -> DeviceLoop:
-    return DeviceLoop(model, plan, state, dt, Backwards())
-
-
-def outcomes(case: str) -> tuple[ExplicitResult, ExplicitResult]:
-    """A run by the CPU, and by the device."""
-    model, start, steps, dt, options = CASES[case]()
-    plan = Plan(duration=steps * dt, dt=dt, **options)
-    cpu, device = (integrate(model, plan, state=start(model), loop_of=loop) for loop in (CoreLoop, on_device))
-    return cpu, device
-
-
 @pytest.mark.parametrize("case", CASES)
 def test_a_device_agrees_with_the_cpu(case: str, record: Record) -> None:
-    cpu, device = outcomes(case)
+    cpu, device = on_both_sides(CASES[case]())
     found = deviation(cpu, device)
     if cpu.state.model.cells is None:
         record("simulated device", found)
@@ -76,7 +66,7 @@ def test_a_device_agrees_with_the_cpu(case: str, record: Record) -> None:
 def test_these_runs_have_all_that_acts_on_bodies() -> None:
     """Leaving a pass out would be seen, because what it does counts in these runs."""
     for case in ("held cells", "pressed cells"):
-        cpu, _ = outcomes(case)
+        cpu = carried_out(CASES[case](), CoreLoop)
         records, work = cpu.history.records, cpu.state.work
         assert np.abs(cpu.state.pose[:, STRESS]).max() > 1e3
         assert abs(records[-1, WORK]) > 0.1 * records[-1, TRANSLATION:WORK].sum()
@@ -93,14 +83,7 @@ def test_these_runs_have_all_that_acts_on_bodies() -> None:
     ["bar", "held cells", "peripheral", "beams break, Hertzian", "brittle cells", "cells break and touch"],
 )
 def test_pausing_changes_no_bit(case: str) -> None:
-    model, start, steps, dt, options = CASES[case]()
-    options["every"] = 0
-    plans = [Plan(duration=steps * dt, dt=dt, save_every=interval, **options) for interval in (0, 17)]
-    whole, parted = (integrate(model, plan, state=start(model), loop_of=on_device) for plan in plans)
-    half = integrate(model, Plan(duration=11 * dt, dt=dt, **options), state=start(model), loop_of=on_device).state
-    resumed = integrate(model, plans[0], state=half, loop_of=on_device)
-    for other in (parted, resumed):
-        assert_same_bits(whole, other)
+    assert_pauses_change_no_bit(CASES[case](), half=11)
 
 
 @pytest.mark.parametrize(
@@ -108,35 +91,29 @@ def test_pausing_changes_no_bit(case: str) -> None:
 )
 def test_the_order_of_indices_changes_no_bit(case: str) -> None:
     """Threads of a device have no order."""
-    model, start, steps, dt, options = CASES[case]()
-    plan = Plan(duration=steps * dt, dt=dt, **options)
-    forth = integrate(model, plan, state=start(model), loop_of=on_device)
-    back = integrate(model, plan, state=start(model), loop_of=backwards)
+    this = CASES[case]()
+    forth, back = carried_out(this, on_device), carried_out(this, loop_on(Backwards))
     assert_same_run(forth, back)
 
 
 @pytest.mark.parametrize("case", ["peripheral", "brittle cells", "warming brittle cells"])
-def test_a_run_goes_on_on_the_other_side(case: str) -> None:
+def test_a_run_continues_on_the_other_side(case: str) -> None:
     """From the CPU to the device and back, while bonds break."""
-    model, start, steps, dt, options = CASES[case]()
-    whole = Plan(duration=steps * dt, dt=dt, **options)
-    half = Plan(duration=steps // 2 * dt, dt=dt, **options)
-    cpu = integrate(model, whole, state=start(model), loop_of=CoreLoop)
-    for first, second in ((CoreLoop, on_device), (on_device, CoreLoop)):
-        begun = integrate(model, half, state=start(model), loop_of=first)
+    this = CASES[case]()
+    cpu = carried_out(this, CoreLoop)
+    for begun, whole in continued_on_the_other_side(this, this[2] // 2):
         assert 0 < len(begun.state.broken) < len(cpu.state.broken)
-        found = integrate(model, whole, state=begun.state, history=begun.history, loop_of=second)
         if case == "brittle cells":  # on a device the work of walls belongs to the rows of their cells
-            assert_same_fracture(cpu.state, found.state)
-            assert deviation(cpu, found) < 1e-14
+            assert_same_fracture(cpu.state, whole.state)
+            assert deviation(cpu, whole) < 1e-14
         else:
-            assert_same_bits(cpu, found)
+            assert_same_bits(cpu, whole)
 
 
 @pytest.mark.parametrize("case", ["alike and brittle", "free brittle cells"])
 def test_breakage_is_spread_over_bonds_and_steps(case: str) -> None:
     """Several bonds break in one step, so that their order counts, and the ledger closes with what they release."""
-    _, device = outcomes(case)
+    device = carried_out(CASES[case](), on_device)
     steps = device.state.broken[:, BROKEN_STEP]
     assert len(steps) - 5 >= len(np.unique(steps)) > 3
     assert (device.state.integrity > 0.0).any()

@@ -3,39 +3,25 @@
 import numpy as np
 import pytest
 
-import bondem as bd
-from bondem._device import Host
 from bondem.model.crack_columns import ACTIVE, PARTED, RESTING, STATUS
-from bondem.model.state import State
-from bondem.solve.explicit import integrate
 from bondem.solve.history import FRACTURE
 from bondem.solve.loop_core import CoreLoop
-from bondem.solve.loop_device import DeviceLoop, device_has
-from bondem.solve.plan import ExplicitResult, Plan
-from tests.bits import assert_same_bits
 from tests.device_cracks import CASES
 from tests.device_runs import deviation
+from tests.device_sides import (
+    assert_pauses_change_no_bit,
+    carried_out,
+    continued_on_the_other_side,
+    on_both_sides,
+)
 from tests.recording import Record
 
 pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
 
 
-def on_device(model: bd.Model, plan: Plan, state: State, dt: float) -> DeviceLoop:
-    assert device_has(model)
-    return DeviceLoop(model, plan, state, dt, Host())
-
-
-def outcomes(case: str) -> tuple[ExplicitResult, ExplicitResult]:
-    """A run by the CPU, and by the device."""
-    model, start, steps, dt, options = CASES[case]()
-    plan = Plan(duration=steps * dt, dt=dt, **options)
-    cpu, device = (integrate(model, plan, state=start(model), loop_of=loop) for loop in (CoreLoop, on_device))
-    return cpu, device
-
-
 @pytest.mark.parametrize("case", CASES)
 def test_a_device_agrees_with_the_cpu(case: str, record: Record) -> None:
-    cpu, device = outcomes(case)
+    cpu, device = on_both_sides(CASES[case]())
     one, other = cpu.state, device.state
     record("simulated cracks", deviation(cpu, device))
     assert deviation(cpu, device) < 1e-12
@@ -52,35 +38,21 @@ def test_a_device_agrees_with_the_cpu(case: str, record: Record) -> None:
 
 def test_these_runs_have_all_that_happens_to_cracks() -> None:
     """Cracks break and part, and contact begins between parted faces."""
-    cpu = [integrate_by_cpu(case) for case in ("brittle", "driven together and touching")]
+    cpu = [carried_out(CASES[case](), CoreLoop) for case in ("brittle", "driven together and touching")]
     assert len(cpu[0].state.broken) > 10
     assert (cpu[1].state.cracks[:, STATUS] == PARTED).sum() >= 3
 
 
-def integrate_by_cpu(case: str) -> ExplicitResult:
-    model, start, steps, dt, options = CASES[case]()
-    return integrate(model, Plan(duration=steps * dt, dt=dt, **options), state=start(model), loop_of=CoreLoop)
-
-
 @pytest.mark.parametrize("case", CASES)
 def test_pausing_changes_no_bit(case: str) -> None:
-    model, start, steps, dt, options = CASES[case]()
-    options["every"] = 0
-    plans = [Plan(duration=steps * dt, dt=dt, save_every=interval, **options) for interval in (0, 17)]
-    whole, parted = (integrate(model, plan, state=start(model), loop_of=on_device) for plan in plans)
-    half = integrate(model, Plan(duration=steps // 2 * dt, dt=dt, **options), state=start(model), loop_of=on_device)
-    resumed = integrate(model, plans[0], state=half.state, loop_of=on_device)
-    for other in (parted, resumed):
-        assert_same_bits(whole, other)
+    this = CASES[case]()
+    assert_pauses_change_no_bit(this, half=this[2] // 2)
 
 
-@pytest.mark.parametrize("loops", [(CoreLoop, on_device), (on_device, CoreLoop)], ids=["to device", "to CPU"])
-def test_a_run_continues_on_the_other_side(loops: tuple) -> None:
-    model, start, steps, dt, options = CASES["held and pulled"]()
-    whole, half = (Plan(duration=count * dt, dt=dt, **options) for count in (steps, 60))
-    cpu = integrate(model, whole, state=start(model), loop_of=CoreLoop)
-    begun = integrate(model, half, state=start(model), loop_of=loops[0])
-    assert 0 < len(begun.state.cracks) < len(cpu.state.cracks)
-    found = integrate(model, whole, state=begun.state, history=begun.history, loop_of=loops[1])
-    assert deviation(cpu, found) < 1e-12
-    np.testing.assert_array_equal(found.state.cracks[:, :2], cpu.state.cracks[:, :2])
+def test_a_run_continues_on_the_other_side() -> None:
+    this = CASES["held and pulled"]()
+    cpu = carried_out(this, CoreLoop)
+    for begun, whole in continued_on_the_other_side(this, 60):
+        assert 0 < len(begun.state.cracks) < len(cpu.state.cracks)
+        assert deviation(cpu, whole) < 1e-12
+        np.testing.assert_array_equal(whole.state.cracks[:, :2], cpu.state.cracks[:, :2])

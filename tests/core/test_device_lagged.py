@@ -4,31 +4,28 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._device import Host
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.loop_core import CoreLoop
-from bondem.solve.loop_device import DeviceLoop, device_has
 from bondem.solve.plan import Plan
 from tests.bits import assert_same_bits, assert_same_state
 from tests.device_runs import deviation
+from tests.device_sides import (
+    assert_pauses_change_no_bit,
+    carried_out,
+    continued_on_the_other_side,
+    on_both_sides,
+    on_device,
+)
 from tests.lagged_runs import CASES
 
-STEPS = 120
 # Cases of contact are fast and soft, so that much happens in few steps.
 pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
 
 
-def on_device(model: bd.Model, plan: Plan, state: State, dt: float) -> DeviceLoop:
-    assert device_has(model)
-    return DeviceLoop(model, plan, state, dt, Host())
-
-
 @pytest.mark.parametrize("case", CASES)
 def test_a_device_has_the_bits_of_the_cpu(case: str) -> None:
-    model, start, steps, dt, options = CASES[case]()
-    plan = Plan(duration=steps * dt, dt=dt, **options)
-    cpu, device = (integrate(model, plan, state=start(model), loop_of=loop) for loop in (CoreLoop, on_device))
+    cpu, device = on_both_sides(CASES[case]())
     assert_same_bits(cpu, device)
     assert deviation(cpu, device) < 1e-12  # records as well
     assert np.abs(device.state.history).max() > 0.0
@@ -38,24 +35,15 @@ def test_a_device_has_the_bits_of_the_cpu(case: str) -> None:
 
 @pytest.mark.parametrize("case", CASES)
 def test_pausing_changes_no_bit(case: str) -> None:
-    model, start, _, dt, options = CASES[case]()
-    options["every"] = 0
-    plans = [Plan(duration=STEPS * dt, dt=dt, save_every=interval, **options) for interval in (0, 17)]
-    whole, parted = (integrate(model, plan, state=start(model), loop_of=on_device) for plan in plans)
-    half = integrate(model, Plan(duration=51 * dt, dt=dt, **options), state=start(model), loop_of=on_device).state
-    resumed = integrate(model, plans[0], state=half, loop_of=on_device)
-    for other in (parted, resumed):
-        assert_same_bits(whole, other)
+    assert_pauses_change_no_bit(CASES[case](), half=51)
 
 
 @pytest.mark.parametrize("case", CASES)
 def test_a_run_resumes_on_the_other_side(case: str) -> None:
-    model, start, _, dt, options = CASES[case]()
-    whole, half = (Plan(duration=steps * dt, dt=dt, **options) for steps in (STEPS, STEPS // 2))
-    cpu = integrate(model, whole, state=start(model), loop_of=CoreLoop)
-    for first, second in ((CoreLoop, on_device), (on_device, CoreLoop)):
-        begun = integrate(model, half, state=start(model), loop_of=first)
-        assert_same_bits(cpu, integrate(model, whole, state=begun.state, history=begun.history, loop_of=second))
+    this = CASES[case]()
+    cpu = carried_out(this, CoreLoop)
+    for _, whole in continued_on_the_other_side(this, this[2] // 2):
+        assert_same_bits(cpu, whole)
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -13,7 +13,7 @@ from bondem._device import DeviceTables, Host, HostCall, passes_of
 from bondem.model.state import State
 from bondem.solve.explicit import integrate
 from bondem.solve.loop_core import CoreLoop
-from bondem.solve.loop_device import DeviceLoop, device_has
+from bondem.solve.loop_device import device_has
 from bondem.solve.on_device.counterparts import launches_of
 from bondem.solve.on_device.stress_onset_counterparts import COUNTERPARTS
 from bondem.solve.on_device.translation import Translation
@@ -22,6 +22,7 @@ from bondem.solve.plan import Plan
 from bondem.solve.timestep import critical_step
 from tests.core.test_cells import LAW, body
 from tests.device_runs import deviation
+from tests.device_sides import on_device
 
 DT = 1e-6
 # Elements and bonds of a portion, as in `core/steps.hpp`.
@@ -126,7 +127,3 @@ def test_a_body_that_is_torn_cracks_as_on_the_cpu(name: str) -> None:
     assert 100 < len(cpu.state.cracks) == len(device.state.cracks)
     assert len(cpu.state.broken) > 20
     assert deviation(cpu, device) < 1e-12
-
-
-def on_device(model: bd.Model, plan: Plan, state: State, dt: float) -> DeviceLoop:
-    return DeviceLoop(model, plan, state, dt, Host())

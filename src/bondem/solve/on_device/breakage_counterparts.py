@@ -47,35 +47,24 @@ def marks_of(run: Translation) -> BondMarks:
     return run.once(run.loads, lambda: BondMarks(np.zeros(run.span.m, dtype=np.uint8)))
 
 
-def _load(
-    run: Translation, moving: Moving, beams: Beams, _: StepCut, bounds: FailureBounds, __: Candidates
-) -> list[Launch]:
-    return [(_load_marked_beam, run.span.m, (moving, beams, run.loads, bounds, marks_of(run)))]
+def marking(one: IndexPass) -> Counterpart:
+    """Return the counterpart of a pass of loads that marks bonds near to failure."""
+
+    def counterpart(run: Translation, moving: Moving, *tables: Any) -> list[Launch]:
+        *bonds, _cut, bounds, _candidates = tables
+        return [(one, run.span.m, (moving, *bonds, run.loads, bounds, marks_of(run)))]
+
+    return counterpart
 
 
-def _load_alike(
-    run: Translation,
-    moving: Moving,
-    beams: Beams,
-    alike: AlikeBeams,
-    _: StepCut,
-    bounds: FailureBounds,
-    __: Candidates,
-) -> list[Launch]:
-    return [(_load_marked_alike_beam, run.span.m, (moving, beams, alike, run.loads, bounds, marks_of(run)))]
+def judging(one: IndexPass) -> Counterpart:
+    """Return the counterpart of a pass that evaluates marked bonds, and lists those that fail in their order."""
 
-
-def _judge(name: str) -> Counterpart:
     def counterpart(
-        run: Translation,
-        moving: Moving,
-        beams: Beams,
-        strengths: Strengths,
-        candidates: Candidates,
-        postponed: Postponed,
+        run: Translation, moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, last: Any
     ) -> list[Launch]:
-        tables = run.span, moving, beams, strengths, marks_of(run), candidates, postponed
-        return [(_JUDGES[name], run.span.m, tables), (sort_failing, 1, (candidates,))]
+        tables = run.span, moving, beams, strengths, marks_of(run), candidates, last
+        return [(one, run.span.m, tables), (sort_failing, 1, (candidates,))]
 
     return counterpart
 
@@ -153,9 +142,9 @@ def end(run: Translation, late: Postponement) -> list[Launch]:
 
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "add_marked_beam_loads": _load,
-    "add_marked_alike_beam_loads": _load_alike,
-    **{f"judge_beams_by_{name}": _judge(name) for name in CRITERION_NAMES},
+    "add_marked_beam_loads": marking(_load_marked_beam),
+    "add_marked_alike_beam_loads": marking(_load_marked_alike_beam),
+    **{f"judge_beams_by_{name}": judging(one) for name, one in _JUDGES.items()},
     "postpone_elements": lambda *_: [],
     "keep_sums": _keep,
     "keep_dashpots": _keep_dashed,

@@ -1,11 +1,11 @@
 """Breakage of facets of cells on a device."""
 
 from bondem._device import IndexPass, Launch
-from bondem.model.cell_tables import CellDilatation, ElasticFacets, FacetRelease, WallConstraints
+from bondem.model.cell_tables import ElasticFacets, FacetRelease, WallConstraints
 from bondem.model.constraints import Rows
 from bondem.model.failure_passes import Strengths
 from bondem.solve.damage_tables import Candidates, EventLog, FailureBounds, Postponed
-from bondem.solve.on_device.breakage_counterparts import marks_of, sort_failing
+from bondem.solve.on_device.breakage_counterparts import marking, marks_of, sort_failing
 from bondem.solve.on_device.device_tables import BondMarks, DeviceSpan, LoadsOfBonds, RowOrder
 from bondem.solve.on_device.translation import Counterpart, Translation, elements, over
 from bondem.solve.step_tables import Moving
@@ -20,17 +20,6 @@ _withdraw_of_cell = IndexPass("withdraw_facets_of_cell", *_EXCHANGED, Postponed)
 _break_all_facets = IndexPass("break_all_facets", DeviceSpan, *_EXCHANGED, EventLog)
 _restore_of_cell = IndexPass("restore_facets_of_cell", *_EXCHANGED, Postponed)
 _renew_wall_row = IndexPass("renew_wall_row", WallConstraints, RowOrder, Rows, Candidates)
-
-
-def _dilate(
-    run: Translation,
-    moving: Moving,
-    facets: ElasticFacets,
-    _: CellDilatation,
-    bounds: FailureBounds,
-    __: Candidates,
-) -> list[Launch]:
-    return [(_dilate_marked_facet, run.span.m, (moving, facets, run.loads, bounds, marks_of(run)))]
 
 
 def _judge_facets(
@@ -68,7 +57,7 @@ def _renew(run: Translation, walls: WallConstraints, rows: Rows, candidates: Can
 
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "accumulate_and_mark": _dilate,
+    "accumulate_and_mark": marking(_dilate_marked_facet),
     "judge_facets_by_mohr_coulomb": _judge_facets,
     "withdraw_facets": over(_withdraw_of_cell, elements, spans=False),
     "break_facets": _break,

@@ -4,11 +4,10 @@ import numpy as np
 
 from bondem._device import IndexPass, Launch
 from bondem.model.beam_tables import AlikeBeams, Beams
-from bondem.model.blocks import StepCut
 from bondem.model.failure_passes import CRITERION_NAMES, Strengths
 from bondem.solve.contact_tables import ContactConstants, ContactPairs, ContactSums, NearPairs
 from bondem.solve.damage_tables import BeamIntegrity, Candidates, EventLog, SofteningBeams, SofteningBounds
-from bondem.solve.on_device.breakage_counterparts import marks_of, sort_failing
+from bondem.solve.on_device.breakage_counterparts import judging, marking
 from bondem.solve.on_device.device_tables import BondMarks, DeviceSpan, LoadsOfBonds, SofteningLosses
 from bondem.solve.on_device.translation import Counterpart, Translation, over
 from bondem.solve.step_tables import Moving, Portions
@@ -57,39 +56,6 @@ def _log_softened(
     return [(_log, 1, (run.span, moving, beams, soft, log))]
 
 
-def _load(
-    run: Translation, moving: Moving, beams: Beams, _: StepCut, bounds: SofteningBounds, __: Candidates
-) -> list[Launch]:
-    return [(_load_beam, run.span.m, (moving, beams, run.loads, bounds, marks_of(run)))]
-
-
-def _load_alike(
-    run: Translation,
-    moving: Moving,
-    beams: Beams,
-    alike: AlikeBeams,
-    _: StepCut,
-    bounds: SofteningBounds,
-    __: Candidates,
-) -> list[Launch]:
-    return [(_load_alike_beam, run.span.m, (moving, beams, alike, run.loads, bounds, marks_of(run)))]
-
-
-def _find(name: str) -> Counterpart:
-    def counterpart(
-        run: Translation,
-        moving: Moving,
-        beams: Beams,
-        strengths: Strengths,
-        candidates: Candidates,
-        soft: SofteningBeams,
-    ) -> list[Launch]:
-        tables = run.span, moving, beams, strengths, marks_of(run), candidates, soft
-        return [(_FIND[name], run.span.m, tables), (sort_failing, 1, (candidates,))]
-
-    return counterpart
-
-
 def _one_thread(_: Translation) -> int:
     return 1
 
@@ -103,9 +69,9 @@ def _pressed(
 COUNTERPARTS: dict[str, Counterpart] = {
     "soften_beams": _soften,
     "log_softened_beams": _log_softened,
-    "add_softening_beam_loads": _load,
-    "add_softening_alike_beam_loads": _load_alike,
-    **{f"find_softening_by_{name}": _find(name) for name in _FIND},
+    "add_softening_beam_loads": marking(_load_beam),
+    "add_softening_alike_beam_loads": marking(_load_alike_beam),
+    **{f"find_softening_by_{name}": judging(one) for name, one in _FIND.items()},
     "begin_softening": over(_begin, _one_thread),
     "release_pressure": over(_release_pressure, _one_thread),
     "begin_softened_contacts": over(_begin_contacts, _one_thread),
