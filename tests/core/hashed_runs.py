@@ -17,7 +17,7 @@ ends = [bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, 2.0
 
 
 def add(model: bd.Model, duration: float, *, breaks: bool = True) -> None:
-    run = bd.solve_explicit(model, duration=duration, every=20)
+    run = bd.solve_explicit(model, duration=duration, every=1)
     state = run.state
     assert breaks == (len(state.broken) + len(state.cracks) > 0), model
     parts.extend([state.pose, state.motion, state.broken, state.cracks, state.softened, run.history.records])

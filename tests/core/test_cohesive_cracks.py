@@ -132,3 +132,11 @@ def test_cells_touch_where_faces_have_parted():
     assert len(parted) >= 3
     apart = model.bonds.length[parted[:, FACET].astype(int)]
     assert ((parted[:, TOP] > 0.0) & (parted[:, TOP] <= apart)).all()
+
+
+@pytest.mark.parametrize("kind", ["stretched", "brittle"])
+def test_a_body_of_fewer_facets_than_lanes_cracks(kind: str) -> None:
+    """One facet: the sanitizers see where a group of lanes reads beside its table."""
+    state = ran(kind, 40, lattice=body(2))[0]
+    assert len(state.integrity) == len(state.cracks) == 1
+    assert state.integrity[0] < 1.0
