@@ -32,7 +32,7 @@ class CompiledCore(BuildHookInterface):
         levels = target.levels
         made = build.compile_core(target, [build.PROBE]) if len(levels) > 1 else []
         if version == "editable" and made and foreign is None:
-            levels = levels[: ctypes.CDLL(str(made[0])).bondem_level() - 1][-1:]
+            levels = target.offered(ctypes.CDLL(str(made[0])).bondem_level())[-1:]
         made += build.compile_core(target, levels)
         if version != "editable":
             build_data["force_include"] |= {str(path): f"bondem/core/{build.LIBRARIES}/{path.name}" for path in made}

@@ -91,7 +91,7 @@ def _level(target: Platform) -> str:
     if len(levels) == 1:
         return levels[0]
     probe = _found(PROBE, target.suffix) or _compiled(target, PROBE)
-    offered = levels[: int(ctypes.CDLL(str(probe)).bondem_level()) - 1]
+    offered = target.offered(int(ctypes.CDLL(str(probe)).bondem_level()))
     asked = os.environ.get("BONDEM_ISA", "")
     names = {level.rpartition("_")[2]: level for level in offered}
     if asked and asked not in names:

@@ -97,6 +97,10 @@ class Platform:
         """Names of the levels of instructions it is compiled for, the lowest first."""
         return tuple(_LEVELS[self.machine])
 
+    def offered(self, level: int) -> tuple[str, ...]:
+        """Names of the levels up to the one that `bondem_level` of a CPU returns (2, 3 or 4), the lowest first."""
+        return self.levels[: level - 1]
+
     def flags(self, level: str) -> list[str]:
         """Flags of the compiler for a level."""
         libraries = [] if self.system == "windows" else ["-lpthread", "-lm"]
