@@ -265,7 +265,7 @@ def test_a_plane_along_the_load_stays_whole() -> None:
 
 def test_what_decides_is_checked() -> None:
     body, _, _ = blocks()
-    with pytest.raises(InputError, match=r"on = .tension.; give"):
+    with pytest.raises(InputError, match=r"on = .tension.; choose from stress, traction"):
         bd.Rankine(tension=F_T, on="tension")  # type: ignore[arg-type]
     cone = bd.DruckerPrager(tension=F_T, compression=1e7, fracture_energy=G_F, on="traction")
     with pytest.raises(InputError, match=r"DruckerPrager: on = .traction. applies to bd\.Rankine"):
