@@ -3,7 +3,8 @@
     python benchmarks/first_runs.py [--rounds 3]
 
 Beams with breakage and contact; cells with softening and contact; the non-local law with breakage and contact;
-uniaxial compression of cells. Nothing compiles at run time, so both take the same time. Printed are medians of seconds of a clock, with packing and without the start of Python.
+uniaxial compression of cells. Nothing compiles at run time, so both take the same time. Printed are medians
+of seconds of a clock, with packing and without the start of Python.
 """
 
 import argparse
