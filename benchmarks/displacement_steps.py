@@ -12,12 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 
 import bondem as bd
-from bondem.quasistatic import solve
-from bondem.quasistatic.damaged_body import DamagedBody, Loaded
-from bondem.quasistatic.limits import StressOnset
-from bondem.quasistatic.reading import Reading
-from bondem.quasistatic.teeth import SofteningLine
-from bondem.quasistatic.tensors import full_tensor
+from bondem.statics.quasistatic import solve
+from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
+from bondem.statics.quasistatic.limits import StressOnset
+from bondem.statics.quasistatic.load_response import Reading
+from bondem.statics.quasistatic.sawtooth_softening import SofteningLine
+from bondem.statics.quasistatic.tensors import full_tensor
 
 # Largest change of an integrity, as a share of it, that counts as none; and rounds until a step is given up.
 _STILL, _ROUNDS = 1e-3, 300

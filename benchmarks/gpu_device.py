@@ -24,10 +24,10 @@ import numpy as np
 import bondem as bd
 from bondem._device import Device, Host
 from bondem.model.state import State
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_device import DeviceLoop, device_has
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.device_loop import DeviceLoop, device_has
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
 from kept import RESULTS, keep, origin
 from paired import ROOT
 from tiled import specimen

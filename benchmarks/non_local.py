@@ -17,11 +17,11 @@ import numpy as np
 
 import bondem as bd
 from bondem.model.state import State
-from bondem.solve.lagged import LaggedStatics
-from bondem.solve.linear import System
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import highest_frequency
+from bondem.statics.non_local_statics import LaggedStatics
+from bondem.statics.linear import System
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import highest_frequency
 from kept import RESULTS, keep, origin
 
 E = 40e9

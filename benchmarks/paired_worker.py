@@ -51,7 +51,7 @@ def elastic(lattice: bd.Lattice) -> bd.Model:
 
 # Loops of runs, the newest first: of the core; of Numba; of c790c8a and older revisions.
 _LOOPS = (
-    ("CoreLoop", "bondem.solve.loop_core"), ("CpuLoop", "bondem.solve.loop_cpu"), ("_Loop", "bondem.solve.explicit"),
+    ("CoreLoop", "bondem.dynamics.core_loop"), ("CpuLoop", "bondem.dynamics.loop_cpu"), ("_Loop", "bondem.dynamics.explicit"),
 )  # fmt: skip
 
 
@@ -59,7 +59,7 @@ class Timed:
     """What is timed: bondem's loop over the steps alone."""
 
     def __init__(self, path: str) -> None:
-        from bondem.solve.timestep import critical_step
+        from bondem.dynamics.timestep import critical_step
 
         self.model = elastic(read_lattice(path))
         n = len(self.model.lattice.particles)
@@ -75,7 +75,7 @@ class Timed:
             (name, module) for name, module in _LOOPS if importlib.util.find_spec(module) is not None
         )  # fmt: skip
         loop_of = getattr(importlib.import_module(module), name)
-        plans = importlib.import_module(module if name == "_Loop" else "bondem.solve.plan")
+        plans = importlib.import_module(module if name == "_Loop" else "bondem.dynamics.plan")
         state = State(self.model)
         state.set_motion(velocity=self.velocity)
         loop = loop_of(self.model, plans.Plan(duration=1.0, dt=self.dt, every=0), state, self.dt)

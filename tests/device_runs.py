@@ -7,7 +7,7 @@ import numpy as np
 
 import bondem as bd
 from bondem.model.state import State
-from bondem.solve.plan import ExplicitResult
+from bondem.dynamics.plan import ExplicitResult
 from tests import lagged_runs, softening_cases
 from tests.core import contact_cases
 from tests.device_cases import (

@@ -5,10 +5,10 @@ from collections.abc import Callable
 import bondem as bd
 from bondem._device import Host
 from bondem.model.state import State
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.loop_device import DeviceLoop, device_has
-from bondem.solve.plan import ExplicitResult, Plan
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.device_loop import DeviceLoop, device_has
+from bondem.dynamics.plan import ExplicitResult, Plan
 from tests.bits import assert_same_bits
 from tests.device_cases import Case
 

@@ -13,7 +13,7 @@ from bondem.calibration.density import balanced_density, element_density
 from bondem.errors import InputError
 from bondem.labtests.beams import CrossSection
 from bondem.labtests.cantilever import mass_gyration
-from bondem.specimen.moments import moments
+from bondem.geometry.moments import moments
 from tests.specimens import spheres
 
 RHO = 2201.0

@@ -12,7 +12,7 @@ from bondem.fracture.lost_area import lost_area
 from bondem.labtests.failure_tests import failure_outcome
 from bondem.study.pipeline import run_study
 from bondem.study.programme import Programme, parse_programme
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
 from tests import specimens
 
 SOFT, HARD = bd.CellBond(E=20e9, nu=0.0), bd.CellBond(E=60e9, nu=0.0)

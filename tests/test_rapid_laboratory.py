@@ -10,7 +10,7 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError, StudyError
 from bondem.study.pipeline import run_study
-from bondem.study.study import parse_study, read_study
+from bondem.study.study_file import parse_study, read_study
 from tests.specimens import ball, bar, spheres
 
 LAW = bd.CellBond(E=30e9, nu=0.2)

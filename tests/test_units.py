@@ -14,10 +14,10 @@ from hypothesis import strategies as some
 import bondem as bd
 from bondem.errors import InputError, StudyError, UnitWarning
 from bondem.specimen import materials
-from bondem.specimen.plausibility import _USUAL
-from bondem.specimen.units import length_unit, quantity
+from bondem._plausibility import _USUAL
+from bondem._units import length_unit, quantity
 from bondem.study.pipeline import run_study
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
 from tests.specimens import row
 
 SAME = {

@@ -11,21 +11,21 @@ from bondem._progress import staged
 from bondem.errors import InputError
 from bondem.fracture.growing_cracks import GrowingCracks
 from bondem.io.runfile import RunFile, read_run
-from bondem.laws.damping import AnyDamping
-from bondem.laws.failure.criterion import Criterion
-from bondem.model.gauges import AnyGauge
+from bondem.dynamics.damping import AnyDamping
+from bondem.damage.criteria.criterion import Criterion
+from bondem.boundary.gauges import AnyGauge
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.events import Event
-from bondem.solve.explicit import integrate
-from bondem.solve.halting import noticing, stop_by
-from bondem.solve.modal import solve_modes
-from bondem.solve.plan import Callback, ExplicitResult, Loop, Plan, Status
-from bondem.solve.relaxation import solve_relaxed
-from bondem.solve.schemes import Scheme, VelocityVerlet
-from bondem.solve.stage import begin, check_gauges
-from bondem.solve.static import solve_static
-from bondem.solve.timestep import choose_step
+from bondem.dynamics.events import Event
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.signals import noticing, stop_by
+from bondem.statics.modes import solve_modes
+from bondem.dynamics.plan import Callback, ExplicitResult, Loop, Plan, Status
+from bondem.statics.relaxation import solve_relaxed
+from bondem.dynamics.schemes import Scheme, VelocityVerlet
+from bondem.dynamics.restart import begin, check_gauges
+from bondem.statics.static import solve_static
+from bondem.dynamics.timestep import choose_step
 
 __all__ = ["resume", "solve_explicit", "solve_modes", "solve_relaxed", "solve_static"]
 
@@ -197,7 +197,7 @@ def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, St
     if not isinstance(device, str) or device != "gpu":
         raise InputError(f"device = {shown(device)} is unknown; choose 'cpu' or 'gpu'")
     try:
-        gpu = importlib.import_module("bondem.solve.loop_on_gpu")
+        gpu = importlib.import_module("bondem.dynamics.gpu_loop")
         gpu.require_gpu(model, plan)
     except ImportError as error:
         raise InputError(

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.model.event_columns import SOFT_BOND, SOFT_RATE, SOFT_SPENT
+from bondem.damage.event_columns import SOFT_BOND, SOFT_RATE, SOFT_SPENT
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve import loop_core
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
+from bondem.dynamics import loop_core
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop
 from tests.core.test_breakage import assert_close

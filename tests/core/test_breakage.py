@@ -5,9 +5,9 @@ import pytest
 
 import bondem as bd
 from bondem.model.model import Model
-from bondem.solve import loop_core
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop
+from bondem.dynamics import loop_core
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.core_loop import CoreLoop
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop, movement
 from tests.core.test_steps import HELD, LAWS, crooked, moving_state, plan_of

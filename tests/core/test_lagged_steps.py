@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.model.event_columns import BROKEN_GAP
-from bondem.model.non_local_constants import NON_LOCAL_WORK
+from bondem.damage.event_columns import BROKEN_GAP
+from bondem.interactions.non_local.non_local_constants import NON_LOCAL_WORK
 from bondem.model.state import State
-from bondem.solve import loop_core
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
+from bondem.dynamics import loop_core
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.plan import Plan
 from tests.bits import EnoughError, assert_same_bits
 from tests.core.former_loop import FormerLoop, movement
 from tests.core.lagged_cases import (

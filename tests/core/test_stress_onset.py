@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.solve import loop_core
-from bondem.solve.explicit import ExplicitResult, integrate
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
+from bondem.dynamics import loop_core
+from bondem.dynamics.explicit import ExplicitResult, integrate
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop
 from tests.specimens import bar, crooked_cells

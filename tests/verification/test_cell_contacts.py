@@ -9,7 +9,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.model.crack_columns import FACET, PARTED, STATUS, TOP
+from bondem.damage.crack_columns import FACET, PARTED, STATUS, TOP
 from tests.bits import assert_resumes_to, digest, threads
 from tests.models import moving, time_step
 from tests.scripts import python

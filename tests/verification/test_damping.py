@@ -7,8 +7,8 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.solve.explicit import integrate
-from bondem.solve.timestep import highest_frequency
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.timestep import highest_frequency
 from tests.models import momenta, moving, stirred, time_step
 from tests.recording import Record
 from tests.specimens import crooked_block, rod, two_spheres

@@ -9,7 +9,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.solve.explicit import integrate
+from bondem.dynamics.explicit import integrate
 from tests.specimens import row, two_spheres
 
 

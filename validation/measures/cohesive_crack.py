@@ -15,7 +15,7 @@ from scipy.sparse.linalg import splu
 
 from bondem._types import Floats, Ints
 from bondem.errors import ConvergenceError
-from bondem.laws.failure.bilinear import Bilinear
+from bondem.damage.bilinear import Bilinear
 from validation.cases.beams import BentBeam
 from validation.cases.case import Case
 

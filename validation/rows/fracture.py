@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from bondem._types import Floats
-from bondem.quasistatic.solve import QuasistaticResult, solve_quasistatic
+from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult, solve_quasistatic
 from bondem.specimen.lattice import Lattice
 from validation.cases.case import Case
 from validation.frame.files import plain

@@ -19,10 +19,10 @@ from bondem.labtests.bulk import BulkModuli, bulk_moduli
 from bondem.labtests.gauge_length import AffineField, middle_half
 from bondem.labtests.isotropic import Isotropic
 from bondem.labtests.tension import Tension, tension_model, tension_of
-from bondem.laws.bond import BondGeometry, BondLaw
-from bondem.model.assignment import bond_geometry
-from bondem.observe.bond_strain import BondStrain
-from bondem.solve.static import Statics
+from bondem.interactions.beams.bond_law import BondGeometry, BondLaw
+from bondem.interactions.beams.assignment import bond_geometry
+from bondem.interactions.beams.bond_strain import BondStrain
+from bondem.statics.static import Statics
 from bondem.specimen.lattice import Lattice
 
 # Central differences of closed forms over this share of a parameter: right to ten digits.

@@ -4,7 +4,7 @@ import click
 
 from bondem._checks import number
 from bondem.errors import InputError
-from bondem.specimen.units import quantity
+from bondem._units import quantity
 
 
 class Quantity(click.ParamType):

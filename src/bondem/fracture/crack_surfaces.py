@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._types import Floats, Ints
 from bondem.fracture.crack_polygons import CrackPolygons
-from bondem.fracture.faces import Faces
+from bondem.fracture.crack_faces import Faces
 
 
 @dataclass(frozen=True, eq=False)

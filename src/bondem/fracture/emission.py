@@ -11,9 +11,9 @@ from bondem._checks import instance, number
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.fracture.magnitudes import BValue, b_value_of, magnitude_of
-from bondem.laws.failure.criterion import MODES
+from bondem.damage.criteria.criterion import MODES
 from bondem.model.model import Model
-from bondem.observe.breakage import BrokenBonds
+from bondem.observables.breakage import BrokenBonds
 
 # Bonds or facets that break within this many of their mean lengths belong to one emission, if no time or distance is
 # given.

@@ -9,7 +9,7 @@ from dataclasses import fields
 import h5py
 import numpy as np
 
-from bondem.specimen.cells.tables import Cells, Facets, FreeFacets
+from bondem.specimen.tessellation.facets import Cells, Facets, FreeFacets
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, freeze
 

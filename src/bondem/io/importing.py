@@ -22,10 +22,10 @@ from bondem.io.raw_spheres import RawSpheres
 from bondem.io.sphere_tables import read_csv, read_yade
 from bondem.io.vtkhdf_spheres import read_vtkhdf_spheres
 from bondem.io.xyz import read_xyz
-from bondem.specimen.geometry import Shape
+from bondem.geometry.elementary_shapes import Shape
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
-from bondem.specimen.units import length_unit
+from bondem._units import length_unit
 
 # Longest specimen taken for metres without being told so [m].
 _USUAL = 1.0

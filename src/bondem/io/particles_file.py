@@ -27,7 +27,7 @@ from bondem.io.codec import decode, encode
 from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, filled
-from bondem.specimen.shape import Shape
+from bondem.geometry.shape import Shape
 
 FORMAT = "bondem particles"
 #: From 2 on they may hold facets and cells, from 3 on they have a digest.

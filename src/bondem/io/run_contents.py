@@ -14,7 +14,7 @@ from bondem._lock import claim
 from bondem.errors import RunFileError
 from bondem.io.journal import JournaledFile, journal_of
 from bondem.io.runfile import head_of, reading
-from bondem.solve.history import History
+from bondem.dynamics.history import History
 
 
 @dataclass(frozen=True)

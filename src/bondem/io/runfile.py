@@ -37,11 +37,11 @@ from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
 from bondem.io.journal import JournaledFile, committed
 from bondem.io.older_states import brought_up
 from bondem.io.snapshots import Outlined, Snapshots
-from bondem.laws.failure.criterion import Criterion
+from bondem.damage.criteria.criterion import Criterion
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.history import FRACTURE, NON_LOCAL, PLASTIC, History
-from bondem.solve.plan import Plan
+from bondem.dynamics.history import FRACTURE, NON_LOCAL, PLASTIC, History
+from bondem.dynamics.plan import Plan
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"

@@ -8,7 +8,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.fracture.fragments import Fragments, fragments
-from bondem.laws.contact import ContactLaw, LinearContact
+from bondem.interactions.contact.contact_law import ContactLaw, LinearContact
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice

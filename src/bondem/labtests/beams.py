@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.specimen.geometry import BoundingBox, Box, Cylinder, Shape
+from bondem.geometry.elementary_shapes import BoundingBox, Box, Cylinder, Shape
 
 # First root of cos β cosh β = -1: the cantilever's first bending mode.
 _BETA_1 = 1.8751040687119611

@@ -11,11 +11,11 @@ from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw
 from bondem.labtests.isotropic import Isotropic
 from bondem.model.model import Model
-from bondem.observe.bond_strain import BondStrain
-from bondem.observe.cell_strain import CellStrain
-from bondem.solve.lagged import LaggedStatics
-from bondem.solve.linear import System
-from bondem.solve.static import Statics
+from bondem.interactions.beams.bond_strain import BondStrain
+from bondem.interactions.cells.cell_strain import CellStrain
+from bondem.statics.non_local_statics import LaggedStatics
+from bondem.statics.linear import System
+from bondem.statics.static import Statics
 from bondem.specimen.lattice import Lattice
 
 # Voigt order xx, yy, zz, yz, xz, xy, with engineering shear strains.

@@ -19,10 +19,10 @@ from bondem.labtests.faces import ends, face_motion
 from bondem.labtests.gauge_length import AffineField, curvature, middle_half, profile, twist_rate
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tension import paper_length
-from bondem.model.boundary import Fix, Load
+from bondem.boundary.conditions import Fix, Load
 from bondem.model.model import Model
-from bondem.observe.cell_stress import cell_stress
-from bondem.solve.static import StaticResult, solve_static
+from bondem.observables.cell_stress import cell_stress
+from bondem.statics.static import StaticResult, solve_static
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 

@@ -10,7 +10,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.fracture.fragments import fragments
 from bondem.labtests.suited import Suited
-from bondem.laws.failure.softening import Softening
+from bondem.damage.cohesive_softening import Softening
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 

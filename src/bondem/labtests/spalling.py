@@ -12,16 +12,16 @@ from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.fracture.fragments import Fragments, fragments
-from bondem.labtests.rig import require_cells
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.criterion import Criterion
-from bondem.model.gauges import Gauge
-from bondem.model.loads import Pressure
+from bondem.labtests.quasi_static_rig import require_cells
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.damage.criteria.criterion import Criterion
+from bondem.boundary.gauges import Gauge
+from bondem.boundary.loads import Pressure
 from bondem.model.model import Model
-from bondem.model.schedules import Table
+from bondem.boundary.schedules import Table
 from bondem.model.state import State
 from bondem.run import solve_explicit
-from bondem.solve.plan import ExplicitResult
+from bondem.dynamics.plan import ExplicitResult
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 

@@ -12,7 +12,7 @@ from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.labtests.gauge_length import AffineField
-from bondem.labtests.rig import (
+from bondem.labtests.quasi_static_rig import (
     DENSITY,
     Rig,
     StrengthTest,
@@ -21,15 +21,15 @@ from bondem.labtests.rig import (
     run_to_failure,
     softenings_of,
 )
-from bondem.laws.failure.softening import Softening
-from bondem.model.boundary import BoundaryCondition, Drive, Fix
-from bondem.model.cell_constants import CellAssignment
-from bondem.model.failure_assignment import FailureAssignment
+from bondem.damage.cohesive_softening import Softening
+from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
+from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.damage.failure_assignment import FailureAssignment
 from bondem.model.model import Model
-from bondem.model.schedules import Ramp
+from bondem.boundary.schedules import Ramp
 from bondem.model.state import State
-from bondem.observe.cell_stress import cell_stress
-from bondem.solve.static import solve_static
+from bondem.observables.cell_stress import cell_stress
+from bondem.statics.static import solve_static
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Index, Region
 

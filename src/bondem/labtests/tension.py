@@ -13,11 +13,11 @@ from bondem.errors import ShortSpecimenWarning
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.faces import ends, surface
 from bondem.labtests.gauge_length import AffineField, middle_half
-from bondem.model.boundary import Load
+from bondem.boundary.conditions import Load
 from bondem.model.model import Model
-from bondem.observe.bond_strain import BondStrain
-from bondem.observe.cell_stress import cell_stress
-from bondem.solve.static import StaticResult, Statics
+from bondem.interactions.beams.bond_strain import BondStrain
+from bondem.observables.cell_stress import cell_stress
+from bondem.statics.static import StaticResult, Statics
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 

@@ -13,15 +13,15 @@ from bondem._types import Floats
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.ball import BallSpecimen, BrokenBall
-from bondem.laws.contact import ContactLaw
-from bondem.model.failure_assignment import FailureAssignment
-from bondem.model.gauges import WallGauge
+from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.damage.failure_assignment import FailureAssignment
+from bondem.boundary.gauges import WallGauge
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.model.walls import PlaneWall
+from bondem.boundary.walls import PlaneWall
 from bondem.run import solve_explicit
-from bondem.solve.history import History
-from bondem.solve.plan import ExplicitResult
+from bondem.dynamics.history import History
+from bondem.dynamics.plan import ExplicitResult
 from bondem.specimen.lattice import Lattice
 
 # Steps between records; the impulse is their sum.

@@ -13,14 +13,14 @@ from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.beams import CrossSection
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.frequency import dominant_frequency
-from bondem.model.boundary import Fix, Load
-from bondem.model.gauges import Gauge
+from bondem.boundary.conditions import Fix, Load
+from bondem.boundary.gauges import Gauge
 from bondem.model.model import Model
-from bondem.model.schedules import Constant, Ramp, Schedule
+from bondem.boundary.schedules import Constant, Ramp, Schedule
 from bondem.model.state import State
 from bondem.run import solve_explicit
-from bondem.solve.plan import ExplicitResult, Plan, settled
-from bondem.solve.static import solve_static
+from bondem.dynamics.plan import ExplicitResult, Plan, settled
+from bondem.statics.static import solve_static
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 

@@ -9,12 +9,12 @@ import numpy as np
 from bondem._checks import shown
 from bondem._types import Floats, PerBond, PerElement
 from bondem.errors import InputError
-from bondem.model.boundary import BoundaryCondition, Drive, Fix, Load
-from bondem.model.cell_constants import CellConstants
-from bondem.model.couples import Couple, CoupleTable, couple_table
-from bondem.model.layout import Layout
-from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure, is_face
-from bondem.model.schedules import Schedule
+from bondem.boundary.conditions import BoundaryCondition, Drive, Fix, Load
+from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.boundary.couples import Couple, CoupleTable, couple_table
+from bondem.specimen.ordering import Layout
+from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure, is_face
+from bondem.boundary.schedules import Schedule
 from bondem.specimen.lattice import Lattice
 
 
@@ -109,7 +109,7 @@ class Constraints:
     ) -> "Constraints":
         """Resolve the boundary conditions of a model whose elements have `mass` [kg], user's order.
 
-        For a body of `cells`, conditions that hold a wall are left out: see `bondem.model.grips`. The cells that they
+        For a body of `cells`, conditions that hold a wall are left out: see `bondem.boundary.wall_constraints`. The cells that they
         hold own rows nevertheless.
 
         Raises:

@@ -12,8 +12,8 @@ from scipy.spatial import KDTree
 
 from bondem._types import Floats, PerElement
 from bondem.packing.start import thrown
-from bondem.specimen.cells.tessellation import cell_centroids
-from bondem.specimen.geometry import Shape
+from bondem.specimen.tessellation.cutting import cell_centroids
+from bondem.geometry.elementary_shapes import Shape
 from bondem.specimen.particles import Particles, filled
 
 # Volume fraction at which soft spheres push each other apart, and how far inside walls they start, over their radius.

@@ -16,7 +16,7 @@ from bondem.packing.packing_tables import Flight, Growing, Near, PackingWalls, S
 from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 from bondem.packing.targets import Fraction, Target
-from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
+from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
 
 _fly = Pass("fly_and_grow", Spheres, PackingWalls, Near, Growing, Flight)
 

@@ -23,7 +23,7 @@ from bondem.packing.free_centres import MARGIN, settled_free, thrown_free
 from bondem.packing.sizes import Sieve
 from bondem.packing.start import thrown
 from bondem.specimen.aggregates import Aggregates
-from bondem.specimen.geometry import Shape
+from bondem.geometry.elementary_shapes import Shape
 from bondem.specimen.particles import Particles, filled
 
 # Volume fraction of the balls with half their gaps beyond which they are not pushed apart any more, and what may be

@@ -12,7 +12,7 @@ from bondem.report.cell_pictures import draw_cells, draw_section, section_throug
 from bondem.report.findings import Examined
 from bondem.report.spheres import View
 from bondem.report.style import DIVERGING, SEQUENTIAL, sheet
-from bondem.specimen.cells.polyhedra import polyhedra
+from bondem.specimen.tessellation.polyhedra import polyhedra
 from bondem.specimen.lattice import Lattice
 
 _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))

@@ -15,7 +15,7 @@ from bondem.errors import InputError
 from bondem.fracture.fragments import fragments
 from bondem.io.run_contents import read_contents
 from bondem.io.runfile import read_run
-from bondem.model.turned_frames import turned_vectors
+from bondem.geometry.rotations import turned_vectors
 from bondem.report.piece_colours import piece_palette
 from bondem.report.style import GREY, INK, ORANGE, SEQUENTIAL
 

@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 
 from bondem._checks import shown
 from bondem.errors import InputError, StudyError
-from bondem.specimen.units import length_unit, quantity
+from bondem._units import length_unit, quantity
 from bondem.study.declared import Count, Key, KeyTable, Number, Numbers, Text, Texts
 
 _Kind = TypeVar("_Kind", bound=Key)

@@ -1,5 +1,5 @@
 // What passes over an index take on a device beside the tables of a step. Named once more in
-// `bondem/solve/device_tables.py`.
+// `bondem/dynamics/device_tables.py`.
 #pragma once
 #include "contact_tables.hpp"
 #include "step_tables.hpp"

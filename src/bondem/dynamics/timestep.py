@@ -1,0 +1,394 @@
+"""The stable time step, from the highest frequency of the assembled lattice."""
+
+import math
+import warnings
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+from scipy.linalg import eigh_tridiagonal
+from scipy.sparse import diags_array
+from scipy.sparse.linalg import eigsh
+
+from bondem._names import users_line
+from bondem._types import Floats, PerBond, PerElement
+from bondem.errors import StepWarning, UnstableStepError
+from bondem.dynamics.damping import AnyDamping, DampingTerms
+from bondem.interactions.non_local.non_local_law import NonLocal
+from bondem.interactions.beams.beam_tables import BeamSums, beam_tables, load_beams
+from bondem.interactions.beams.bond_table import BondTable
+from bondem._cache_lines import lines
+from bondem.specimen.local_origin import local_rest
+from bondem.interactions.non_local.local_stiffness import local_stiffness
+from bondem.model.stiffness_matrices import stiffness_matrix
+from bondem.model.model import Model
+from bondem.model.cell_tangent import BodyTables
+from bondem.dynamics.dashpot_rate import fastest_decay
+from bondem.dynamics.non_local_timestep import SHARES, stable_share
+from bondem.dynamics.long_slip import LongSlip, long_slips
+from bondem.dynamics.schemes import Scheme
+from bondem._blas import one_blas_thread
+
+# Relative error of ω²_max that is left: Lanczos ends there, and its answer, from below, is raised by this much.
+_TOLERANCE = 1e-3
+_LEAST, _MOST, _EVERY = 24, 600, 4
+# Largest displacement over the shortest bond, and rotation, to which forces are found; so is the error of K u.
+_SMALL = 1e-5
+# A given step above this share of the critical one is warned of: what a run does to bonds may raise ω_max.
+_WARNED = 0.9
+# How much dashpots lower the default step before a message says so, and before a warning does.
+_DAMPED, _MUCH = 2.0, 10.0
+# Steps in which a collision of free elements is resolved: the ledger then closes to a few parts in a thousand.
+_PER_CONTACT = 20
+
+
+def highest_frequency(
+    model: Model, *, integrity: PerBond | None = None, table: BondTable | None = None, slip: LongSlip | None = None
+) -> float:
+    """Return ω_max of the unconstrained lattice at rest [rad/s], a bound for every set of supports.
+
+    Args:
+        model: model that will move.
+        integrity: present integrity of the bonds (`State.integrity`), internal order, (m,); None for intact bonds.
+            Broken bonds only lower ω_max.
+        table: the bonds, if not those of the model.
+        slip: slip on planes between regions, one of `long_slips`.
+    """
+    order = model.layout.order
+    mass, inertia = model.mass[order], model.inertia[order]
+    return math.sqrt(stiffest(model, mass, inertia, integrity=integrity, table=table, slip=slip))
+
+
+@one_blas_thread
+def stiffest(
+    model: Model,
+    mass: PerElement,
+    inertia: PerElement,
+    *,
+    integrity: PerBond | None = None,
+    table: BondTable | None = None,
+    slip: LongSlip | None = None,
+) -> float:
+    """Return an upper bound of the largest eigenvalue of K u = ω² M u [1/s²], for any masses in internal order.
+
+    It is found by Lanczos iteration without a matrix: K u is the response of the bonds to small displacements of the
+    lattice at rest. The iteration ends when the residual is below the tolerance, and the residual is added. It starts
+    from a fixed vector that is larger where an element is stiffer for its mass. The highest mode involves few
+    elements, and from another start one that is hardly above the others could stay hidden. `slip` is one of
+    `long_slips`.
+    """
+    layout, n, m = model.layout, len(model.layout.order), len(model.layout.i)
+    if m == 0:
+        return 0.0
+    intact = np.ones(m) if integrity is None else integrity
+    table = model.bonds if table is None else table
+    pose, sums = lines(n), lines(n)
+    rest = local_rest(model.lattice)[layout.order]
+    if model.cells is not None:
+        body = BodyTables.of(model, intact)
+        body.walls.wall[:] = 0.0
+        load = partial(body.load, pose, rest, sums)
+    else:
+        beams, alike = beam_tables(table, layout, model.period, intact)
+        load = partial(load_beams, pose, beams, alike, BeamSums(beams.i, beams.j, sums))
+    shortest = float(table.length.min())
+    root = 1.0 / np.sqrt(np.column_stack([mass, mass, mass, inertia, inertia, inertia]))
+
+    matrix = None if model.non_local is None else stiffness_matrix(model)
+
+    def answer(y: Floats) -> Floats:
+        motion = y * root
+        if matrix is not None:  # of the springs alone
+            return (matrix @ motion.ravel()).reshape(motion.shape) * root
+        size = max(np.abs(motion[:, :3]).max() / shortest, np.abs(motion[:, 3:]).max()) / _SMALL
+        motion /= size
+        pose[:, :3] = rest + motion[:, :3]
+        pose[:, 4] = 1.0
+        pose[:, 5:] = 0.5 * motion[:, 3:]
+        pose[:, 4:] /= np.sqrt(np.einsum("nk,nk->n", pose[:, 4:], pose[:, 4:]))[:, None]
+        load()
+        forces = sums[:, [0, 1, 2, 4, 5, 6]] * (-size * root)
+        sums[:] = 0.0
+        if slip is not None:
+            forces += slip.forces(motion) * (size * root)
+        return forces
+
+    held = np.zeros(n)
+    for end, arm in ((layout.i, table.lever), (layout.j, table.length - table.lever)):
+        held += np.bincount(end, weights=intact * (table.kn + table.ks), minlength=n) / mass
+        turned = intact * (table.ks * arm**2 + table.kb)
+        held += np.bincount(end, weights=turned, minlength=n) / inertia
+    if slip is not None:
+        held += slip.held(n) / inertia
+    start = np.random.default_rng(0).standard_normal((n, 6)) * (held / held.max())[:, None] ** 2
+    vector, last = start / np.linalg.norm(start), np.zeros((n, 6))
+    diagonal: list[float] = []
+    beside: list[float] = []
+    top = rest_of_it = 0.0
+    for k in range(1, min(_MOST, 6 * n) + 1):
+        image = answer(vector)
+        diagonal.append(float(np.vdot(vector, image)))
+        image -= diagonal[-1] * vector
+        if beside:
+            image -= beside[-1] * last
+        beside.append(float(np.linalg.norm(image)))
+        spent = beside[-1] <= 1e-9 * max(diagonal)
+        if spent or k == 6 * n or k == _MOST or (k >= _LEAST and k % _EVERY == 0):
+            value, weight = eigh_tridiagonal(diagonal, beside[:-1], select="i", select_range=(k - 1, k - 1))
+            top, rest_of_it = float(value[0]), beside[-1] * abs(float(weight[-1, 0]))
+            if spent or rest_of_it <= _TOLERANCE * top:
+                break
+        last, vector = vector, image / beside[-1]
+    return (1.0 + _TOLERANCE) * (top + rest_of_it)
+
+
+def critical_step(
+    model: Model,
+    scheme: Scheme,
+    damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
+    *,
+    integrity: PerBond | None = None,
+) -> float:
+    """Return the largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
+
+    It also holds for contacts before they appear, because each is counted with the largest number that can touch at
+    once. Local damping multiplies a decelerating force by 1 + γ, and with it the effective stiffness and dashpots.
+    Dashpots lower the limit by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and absorbing
+    boundaries do not. For the non-local law it is the largest stable share by its own steps
+    (`bondem.dynamics.non_local_timestep`).
+
+    Args:
+        model: model that will move.
+        scheme: time integration scheme.
+        damping: damping of elements and bonds.
+        integrity: present integrity of the bonds (`State.integrity`), (m,); None for intact bonds.
+    """
+    return _limits(model, scheme, DampingTerms.of(damping), integrity)[0]
+
+
+def _limits(
+    model: Model, scheme: Scheme, terms: DampingTerms, integrity: PerBond | None = None
+) -> tuple[float, float]:
+    """Return `critical_step`, and its value without dashpots beside the bonds [s]."""
+    raised = math.sqrt(1.0 + terms.gamma)
+    bonds, decay = highest_frequency(model, integrity=integrity), 0.0
+    for slip in long_slips(model):
+        bonds = max(bonds, highest_frequency(model, integrity=integrity, slip=slip))
+    if model.non_local is not None:
+        limit = free = _lagged_step(model, scheme, terms, bonds)
+        if terms.eta > 0.0 or terms.beta > 0.0:
+            free = _lagged_step(model, scheme, replace(terms, eta=0.0, beta=0.0), bonds)
+        return limit, free
+    damped = terms.beta * bonds**2
+    if terms.eta > 0.0:
+        damped += fastest_decay(model, replace(terms, beta=0.0))
+    if model.failure is not None:
+        bonds, decay = _with_broken(model, bonds)
+    motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
+    if model.contacts is not None:
+        motions += model.contacts.law.stiffest(
+            model.contact_radius, model.mass, model.contacts.walls.platens
+        )
+    limit = free = math.inf
+    for frequency, delay in motions:
+        omega = raised * math.hypot(bonds, frequency)
+        if omega > 0.0:
+            lost = raised**2 * (decay + delay * frequency**2)
+            limit = min(limit, _damped_limit(scheme, omega, lost + raised**2 * damped))
+            free = min(free, _damped_limit(scheme, omega, lost))
+    return limit, free
+
+
+def _damped_limit(scheme: Scheme, omega: float, decay: float) -> float:
+    """Return the critical step of motions of at most the frequency ω [rad/s] and the decay λ of M⁻¹ C [1/s]."""
+    zeta = 0.5 * decay / omega
+    return scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta)
+
+
+def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: float) -> float:
+    """Return the critical step of the non-local law [s].
+
+    It is the smaller of two: that of springs and contacts with the dashpots of contacts, and the largest share of
+    that of springs and contacts at which lagged steps are stable, with dashpots of bonds in these trials. Dashpots of
+    contacts are bounded by M⁻¹ C, and not by the largest c / k, which the smallest facet would determine.
+
+    Args:
+        model: model that will move.
+        scheme: time integration scheme.
+        terms: terms of damping.
+        springs: ω_max of all bonds [rad/s].
+    """
+    raised, decay = math.sqrt(1.0 + terms.gamma), 0.0
+    contacts, motions = model.contacts, ((0.0, 0.0),)
+    if contacts is not None:
+        motions += contacts.law.stiffest(model.contact_radius, model.mass, contacts.walls.platens)
+        if model.failure is not None and contacts.own is not None and isinstance(model.bond, NonLocal):
+            _, soft, friction, beta, _ = contacts.law.parameters
+            soft = soft if friction > 0.0 else 0.0
+            springs *= math.sqrt(max(1.0, soft * model.bond.E / model.bond.G))
+            decay = _fastest_decay(model, contacts.own, beta, soft)
+    fastest = raised * max(math.hypot(springs, frequency) for frequency, _ in motions)
+    if fastest == 0.0:
+        return math.inf
+    limit = math.inf
+    for frequency, delay in motions:
+        omega = raised * math.hypot(springs, frequency)
+        zeta = 0.5 * raised**2 * (decay + delay * frequency**2) / omega if omega > 0.0 else 0.0
+        if omega > 0.0:
+            limit = min(limit, scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
+    if springs == 0.0:
+        return limit
+    share = stable_share(model, scheme.critical / fastest, terms)
+    if share == 0.0:
+        warnings.warn(
+            "the lagged stress of the non-local law is unstable at any time step; give damping=, or lower nu=",
+            StepWarning, stacklevel=users_line(),
+        )  # fmt: skip
+    return min((share or SHARES[-1]) * scheme.critical / fastest, limit)
+
+
+def _with_broken(model: Model, highest: float) -> tuple[float, float]:
+    """Return ω_max, and an upper bound of M⁻¹ C of contacts [1/s], whichever bonds are broken and touch.
+
+    A contact of what was bonded is at most as stiff along the normal; across, the stiffer of both counts. Its lever
+    arms are assumed to be those of the bond.
+    """
+    contacts = model.contacts
+    if contacts is None or contacts.own is None or not len(contacts.own):
+        return highest, 0.0
+    _, soft, friction, beta, _ = contacts.law.parameters
+    soft = soft if friction > 0.0 else 0.0
+    decay = _decay_bound(model, contacts.own, beta, soft)
+    if friction == 0.0:
+        return highest, decay
+    if model.cells is not None:  # the spring of a facet is as stiff across as along
+        return highest * math.sqrt(max(1.0, soft)), decay
+    sheared = highest_frequency(model, table=model.bonds.sheared(soft * contacts.own))
+    return max(highest, sheared), decay
+
+
+def _decay_bound(model: Model, kn: PerBond, beta: float, soft: float) -> float:
+    """Return a bound of M⁻¹ C [1/s], if all bonds were contacts with dashpots instead.
+
+    The square of the velocity of one end against the other at a contact is at most 2 Σ (1/m + b²/I) (m v² + I ω²)
+    over both ends, with their levers b. The sum of 2 c (1/m + b²/I) over the contacts of an element is therefore a
+    bound: no motion loses more over twice its energy. The smallest facet would determine the largest c / k.
+    """
+    layout, radius = model.layout, model.contact_radius[model.layout.order]
+    mass, inertia = model.mass[layout.order], model.inertia[layout.order]
+    i, j = layout.i, layout.j
+    c = 2.0 * beta * np.sqrt(kn * max(1.0, soft) * mass[i] * mass[j] / (mass[i] + mass[j]))
+    arm = model.bonds.length / (radius[i] + radius[j])
+    lost = np.zeros(len(mass))
+    for end in (i, j):
+        across = (arm * radius[end]) ** 2 / inertia[end] if soft > 0.0 else 0.0
+        lost += np.bincount(end, weights=2.0 * c * (1.0 / mass[end] + across), minlength=len(mass))
+    return float(lost.max())
+
+
+def _fastest_decay(model: Model, kn: PerBond, beta: float, soft: float) -> float:
+    """Return an upper bound of the largest eigenvalue of M⁻¹ C [1/s], if all bonds were contacts with dashpots."""
+    constants, layout = model.non_local, model.layout
+    if constants is None or beta == 0.0:
+        return 0.0
+    order = layout.order
+    mass, inertia = model.mass[order], model.inertia[order]
+    pair = mass[layout.i] * mass[layout.j] / (mass[layout.i] + mass[layout.j])
+    along = 2.0 * beta * np.sqrt(kn * pair)
+    matrix = local_stiffness(replace(constants, kn=along, kt=math.sqrt(soft) * along), layout)
+    root = diags_array(1.0 / np.sqrt(np.repeat(np.column_stack([mass, inertia]), 3, axis=1).ravel()))
+    start = np.random.default_rng(0).standard_normal(6 * len(mass))
+    options = {"tol": _TOLERANCE, "v0": start, "return_eigenvectors": False}
+    found = np.asarray(eigsh(root @ matrix @ root, k=1, which="LA", **options))
+    return (1.0 + 2.0 * _TOLERANCE) * float(found[0])
+
+
+@dataclass(frozen=True)
+class Step:
+    """A time step that was chosen or checked.
+
+    Attributes:
+        dt: time step [s].
+        remark: remark about it; empty if it is well below the limit.
+    """
+
+    dt: float
+    remark: str = ""
+
+
+def choose_step(
+    model: Model,
+    scheme: Scheme,
+    dt: float | None,
+    *,
+    safety: float,
+    damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
+) -> Step:
+    """Return the time step to use: the given one if it is stable, else `safety` times the critical one.
+
+    Raises:
+        UnstableStepError: dt is not positive or exceeds the critical step.
+
+    Warns:
+        StepWarning: The given dt is above 0.9 of the critical step, or dashpots of bonds make the default step more
+            than ten times smaller.
+    """
+    critical, free = _limits(model, scheme, DampingTerms.of(damping))
+    if dt is None:
+        if math.isinf(critical):
+            raise UnstableStepError("the lattice has no stiffness to derive a time step from; pass dt= in seconds")
+        return _default_step(model, critical, free, safety)
+    if not (math.isfinite(dt) and dt > 0.0):
+        raise UnstableStepError(f"dt = {dt} s; pass a positive time step, or dt=None for the best stable one")
+    if dt > critical:
+        raise UnstableStepError(
+            f"dt = {dt:.4g} s exceeds the critical {critical:.4g} s of this lattice; pass dt=None or a smaller dt"
+        )
+    if dt <= _WARNED * critical:
+        return Step(dt)
+    remark = (
+        f"dt = {dt:.4g} s is {dt / critical:.3f} of the critical {critical:.4g} s, which large strains may lower;"
+        f" pass dt=None or at most {_WARNED * critical:.4g} s"
+    )
+    warnings.warn(remark, StepWarning, stacklevel=users_line())
+    return Step(dt, remark)
+
+
+def _default_step(model: Model, critical: float, free: float, safety: float) -> Step:
+    """Return the step of a run without dt=, and a remark if it is not governed by the stiffness.
+
+    Args:
+        model: model that will move.
+        critical: critical step [s].
+        free: critical step without dashpots of bonds [s].
+        safety: share of it [-].
+    """
+    step, remark = safety * critical, ""
+    if free > _DAMPED * critical:
+        remark = (
+            f"dashpots of bonds lower the time step to {step:.4g} s from {safety * free:.4g} s;"
+            " BondDamping with a smaller eta= or beta= allows a longer one"
+        )
+        if free > _MUCH * critical:
+            warnings.warn(remark, StepWarning, stacklevel=users_line())
+    shortest = _shortest_contact(model)
+    if shortest < _PER_CONTACT * step:
+        step = shortest / _PER_CONTACT
+        remark = (
+            f"the time step {step:.4g} s resolves the shortest contact of free elements with {_PER_CONTACT} steps;"
+            f" stability alone allows {safety * critical:.4g} s, as dt="
+        )
+    return Step(step, remark)
+
+
+def _shortest_contact(model: Model) -> float:
+    """Return the least duration of a collision of elements that no bond holds [s]; infinite without any."""
+    contacts, layout = model.contacts, model.layout
+    if contacts is None:
+        return math.inf
+    bonded = np.bincount(layout.i, minlength=len(layout.order)) + np.bincount(layout.j, minlength=len(layout.order))
+    free = layout.order[bonded == 0]
+    if not len(free):
+        return math.inf
+    walled = len(contacts.walls.friction) > 0
+    return contacts.law.shortest(model.contact_radius[free], model.mass[free], contacts.walls.platens, walled=walled)
