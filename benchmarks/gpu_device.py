@@ -23,11 +23,11 @@ import numpy as np
 
 import bondem as bd
 from bondem._device import Device, Host
-from bondem.model.state import State
-from bondem.dynamics.explicit import integrate
 from bondem.dynamics.device_loop import DeviceLoop, device_has
+from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
+from bondem.model.state import State
 from kept import RESULTS, keep, origin
 from paired import ROOT
 from tiled import specimen

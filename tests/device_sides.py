@@ -4,11 +4,11 @@ from collections.abc import Callable
 
 import bondem as bd
 from bondem._device import Host
-from bondem.model.state import State
-from bondem.dynamics.explicit import integrate
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.device_loop import DeviceLoop, device_has
+from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import ExplicitResult, Plan
+from bondem.model.state import State
 from tests.bits import assert_same_bits
 from tests.device_cases import Case
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.errors import InputError
-from bondem.model.state import State
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
+from bondem.errors import InputError
+from bondem.model.state import State
 from tests.device_runs import CASES, deviation
 
 

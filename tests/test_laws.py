@@ -13,8 +13,8 @@ from bondem.calibration.reach import reach
 from bondem.calibration.surface_correction import SurfaceCorrection
 from bondem.cli.calibrate import command
 from bondem.errors import StudyError
-from bondem.io.codec import decode, encode
 from bondem.interactions.law_catalogue import CALIBRATED, DEFAULT, LAWS, PARAMETERS, named
+from bondem.io.codec import decode, encode
 from bondem.report import page
 from bondem.report.style import law_colour, sheet
 from bondem.study.pipeline import run_study

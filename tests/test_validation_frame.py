@@ -11,7 +11,8 @@ from validation.studies.wave import WaveStudy
 
 ROWS = ("validation.rows.packings", "validation.rows.elastic", "validation.rows.surface", "validation.studies.wave")
 # What the numbers of all of these hang on, by imports of imports.
-DEEP = ("bondem/interactions/beams/bond_law.py", "bondem/interactions/beams/beam_tables.py", "bondem/specimen/fabric.py",
+DEEP = ("bondem/interactions/beams/bond_law.py", "bondem/interactions/beams/beam_tables.py",
+        "bondem/specimen/fabric.py",
         "bondem/packing/soft_spheres.py", "bondem/labtests/isotropic.py", "bondem/statics/linear.py")  # fmt: skip
 
 

@@ -8,24 +8,24 @@ from pathlib import Path
 from bondem._checks import instance, shown
 from bondem._extras import install
 from bondem._progress import staged
+from bondem.boundary.gauges import AnyGauge
+from bondem.damage.criteria.criterion import Criterion
+from bondem.dynamics.damping import AnyDamping
+from bondem.dynamics.events import Event
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.plan import Callback, ExplicitResult, Loop, Plan, Status
+from bondem.dynamics.restart import begin, check_gauges
+from bondem.dynamics.schemes import Scheme, VelocityVerlet
+from bondem.dynamics.signals import noticing, stop_by
+from bondem.dynamics.timestep import choose_step
 from bondem.errors import InputError
 from bondem.fracture.growing_cracks import GrowingCracks
 from bondem.io.runfile import RunFile, read_run
-from bondem.dynamics.damping import AnyDamping
-from bondem.damage.criteria.criterion import Criterion
-from bondem.boundary.gauges import AnyGauge
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.dynamics.events import Event
-from bondem.dynamics.explicit import integrate
-from bondem.dynamics.signals import noticing, stop_by
 from bondem.statics.modes import solve_modes
-from bondem.dynamics.plan import Callback, ExplicitResult, Loop, Plan, Status
 from bondem.statics.relaxation import solve_relaxed
-from bondem.dynamics.schemes import Scheme, VelocityVerlet
-from bondem.dynamics.restart import begin, check_gauges
 from bondem.statics.static import solve_static
-from bondem.dynamics.timestep import choose_step
 
 __all__ = ["resume", "solve_explicit", "solve_modes", "solve_relaxed", "solve_static"]
 

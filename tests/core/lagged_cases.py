@@ -7,9 +7,9 @@ import numpy as np
 
 import bondem as bd
 from bondem.dynamics.damping import AnyDamping
-from bondem.model.state import State
 from bondem.dynamics.plan import Plan
-from bondem.dynamics.timestep import highest_frequency
+from bondem.model.highest_frequency import highest_frequency
+from bondem.model.state import State
 from tests import lagged_runs
 from tests.core.test_steps import GAUGES, HELD, LAWS, crooked
 from tests.specimens import crooked_cells

@@ -7,13 +7,13 @@ import pytest
 
 import bondem as bd
 from bondem.damage.event_columns import SOFT_BOND, SOFT_RATE, SOFT_SPENT
-from bondem.model.model import Model
-from bondem.model.state import State
 from bondem.dynamics import loop_core
-from bondem.dynamics.explicit import integrate
 from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
+from bondem.model.model import Model
+from bondem.model.state import State
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop
 from tests.core.test_breakage import assert_close

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.model.model import Model
 from bondem.dynamics import loop_core
-from bondem.dynamics.explicit import integrate
 from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
+from bondem.model.model import Model
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop, movement
 from tests.core.test_steps import HELD, LAWS, crooked, moving_state, plan_of

@@ -7,14 +7,14 @@ import pytest
 
 import bondem as bd
 from bondem._cache_lines import lines
-from bondem.interactions.cells.cell_tables import STRESS, CellPoses, body_energies
-from bondem.model.state import State
 from bondem.dynamics import loop_core
-from bondem.model.cell_tangent import BodyTables
-from bondem.dynamics.explicit import ExplicitResult, integrate
 from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import ExplicitResult, integrate
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
+from bondem.interactions.cells.cell_tables import STRESS, CellPoses, body_energies
+from bondem.model.cell_tangent import BodyTables
+from bondem.model.state import State
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop, movement
 from tests.specimens import crooked_cells

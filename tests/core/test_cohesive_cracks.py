@@ -7,10 +7,10 @@ import pytest
 
 import bondem as bd
 from bondem.damage.crack_columns import ACTIVE, FACET, PARTED, RESTING, STATUS, TOP
-from bondem.model.state import State
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
+from bondem.model.state import State
 from tests.bits import threads
 from tests.core.former_loop import FormerLoop
 from tests.specimens import crooked_cells

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.interactions.contact.contact_search import PairSources, Walls, WallSources, found_pairs, found_walls
-from bondem.interactions.contact.contact_model import grid_of
-from bondem.model.state import State
 from bondem.dynamics import loop_core
 from bondem.dynamics import neighbour_list as lists
-from bondem.dynamics.explicit import integrate
 from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
+from bondem.interactions.contact.contact_model import grid_of
+from bondem.interactions.contact.contact_search import PairSources, Walls, WallSources, found_pairs, found_walls
+from bondem.model.state import State
 from tests.bits import assert_same_bits
 from tests.core.contact_cases import BEAM, CASES, HERTZIAN, LINEAR, STEPS, E, all_walls, cloud, moving_beams, plan_of
 

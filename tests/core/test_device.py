@@ -8,13 +8,13 @@ import pytest
 import bondem as bd
 from bondem._core import index_pass_names
 from bondem._device import DeviceTables, Enqueue, Host, IndexPass
-from bondem.interactions.cells.cell_tables import STRESS
 from bondem.damage.event_columns import BROKEN_STEP
-from bondem.dynamics.explicit import integrate
-from bondem.dynamics.history import FIXED_COLUMNS, FRACTURE, TRANSLATION, WORK
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.device_loop import DeviceLoop
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.history import FIXED_COLUMNS, FRACTURE, TRANSLATION, WORK
 from bondem.dynamics.plan import Plan
+from bondem.interactions.cells.cell_tables import STRESS
 from tests.bits import assert_same_bits, assert_same_fracture, assert_same_run
 from tests.core.test_stress_onset_on_device import ONSET
 from tests.device_cases import CRITERIA, CUBE_DT, CUBE_STEPS, NUS, cell, cubes, moving, pressed_bar

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from bondem.damage.event_columns import BROKEN_GAP, BROKEN_STEP, FIRST, LAST, SOFT_BOND, SOFT_RATE
+from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.history import CONTACT, FRACTURE, TRANSLATION, WORK
-from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.plan import Plan
 from tests.bits import assert_same_bits
 from tests.device_runs import CASES

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.interactions.beams.beam_tables import BeamSums, beam_tables
 from bondem._cache_lines import lines
+from bondem.interactions.beams.beam_tables import BeamSums, beam_tables
 from bondem.model.state import State
 from bondem.statics.relaxation import DynamicRelaxation, masses, relaxed
 from tests.core.former_loop import FormerLoop

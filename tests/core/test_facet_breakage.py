@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics import loop_core
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.history import FRACTURE, TRANSLATION, TWISTING, WORK
 from bondem.observables.cell_forces import CellForces
 from bondem.observables.energy import elastic_energy
-from bondem.dynamics import loop_core
-from bondem.dynamics.history import FRACTURE, TRANSLATION, TWISTING, WORK
-from bondem.dynamics.core_loop import CoreLoop
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop, movement
 from tests.core.test_cells import CONDITIONS, GRID, LAW, X_MAX, X_MIN, body, run_of

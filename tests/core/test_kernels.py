@@ -10,12 +10,12 @@ import pytest
 import bondem as bd
 from bondem._core import index_pass, index_pass_names
 from bondem._device import DeviceTables, HostCall, Launch
-from bondem.errors import InputError
-from bondem.dynamics.explicit import integrate
 from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
 from bondem.dynamics.on_device import beam_counterparts, counterparts
 from bondem.dynamics.on_device.translation import Translation
 from bondem.dynamics.plan import Plan
+from bondem.errors import InputError
 from tests.bits import assert_same_bits
 from tests.device_cases import GAUGES, bar, moving
 

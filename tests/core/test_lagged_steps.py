@@ -8,12 +8,12 @@ import pytest
 
 import bondem as bd
 from bondem.damage.event_columns import BROKEN_GAP
+from bondem.dynamics import loop_core
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.plan import Plan
 from bondem.interactions.non_local.non_local_constants import NON_LOCAL_WORK
 from bondem.model.state import State
-from bondem.dynamics import loop_core
-from bondem.dynamics.explicit import integrate
-from bondem.dynamics.core_loop import CoreLoop
-from bondem.dynamics.plan import Plan
 from tests.bits import EnoughError, assert_same_bits
 from tests.core.former_loop import FormerLoop, movement
 from tests.core.lagged_cases import (

@@ -5,16 +5,16 @@ import pytest
 
 import bondem as bd
 from bondem._core_steps import Composer, StepPass
-from bondem.errors import InputError
-from bondem.model.domain_blocks import StepCut
-from bondem.model.constraints import Rows
-from bondem.model.state import State
 from bondem.dynamics import loop_core
-from bondem.dynamics.explicit import integrate
 from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.step_tables import Moving, Portions
 from bondem.dynamics.timestep import critical_step
+from bondem.errors import InputError
+from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
+from bondem.model.state import State
 from tests.bits import assert_same_bits
 
 LAWS = {

@@ -5,8 +5,8 @@ import pytest
 
 import bondem as bd
 from bondem.dynamics import loop_core
-from bondem.dynamics.explicit import ExplicitResult, integrate
 from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import ExplicitResult, integrate
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
 from tests.bits import assert_same_bits

@@ -10,16 +10,16 @@ import pytest
 import bondem as bd
 from bondem._core_steps import Composer
 from bondem._device import DeviceTables, Host, HostCall, passes_of
-from bondem.model.state import State
-from bondem.dynamics.explicit import integrate
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.device_loop import device_has
+from bondem.dynamics.explicit import integrate
 from bondem.dynamics.on_device.counterparts import launches_of
 from bondem.dynamics.on_device.stress_onset_counterparts import COUNTERPARTS
 from bondem.dynamics.on_device.translation import Translation
 from bondem.dynamics.parts.part import Passes, composed
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
+from bondem.model.state import State
 from tests.core.test_cells import LAW, body
 from tests.device_runs import deviation
 from tests.device_sides import on_device

@@ -5,12 +5,12 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.interactions.cells.cell_strain import CellStrain
+from bondem.model.cell_tangent import cell_forces
+from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.observables.energy import elastic_energy
 from bondem.observables.facet_loads import loads_on_facets
 from bondem.observables.surface_displacement import surface_displacement
-from bondem.model.cell_tangent import cell_forces
 from bondem.statics.nonlinear import tangent_matrix
 from tests.bits import threads
 from tests.models import clamped, time_step

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.statics.linear import Elimination, Iteration, System
 from bondem.statics.quasistatic import solve
 from bondem.statics.quasistatic.damaged_body import DamagedBody
 from bondem.statics.quasistatic.equilibrium import Iterated
 from bondem.statics.quasistatic.limits import StressOnset
 from bondem.statics.quasistatic.sawtooth_softening import SofteningLine, Teeth
-from bondem.statics.linear import Elimination, Iteration, System
 from tests.models import pulled
 from tests.specimens import uneven_bar
 

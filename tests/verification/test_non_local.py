@@ -7,16 +7,16 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.errors import InputError
-from bondem.io.runfile import RunFile
 from bondem.dynamics.damping import DampingTerms
-from bondem.interactions.non_local.contact_areas import weighted_areas
-from bondem.observables.non_local_strain import NonLocalStrain
 from bondem.dynamics.explicit import integrate
-from bondem.statics.non_local_statics import LaggedStatics
 from bondem.dynamics.non_local_timestep import growth
+from bondem.errors import InputError
+from bondem.interactions.non_local.contact_areas import weighted_areas
+from bondem.io.runfile import RunFile
+from bondem.model.highest_frequency import highest_frequency
+from bondem.observables.non_local_strain import NonLocalStrain
 from bondem.statics.linear import System
-from bondem.dynamics.timestep import highest_frequency
+from bondem.statics.non_local_statics import LaggedStatics
 from tests.specimens import cells, grid
 
 E, RHO = 40e9, 2400.0

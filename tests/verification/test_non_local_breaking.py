@@ -9,7 +9,7 @@ import pytest
 
 import bondem as bd
 from bondem.dynamics.explicit import integrate
-from bondem.dynamics.timestep import highest_frequency
+from bondem.model.highest_frequency import highest_frequency
 from tests.bits import assert_resumes_to, assert_same_bits, need_two_threads, threads
 from tests.core.law_samples import stress_bounds
 from tests.models import momenta, time_step

@@ -8,10 +8,10 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError
 from bondem.model.stiffness_matrices import stiffness_matrix
+from bondem.statics.linear import Elimination, Iteration, System
 from bondem.statics.quasistatic.damaged_body import DamagedBody
 from bondem.statics.quasistatic.equilibrium import Iterated
 from bondem.statics.quasistatic.sawtooth_softening import SofteningLine, Teeth
-from bondem.statics.linear import Elimination, Iteration, System
 from tests.models import follow, pulled
 from tests.specimens import cells, cubes, spheres, two_cubes, uneven_bar
 

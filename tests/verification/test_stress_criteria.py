@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.errors import InputError, RunFileError
-from bondem.damage.criteria.drucker_prager import cone_index
 from bondem.damage.crack_columns import GAMMA
+from bondem.damage.criteria.drucker_prager import cone_index
+from bondem.errors import InputError, RunFileError
 from tests.bits import assert_same_fracture, most_threads, threads
 from tests.core.law_samples import stress_bounds
 from tests.models import slowly_torn, time_step, torn_then_pressed

@@ -7,10 +7,10 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.labtests.beams import Bar
 from bondem.geometry.elementary_shapes import Cylinder
-from bondem.specimen.lattice import Lattice
 from bondem.geometry.moments import moments
+from bondem.labtests.beams import Bar
+from bondem.specimen.lattice import Lattice
 
 # (sinh β - sin β) / (cosh β + cos β) and β of the cantilever's first bending mode.
 _BETA = 1.8751040687119611

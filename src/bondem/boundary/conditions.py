@@ -6,7 +6,6 @@ import numpy as np
 
 from bondem._checks import instance, vector
 from bondem._types import Floats, Ints
-from bondem.errors import InputError
 from bondem.boundary.balanced_forces import balanced_forces
 from bondem.boundary.loads import (
     Absorbing,
@@ -19,6 +18,7 @@ from bondem.boundary.loads import (
     on_nodes,
 )
 from bondem.boundary.schedules import Constant, Schedule, as_schedule
+from bondem.errors import InputError
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region, as_region
 

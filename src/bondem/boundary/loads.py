@@ -10,11 +10,11 @@ from scipy.spatial import KDTree
 
 from bondem._checks import array, instance, number, possible, shown, vector
 from bondem._types import Floats, Ints, PerBond, PerElement, PerElement3
-from bondem.errors import InputError
 from bondem.boundary.balanced_forces import balanced_forces
 from bondem.boundary.schedules import Constant, Schedule, as_schedule
-from bondem.specimen.lattice import Lattice
+from bondem.errors import InputError
 from bondem.geometry.face_patches import face_patches
+from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Difference, Everything, Face, Intersection, Region, as_region
 
 # Size of the patches of a face, over the mean radius.

@@ -13,11 +13,11 @@ import numpy as np
 
 from bondem._types import Floats, Ints, Mask, PerElement, PerElement3, PerElement6
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
-from bondem.specimen.ordering import Layout
 from bondem.boundary.loads import facet_numbers, is_face
 from bondem.boundary.schedules import Schedule
 from bondem.geometry.rotations import turned_vectors
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
 
 #: Columns of where walls come from, `State.grips`: offset [m], 3, and the orientation of the cell there, w x y z.
 BASE = 7

@@ -7,8 +7,8 @@ import numpy as np
 
 from bondem._checks import instance, number, several, vector
 from bondem._types import Floats, Ints
-from bondem.errors import InputError
 from bondem.boundary.schedules import Schedule, as_schedule
+from bondem.errors import InputError
 
 # Kinds of walls, column 7 of `WallTable.shape`.
 PLANE, INSIDE, OUTSIDE, SHELL, BALL, DISC = range(6)

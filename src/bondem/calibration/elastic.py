@@ -18,9 +18,9 @@ from bondem.calibration.search import Search
 from bondem.calibration.surface_correction import SurfaceCorrection
 from bondem.calibration.uncertainty import Sample
 from bondem.errors import InputError
-from bondem.labtests.tension import Tension
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.interactions.law_catalogue import DEFAULT
+from bondem.labtests.tension import Tension
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 

@@ -15,15 +15,15 @@ import numpy as np
 
 from bondem._checks import instance
 from bondem._types import Floats
+from bondem.interactions.beams.assignment import bond_geometry
+from bondem.interactions.beams.bond_law import BondGeometry, BondLaw
+from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.labtests.bulk import BulkModuli, bulk_moduli
 from bondem.labtests.gauge_length import AffineField, middle_half
 from bondem.labtests.isotropic import Isotropic
 from bondem.labtests.tension import Tension, tension_model, tension_of
-from bondem.interactions.beams.bond_law import BondGeometry, BondLaw
-from bondem.interactions.beams.assignment import bond_geometry
-from bondem.interactions.beams.bond_strain import BondStrain
-from bondem.statics.static import Statics
 from bondem.specimen.lattice import Lattice
+from bondem.statics.static import Statics
 
 # Central differences of closed forms over this share of a parameter: right to ten digits.
 _STEP = 1e-5

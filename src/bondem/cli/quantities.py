@@ -3,8 +3,8 @@
 import click
 
 from bondem._checks import number
-from bondem.errors import InputError
 from bondem._units import quantity
+from bondem.errors import InputError
 
 
 class Quantity(click.ParamType):

@@ -12,10 +12,10 @@ from rich.table import Table
 
 from bondem._progress import stages
 from bondem._threads import most_threads, threads
+from bondem.dynamics.pulse import Pulse, listening
 from bondem.errors import InputError
 from bondem.interactions.law_catalogue import LAWS
 from bondem.report.numbers import percent, signed_percent, with_unit
-from bondem.dynamics.pulse import Pulse, listening
 from bondem.study.study_file import Study
 
 _EXPLANATION = (

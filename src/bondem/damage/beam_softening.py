@@ -5,12 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import PerBond
-from bondem.errors import InputError
-from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.damage.criteria.criterion import BondCriterion, Joint
 from bondem.damage.failure_assignment import FailurePart
-from bondem.specimen.ordering import Layout
+from bondem.errors import InputError
+from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,9 +11,9 @@ from scipy.special import ndtri
 from bondem._checks import instance, number
 from bondem._core_functions import function_at
 from bondem._types import Floats, Mask
-from bondem.errors import InputError
 from bondem.damage.bilinear import Bilinear
 from bondem.damage.counter import uniform_by_counter
+from bondem.errors import InputError
 
 # Least |n·e| by which the strength of a facet is reduced (`core/laws/softening.hpp`): one along a crack keeps this
 # share of it. Between 0.1 and 0.5 the fracture energy of bars differs by 3 %.

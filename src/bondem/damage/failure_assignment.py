@@ -7,8 +7,8 @@ import numpy as np
 
 from bondem._checks import instance
 from bondem._types import Ints
-from bondem.errors import InputError
 from bondem.damage.criteria.criterion import BondCriterion, Criterion
+from bondem.errors import InputError
 from bondem.interactions.beams.assignment import ends_of
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region

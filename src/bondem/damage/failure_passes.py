@@ -9,9 +9,9 @@ import numpy as np
 
 from bondem._core import Pass
 from bondem._types import Floats, PerBond
+from bondem.damage.failure_table import FailureTable
 from bondem.interactions.beams.beam_tables import Beams, Poses
 from bondem.interactions.cells.cell_tables import ElasticFacets
-from bondem.damage.failure_table import FailureTable
 
 #: Names of the criteria in the passes of the core, by their number (`BondCriterion.kind`).
 CRITERION_NAMES = ("peripheral_stress", "mohr_coulomb", "linear_sum", "ellipse")

@@ -7,18 +7,18 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, PerBond
+from bondem.damage.criteria.criterion import COEFFICIENTS, BondCriterion, Criterion, Joint
+from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
+from bondem.damage.failure_assignment import FailurePart, criteria_of
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondLaw, BondStiffness
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.interactions.contact.contact_law import ContactLaw
-from bondem.damage.criteria.criterion import COEFFICIENTS, BondCriterion, Criterion, Joint
-from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
-from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.interactions.cells.cell_constants import body_of
-from bondem.damage.failure_assignment import FailurePart, criteria_of
-from bondem.specimen.ordering import Layout
+from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
+from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
 
 # What rounding may take off a bound.
 _ROUNDING = 1e-6

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, PerBond, PerElement
-from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.damage.criteria.criterion import BondCriterion, Criterion, Joint
 from bondem.damage.criteria.elliptic import Elliptic
 from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
-from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.damage.failure_assignment import FailurePart
+from bondem.interactions.beams.bond_law import BondStiffness
+from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
 from bondem.specimen.lattice import Lattice
 

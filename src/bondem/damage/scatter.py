@@ -12,9 +12,9 @@ from scipy.special import ndtr, ndtri
 
 from bondem._checks import count, number
 from bondem._types import Floats, PerBond, PerBond3
-from bondem.errors import InputError
 from bondem.damage.correlated import normal_field
 from bondem.damage.counter import uniform_by_counter
+from bondem.errors import InputError
 
 # Numbers in (0, 1) stay that far from its ends, as those of the counter do.
 _EDGE = 2.0**-54

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Ints, Mask, PerBond, PerElement
-from bondem.errors import InputError
 from bondem.damage.cohesive_softening import SNAP, Softening, StressIndex
-from bondem.interactions.cells.cell_constants import CellConstants, body_of
 from bondem.damage.failure_assignment import FailurePart
-from bondem.specimen.ordering import Layout
+from bondem.errors import InputError
+from bondem.interactions.cells.cell_constants import CellConstants, body_of
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
 
 # Share of its strength at which the facets of a cell are evaluated: the stress of a pair of cells agrees with the
 # traction of their facet, which may be above that of both (`core/laws/agreed_stress.hpp`).

@@ -4,11 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bondem._types import Floats, Ints
-from bondem.interactions.beams.bond_table import with_zeros
 from bondem._cache_lines import lines
-from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.interactions.cells.cell_tables import ElasticFacets, FacetForces, WallConstraints
+from bondem._types import Floats, Ints
 from bondem.damage.crack_columns import (
     ACTIVE,
     BEFORE,
@@ -22,8 +19,11 @@ from bondem.damage.crack_columns import (
     STATUS,
     TOP,
 )
-from bondem.model.model import Model
 from bondem.damage.softening_table import SofteningTable
+from bondem.interactions.beams.bond_table import with_zeros
+from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.interactions.cells.cell_tables import ElasticFacets, FacetForces, WallConstraints
+from bondem.model.model import Model
 from bondem.model.state import State
 
 # Places of a portion of a list, as in the core, and places behind a list that lanes and prefetching read.

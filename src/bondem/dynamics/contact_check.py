@@ -8,12 +8,12 @@ from scipy.spatial import KDTree
 
 from bondem._names import users_line
 from bondem._types import Floats, Ints
+from bondem.boundary.wall_columns import WALL_RATE
+from bondem.damage.crack_columns import FACET, PARTED, STATUS
 from bondem.errors import ContactWarning
 from bondem.interactions.contact.contact_model import ContactModel
-from bondem.damage.crack_columns import FACET, PARTED, STATUS
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.boundary.wall_columns import WALL_RATE
 
 # Relative displacement per step over the smaller radius from which a contact is not resolved.
 _FAST = 0.1

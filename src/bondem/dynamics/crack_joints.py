@@ -5,9 +5,9 @@ import numpy as np
 
 from bondem._types import Floats, PerBond
 from bondem.boundary.conditions import Load
-from bondem.interactions.cells.cell_constants import body_of
-from bondem.damage.crack_columns import FACET, PARTED, STATUS, TOP
 from bondem.boundary.loads import Pressure, is_face
+from bondem.damage.crack_columns import FACET, PARTED, STATUS, TOP
+from bondem.interactions.cells.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
 

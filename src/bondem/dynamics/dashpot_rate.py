@@ -6,11 +6,11 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.linalg import LinearOperator, eigsh
 
+from bondem._blas import one_blas_thread
 from bondem._types import Floats
 from bondem.dynamics.damping import DampingTerms
-from bondem.model.model import Model
 from bondem.dynamics.dashpots import bond_dashpots
-from bondem._blas import one_blas_thread
+from bondem.model.model import Model
 
 # Relative tolerance of the eigenvalue, which is raised by twice as much.
 _TOLERANCE = 1e-3

@@ -1,7 +1,7 @@
 """Explicit dynamics on a device, where the whole step stays.
 
-The parts of a step compose its lists of passes as for the CPU, and `bondem.dynamics.on_device` translates them. Records
-are formed on the device and copied once a call, together with the state. All launches between two pauses are the same
+The parts of a step compose its lists of passes as for the CPU, and `bondem.dynamics.on_device` translates them.
+Records are formed on the device and copied once a call, together with the state. All launches between two pauses are the same
 for every step, because the number of the step is on the device: they are recorded once, as graphs of 1, 2, 4 … 64
 steps.
 """
@@ -11,24 +11,24 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from bondem._device import Device, DeviceTables, Enqueue, HostCall, Launch, passes_of
-from bondem.dynamics.damping import DampingTerms
-from bondem.model.domain_blocks import Blocks
 from bondem.damage.failure_passes import CRITERION_NAMES
-from bondem.model.model import Model
-from bondem.model.state import State
+from bondem.dynamics.core_loop import noticeable
+from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.gauge_tables import gauge_tables
 from bondem.dynamics.history import CONTACT, FIXED_COLUMNS, TRANSLATION
-from bondem.dynamics.core_loop import noticeable
 from bondem.dynamics.on_device.breakage_counterparts import Postponement, end, resuming
 from bondem.dynamics.on_device.contact_counterparts import deepest_overlaps, lists_of_contacts, walls_listed
 from bondem.dynamics.on_device.counterparts import FURTHER, launches_of
 from bondem.dynamics.on_device.device_tables import FURTHER_COLUMNS, SUM_COLUMNS, Tick
 from bondem.dynamics.on_device.translation import Translation, count_record, names_of, set_clock
-from bondem.dynamics.parts.parts_of_model import parts_of
 from bondem.dynamics.parts.part import FORCES, RESUME, Part, Passes, composed
+from bondem.dynamics.parts.parts_of_model import parts_of
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Plan
 from bondem.dynamics.step_tables import HistoryRows, StepScheme
+from bondem.model.domain_blocks import Blocks
+from bondem.model.model import Model
+from bondem.model.state import State
 
 # Steps between two guards of relative rotations, of numbers that are not finite, and of the energy.
 GUARD_INTERVAL = 100

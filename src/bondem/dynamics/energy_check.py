@@ -6,10 +6,10 @@ import numpy as np
 
 from bondem._names import users_line
 from bondem._types import Floats
+from bondem.dynamics.history import FIXED_COLUMNS, History
 from bondem.errors import ImbalanceWarning
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.dynamics.history import FIXED_COLUMNS, History
 
 # A balance counts once it has been beyond a limit for this many steps: a sudden load sets the shortest waves in
 # motion, whose energy the scheme resolves worst and which soon is a small part of all.

@@ -6,17 +6,17 @@ from typing import cast
 
 import numpy as np
 
+from bondem.dynamics.contact_check import SinkingCheck
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.energy_check import EnergyCheck
+from bondem.dynamics.history import History
+from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Callback, ExplicitResult, Loop, Plan, Status, settled
+from bondem.dynamics.pulse import Pulse, heard, tell
+from bondem.dynamics.signals import Halt
+from bondem.dynamics.sink import Sink
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.dynamics.contact_check import SinkingCheck
-from bondem.dynamics.energy_check import EnergyCheck
-from bondem.dynamics.signals import Halt
-from bondem.dynamics.history import History
-from bondem.dynamics.core_loop import CoreLoop
-from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Callback, ExplicitResult, Loop, Plan, Status, settled
-from bondem.dynamics.pulse import Pulse, heard, tell
-from bondem.dynamics.sink import Sink
 
 # Steps in one call of the core at most, so that progress and interrupts are not far away, and between copies of a
 # state that is good: copying costs about as much as two steps.

@@ -4,10 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bondem.errors import InputError
 from bondem.boundary.gauges import AnyGauge, Gauge
-from bondem.model.model import Model
 from bondem.dynamics.plan import Plan
+from bondem.errors import InputError
+from bondem.model.model import Model
 
 # Numbers of the quantities of elements, of those of walls, and of the reductions, as in the core.
 _QUANTITIES = {"displacement": 0, "velocity": 1, "rotation": 2, "angular_velocity": 3, "force": 4}

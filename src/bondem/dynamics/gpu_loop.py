@@ -1,11 +1,11 @@
 """The loop of a run on a GPU."""
 
 from bondem import _cuda
+from bondem.dynamics.device_loop import DeviceLoop, device_has
+from bondem.dynamics.plan import Loop, Plan
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.dynamics.device_loop import DeviceLoop, device_has
-from bondem.dynamics.plan import Loop, Plan
 
 
 def require_gpu(model: Model, plan: Plan) -> None:

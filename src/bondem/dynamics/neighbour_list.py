@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints, PerBond
+from bondem.interactions.contact.contact_model import ContactModel, grid_of
 from bondem.interactions.contact.contact_search import (
     TOUCHING,
     FoundPairs,
@@ -15,7 +16,6 @@ from bondem.interactions.contact.contact_search import (
     found_pairs,
     found_walls,
 )
-from bondem.interactions.contact.contact_model import ContactModel, grid_of
 from bondem.model.model import Model
 from bondem.model.state import State
 

@@ -8,17 +8,17 @@ import numpy as np
 
 from bondem._checks import count, instance, number, several, shown
 from bondem._drawing import Plotted
-from bondem.errors import InputError
-from bondem.dynamics.damping import AnyDamping, DampingTerms
 from bondem.boundary.gauges import AnyGauge, Gauge, WallGauge
-from bondem.model.model import Model
-from bondem.model.state import State
-from bondem.observables.breakage import BrokenBonds
+from bondem.dynamics.damping import AnyDamping, DampingTerms
 from bondem.dynamics.events import Event
 from bondem.dynamics.history import History
 from bondem.dynamics.schemes import Scheme, VelocityVerlet
-from bondem.model.solution import Solution, Status
 from bondem.dynamics.timestep import choose_step
+from bondem.errors import InputError
+from bondem.model.model import Model
+from bondem.model.solution import Solution, Status
+from bondem.model.state import State
+from bondem.observables.breakage import BrokenBonds
 
 # A function called with the state and the record of each output; it ends the run by returning True.
 Callback = Callable[[State, History], bool | None]

@@ -8,19 +8,19 @@ import numpy as np
 from bondem._checks import shown
 from bondem._names import users_line
 from bondem._types import Floats
-from bondem.errors import InputError, StageWarning
 from bondem.boundary.conditions import Drive, Load
 from bondem.boundary.gauges import Gauge
-from bondem.boundary.wall_constraints import Grips, holds_wall
 from bondem.boundary.loads import BodyForce, Eigenstrain, Pressure
-from bondem.model.model import Model
-from bondem.model.state_compatibility import Origin
 from bondem.boundary.schedules import Schedule
-from bondem.model.state import State
+from bondem.boundary.wall_constraints import Grips, holds_wall
 from bondem.boundary.walls import Driven, Servo
-from bondem.statics.nonlinear import rotation_vector
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.taken_walls import goes_on, taken_walls
+from bondem.errors import InputError, StageWarning
+from bondem.geometry.rotations import rotation_vector
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.model.state_compatibility import Origin
 
 # What a prescribed displacement may differ from where the element is: rounding of many steps, as a share of the
 # displacement and, where anything has moved, of the extent of the specimen or of one radian.

@@ -2,8 +2,8 @@
 
 from typing import Protocol
 
-from bondem.model.state import State
 from bondem.dynamics.history import History
+from bondem.model.state import State
 
 
 class Sink(Protocol):

@@ -9,12 +9,12 @@ from bondem._core_steps import StepPass
 from bondem._types import Floats, Ints
 from bondem.damage.criteria.drucker_prager import cone_index
 from bondem.damage.criteria.hydrostatic import mean_index
-from bondem.interactions.beams.bond_table import with_twins
-from bondem.interactions.cells.cell_tables import ElasticFacets, FacetForces
-from bondem.model.model import Model
 from bondem.damage.stress_passes import StressCandidates, StressFunction, StressPasses
 from bondem.dynamics.cohesive_tables import CrackOnset, FacetStrengths, StressesOfCells
 from bondem.dynamics.step_tables import Moving
+from bondem.interactions.beams.bond_table import with_twins
+from bondem.interactions.cells.cell_tables import ElasticFacets, FacetForces
+from bondem.model.model import Model
 
 
 class CandidateFacets(NamedTuple):

@@ -5,14 +5,13 @@ from typing import cast
 import numpy as np
 
 from bondem._types import Floats
-from bondem.interactions.cells.cell_constants import body_of
 from bondem.boundary.wall_constraints import Grips, reference_base
+from bondem.geometry.rotations import rotation_vector, turned_vectors
+from bondem.interactions.cells.cell_constants import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.geometry.rotations import turned_vectors
 from bondem.observables.cell_forces import CellForces, held_arms, wall_places
 from bondem.observables.facet_loads import loads_on_facets
-from bondem.statics.nonlinear import rotation_vector
 
 
 def goes_on(model: Model, state: State) -> bool:

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints
-from bondem.model.state import State
 from bondem.geometry.rotations import turned_vectors
+from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 
 

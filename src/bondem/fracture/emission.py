@@ -9,9 +9,9 @@ from scipy.spatial import KDTree
 
 from bondem._checks import instance, number
 from bondem._types import Floats, Ints
+from bondem.damage.criteria.criterion import MODES
 from bondem.errors import InputError
 from bondem.fracture.magnitudes import BValue, b_value_of, magnitude_of
-from bondem.damage.criteria.criterion import MODES
 from bondem.model.model import Model
 from bondem.observables.breakage import BrokenBonds
 

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import array, number, shown
+from bondem._plausibility import question_size
 from bondem._types import Floats, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.geometry.planes import Planes, box_planes
-from bondem._plausibility import question_size
 from bondem.geometry.shape import Shape
 from bondem.geometry.shape_boundary import BOX_FACES
 

@@ -1,4 +1,4 @@
-"""Vectors that turn with their elements, and moments of forces about the centres of elements."""
+"""Rotations: vectors that turn with their elements, rotation vectors, and moments of forces about centres."""
 
 from typing import NamedTuple
 
@@ -41,6 +41,14 @@ def add_force_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats, s
     """Add sign · sym b⊗f of forces to the moments of their owners: xx, yy, zz, xy, yz, zx, (n, 6)."""
     own = np.ascontiguousarray(owner, dtype=np.int64)
     _add_moments(MomentsOfForces(moment, own, _contiguous(arm), _contiguous(force), sign))
+
+
+def rotation_vector(quaternion: Floats) -> Floats:
+    """Return rotation vectors of at most π of unit quaternions (n, 4), shape (n, 3)."""
+    q = np.where(quaternion[:, :1] < 0.0, -quaternion, quaternion)
+    sine = np.linalg.norm(q[:, 1:], axis=1, keepdims=True)
+    ratio = np.divide(2.0 * np.arctan2(sine, q[:, :1]), sine, out=np.full_like(sine, 2.0), where=sine > 1e-150)
+    return q[:, 1:] * ratio
 
 
 def _contiguous(values: Floats) -> Floats:

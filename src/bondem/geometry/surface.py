@@ -12,12 +12,12 @@ import numpy as np
 from bondem._checks import array, place
 from bondem._names import users_line
 from bondem._types import ArrayLike, Floats, Ints, PerElement, PerElement3, Vector
+from bondem._units import length_unit
 from bondem.errors import InputError, UnitWarning
 from bondem.geometry.closed_surface import closed_surface
 from bondem.geometry.shape import Shape
-from bondem.geometry.triangles import Triangles
-from bondem._units import length_unit
 from bondem.geometry.shape_boundary import BOX_FACES
+from bondem.geometry.triangles import Triangles
 
 _SUFFIXES = (".stl", ".ply")
 

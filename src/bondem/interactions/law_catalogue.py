@@ -1,13 +1,13 @@
 """Catalogue of the bond laws of bondem. The class of a law states its title and the parameter it varies."""
 
 from bondem.interactions.beams.bond_law import BondLaw
-from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.beams.contact_bond import ContactBond
 from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
 from bondem.interactions.beams.free_parameter import RADIUS_RATIO, FreeParameter
 from bondem.interactions.beams.obermayr import Obermayr
 from bondem.interactions.beams.parallel_bond import ParallelBond
 from bondem.interactions.beams.timoshenko import Timoshenko
+from bondem.interactions.cells.cell_bond import CellBond
 
 # In the order in which they are recommended: Euler–Bernoulli bonds are those of the paper that bondem follows, with
 # one parameter beside E_μ that is a length one can see; those of Obermayr and parallel bonds reach the widest range

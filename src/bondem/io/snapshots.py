@@ -20,11 +20,11 @@ import h5py
 import numpy as np
 
 from bondem._types import Floats, Ints
+from bondem.boundary.wall_outlines import WallOutlines, wall_outlines
 from bondem.io.vtk_cells import Corners
 from bondem.io.vtkhdf_series import Piece, begin_collection, static_lines, static_polyhedra
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.boundary.wall_outlines import WallOutlines, wall_outlines
 from bondem.observables.bond_forces import bond_forces
 from bondem.observables.cell_forces import CellForces
 from bondem.observables.cell_stress import mean_stress

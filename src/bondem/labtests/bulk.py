@@ -8,15 +8,15 @@ from bondem._checks import instance
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
+from bondem.interactions.beams.bond_strain import BondStrain
+from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.labtests.arguments import AnyLaw
 from bondem.labtests.isotropic import Isotropic
 from bondem.model.model import Model
-from bondem.interactions.beams.bond_strain import BondStrain
-from bondem.interactions.cells.cell_strain import CellStrain
-from bondem.statics.non_local_statics import LaggedStatics
-from bondem.statics.linear import System
-from bondem.statics.static import Statics
 from bondem.specimen.lattice import Lattice
+from bondem.statics.linear import System
+from bondem.statics.non_local_statics import LaggedStatics
+from bondem.statics.static import Statics
 
 # Voigt order xx, yy, zz, yz, xz, xy, with engineering shear strains.
 _VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))

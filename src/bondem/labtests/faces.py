@@ -7,9 +7,9 @@ from bondem.labtests.gauge_length import rigid_motion
 from bondem.model.model import Model
 from bondem.observables.facet_loads import loads_on_facets
 from bondem.observables.surface_displacement import surface_displacement
-from bondem.statics.static import StaticResult
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
+from bondem.statics.static import StaticResult
 
 
 def face_motion(model: Model, solution: StaticResult, name: str, depth: float) -> Floats:

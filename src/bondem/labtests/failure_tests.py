@@ -7,14 +7,19 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from bondem.damage.cohesive_softening import Softening
+from bondem.damage.criteria.criterion import Criterion
+from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.ball import BrokenBall
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.confined import triaxial
 from bondem.labtests.crushing import SphereCrushing, sphere_crushing
+from bondem.labtests.energy_balance import AnyTest, energy_ledger
 from bondem.labtests.failure_record import FailureTest, TestFigure, TestOption
 from bondem.labtests.flexure import BendingTest, three_point_bending
-from bondem.labtests.energy_balance import AnyTest, energy_ledger
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.punching import shear
 from bondem.labtests.quasi_static_rig import softening_of
@@ -23,11 +28,6 @@ from bondem.labtests.splitting import brazilian
 from bondem.labtests.suited import BALLS, BEAM, BORED, DISC
 from bondem.labtests.tearing import direct_tension
 from bondem.labtests.throwing import SphereImpact, sphere_impact
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.damage.criteria.criterion import Criterion
-from bondem.damage.cohesive_softening import Softening
-from bondem.interactions.cells.cell_constants import CellAssignment
-from bondem.damage.failure_assignment import FailureAssignment
 from bondem.specimen.lattice import Lattice
 
 

@@ -9,23 +9,23 @@ import numpy as np
 from bondem._checks import instance, number
 from bondem._drawing import Plotted
 from bondem._types import Floats
-from bondem.errors import InputError, UnstableRunError
-from bondem.labtests.arguments import check
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.dynamics.damping import MassDamping
-from bondem.damage.criteria.criterion import Criterion
-from bondem.damage.cohesive_softening import Softening
 from bondem.boundary.conditions import BoundaryCondition
-from bondem.interactions.cells.cell_constants import CellAssignment
-from bondem.damage.failure_assignment import FailureAssignment, failure_parts
 from bondem.boundary.gauges import Gauge
-from bondem.model.model import Model
-from bondem.model.state import State
-from bondem.run import solve_explicit
+from bondem.damage.cohesive_softening import Softening
+from bondem.damage.criteria.criterion import Criterion
+from bondem.damage.failure_assignment import FailureAssignment, failure_parts
+from bondem.dynamics.damping import MassDamping
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import ExplicitResult
 from bondem.dynamics.schemes import VelocityVerlet
 from bondem.dynamics.timestep import choose_step
+from bondem.errors import InputError, UnstableRunError
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.labtests.arguments import check
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.run import solve_explicit
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region
 

@@ -10,18 +10,18 @@ from bondem._checks import count, number
 from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
-from bondem.errors import InputError, UnstableRunError
-from bondem.fracture.fragments import Fragments, fragments
-from bondem.labtests.quasi_static_rig import require_cells
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.damage.criteria.criterion import Criterion
 from bondem.boundary.gauges import Gauge
 from bondem.boundary.loads import Pressure
-from bondem.model.model import Model
 from bondem.boundary.schedules import Table
+from bondem.damage.criteria.criterion import Criterion
+from bondem.dynamics.plan import ExplicitResult
+from bondem.errors import InputError, UnstableRunError
+from bondem.fracture.fragments import Fragments, fragments
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.labtests.quasi_static_rig import require_cells
+from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.run import solve_explicit
-from bondem.dynamics.plan import ExplicitResult
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 

@@ -10,7 +10,12 @@ from bondem._checks import number
 from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
+from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
+from bondem.boundary.schedules import Ramp
+from bondem.damage.cohesive_softening import Softening
+from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
+from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.gauge_length import AffineField
 from bondem.labtests.quasi_static_rig import (
     DENSITY,
@@ -21,17 +26,12 @@ from bondem.labtests.quasi_static_rig import (
     run_to_failure,
     softenings_of,
 )
-from bondem.damage.cohesive_softening import Softening
-from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
-from bondem.interactions.cells.cell_constants import CellAssignment
-from bondem.damage.failure_assignment import FailureAssignment
 from bondem.model.model import Model
-from bondem.boundary.schedules import Ramp
 from bondem.model.state import State
 from bondem.observables.cell_stress import cell_stress
-from bondem.statics.static import solve_static
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Index, Region
+from bondem.statics.static import solve_static
 
 # Half the angle of the strips of a plain cylinder [rad], and at least so many mean edges of cells for half of one.
 _STRIP, _CELLS = math.radians(5.0), 0.75

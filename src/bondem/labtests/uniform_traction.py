@@ -8,16 +8,16 @@ from scipy.spatial import KDTree
 from bondem._checks import choice
 from bondem._progress import staged
 from bondem._types import Floats, PerElement6
+from bondem.boundary.balanced_forces import balanced_forces
 from bondem.errors import InputError
+from bondem.geometry.face_patches import face_patches
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.gauge_length import AffineField
 from bondem.labtests.isotropic import Isotropic
-from bondem.boundary.balanced_forces import balanced_forces
 from bondem.model.model import Model
-from bondem.statics.static import Statics
 from bondem.specimen.lattice import Lattice
-from bondem.geometry.face_patches import face_patches
 from bondem.specimen.regions import Face
+from bondem.statics.static import Statics
 
 # Voigt order xx, yy, zz, yz, xz, xy.
 _VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))

@@ -5,10 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.sparse import bsr_array
 
+from bondem._cache_lines import lines
 from bondem._types import Floats, PerBond
+from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.beams.beam_tables import BeamSums
 from bondem.interactions.beams.bond_table import with_twins
-from bondem._cache_lines import lines
 from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.cells.cell_tables import (
     STRESS,
@@ -20,9 +21,8 @@ from bondem.interactions.cells.cell_tables import (
     load_all_facets,
     load_body,
 )
-from bondem.specimen.local_origin import local_rest
 from bondem.model.model import Model
-from bondem.geometry.rotations import turned_vectors
+from bondem.specimen.local_origin import local_rest
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,9 +15,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bondem._cache_lines import lines
 from bondem._types import Ints, Mask
 from bondem.interactions.beams.bond_table import GROUP, with_twins
-from bondem._cache_lines import lines
 from bondem.specimen.ordering import Layout
 
 

@@ -7,17 +7,17 @@ from typing import Protocol
 import numpy as np
 
 from bondem._types import PerElement
-from bondem.interactions.beams.bond_law import BondStiffness
-from bondem.interactions.contact.contact_law import ContactLaw
-from bondem.damage.beam_softening import BeamSoftening
 from bondem.boundary.conditions import BoundaryCondition
-from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.model.constraints import Constraints
-from bondem.specimen.ordering import Layout
-from bondem.interactions.non_local.non_local_constants import NonLocalConstants
-from bondem.damage.softening_table import SofteningTable
 from bondem.boundary.walls import Wall
+from bondem.damage.beam_softening import BeamSoftening
+from bondem.damage.softening_table import SofteningTable
+from bondem.interactions.beams.bond_law import BondStiffness
+from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.interactions.non_local.non_local_constants import NonLocalConstants
+from bondem.model.constraints import Constraints
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
 from bondem.specimen.particles import Particles
 
 

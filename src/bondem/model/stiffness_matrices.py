@@ -8,10 +8,10 @@ from scipy.sparse import bsr_array
 from bondem._core import Pass
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerBond, PerBond3
-from bondem.specimen.ordering import Layout
 from bondem.interactions.non_local.local_stiffness import local_stiffness
 from bondem.model.model import Model
 from bondem.model.stiffness import Stiffness
+from bondem.specimen.ordering import Layout
 
 
 class BeamRows(NamedTuple):

@@ -6,15 +6,15 @@ import numpy as np
 
 from bondem._checks import instance, shown
 from bondem._types import Floats, PerBond, PerBond3, PerElement3
+from bondem.damage.event_columns import SOFT_BOND
 from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import beam_tables, loads_of_each
-from bondem.damage.event_columns import SOFT_BOND
+from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.model.incremental_tables import loads_of_stored
 from bondem.model.model import Model
 from bondem.model.non_local_tables import loads_of_non_local
-from bondem.model.state_compatibility import difference
 from bondem.model.state import State
-from bondem.interactions.beams.bond_strain import BondStrain
+from bondem.model.state_compatibility import difference
 from bondem.observables.cell_forces import SmallMotion
 
 # Columns of the loads of a bond: force on j, torque on i, torque on j.

@@ -6,10 +6,7 @@ import numpy as np
 
 from bondem._checks import instance
 from bondem._types import Floats, Ints, PerBond
-from bondem.errors import InputError
 from bondem.damage.criteria.criterion import MODES
-from bondem.interactions.beams.beam_tables import beam_tables
-from bondem.interactions.cells.cell_tables import STRESS, cell_tables
 from bondem.damage.event_columns import (
     BROKEN_BOND,
     BROKEN_ENERGY,
@@ -21,10 +18,13 @@ from bondem.damage.event_columns import (
     SOFT_BOND,
 )
 from bondem.damage.failure_passes import beam_indices, indices_of_facets
+from bondem.errors import InputError
+from bondem.interactions.beams.beam_tables import beam_tables
+from bondem.interactions.cells.cell_tables import STRESS, cell_tables
 from bondem.model.model import Model
 from bondem.model.non_local_tables import indices_of_pairs
-from bondem.model.state_compatibility import difference
 from bondem.model.state import State
+from bondem.model.state_compatibility import difference
 from bondem.observables.cell_forces import CellForces
 from bondem.observables.crack_index import crack_index
 

@@ -8,12 +8,12 @@ import numpy as np
 from bondem._checks import shown
 from bondem._types import Floats, Ints, PerBond3, PerElement, PerElement3
 from bondem.errors import InputError
+from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.cells.cell_constants import CellConstants, body_of
+from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.interactions.cells.cell_tables import STRESS, place_held_walls
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.geometry.rotations import turned_vectors
-from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.observables.energy import stress_free_gap, wall_motion
 from bondem.observables.facet_loads import loads_on_facets
 

@@ -3,14 +3,14 @@
 import numpy as np
 
 from bondem._types import Ints, PerBond, PerBond3, PerElement
+from bondem.damage.opened_facets import Opened
+from bondem.damage.softening_table import SofteningTable
+from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.cells.cell_constants import body_of
 from bondem.model.model import Model
-from bondem.damage.softening_table import SofteningTable
 from bondem.model.state import State
-from bondem.geometry.rotations import turned_vectors
 from bondem.observables.cell_forces import CellForces
 from bondem.observables.cell_stress import mean_stress
-from bondem.damage.opened_facets import Opened
 
 
 def crack_index(model: Model, state: State) -> PerBond:

@@ -5,15 +5,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, PerBond, PerElement3
+from bondem.damage.event_columns import SOFT_BOND
 from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import Beams, beam_energies, beam_tables
+from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.interactions.cells.cell_constants import body_of
+from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.interactions.cells.cell_tables import CellPoses, body_energies, cell_tables, place_held_walls
-from bondem.damage.event_columns import SOFT_BOND
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.interactions.beams.bond_strain import BondStrain
-from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.observables.facet_loads import loads_on_facets
 
 

@@ -6,10 +6,10 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.boundary.conditions import Load
-from bondem.interactions.cells.cell_constants import body_of
 from bondem.boundary.loads import Pressure, is_face
-from bondem.model.model import Model
 from bondem.geometry.rotations import turned_vectors
+from bondem.interactions.cells.cell_constants import body_of
+from bondem.model.model import Model
 
 
 def loads_on_facets(model: Model, time: float | None = None, orientation: Floats | None = None) -> Floats:

@@ -5,8 +5,8 @@ import numpy as np
 from bondem._checks import instance
 from bondem._types import Floats, PerElement3
 from bondem.interactions.cells.cell_constants import body_of
-from bondem.model.model import Model
 from bondem.interactions.cells.cell_strain import CellStrain
+from bondem.model.model import Model
 
 
 def surface_displacement(

@@ -10,10 +10,10 @@ from collections.abc import Callable
 import numpy as np
 
 from bondem._types import Floats
+from bondem.geometry.elementary_shapes import Shape
 from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 from bondem.packing.targets import Fraction, Target
-from bondem.geometry.elementary_shapes import Shape
 
 # Volume fraction of the gas, and relative growth of the radii, coarse to fine.
 _START_FRACTION, _STRAINS = 0.3, (2e-2, 4e-3, 8e-4)

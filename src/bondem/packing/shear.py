@@ -14,23 +14,23 @@ import numpy as np
 
 from bondem._threads import threads
 from bondem._types import Floats
-from bondem.errors import InputError, PackingError
-from bondem.interactions.contact.contact_law import LinearContact
 from bondem.boundary.gauges import WallGauge
-from bondem.model.model import Model
 from bondem.boundary.schedules import Table
-from bondem.model.state import State
 from bondem.boundary.walls import CylinderWall, Driven, PlaneWall, Servo, Wall
-from bondem.packing.soft_spheres import SoftSpheres
-from bondem.packing.targets import Target
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import Plan, Status
 from bondem.dynamics.schemes import VelocityVerlet
 from bondem.dynamics.timestep import critical_step
+from bondem.errors import InputError, PackingError
 from bondem.geometry.elementary_shapes import Box, Cylinder, Shape
-from bondem.specimen.lattice import Lattice
 from bondem.geometry.morton import morton_code
+from bondem.interactions.contact.contact_law import LinearContact
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.packing.soft_spheres import SoftSpheres
+from bondem.packing.targets import Target
+from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
 
 # Pressure and density are units, as only their ratio to stiffness and rate matters. Grains of this modulus over

@@ -8,8 +8,8 @@ from matplotlib import colormaps
 
 from bondem._types import Floats, Ints
 from bondem.fracture.fragments import fragments
-from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.geometry.rotations import turned_vectors
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.cell_pictures import outlined
 from bondem.report.findings import Examined
 from bondem.report.piece_colours import piece_palette

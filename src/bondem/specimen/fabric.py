@@ -7,10 +7,10 @@ import numpy as np
 from bondem._checks import instance
 from bondem._types import Floats, Ints, Mask, PerBond3, Vector
 from bondem.errors import InputError
-from bondem.specimen.interior import core_solid, region, solid_fraction
+from bondem.geometry.elementary_shapes import Shape
 from bondem.specimen.filling import unfilled
 from bondem.specimen.geode import geode
-from bondem.geometry.elementary_shapes import Shape
+from bondem.specimen.interior import core_solid, region, solid_fraction
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import freeze
 from bondem.specimen.strata import Strata, strata

@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from bondem._types import Ints, PerBond, PerElement
-from bondem.specimen.lattice import Lattice
 from bondem.geometry.morton import morton_code
+from bondem.specimen.lattice import Lattice
 
 
 class Adjacency(NamedTuple):

@@ -9,8 +9,8 @@ from bondem._checks import count as whole
 from bondem._checks import instance, number
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.specimen.interior import core_volume, region, samples
 from bondem.geometry.elementary_shapes import Shape
+from bondem.specimen.interior import core_volume, region, samples
 from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.quasirandom import points_inside, spread_directions
 

@@ -16,9 +16,9 @@ from scipy.sparse.linalg import splu
 
 from bondem._types import Floats, Ints, Mask, PerBond
 from bondem.errors import ConvergenceError, InputError
-from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.model.model import Model
 from bondem.model.stiffness import Stiffness
+from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.statics.coarse_space import Clumps, clump_motions, clump_of, parted
 
 # Up to this many elements, or in a lattice that is little more than a chain, elimination wins. Cells have twice the

@@ -8,23 +8,23 @@ import numpy as np
 from scipy.linalg import eigh
 from scipy.sparse import bsr_array, csc_array, diags_array
 
+from bondem._blas import one_blas_thread
 from bondem._checks import count as whole_number
 from bondem._checks import instance
 from bondem._names import users_line
 from bondem._progress import staged
 from bondem._types import Floats
-from bondem.errors import ConvergenceError, InputError, PrestressWarning
 from bondem.boundary.conditions import Load
 from bondem.boundary.loads import BodyForce, Eigenstrain, Pressure
-from bondem.model.stiffness_matrices import mass_diagonal
+from bondem.errors import ConvergenceError, InputError, PrestressWarning
 from bondem.model.model import Model
+from bondem.model.solution import Solution
 from bondem.model.state import State
+from bondem.model.stiffness_matrices import mass_diagonal
 from bondem.statics.lanczos import lowest_modes
 from bondem.statics.linear import Elimination, Iteration, System, normalising, orthonormal, prefers_elimination
 from bondem.statics.prestress import about_equilibrium
-from bondem.model.solution import Solution
 from bondem.statics.static import StaticResult
-from bondem._blas import one_blas_thread
 
 # Vectors iterated beside the wanted ones, so that a wanted pair is not cut in two.
 _GUARD = 4

@@ -16,12 +16,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._blas import one_blas_thread
 from bondem._types import Floats, PerElement6
 from bondem.errors import ConvergenceError
 from bondem.model.model import Model
 from bondem.observables.non_local_strain import NonLocalStrain
 from bondem.statics.linear import Elimination, Iteration, System
-from bondem._blas import one_blas_thread
 
 # Up to this many elements one elimination serves all rounds.
 _DIRECT = 4000

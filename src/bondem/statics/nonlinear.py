@@ -13,14 +13,15 @@ import numpy as np
 from scipy.sparse import bsr_array
 
 from bondem._types import Floats
+from bondem.boundary.couples import Couple
 from bondem.errors import ConvergenceError, InputError
+from bondem.geometry.rotations import rotation_vector
 from bondem.interactions.beams.beam_tables import beam_tables, count_turned, loads_of_each
 from bondem.interactions.beams.bond_table import with_twins
-from bondem.boundary.couples import Couple
+from bondem.model.cell_tangent import cell_forces, current_forms, facet_gradient, grip_blocks
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.model.stiffness import Stiffness
-from bondem.model.cell_tangent import cell_forces, current_forms, facet_gradient, grip_blocks
 from bondem.statics.linear import Elimination, System, solver
 
 # Largest rotation of an element in one step of the load [rad].
@@ -267,11 +268,3 @@ def turned_further(quaternion: Floats, rotation: Floats) -> Floats:
     scalar = np.cos(half) * w - (vector * v).sum(axis=1, keepdims=True)
     product = np.concatenate([scalar, np.cos(half) * v + w * vector + np.cross(vector, v)], axis=1)
     return product / np.linalg.norm(product, axis=1, keepdims=True)
-
-
-def rotation_vector(quaternion: Floats) -> Floats:
-    """Return rotation vectors of at most π of unit quaternions (n, 4), shape (n, 3)."""
-    q = np.where(quaternion[:, :1] < 0.0, -quaternion, quaternion)
-    sine = np.linalg.norm(q[:, 1:], axis=1, keepdims=True)
-    ratio = np.divide(2.0 * np.arctan2(sine, q[:, :1]), sine, out=np.full_like(sine, 2.0), where=sine > 1e-150)
-    return q[:, 1:] * ratio

@@ -4,19 +4,20 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bondem._cache_lines import lines
 from bondem._checks import count, instance, number
 from bondem._core import Pass
 from bondem._progress import staged
 from bondem._types import Floats, Ints, PerElement
 from bondem.errors import ConvergenceError, InputError
+from bondem.geometry.rotations import rotation_vector
 from bondem.interactions.beams.beam_tables import AlikeBeams, Beams, BeamSums, beam_tables, count_turned
-from bondem._cache_lines import lines
+from bondem.model.highest_frequency import stiffest
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.energy import energy_of
-from bondem.statics.nonlinear import rotation_vector, strained
+from bondem.statics.nonlinear import strained
 from bondem.statics.static import StaticResult
-from bondem.dynamics.timestep import stiffest
 
 # ω_max of the relaxing motion for its step of 1, of which 2 is the limit.
 _FREQUENCY = 1.8

@@ -4,18 +4,18 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from bondem._blas import one_blas_thread
 from bondem._checks import instance
 from bondem._progress import staged
 from bondem._types import Floats, PerBond, PerElement, PerElement3, PerElement6
 from bondem.errors import InputError
-from bondem.model.model import Model
 from bondem.interactions.cells.cell_strain import CellStrain
-from bondem.observables.energy import EnergyParts, energy_of, linear_energy, stress_free_gap, wall_motion
-from bondem.statics.non_local_statics import LaggedStatics
-from bondem.statics.linear import System, solver
-from bondem.statics.nonlinear import follow, strained
+from bondem.model.model import Model
 from bondem.model.solution import Solution
-from bondem._blas import one_blas_thread
+from bondem.observables.energy import EnergyParts, energy_of, linear_energy, stress_free_gap, wall_motion
+from bondem.statics.linear import System, solver
+from bondem.statics.non_local_statics import LaggedStatics
+from bondem.statics.nonlinear import follow, strained
 
 
 @dataclass(frozen=True, eq=False)

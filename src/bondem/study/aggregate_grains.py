@@ -5,15 +5,15 @@ interface.
 import math
 from dataclasses import dataclass, replace
 
-from bondem.errors import InputError, StudyError
-from bondem.labtests.arguments import AnyLaw
-from bondem.interactions.cells.cell_bond import CellBond
 from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.failure_assignment import FailureAssignment, criteria_of
+from bondem.errors import InputError, StudyError
+from bondem.geometry.elementary_shapes import Shape
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.labtests.arguments import AnyLaw
 from bondem.packing.inclusions import aggregates, least_count, radii_with_room
 from bondem.packing.sizes import Sieve
 from bondem.specimen.aggregates import Aggregates
-from bondem.geometry.elementary_shapes import Shape
 from bondem.specimen.regions import Everything
 from bondem.study.failure import read_failure
 from bondem.study.toml_table import TomlTable

@@ -13,13 +13,13 @@ from bondem._checks import instance, number
 from bondem.calibration.elastic import Calibration, calibrate
 from bondem.calibration.reach import recommend
 from bondem.errors import InputError
-from bondem.io.atomic import require_folder, write_text
+from bondem.geometry.elementary_shapes import Cell, Cylinder, Shape
 from bondem.interactions.beams.bond_law import BondLaw
+from bondem.io.atomic import require_folder, write_text
 from bondem.packing import SEED, pack
 from bondem.packing.sizes import SPREAD, Uniform
 from bondem.report.calibration_figure import draw_calibration
 from bondem.specimen.bonding import connect
-from bondem.geometry.elementary_shapes import Cell, Cylinder, Shape
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 

@@ -2,14 +2,14 @@
 
 from typing import Any
 
-from bondem.errors import InputError, StudyError
-from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.damage.bilinear import Bilinear
 from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.criteria.drucker_prager import DruckerPrager
 from bondem.damage.criteria.hydrostatic import Hydrostatic
 from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
 from bondem.damage.criteria.rankine import Rankine
+from bondem.errors import InputError, StudyError
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.study.toml_table import TomlTable
 
 #: Criteria by name.

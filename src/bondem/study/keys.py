@@ -4,11 +4,11 @@ The reader (`TomlTable`) checks values by them, and `schema()` is their JSON sch
 strict than `bondem check`, which also knows how keys depend on each other.
 """
 
+from bondem.interactions.beams.bond_law import RADIUS_RULES
+from bondem.interactions.cells.cell_bond import FACET_ROTATIONS
+from bondem.interactions.law_catalogue import CALIBRATED, CELL_LAWS
 from bondem.labtests.elastic_tests import ELASTIC_TESTS
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.interactions.beams.bond_law import RADIUS_RULES
-from bondem.interactions.law_catalogue import CALIBRATED, CELL_LAWS
-from bondem.interactions.cells.cell_bond import FACET_ROTATIONS
 from bondem.packing import METHODS
 from bondem.specimen import materials
 from bondem.study.declared import (

@@ -11,6 +11,10 @@ from typing import Any, cast
 from bondem._progress import reported
 from bondem.calibration.elastic import Calibration, Trial, calibrate
 from bondem.calibration.reach import recommend
+from bondem.dynamics.history import History
+from bondem.dynamics.plan import Plan, settled
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.io.atomic import write_text
 from bondem.io.folder import only_writer
 from bondem.io.particles_file import save_particles
@@ -22,8 +26,6 @@ from bondem.labtests.failure_tests import FAILURE_TESTS, failure_outcome
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.suited import broken_only
 from bondem.labtests.tension import static_tension, tension_model
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.cell_forces import CellForces
@@ -31,8 +33,6 @@ from bondem.observables.cell_stress import dilatation, mean_stress
 from bondem.report.curve_files import write_curves
 from bondem.report.findings import Bonding, Examined, Findings
 from bondem.report.page import write_report
-from bondem.dynamics.history import History
-from bondem.dynamics.plan import Plan, settled
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.bonding import connect
 from bondem.specimen.fabric import fabric

@@ -7,14 +7,14 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from bondem.errors import InputError, StudyError, UnitWarning
+from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
+from bondem.geometry.surface import Surface
 from bondem.io.importing import read_particles
 from bondem.labtests.punching import punch_specimen
 from bondem.packing import EVEN, METHOD, pack
 from bondem.packing.sizes import SPREAD, Lognormal, Sieve, SizeLaw, Uniform
 from bondem.specimen.aggregates import Aggregates
-from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
 from bondem.specimen.particles import Particles
-from bondem.geometry.surface import Surface
 from bondem.study.toml_table import TomlTable
 
 SHAPES = ("cylinder", "box", "ball", "cell", "surface", "punch")

@@ -8,17 +8,17 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypedDict, TypeVar
 
+from bondem.damage.criteria.criterion import Criterion
 from bondem.errors import StudyError
+from bondem.geometry.elementary_shapes import BoundingBox, Box, Cylinder, Shape
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.law_catalogue import CALIBRATED, CELL_LAWS
 from bondem.io.text_file import read_text
 from bondem.labtests.elastic_tests import ELASTIC_TESTS
 from bondem.labtests.suited import broken_only
-from bondem.interactions.beams.bond_law import BondLaw
-from bondem.interactions.law_catalogue import CALIBRATED, CELL_LAWS
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.damage.criteria.criterion import Criterion
 from bondem.packing import EVEN, SEED
 from bondem.specimen import materials
-from bondem.geometry.elementary_shapes import BoundingBox, Box, Cylinder, Shape
 from bondem.specimen.material import Material
 from bondem.study.aggregate_grains import AggregatePlan, read_aggregates
 from bondem.study.failure import read_failure, require_strength

@@ -14,9 +14,9 @@ import numpy as np
 
 from bondem._checks import choice, instance
 from bondem._types import Floats, Ints, PerBond, PerBond3
-from bondem.interactions.beams.bond_law import BondStiffness, Section
-from bondem.damage.scatter import Normal, Weibull
 from bondem.damage.cohesive_softening import Softening
+from bondem.damage.scatter import Normal, Weibull
+from bondem.interactions.beams.bond_law import BondStiffness, Section
 
 #: Modes of breakage, by the largest part of the index. States and run files store the number.
 INTACT, TENSION, SHEAR, BENDING, TWISTING = range(5)

@@ -7,10 +7,10 @@ import numpy as np
 
 from bondem._checks import number
 from bondem._types import Floats
-from bondem.errors import InputError
 from bondem.damage.bilinear import Bilinear
-from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.cohesive_softening import Slip, Softening, StressIndex, check_crack, check_slip
+from bondem.damage.criteria.criterion import Criterion
+from bondem.errors import InputError
 
 _ROOT = math.sqrt(3.0)
 _NAME = "DruckerPrager"

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from bondem._checks import number
 from bondem._types import Floats
 from bondem.damage.bilinear import Bilinear
-from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.cohesive_softening import Softening, StressIndex, check_crack
+from bondem.damage.criteria.criterion import Criterion
 
 
 @dataclass(frozen=True, kw_only=True)

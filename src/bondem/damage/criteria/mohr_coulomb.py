@@ -9,8 +9,8 @@ import numpy as np
 from bondem._checks import number
 from bondem._types import Floats, PerBond
 from bondem.damage.bilinear import Bilinear
-from bondem.damage.criteria.criterion import BondCriterion, Joint, columns
 from bondem.damage.cohesive_softening import Slip, Softening, check_crack, check_slip
+from bondem.damage.criteria.criterion import BondCriterion, Joint, columns
 
 
 @dataclass(frozen=True, kw_only=True)

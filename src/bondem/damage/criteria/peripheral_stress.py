@@ -7,8 +7,8 @@ import numpy as np
 
 from bondem._checks import number
 from bondem._types import Floats, PerBond
-from bondem.damage.criteria.criterion import BondCriterion, Joint, columns
 from bondem.damage.cohesive_softening import check_energies
+from bondem.damage.criteria.criterion import BondCriterion, Joint, columns
 
 
 @dataclass(frozen=True, kw_only=True)

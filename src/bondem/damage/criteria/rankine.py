@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 from bondem._checks import number
 from bondem.damage.bilinear import Bilinear
-from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.cohesive_softening import Softening, check_crack
+from bondem.damage.criteria.criterion import Criterion
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -11,11 +11,11 @@ import numpy as np
 
 from bondem._checks import number, shown
 from bondem._types import Floats
-from bondem.errors import InputError
 from bondem.damage.bilinear import Bilinear
+from bondem.damage.cohesive_softening import TRIED, Softening, StressIndex, check_crack
 from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.scatter import Normal, Weibull
-from bondem.damage.cohesive_softening import TRIED, Softening, StressIndex, check_crack
+from bondem.errors import InputError
 
 _NAME = "StressCriterion"
 # A function is tried at stresses of these sizes [Pa].

@@ -3,12 +3,12 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
-from bondem.model.domain_blocks import StepCut
-from bondem.model.constraints import Rows
 from bondem.dynamics.on_device.device_tables import WORKS, DeviceSpan, LoadsOfBonds, StrainPortions
 from bondem.dynamics.on_device.translation import Counterpart, Translation
 from bondem.dynamics.step_tables import Dashpots, Moving, Portions, Strain, Timeline
+from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
+from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
 
 _follow_factors = IndexPass("follow_strain_factors", DeviceSpan, Timeline, Strain, StrainPortions)
 _strain_portion = IndexPass("strain_portion", Moving, Strain, Beams, StrainPortions)

@@ -1,12 +1,12 @@
 """Boundary conditions and body forces on a device."""
 
 from bondem._device import IndexPass, Launch
-from bondem.model.domain_blocks import StepCut
-from bondem.model.constraints import Rows
 from bondem.boundary.couples import CoupleTable
 from bondem.dynamics.on_device.device_tables import DeviceSpan, RowOrder
 from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
 from bondem.dynamics.step_tables import BodyForces, Drives, Moving, RowLoads, Timeline
+from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
 
 _clear_row = IndexPass("clear_row", Rows)
 _follow_loads_of_row = IndexPass("follow_loads_of_row", DeviceSpan, Timeline, RowLoads, RowOrder, Moving, Rows)

@@ -3,17 +3,6 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.interactions.beams.beam_tables import Beams
-from bondem.model.domain_blocks import StepCut
-from bondem.interactions.cells.cell_tables import (
-    CellDilatation,
-    CellStrains,
-    DilatationEnergy,
-    ElasticFacets,
-    FacetTractions,
-    WallConstraints,
-)
-from bondem.model.constraints import Rows
 from bondem.dynamics.on_device.device_tables import (
     WORKS,
     BondsOfElements,
@@ -25,6 +14,17 @@ from bondem.dynamics.on_device.device_tables import (
 )
 from bondem.dynamics.on_device.translation import Counterpart, Translation
 from bondem.dynamics.step_tables import Moving, Portions, Timeline
+from bondem.interactions.beams.beam_tables import Beams
+from bondem.interactions.cells.cell_tables import (
+    CellDilatation,
+    CellStrains,
+    DilatationEnergy,
+    ElasticFacets,
+    FacetTractions,
+    WallConstraints,
+)
+from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
 
 _dilate_facet = IndexPass("dilate_facet", Moving, ElasticFacets, LoadsOfBonds)
 _gather_dilatation = IndexPass("gather_dilatation", CellDilatation, BondsOfElements, LoadsOfBonds)

@@ -5,8 +5,6 @@ from typing import Any
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.model.domain_blocks import StepCut
-from bondem.interactions.contact.contact_search import Walls
 from bondem.dynamics.contact_tables import (
     ContactConstants,
     ContactEnergies,
@@ -23,6 +21,8 @@ from bondem.dynamics.on_device.device_tables import DeviceSpan, EarlierPairs, Ro
 from bondem.dynamics.on_device.translation import Counterpart, Translation
 from bondem.dynamics.parts.part import Passes
 from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
+from bondem.interactions.contact.contact_search import Walls
+from bondem.model.domain_blocks import StepCut
 
 _move_walls = IndexPass("move_all_walls", DeviceSpan, WallMotions, Walls)
 _check_element = IndexPass("check_travel_of_element", DeviceSpan, Moving, Travel)

@@ -3,8 +3,6 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.model.domain_blocks import StepCut
-from bondem.interactions.cells.cell_tables import CellDilatation, ElasticFacets, FacetForces
 from bondem.dynamics.cohesive_tables import (
     BEGAN,
     CellSlack,
@@ -19,6 +17,8 @@ from bondem.dynamics.damage_tables import EventLog
 from bondem.dynamics.on_device.device_tables import BondsOfElements, DeviceSpan, LossesOfCracks
 from bondem.dynamics.on_device.translation import Counterpart, Translation, bonds, elements, over
 from bondem.dynamics.step_tables import Moving
+from bondem.interactions.cells.cell_tables import CellDilatation, ElasticFacets, FacetForces
+from bondem.model.domain_blocks import StepCut
 
 # Facets of a portion of what cracks dissipate, and portions of a group, as in `core/gpu/cracks.hpp`.
 _PORTION, _GROUP = 256, 64

@@ -3,15 +3,6 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.model.domain_blocks import StepCut
-from bondem.interactions.cells.cell_tables import (
-    CellDilatation,
-    ElasticFacets,
-    FacetForces,
-    FacetsOfCells,
-    FacetTractions,
-    WallConstraints,
-)
 from bondem.dynamics.cohesive_tables import (
     CohesiveCracks,
     CrackEnergies,
@@ -31,6 +22,15 @@ from bondem.dynamics.on_device.device_tables import (
 )
 from bondem.dynamics.on_device.translation import Counterpart, Translation, bonds, elements, over
 from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
+from bondem.interactions.cells.cell_tables import (
+    CellDilatation,
+    ElasticFacets,
+    FacetForces,
+    FacetsOfCells,
+    FacetTractions,
+    WallConstraints,
+)
+from bondem.model.domain_blocks import StepCut
 
 _load_facet = IndexPass("load_kept_facet", Moving, ElasticFacets, FacetForces, LoadsOfBonds, FacetArms)
 _gather_facet_moments = IndexPass("gather_facet_moments", FacetForces, BondsOfElements, LoadsOfBonds, FacetArms)

@@ -1,14 +1,14 @@
 """Breakage of facets of cells on a device."""
 
 from bondem._device import IndexPass, Launch
-from bondem.interactions.cells.cell_tables import ElasticFacets, FacetRelease, WallConstraints
-from bondem.model.constraints import Rows
 from bondem.damage.failure_passes import Strengths
 from bondem.dynamics.damage_tables import Candidates, EventLog, FailureBounds, Postponed
 from bondem.dynamics.on_device.breakage_counterparts import marking, marks_of, sort_failing
 from bondem.dynamics.on_device.device_tables import BondMarks, DeviceSpan, LoadsOfBonds, RowOrder
 from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
 from bondem.dynamics.step_tables import Moving
+from bondem.interactions.cells.cell_tables import ElasticFacets, FacetRelease, WallConstraints
+from bondem.model.constraints import Rows
 
 _dilate_marked_facet = IndexPass("dilate_marked_facet", Moving, ElasticFacets, LoadsOfBonds, FailureBounds, BondMarks)
 _judge = IndexPass(

@@ -3,7 +3,6 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
 from bondem.damage.failure_passes import CRITERION_NAMES, Strengths
 from bondem.dynamics.contact_tables import ContactConstants, ContactPairs, ContactSums, NearPairs
 from bondem.dynamics.damage_tables import BeamIntegrity, Candidates, EventLog, SofteningBeams, SofteningBounds
@@ -11,6 +10,7 @@ from bondem.dynamics.on_device.breakage_counterparts import judging, marking
 from bondem.dynamics.on_device.device_tables import BondMarks, DeviceSpan, LoadsOfBonds, SofteningLosses
 from bondem.dynamics.on_device.translation import Counterpart, Translation, over
 from bondem.dynamics.step_tables import Moving, Portions
+from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
 
 _LOSING = BeamIntegrity, SofteningBounds, SofteningBeams, SofteningLosses
 _soften_listed = IndexPass("soften_listed", DeviceSpan, Moving, Beams, *_LOSING)

@@ -3,13 +3,13 @@
 import numpy as np
 
 from bondem._device import DeviceTables, HostCall, IndexPass, Launch
-from bondem.interactions.cells.cell_tables import ElasticFacets, FacetForces
 from bondem.damage.stress_passes import StressCandidates, StressFunction, stress_indices
 from bondem.dynamics.cohesive_tables import CrackOnset, StressesOfCells
 from bondem.dynamics.on_device.device_tables import DeviceSpan
 from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
 from bondem.dynamics.step_tables import Moving
 from bondem.dynamics.stress_onset import CandidateFacets
+from bondem.interactions.cells.cell_tables import ElasticFacets, FacetForces
 
 _OF_CORE = "mean_stress", "cone"
 _judge_by = {

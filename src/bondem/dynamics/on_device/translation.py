@@ -6,9 +6,6 @@ from typing import Any, TypeVar
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.model.domain_blocks import StepCut
-from bondem.model.constraints import Rows
-from bondem.specimen.ordering import Layout
 from bondem.dynamics.damage_tables import EventLog
 from bondem.dynamics.on_device.device_tables import (
     GROUP,
@@ -23,6 +20,9 @@ from bondem.dynamics.on_device.device_tables import (
     WorkPortions,
 )
 from bondem.dynamics.step_tables import Portions, StepScheme
+from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
+from bondem.specimen.ordering import Layout
 
 _T = TypeVar("_T")
 

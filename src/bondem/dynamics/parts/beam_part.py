@@ -5,11 +5,6 @@ from typing import Any
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.interactions.beams.beam_tables import AlikeBeams, Beams, beam_tables
-from bondem.model.domain_blocks import StepCut
-from bondem.model.constraints import Rows
-from bondem.model.model import Model
-from bondem.model.state import State
 from bondem.dynamics.damage_tables import Candidates, FailureBounds, SofteningBounds
 from bondem.dynamics.parts.breakage_part import breakage
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
@@ -17,6 +12,11 @@ from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.parts.softening_part import SofteningTables, softening
 from bondem.dynamics.step_tables import Dashpots, Moving, Portions, Strain, Timeline
+from bondem.interactions.beams.beam_tables import AlikeBeams, Beams, beam_tables
+from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
+from bondem.model.model import Model
+from bondem.model.state import State
 
 _follow_strains = StepPass("follow_strains", Timeline, Strain, Moving, Beams, Rows)
 _add_beam_loads = StepPass("add_beam_loads", Moving, Beams, StepCut)

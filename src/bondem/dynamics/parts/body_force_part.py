@@ -3,12 +3,12 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.model.domain_blocks import StepCut
-from bondem.model.model import Model
-from bondem.model.state import State
 from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.step_tables import BodyForces, Moving, Timeline
+from bondem.model.domain_blocks import StepCut
+from bondem.model.model import Model
+from bondem.model.state import State
 
 _follow_body_forces = StepPass("follow_body_forces", Timeline, BodyForces)
 _open_body_work = StepPass("open_body_work", Moving, BodyForces)

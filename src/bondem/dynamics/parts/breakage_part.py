@@ -3,14 +3,14 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
 from bondem.damage.failure_passes import CRITERION_NAMES, Strengths, strengths_of
-from bondem.model.state import State
 from bondem.dynamics.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
 from bondem.dynamics.parts.damage_part import DamageTables
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.step_tables import Dashpots, Moving
+from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
+from bondem.model.state import State
 
 _judge_beams = [
     StepPass(f"judge_beams_by_{name}", Moving, Beams, Strengths, Candidates, Postponed) for name in CRITERION_NAMES

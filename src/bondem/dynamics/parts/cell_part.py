@@ -7,8 +7,12 @@ import numpy as np
 
 from bondem._core_steps import StepPass
 from bondem._types import Ints
+from bondem.dynamics.damage_tables import Candidates, FailureBounds
+from bondem.dynamics.parts.damage_part import DamageTables
+from bondem.dynamics.parts.part import Part, Passes
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.step_tables import Dashpots, Moving, Portions, Timeline
 from bondem.interactions.beams.beam_tables import Beams, beam_tables
-from bondem.model.domain_blocks import StepCut
 from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.cells.cell_tables import (
     CellDilatation,
@@ -21,13 +25,9 @@ from bondem.interactions.cells.cell_tables import (
     cell_tables,
 )
 from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.dynamics.damage_tables import Candidates, FailureBounds
-from bondem.dynamics.parts.damage_part import DamageTables
-from bondem.dynamics.parts.part import Part, Passes
-from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import Dashpots, Moving, Portions, Timeline
 
 _accumulate_dilatation = StepPass("accumulate_dilatation", Moving, ElasticFacets, CellDilatation)
 _accumulate_and_mark = StepPass(

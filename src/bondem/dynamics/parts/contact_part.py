@@ -2,14 +2,8 @@
 
 import numpy as np
 
-from bondem._core_steps import StepPass
-from bondem.model.domain_blocks import StepCut
 from bondem._cache_lines import lines
-from bondem.interactions.contact.contact_search import Walls
-from bondem.interactions.contact.contact_model import ContactModel
-from bondem.model.model import Model
-from bondem.model.non_local_tables import LaggedStresses
-from bondem.model.state import State
+from bondem._core_steps import StepPass
 from bondem.dynamics.cohesive_tables import CohesiveCracks, CrackLists, PartedReach
 from bondem.dynamics.contact_check import ContactCheck, ListedContacts
 from bondem.dynamics.contact_tables import (
@@ -29,6 +23,12 @@ from bondem.dynamics.parts.damage_part import Joints
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
+from bondem.interactions.contact.contact_model import ContactModel
+from bondem.interactions.contact.contact_search import Walls
+from bondem.model.domain_blocks import StepCut
+from bondem.model.model import Model
+from bondem.model.non_local_tables import LaggedStresses
+from bondem.model.state import State
 
 _move_walls = StepPass("move_walls", WallMotions, Walls)
 _measure_travel = StepPass("measure_travel", Moving, Travel)

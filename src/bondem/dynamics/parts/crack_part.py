@@ -2,24 +2,10 @@
 
 import numpy as np
 
-from bondem._core_steps import StepPass
-from bondem.model.domain_blocks import StepCut
-from bondem.interactions.beams.bond_table import with_zeros
 from bondem._cache_lines import lines
-from bondem.interactions.cells.cell_tables import (
-    CellDilatation,
-    CellStrains,
-    ElasticFacets,
-    FacetForces,
-    FacetsOfCells,
-    FacetTractions,
-    WallConstraints,
-)
-from bondem.model.constraints import Rows
+from bondem._core_steps import StepPass
 from bondem.damage.crack_columns import FACET
 from bondem.damage.event_columns import BROKEN_COLUMNS
-from bondem.model.model import Model
-from bondem.model.state import State
 from bondem.dynamics.cohesive_tables import (
     CellSlack,
     CohesiveCracks,
@@ -40,6 +26,20 @@ from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.step_tables import Dashpots, HistoryRows, Moving, Portions
 from bondem.dynamics.stress_onset import OnsetByStress
+from bondem.interactions.beams.bond_table import with_zeros
+from bondem.interactions.cells.cell_tables import (
+    CellDilatation,
+    CellStrains,
+    ElasticFacets,
+    FacetForces,
+    FacetsOfCells,
+    FacetTractions,
+    WallConstraints,
+)
+from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
+from bondem.model.model import Model
+from bondem.model.state import State
 
 _find_cell_stresses = StepPass("find_cell_stresses", Moving, FacetForces, StressesOfCells)
 _add_surface_stresses = StepPass(

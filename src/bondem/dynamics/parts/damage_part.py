@@ -6,19 +6,19 @@ import numpy as np
 
 from bondem._core_steps import StepPass
 from bondem._types import PerBond
-from bondem.model.domain_blocks import StepCut
-from bondem.model.constraints import Rows
 from bondem.damage.event_columns import BROKEN_COLUMNS, SOFT_BOND
 from bondem.damage.failure_table import FailureTable
-from bondem.model.model import Model
-from bondem.model.non_local_tables import LaggedStresses
-from bondem.model.state import State
 from bondem.dynamics.cohesive_tables import CohesiveCracks, CrackLists
 from bondem.dynamics.crack_joints import joints
 from bondem.dynamics.damage_tables import Candidates, EventLog, FailureBounds, Postponed, SofteningBounds
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.step_tables import Dashpots, HistoryRows
+from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
+from bondem.model.model import Model
+from bondem.model.non_local_tables import LaggedStresses
+from bondem.model.state import State
 
 _postpone_elements = StepPass("postpone_elements", StepCut, Candidates, Postponed)
 _keep_sums = StepPass("keep_sums", StepCut, Postponed)

@@ -1,18 +1,18 @@
 """Breakage of facets of cells by the damage pipeline of the core."""
 
 from bondem._core_steps import StepPass
-from bondem.interactions.beams.beam_tables import Beams
-from bondem.interactions.cells.cell_tables import ElasticFacets, FacetRelease, WallConstraints, facet_release
-from bondem.model.constraints import Rows
 from bondem.damage.failure_passes import CRITERION_NAMES, Strengths, strengths_of
-from bondem.model.model import Model
-from bondem.model.state import State
 from bondem.dynamics.damage_tables import Candidates, EventLog, Postponed
 from bondem.dynamics.parts.cell_part import BodyOfCells, cells
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.step_tables import Dashpots, Moving
+from bondem.interactions.beams.beam_tables import Beams
+from bondem.interactions.cells.cell_tables import ElasticFacets, FacetRelease, WallConstraints, facet_release
+from bondem.model.constraints import Rows
+from bondem.model.model import Model
+from bondem.model.state import State
 
 _judge_facets = [
     StepPass(f"judge_facets_by_{name}", Moving, ElasticFacets, FacetRelease, Strengths, Candidates, Postponed)

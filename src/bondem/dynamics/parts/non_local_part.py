@@ -3,9 +3,14 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
+from bondem.damage.failure_passes import Strengths, strengths_of
+from bondem.dynamics.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
+from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
+from bondem.dynamics.parts.part import Part, Passes
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.step_tables import Dashpots, HistoryRows, Moving, Portions
 from bondem.interactions.beams.beam_tables import Beams
 from bondem.model.domain_blocks import StepCut
-from bondem.damage.failure_passes import Strengths, strengths_of
 from bondem.model.model import Model
 from bondem.model.non_local_tables import (
     LaggedStresses,
@@ -15,11 +20,6 @@ from bondem.model.non_local_tables import (
     non_local_tables,
 )
 from bondem.model.state import State
-from bondem.dynamics.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
-from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
-from bondem.dynamics.parts.part import Part, Passes
-from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import Dashpots, HistoryRows, Moving, Portions
 
 _turn_stresses = StepPass("turn_stresses", Moving, LaggedStresses)
 _find_non_local_forces = StepPass("find_non_local_forces", Moving, Beams, NonLocalBonds, LaggedStresses)

@@ -1,16 +1,13 @@
 """Parts of the step of a model."""
 
-from bondem.dynamics.damping import DampingTerms
-from bondem.model.domain_blocks import StepCut
-from bondem.model.model import Model
-from bondem.model.state import State
 from bondem.dynamics.crack_joints import joints
+from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.gauge_tables import Gauges
 from bondem.dynamics.parts.beam_part import beams
 from bondem.dynamics.parts.body_force_part import body_forces
 from bondem.dynamics.parts.boundary_part import boundary
-from bondem.dynamics.parts.crack_part import CrackingBody
 from bondem.dynamics.parts.contact_part import ContactTables
+from bondem.dynamics.parts.crack_part import CrackingBody
 from bondem.dynamics.parts.damage_part import BondParts, Joints
 from bondem.dynamics.parts.facet_breakage_part import body_of_cells
 from bondem.dynamics.parts.history_part import history
@@ -20,6 +17,9 @@ from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.parts.stored_beam_part import stored_beams
 from bondem.dynamics.step_tables import Dashpots
+from bondem.model.domain_blocks import StepCut
+from bondem.model.model import Model
+from bondem.model.state import State
 
 
 def parts_of(

@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass
 
-from bondem.model.domain_blocks import StepCut
+from bondem.dynamics.step_tables import Moving, Portions, Timeline
 from bondem.model.constraints import Rows, Schedules
+from bondem.model.domain_blocks import StepCut
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.dynamics.step_tables import Moving, Portions, Timeline
 
 
 @dataclass(frozen=True, eq=False)

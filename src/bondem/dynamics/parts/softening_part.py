@@ -6,10 +6,8 @@ import numpy as np
 
 from bondem._core_steps import StepPass
 from bondem.damage.beam_softening import BeamSoftening
-from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
 from bondem.damage.event_columns import SOFT_BOND, SOFT_COLUMNS
 from bondem.damage.failure_passes import CRITERION_NAMES, Strengths, strengths_of
-from bondem.model.state import State
 from bondem.dynamics.damage_tables import (
     BeamIntegrity,
     Candidates,
@@ -21,6 +19,8 @@ from bondem.dynamics.parts.damage_part import DamageTables, write_released
 from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.step_tables import BONDS_OF_PORTION, Moving, Portions
+from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
+from bondem.model.state import State
 
 # Criteria with a fracture energy.
 _FIND = {

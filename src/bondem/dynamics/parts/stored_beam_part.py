@@ -1,14 +1,14 @@
 """Beams of the incremental formulation, which store force and moment from step to step."""
 
 from bondem._core_steps import StepPass
+from bondem.dynamics.parts.part import Part, Passes
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.step_tables import Dashpots, Moving, Portions
 from bondem.interactions.beams.beam_tables import Beams
 from bondem.model.domain_blocks import StepCut
 from bondem.model.incremental_tables import StoredLoads, stored_beam_tables
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.dynamics.parts.part import Part, Passes
-from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import Dashpots, Moving, Portions
 
 _add_stored_loads = StepPass("add_stored_loads", Moving, Beams, StoredLoads, StepCut)
 _add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)

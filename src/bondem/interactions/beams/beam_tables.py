@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bondem._cache_lines import lines
 from bondem._core import Pass
 from bondem._types import Floats, Ints, PerBond
 from bondem.interactions.beams.bond_table import BondTable, with_twins, with_zeros
-from bondem._cache_lines import lines
 from bondem.specimen.ordering import Layout
 
 

@@ -7,8 +7,8 @@ import numpy as np
 from bondem._core import core_lanes
 from bondem._types import Floats, PerBond
 from bondem.interactions.beams.bond_law import BondStiffness
-from bondem.specimen.ordering import Layout
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
 
 #: Bonds that a pass of the core takes at once.
 GROUP = core_lanes()

@@ -7,16 +7,16 @@ import numpy as np
 
 from bondem._checks import shown
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement
+from bondem.boundary.wall_constraints import Grips, Holds
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_plausibility import layer_axes
-from bondem.boundary.wall_constraints import Grips, Holds
-from bondem.specimen.ordering import Layout
-from bondem.specimen.tessellation.raster import LEVER_BITS, on_raster, pitch
-from bondem.specimen.tessellation.facets import Cells, Facets
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
 from bondem.specimen.regions import Region, as_region
+from bondem.specimen.tessellation.facets import Cells, Facets
+from bondem.specimen.tessellation.raster import LEVER_BITS, on_raster, pitch
 
 CellAssignment = CellBond | Mapping[Region, CellBond]
 

@@ -9,10 +9,10 @@ import numpy as np
 
 from bondem._core import Pass
 from bondem._types import Floats, Ints, PerBond
+from bondem.boundary.wall_constraints import WallConstraints
 from bondem.interactions.beams.beam_tables import BeamSums, Poses
 from bondem.interactions.beams.bond_table import with_twins, with_zeros
 from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.boundary.wall_constraints import WallConstraints
 from bondem.specimen.ordering import Layout
 
 #: Column of a pose that holds the stress λ θ of a cell [Pa].

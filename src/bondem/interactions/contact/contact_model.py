@@ -4,17 +4,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._cache_lines import lines
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerBond, PerElement
-from bondem.interactions.contact.contact_law import ContactLaw
-from bondem._cache_lines import lines
-from bondem.interactions.contact.contact_search import Walls, WallSources, found_walls
-from bondem.specimen.ordering import Layout
-from bondem.specimen.local_origin import local_rest
 from bondem.boundary.wall_columns import WALL_COLUMNS
 from bondem.boundary.walls import WallTable
-from bondem.specimen.lattice import Lattice
 from bondem.geometry.neighbours import SphereGrid, neighbours, sphere_grid
+from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.interactions.contact.contact_search import Walls, WallSources, found_walls
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.local_origin import local_rest
+from bondem.specimen.ordering import Layout
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,8 +9,8 @@ import numpy as np
 
 from bondem._core import Pass
 from bondem._types import Floats, Ints
-from bondem.interactions.beams.beam_tables import Poses
 from bondem.geometry.neighbours import SphereGrid
+from bondem.interactions.beams.beam_tables import Poses
 
 #: Whether elements touch: 1 where they do.
 APART, TOUCHING = 0, 1

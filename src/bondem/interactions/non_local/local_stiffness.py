@@ -4,8 +4,8 @@ import numpy as np
 from scipy.sparse import bsr_array
 
 from bondem._types import Floats
-from bondem.specimen.ordering import Layout
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
+from bondem.specimen.ordering import Layout
 
 
 def local_stiffness(constants: NonLocalConstants, layout: Layout) -> bsr_array:

@@ -8,10 +8,10 @@ import numpy as np
 from bondem._types import PerBond, PerBond3, PerElement
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
-from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.interactions.non_local.contact_areas import weighted_areas
-from bondem.specimen.ordering import Layout
+from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
 
 #: Rows of the history that bonds of the non-local law store, and that of the work of their extra forces.
 NON_LOCAL_ROWS, NON_LOCAL_WORK = 7, 6

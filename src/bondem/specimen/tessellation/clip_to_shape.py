@@ -11,8 +11,8 @@ import numpy as np
 from bondem._core import Pass, room_for
 from bondem._types import Floats, Ints, PerElement3
 from bondem.specimen.tessellation.polygon_buffer import TAG, Pile, new_pile, polygon_buffer
-from bondem.specimen.tessellation.solids import Solids
 from bondem.specimen.tessellation.shape_walls import WallTree
+from bondem.specimen.tessellation.solids import Solids
 
 
 class Splitting(NamedTuple):

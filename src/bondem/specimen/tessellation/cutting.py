@@ -9,18 +9,18 @@ import numpy as np
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, Mask, Pairs, PerElement, PerElement3
 from bondem.errors import InputError
+from bondem.geometry.elementary_shapes import BoundingBox, Box, Cell
+from bondem.geometry.shape import Shape
+from bondem.specimen.particles import Particles, freeze
+from bondem.specimen.tessellation.clip_to_shape import trimmed
 from bondem.specimen.tessellation.facet_tables import Polygons, facets, free_facets, together
+from bondem.specimen.tessellation.facets import Cells, Facets
 from bondem.specimen.tessellation.interfaces import patches
 from bondem.specimen.tessellation.laguerre import Bins, bins, plain_cells, usual_reach
 from bondem.specimen.tessellation.ownership import Owned, owned
 from bondem.specimen.tessellation.raster import CENTRE_BITS, on_raster, pitch
-from bondem.specimen.tessellation.solids import LOCAL, Bulk, Solids, bulk, joined, polygon_measures
-from bondem.specimen.tessellation.facets import Cells, Facets
-from bondem.specimen.tessellation.clip_to_shape import trimmed
 from bondem.specimen.tessellation.shape_walls import WallTree, faceted, wall_tree, wall_triangles
-from bondem.geometry.elementary_shapes import BoundingBox, Box, Cell
-from bondem.specimen.particles import Particles, freeze
-from bondem.geometry.shape import Shape
+from bondem.specimen.tessellation.solids import LOCAL, Bulk, Solids, bulk, joined, polygon_measures
 
 # Cells that are made at once, in memory as well as between two words about the progress.
 _BATCH = 4096

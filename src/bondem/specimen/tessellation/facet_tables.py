@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints, Pairs, PerElement3
-from bondem.specimen.tessellation.facets import Facets, FreeFacets
-from bondem.specimen.particles import Particles, freeze
 from bondem.geometry.shape import Shape
+from bondem.specimen.particles import Particles, freeze
+from bondem.specimen.tessellation.facets import Facets, FreeFacets
 
 # Directions and places of free polygons that count as one wall: relative to 1 and to the width of a cell.
 _ALIKE = 1e-9

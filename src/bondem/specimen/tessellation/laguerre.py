@@ -16,9 +16,9 @@ from scipy.spatial import KDTree
 from bondem._core import Pass
 from bondem._types import Floats, Ints, Vector
 from bondem.errors import InputError
+from bondem.specimen.particles import Particles
 from bondem.specimen.tessellation.polygon_buffer import MOST_CORNERS, TAG, Pile, new_pile, polygon_buffer
 from bondem.specimen.tessellation.solids import Solids
-from bondem.specimen.particles import Particles
 
 # Most faces of one cell.
 _FACES = 400

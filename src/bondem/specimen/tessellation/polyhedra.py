@@ -7,10 +7,10 @@ import numpy as np
 from bondem._checks import instance
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
-from bondem.specimen.tessellation.solids import ranges
-from bondem.specimen.tessellation.cutting import tessellation
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import freeze
+from bondem.specimen.tessellation.cutting import tessellation
+from bondem.specimen.tessellation.solids import ranges
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,16 +10,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._types import Floats, Ints, Mask
-from bondem.interactions.cells.cell_constants import body_of
 from bondem.damage.crack_columns import CRACK_COLUMNS, FACET
+from bondem.interactions.cells.cell_constants import body_of
+from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.observables.facet_loads import loads_on_facets
+from bondem.statics.linear import System
 from bondem.statics.quasistatic.facet_matrix import FacetMatrix, facet_stiffness
 from bondem.statics.quasistatic.facet_passes import OpenedFacets, WeakenedFacets
 from bondem.statics.quasistatic.tensors import full_tensor
-from bondem.statics.linear import System
 
 # Integrity that stands for none: what is cut off all around goes with its neighbours, and the matrix has an inverse.
 _NONE = 1e-7

@@ -7,8 +7,8 @@ import numpy as np
 
 from bondem._types import Floats, PerBond
 from bondem.errors import ConvergenceError
-from bondem.statics.quasistatic.facet_matrix import FacetMatrix
 from bondem.statics.linear import Elimination, Iteration, System, conjugate_gradients
+from bondem.statics.quasistatic.facet_matrix import FacetMatrix
 
 # An iteration ends where the energy of its error is this share, squared, of that of the body: tractions are off by
 # 1e-4 of the largest then, a fiftieth of what facets that fail together may differ by. Residual over load would not

@@ -6,8 +6,8 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from bondem._types import Floats, Ints
-from bondem.specimen.ordering import Layout
 from bondem.model.stiffness import Stiffness
+from bondem.specimen.ordering import Layout
 
 
 class FacetMatrix:

@@ -6,8 +6,8 @@ import numpy as np
 
 from bondem._types import Floats, Ints, PerBond
 from bondem.damage.failure_table import FailureTable
-from bondem.damage.softening_table import SofteningTable
 from bondem.damage.opened_facets import Opened
+from bondem.damage.softening_table import SofteningTable
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.statics.quasistatic.facet_passes import LoadedFacets, factors_by_stress
 from bondem.statics.quasistatic.sawtooth_softening import SofteningLine, Teeth

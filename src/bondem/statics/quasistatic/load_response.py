@@ -6,13 +6,13 @@ import numpy as np
 
 from bondem._checks import instance
 from bondem._types import Floats, Mask
-from bondem.errors import InputError
 from bondem.boundary.conditions import Drive, Load
-from bondem.boundary.wall_constraints import holds_wall
 from bondem.boundary.loads import Pressure, facet_numbers
+from bondem.boundary.wall_constraints import holds_wall
+from bondem.errors import InputError
 from bondem.model.model import Model
-from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.specimen.regions import Region
+from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 
 
 class Reading:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from bondem._blas import one_blas_thread
 from bondem._checks import count, instance, number
 from bondem._drawing import Plotted
 from bondem._progress import staged
@@ -12,14 +13,13 @@ from bondem._types import Floats, Ints, PerBond, PerElement3
 from bondem.errors import ConvergenceError, InputError
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.specimen.regions import Region
+from bondem.statics.linear import Iteration, System, prefers_elimination
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.statics.quasistatic.equilibrium import Eliminated, Equilibrium, Iterated
 from bondem.statics.quasistatic.limits import FacetOnset, StressOnset, TractionOnset
 from bondem.statics.quasistatic.load_response import Reading, RegionGauges
 from bondem.statics.quasistatic.sawtooth_softening import Teeth
-from bondem.statics.linear import Iteration, System, prefers_elimination
-from bondem._blas import one_blas_thread
-from bondem.specimen.regions import Region
 
 # Facets whose factors differ by less than this share come in the user's order.
 _TIE = 1e-9
