@@ -51,8 +51,8 @@ def elastic(lattice: bd.Lattice) -> bd.Model:
 
 # Loops of runs, the newest first: of the core; of Numba; of c790c8a and older revisions.
 _LOOPS = (
-    ("CoreLoop", "bondem.dynamics.core_loop"), ("CoreLoop", "bondem.solve.loop_core"),
-    ("CpuLoop", "bondem.solve.loop_cpu"), ("_Loop", "bondem.solve.explicit"),
+    ("CoreLoop", "bondem.dynamics.core_loop"), ("CoreLoop", "bondem.dynamics.core_loop"),
+    ("CpuLoop", "bondem.dynamics.loop_cpu"), ("_Loop", "bondem.dynamics.explicit"),
 )  # fmt: skip
 
 

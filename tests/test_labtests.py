@@ -8,7 +8,7 @@ from scipy.linalg import eigh
 
 import bondem as bd
 from bondem.errors import EmptyRegionError, InputError, ShortSpecimenWarning
-from bondem.labtests.beams import Bar, CrossSection
+from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.cantilever import Cantilever, mass_gyration
 from bondem.labtests.frequency import dominant_frequency
 from bondem.labtests.gauge_length import AffineField, curvature, profile, rigid_motion, twist_rate

@@ -12,7 +12,7 @@ import bondem as bd
 from bondem.calibration.density import balanced_density, element_density
 from bondem.errors import InputError
 from bondem.geometry.moments import moments
-from bondem.labtests.beams import CrossSection
+from bondem.labtests.beam_tests import CrossSection
 from bondem.labtests.cantilever import mass_gyration
 from tests.specimens import spheres
 

@@ -66,11 +66,12 @@ THEORIES = {"Timoshenko"}
 def test_a_law_is_named_in_its_own_file_the_catalogue_and_the_public_names_only(law):
     package = ROOT / "src/bondem"
     own = re.sub("(?<!^)(?=[A-Z])", "_", law).lower()
-    assert LAWS[law].__module__ == f"bondem.laws.{own}"
+    assert LAWS[law].__module__ == f"bondem.interactions.beams.{own}"
+    listed = {f"interactions/beams/{own}.py", "interactions/law_catalogue.py"}
     files = [path for ending in ("py", "html", "json") for path in package.rglob(f"*.{ending}")]
     naming = {str(path.relative_to(package)) for path in files if _names(path, law)}
-    assert naming >= {f"laws/{own}.py", "interactions/law_catalogue.py"}
-    others = naming - {f"laws/{own}.py", "interactions/law_catalogue.py", "__init__.py"}
+    assert naming >= listed
+    others = naming - listed - {"__init__.py"}
     assert others == {path for path, (one, _) in OF_ONE_LAW.items() if one == law}
     assert law in bondem.__all__
 

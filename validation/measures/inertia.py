@@ -9,7 +9,7 @@ from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Cylinder
 from bondem.geometry.moments import moments
-from bondem.labtests.beams import Bar
+from bondem.labtests.beam_tests import Bar
 from bondem.specimen.lattice import Lattice
 
 # (sinh β - sin β) / (cosh β + cos β) and β of the cantilever's first bending mode.

@@ -13,7 +13,7 @@ from bondem.dynamics.plan import Plan, settled
 from bondem.dynamics.schemes import TchamwaWielgosz
 from bondem.errors import UnstableRunError
 from bondem.interactions.beams.bond_law import BondLaw
-from bondem.labtests.beams import Bar
+from bondem.labtests.beam_tests import Bar
 from bondem.labtests.gauge_length import rigid_motion
 from bondem.model.model import Model
 from bondem.model.state import State

@@ -10,7 +10,7 @@ from bondem.calibration.response import Response
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Cylinder
 from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
-from bondem.labtests.beams import Bar, CrossSection
+from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.tension import paper_length, paper_radius
 from bondem.labtests.vibration import ramped_vibration
 from bondem.labtests.wave import first_passage, strike

@@ -9,7 +9,7 @@ import numpy as np
 
 from bondem.geometry.elementary_shapes import Cylinder
 from bondem.interactions.beams.bond_law import BondLaw
-from bondem.labtests.beams import Bar, CrossSection
+from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.cantilever import Cantilever, mass_gyration, static_bending, static_torsion
 from bondem.labtests.modal import natural_frequencies
 from bondem.model.model import Model

@@ -1,1 +1,1 @@
-"""Equilibrium, natural modes and motion of a model."""
+"""Explicit dynamics: the step as lists of passes, schemes, damping, time step, events and history."""

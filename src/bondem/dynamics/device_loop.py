@@ -1,9 +1,9 @@
 """Explicit dynamics on a device, where the whole step stays.
 
 The parts of a step compose its lists of passes as for the CPU, and `bondem.dynamics.on_device` translates them.
-Records are formed on the device and copied once a call, together with the state. All launches between two pauses are the same
-for every step, because the number of the step is on the device: they are recorded once, as graphs of 1, 2, 4 … 64
-steps.
+Records are formed on the device and copied once a call, together with the state. All launches between two pauses are
+the same for every step, because the number of the step is on the device: they are recorded once, as graphs of 1, 2,
+4 … 64 steps.
 """
 
 from collections.abc import Callable, Sequence

@@ -1,7 +1,8 @@
 """Tables of the passes of a step, as `core/tables/step_tables.hpp` declares them with types and shapes.
 
 `Beams` and `AlikeBeams` are in `bondem.interactions.beams.beam_tables`, `StepCut` in
-`bondem.model.domain_blocks`, `Rows` in `bondem.model.constraints`, `CoupleTable` in `bondem.boundary.couples` and `Gauges` in `bondem.dynamics.gauge_tables`.
+`bondem.model.domain_blocks`, `Rows` in `bondem.model.constraints`, `CoupleTable` in `bondem.boundary.couples` and
+`Gauges` in `bondem.dynamics.gauge_tables`.
 """
 
 from typing import NamedTuple

@@ -15,7 +15,7 @@ from bondem._types import Floats, Ints, PerElement
 from bondem.boundary.conditions import Fix, Load
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
-from bondem.labtests.beams import Bar, CrossSection
+from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.faces import ends, face_motion
 from bondem.labtests.gauge_length import AffineField, curvature, middle_half, profile, twist_rate
 from bondem.labtests.outcome import Outcome

@@ -14,7 +14,7 @@ from bondem.boundary.schedules import Constant, Ramp, Schedule
 from bondem.dynamics.plan import ExplicitResult, Plan, settled
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import AnyLaw, check
-from bondem.labtests.beams import CrossSection
+from bondem.labtests.beam_tests import CrossSection
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.frequency import dominant_frequency
 from bondem.model.model import Model

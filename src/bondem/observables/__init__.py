@@ -1,1 +1,1 @@
-"""Quantities computed from a model or a state, which they never change."""
+"""Quantities evaluated for a model and its state, which they never change."""
