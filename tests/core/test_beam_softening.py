@@ -7,7 +7,7 @@ import pytest
 
 import bondem as bd
 from bondem.damage.event_columns import SOFT_BOND, SOFT_RATE, SOFT_SPENT
-from bondem.dynamics import loop_core
+from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import Plan
@@ -52,7 +52,7 @@ def test_threads_and_pauses_change_no_bit(monkeypatch, law):
     model = softening(law, (12, 10, 10))
     results = []
     for count, every in ((1, 50), (2, 50), (3, 7), (4, 0)):
-        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        monkeypatch.setattr(core_loop, "current_threads", lambda count=count: count)
         plan = plan_of(model, 120, every=every)
         results.append(integrate(model, plan, state=moving_state(model), loop_of=CoreLoop))
     assert len(results[0].state.broken) > 0

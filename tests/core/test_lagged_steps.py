@@ -8,7 +8,7 @@ import pytest
 
 import bondem as bd
 from bondem.damage.event_columns import BROKEN_GAP
-from bondem.dynamics import loop_core
+from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import Plan
@@ -69,7 +69,7 @@ def test_threads_and_pauses_change_no_bit(name, monkeypatch):
     model = bd.Model(crooked((12, 10, 10)), law, density=1e3, boundary=HELD, **options)
     results = []
     for count, every in ((1, 25), (2, 25), (3, 7), (4, 0)):
-        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        monkeypatch.setattr(core_loop, "current_threads", lambda count=count: count)
         plan, state = plan_and_state(model, bd.BondDamping(eta=0.1), steps=75, every=every)
         results.append(integrate(model, plan, state=state, loop_of=CoreLoop))
     assert (len(results[0].events) > 10) == (name == "breaking")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.dynamics import loop_core
+from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import ExplicitResult, integrate
 from bondem.dynamics.plan import Plan
@@ -54,7 +54,7 @@ def test_cracks_are_those_of_the_former_loop(name):
 def test_threads_and_pauses_change_no_bit(monkeypatch, name):
     results = []
     for count, every in ((1, 50), (3, 7)):
-        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        monkeypatch.setattr(core_loop, "current_threads", lambda count=count: count)
         results.append(torn(FAILURES[name], bar(600, 20e-3), steps=120, every=every))
     assert len(results[0].state.cracks) > 100
     assert_same_bits(*results)
