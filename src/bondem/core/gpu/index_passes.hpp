@@ -16,6 +16,7 @@
 #include "storing_beams.hpp"
 #include "strains.hpp"
 #include "stress_onset.hpp"
+#include "yielding.hpp"
 
 #define BONDEM_INDEX_PASSES(X)          \
     X(set_clock)                        \
@@ -187,4 +188,21 @@
     X(sum_stressed_portion)             \
     X(sum_portion_of_cracks)            \
     X(add_energies_of_cracks)           \
-    X(write_energy_of_yielding)
+    X(write_energy_of_yielding)         \
+    X(find_still_stress)                \
+    X(add_still_surface_stress)         \
+    X(mark_plane)                       \
+    X(yield_cell)                       \
+    X(add_yielding_work_of_row)         \
+    X(sum_portion_of_heat)              \
+    X(stretch_yielded_cell)             \
+    X(stretch_growing_cell)             \
+    X(stretch_wall_of_cell)             \
+    X(stretch_crack_of_cells)           \
+    X(keep_base_levers)                 \
+    X(stretch_cell_anew)                \
+    X(stretch_wall_anew)                \
+    X(follow_lever)                     \
+    X(sum_portion_of_crack_powers)      \
+    X(begin_portion_of_crack_powers)    \
+    X(add_crack_powers)
