@@ -64,7 +64,9 @@ void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, con
                               const YieldingCells &cells, const CohesiveCracks &cracks) {
     if (!(turn.clock.dt > 0.0)) return;
     for (Index g = 0; g < walls.cell.size(); g++) stretch_yielding_wall(walls, cells, g);
-    for (Index c = 0; c < cracks.size(0); c++) stretch_crack(facets, cells, cracks, cracks.order(c));
+    // in the order of facets: neighbours have the same cells
+    for (Index k = 0, m = cracks.integrity.size(); k < m; k++)
+        if (cracks.listed(k) != 0) stretch_crack(facets, cells, cracks, k);
 }
 
 void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets &facets,
