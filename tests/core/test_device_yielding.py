@@ -39,15 +39,15 @@ TEETH = {
     "add_surface_stress": "crushed between walls", "stretch_wall_of_cell": "crushed between walls",
     "add_yielding_work_of_row": "crushed between walls",
     "mark_plane": "planes", "begin_marked_crack": "planes",
-    "follow_lever": "warming", "sum_portion_of_crack_powers": "warming", "add_crack_powers": "warming",
-    "follow_cell_factors": "warming", "stretch_facet_of_step": "warming", "stretch_wall_of_step": "warming",
+    "follow_lever": "warming and cracking", "sum_portion_of_crack_powers": "warming and cracking", "add_crack_powers": "warming and cracking",
+    "follow_cell_factors": "warming and cracking", "stretch_facet_of_step": "warming and cracking", "stretch_wall_of_step": "warming and cracking",
     "keep_base_levers": "warming and crushed", "stretch_cell_anew": "warming and crushed",
     "stretch_wall_anew": "warming and crushed",
 }  # fmt: skip
 #: Those that matter where a run resumes, and where forces of the present are found without a step.
 TEETH_OF_RESUMED = {
     "stretch_yielded_cell": "crushed", "find_still_stress": "crushed between walls",
-    "add_still_surface_stress": "crushed between walls", "begin_portion_of_crack_powers": "warming",
+    "add_still_surface_stress": "crushed between walls", "begin_portion_of_crack_powers": "warming and cracking",
 }  # fmt: skip
 
 
@@ -122,7 +122,7 @@ def resumed(case: str, loop_of: LoopOf, stretch: float = 0.0) -> bd.ExplicitResu
     return integrate(model, plan, state=half, loop_of=loop_of)
 
 
-@pytest.mark.parametrize("case", ["crushed", "crushed between walls", "warming", "warming and crushed"])
+@pytest.mark.parametrize("case", ["crushed", "crushed between walls", "warming and cracking", "warming and crushed"])
 def test_a_state_that_has_been_changed_continues_as_on_the_cpu(case: str) -> None:
     """Forces and stresses are found again in a step of no time, in which no cell yields."""
     cpu, device = (resumed(case, loop, 1e-5) for loop in (CoreLoop, on_device))
