@@ -4,10 +4,11 @@ python benchmarks/gpu_device.py [--seconds 225] [--out FILE]
 
 As long as there is time: all passes are compiled; small runs with all that acts on bodies, on the device and on the
 CPU; beams and cells of 1e4 to 1e6 elements; a body in contact; beams and cells that break, and cells that crack; a
-batch of 100 specimens of 10 000 elements, several at once; beams of 1e7 elements and cells of 3e6, which processes of
-their own prepare meanwhile. Bodies are periodic packings of 10 000 spheres, repeated. What fails is written down with
-its error, and the rest is carried out. The file is written after each of them. `--host` rehearses the script in small,
-with the CPU as the device.
+batch of 100 specimens of 10 000 elements, several at once; beams of 1e7 elements and cells of 3e6, which processes
+of their own prepare meanwhile. Bodies are periodic packings of 10 000 spheres, repeated.
+
+What fails is written down with its error, and the rest is carried out. The file is written after each result. `--host`
+rehearses the script in small, with the CPU as the device.
 """
 
 import argparse
@@ -203,7 +204,7 @@ def batch(device: Callable[[], Device], sizes: Sizes) -> dict[str, Any]:
             loop.run(steps)
 
     shares = [[start.copy() for _ in range(k, count, at_once)] for k in range(min(at_once, count))]
-    with ThreadPoolExecutor(at_once, initializer=device) as pool:  # which makes the device that of a thread
+    with ThreadPoolExecutor(at_once, initializer=device) as pool:  # the device becomes that of each thread
         groups = list(pool.map(ready, shares))
         began = time.perf_counter()
         list(pool.map(carry_out, groups))
@@ -219,7 +220,9 @@ def batch(device: Callable[[], Device], sizes: Sizes) -> dict[str, Any]:
 Section = tuple[str, Callable[[], Any]]
 
 
-def sections(device: Callable[[], Device], clock: Clock, sizes: Sizes, pool: ProcessPoolExecutor) -> Iterator[Section]:
+def sections(
+    device: Callable[[], Device], clock: Clock, sizes: Sizes, pool: ProcessPoolExecutor
+) -> Iterator[Section]:
     """Return what is carried out, by name, in order; large bodies are begun at once."""
     large = {one: pool.submit(prepared, *one, sizes.packing, {}) for one in sizes.largest}
     last = sizes.plain[-1]

@@ -59,7 +59,9 @@ CASES: dict[str, Callable[[], Case]] = {
         free(halves(WEAK, COULOMB)), thrown((-1.5, 0.8, 0.6), 0.3), 240, STEP,
         {"every": 20, "damping": bd.BondDamping(eta=0.1)},
     ),
-    "warming and cracking": lambda: (warming(RANKINE), thrown((0.5, 0.0, 0.0)), 240, STEP, {"every": 20, "gauges": GAUGES}),
+    "warming and cracking": lambda: (
+        warming(RANKINE), thrown((0.5, 0.0, 0.0)), 240, STEP, {"every": 20, "gauges": GAUGES}
+    ),
     "warming and crushed": lambda: (
         warming(COULOMB, -6.0), thrown((-1.0, 0.0, 0.0)), 240, STEP, {"every": 20, "gauges": GAUGES}
     ),

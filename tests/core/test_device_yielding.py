@@ -16,7 +16,7 @@ from bondem.solve.loop_core import CoreLoop
 from bondem.solve.on_device.breakage_counterparts import resuming
 from bondem.solve.on_device.counterparts import COUNTERPARTS
 from bondem.solve.plan import Plan
-from tests.bits import assert_same_bits, assert_same_fracture
+from tests.bits import assert_same_fracture
 from tests.device_runs import deviation
 from tests.device_sides import (
     LoopOf,
@@ -39,8 +39,9 @@ TEETH = {
     "add_surface_stress": "crushed between walls", "stretch_wall_of_cell": "crushed between walls",
     "add_yielding_work_of_row": "crushed between walls",
     "mark_plane": "planes", "begin_marked_crack": "planes",
-    "follow_lever": "warming and cracking", "sum_portion_of_crack_powers": "warming and cracking", "add_crack_powers": "warming and cracking",
-    "follow_cell_factors": "warming and cracking", "stretch_facet_of_step": "warming and cracking", "stretch_wall_of_step": "warming and cracking",
+    "follow_lever": "warming and cracking", "sum_portion_of_crack_powers": "warming and cracking",
+    "add_crack_powers": "warming and cracking", "follow_cell_factors": "warming and cracking",
+    "stretch_facet_of_step": "warming and cracking", "stretch_wall_of_step": "warming and cracking",
     "keep_base_levers": "warming and crushed", "stretch_cell_anew": "warming and crushed",
     "stretch_wall_anew": "warming and crushed",
 }  # fmt: skip

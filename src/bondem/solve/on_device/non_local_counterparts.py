@@ -24,16 +24,12 @@ _add_wall_moments = IndexPass(
     "add_wall_moments_of_element", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, LaggedStresses
 )
 _find_stress = IndexPass("find_stress_of_element", Moving, LaggedStresses)
-_judge_pair = IndexPass(
-    "judge_pair", DeviceSpan, Beams, LaggedStresses, Strengths, BondMarks, Candidates, Postponed
-)
+_judge_pair = IndexPass("judge_pair", DeviceSpan, Beams, LaggedStresses, Strengths, BondMarks, Candidates, Postponed)
 _write_failure = IndexPass("write_pair_failure", *_OF_PAIRS, Candidates, EventLog)
 _take_pairs_off = IndexPass(
     "take_pairs_off_element", NonLocalBonds, BondsOfElements, BondMarks, Candidates, Postponed
 )
-_relieve = IndexPass(
-    "relieve_element", Moving, NonLocalBonds, BondsOfElements, BondMarks, LaggedStresses, Candidates
-)
+_relieve = IndexPass("relieve_element", Moving, NonLocalBonds, BondsOfElements, BondMarks, LaggedStresses, Candidates)
 _end_pair = IndexPass("end_failing_pair", NonLocalBonds, BeamIntegrity, Candidates)
 _add_begun = IndexPass(
     "add_all_begun_contacts", DeviceSpan, Moving, ContactConstants, ContactPairs, LaggedStresses, EventLog
