@@ -7,8 +7,8 @@ CPU; beams and cells of 1e4 to 1e6 elements; a body in contact; beams and cells 
 batch of 100 specimens of 10 000 elements, several at once; beams of 1e7 elements and cells of 3e6, which processes
 of their own prepare meanwhile. Bodies are periodic packings of 10 000 spheres, repeated.
 
-What fails is written down with its error, and the rest is carried out. The file is written after each result. `--host`
-rehearses the script in small, with the CPU as the device.
+What fails is written down with its error, and the rest is carried out. The file is written after each result.
+`--host` rehearses the script in small, with the CPU as the device.
 """
 
 import argparse
