@@ -115,7 +115,7 @@ def solve_explicit(
         safety=safety,
         imbalance=imbalance,
     )
-    loop_of = _loop_on(device, model, plan)
+    loop_of = _loop_on(device, model)
     check_gauges(model, plan)
     own = begin(model, state)
     step = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
@@ -175,7 +175,7 @@ def resume(
             dt=kept.plan.dt or 0.0,
             message=f"had been stopped by an event at t = {kept.state.time:.6g} s",
         )
-    loop_of = _loop_on(device, kept.model, kept.plan)
+    loop_of = _loop_on(device, kept.model)
     cracks = GrowingCracks(kept.model.lattice)
     with RunFile(path, kept.model, kept.plan, cracks=cracks, goes_on=kept) as sink, noticing() as halt:
         result = integrate(
@@ -186,7 +186,7 @@ def resume(
     return _unless(stopped, result, sink)
 
 
-def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, State, float], Loop] | None:
+def _loop_on(device: str, model: Model) -> Callable[[Model, Plan, State, float], Loop] | None:
     """Return the factory of the loop of a run on a device, None for the CPU.
 
     Raises:
@@ -198,7 +198,7 @@ def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, St
         raise InputError(f"device = {shown(device)} is unknown; choose 'cpu' or 'gpu'")
     try:
         gpu = importlib.import_module("bondem.dynamics.gpu_loop")
-        gpu.require_gpu(model, plan)
+        gpu.require_gpu(model)
     except ImportError as error:
         raise InputError(
             f"device='gpu' needs NVIDIA's packages for Python ({error}); {install('gpu')}, or use device='cpu'"

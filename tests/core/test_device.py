@@ -28,6 +28,7 @@ from tests.device_sides import (
     on_both_sides,
     on_device,
 )
+from tests.device_yielding import CASES as YIELDING
 from tests.recording import Record
 
 # Cases of contact are fast and soft, so that much happens in few steps.
@@ -72,10 +73,10 @@ def test_these_runs_have_all_that_acts_on_bodies() -> None:
         assert abs(records[-1, WORK]) > 0.1 * records[-1, TRANSLATION:WORK].sum()
         assert abs(work[-1]) > 0.01 * np.abs(work).max()  # of walls and tractions
         assert (np.abs(records[-1, FIXED_COLUMNS:]) > 0.0).all()
-    for make in (*CASES.values(), *CRACKING.values()):
+    for make in (*CASES.values(), *CRACKING.values(), *YIELDING.values()):
         model, start, _, dt, options = make()
         DeviceLoop(model, Plan(duration=dt, dt=dt, **options), start(model), dt, Noting()).look()
-    assert set(index_pass_names()) - ONSET == LAUNCHED
+    assert set(index_pass_names()) - ONSET == LAUNCHED - ONSET
 
 
 @pytest.mark.parametrize(

@@ -36,8 +36,7 @@ def test_all_passes_over_an_index_compile_without_a_device(architecture: str) ->
     assert cubin[:4] == b"\x7fELF"
     assert set(found) == set(index_pass_names())
     assert {name for name, thread in found.items() if thread.spilled} == set()
-    # the first is one thread for all facets; a crack that is open, closed or rubs has more to keep than other bonds
-    large = {"break_all_facets", "load_crack"}
+    large = {"load_crack"}  # a crack that is open, closed or rubs has more to keep than other bonds
     assert {name for name, thread in found.items() if thread.registers > 168} <= large
     assert found["load_crack"].registers <= 184
     # those that all bonds or elements go through in every step
@@ -171,7 +170,7 @@ def test_steps_with_work_of_the_cpu_are_no_graphs(monkeypatch, fake_cuda) -> Non
 
     monkeypatch.setattr(_cuda.CudaDevice, "fetch", _synchronous(_cuda.CudaDevice.fetch))
     monkeypatch.setattr(_cuda.CudaDevice, "send", _synchronous(_cuda.CudaDevice.send))
-    monkeypatch.setitem(counterparts._ALL, "add_beam_loads", watched)
+    monkeypatch.setitem(counterparts.COUNTERPARTS, "add_beam_loads", watched)
     cpu, device = (integrate(model, plan, state=moving(model), loop_of=loop) for loop in (CoreLoop, gpu.loop_on_gpu))
     assert_same_bits(cpu, device)
     assert FakeDevice.graphs == 0
@@ -192,6 +191,6 @@ def test_a_user_without_a_device_learns_what_is_missing(monkeypatch) -> None:
     gpu = pytest.importorskip("bondem.dynamics.gpu_loop")
     monkeypatch.setattr(_cuda, "lacks_gpu", lambda: "no CUDA device or driver was found: …")
     with pytest.raises(InputError, match="device='gpu': no CUDA device"):
-        gpu.require_gpu(bar(), Plan(duration=1.0))
+        gpu.require_gpu(bar())
     with pytest.raises(InputError, match="no CUDA device"):
         bd.solve_explicit(bar(), duration=1e-6, device="gpu")

@@ -11,7 +11,6 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from bondem._device import Device, DeviceTables, Enqueue, HostCall, Launch, passes_of
-from bondem.damage.failure_passes import CRITERION_NAMES
 from bondem.dynamics.core_loop import noticeable
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.gauge_tables import gauge_tables
@@ -37,8 +36,6 @@ GUARD_INTERVAL = 100
 BEYOND = 1000.0
 # Steps of a graph at most.
 _RECORDED = 64
-# Bonds from which on their numbers need more than 32 bits.
-_MOST_BONDS = 2**31
 # Columns of a record, of those of the device.
 _COLUMNS = [(1, 0), (2, 1), (3, 4), (4, 5), (5, 6), (6, 7), (7, 13), (8, 11), (8, 17), (9, 2), (10, 3), (11, 14),
             (12, 15), (13, 16)]  # fmt: skip
@@ -47,26 +44,6 @@ _WIDE, _LOST, _SICK, _SUPPLIED = (SUM_COLUMNS.index(name) for name in ("wide", "
 _WALL_WORK = 12
 # Word of the clock that is the number of the step.
 _STEP = 5
-
-
-def device_has(model: Model) -> bool:
-    """Return whether all passes of a run have counterparts on a device."""
-    return (
-        (
-            model.breaking is None
-            or model.non_local is not None
-            or model.breaking.kind < len(CRITERION_NAMES)
-        )
-        and (model.softening is None or _cracks_on_device(model))
-        and len(model.layout.i) < _MOST_BONDS
-    )
-
-
-def _cracks_on_device(model: Model) -> bool:
-    """Return whether cracks of a body of cells have counterparts on a device."""
-    table = model.softening
-    strained = len(model.constraints.strain_part) > 0
-    return table is not None and table.slip is None and not strained and not table.plane.any()
 
 
 def _composed(model: Model, plan: Plan, state: State, dt: float) -> tuple[SharedTables, list[Part]]:

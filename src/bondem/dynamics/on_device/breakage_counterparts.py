@@ -21,15 +21,18 @@ _JUDGES = {
     name: IndexPass(f"judge_beam_by_{name}", DeviceSpan, Moving, Beams, Strengths, BondMarks, Candidates, Postponed)
     for name in CRITERION_NAMES
 }
-#: Sorts the bonds that fail in a step.
-sort_failing = IndexPass("sort_failing", Candidates)
+_rank_failing = IndexPass("rank_failing", BondMarks, Candidates)
+_count_failures = IndexPass("count_failures", Candidates, EventLog)
 _keep_gathered_sum = IndexPass("keep_gathered_sum", StepCut, BondsOfElements, LoadsOfBonds, Postponed)
 _keep_sum = IndexPass("keep_sum", StepCut, Postponed)
 _keep_dashed_sum = IndexPass("keep_dashed_sum", StepCut, Dashpots, Postponed)
-_withdraw = IndexPass("withdraw_all_dashpots", DeviceSpan, Moving, Beams, Dashpots, Candidates, Postponed)
-_break_beams = IndexPass(
-    "break_all_beams", DeviceSpan, Moving, Beams, BeamIntegrity, Candidates, Postponed, EventLog
+_load_failing_dashpot = IndexPass("load_failing_dashpot", Moving, Beams, Dashpots, Candidates, LoadsOfBonds)
+_OF_FAILING = BondsOfElements, BondMarks, LoadsOfBonds
+_take_dashpots_off = IndexPass("take_dashpots_off_element", *_OF_FAILING, Dashpots, Candidates, Postponed)
+_remove_beam = IndexPass(
+    "remove_failing_beam", DeviceSpan, Moving, Beams, BeamIntegrity, Candidates, EventLog, LoadsOfBonds
 )
+_take_beams_off = IndexPass("take_beams_off_element", *_OF_FAILING, Candidates, Postponed)
 _RESUMES = {
     (False, False): IndexPass("resume_free", DeviceSpan, Moving, StepCut, Postponed),
     (False, True): IndexPass("resume_resisted", DeviceSpan, Moving, StepCut, Resistance, Postponed),
@@ -44,7 +47,25 @@ _write_released_energy = IndexPass("write_released_energy", DeviceSpan, EventLog
 
 def marks_of(run: Translation) -> BondMarks:
     """Return the marks of the bonds of a run."""
-    return run.once(run.loads, lambda: BondMarks(np.zeros(run.span.m, dtype=np.uint8)))
+
+    def make() -> BondMarks:
+        m = run.span.m
+        made = BondMarks(np.zeros(m, dtype=np.uint8), np.zeros(m, dtype=np.uint32), np.zeros(m, dtype=np.uint8))
+        run.scratch += made
+        return made
+
+    return run.once(run.loads, make)
+
+
+def ranked(run: Translation, candidates: Candidates) -> Launch:
+    """Return the launch that puts bonds that fail into their order."""
+    return _rank_failing, run.span.m, (marks_of(run), candidates)
+
+
+def counted(run: Translation, candidates: Candidates, log: EventLog) -> Launch:
+    """Return the launch that counts the events of a step, whose rows are filled, and adds up their energies."""
+    run.keep_log(log)
+    return _count_failures, 1, (candidates, log)
 
 
 def marking(one: IndexPass) -> Counterpart:
@@ -64,7 +85,7 @@ def judging(one: IndexPass) -> Counterpart:
         run: Translation, moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, last: Any
     ) -> list[Launch]:
         tables = run.span, moving, beams, strengths, marks_of(run), candidates, last
-        return [(one, run.span.m, tables), (sort_failing, 1, (candidates,))]
+        return [(one, run.span.m, tables), ranked(run, candidates)]
 
     return counterpart
 
@@ -79,8 +100,19 @@ def _keep_dashed(run: Translation, dashpots: Dashpots, postponed: Postponed) -> 
     return [(_keep_dashed_sum, run.span.n, (run.cut, dashpots, postponed))]
 
 
-def _withdraw_dashpots(run: Translation, *tables: Any) -> list[Launch]:
-    return [(_withdraw, 1, (run.span, *tables))]
+def _withdraw_dashpots(
+    run: Translation,
+    moving: Moving,
+    beams: Beams,
+    dashpots: Dashpots,
+    candidates: Candidates,
+    postponed: Postponed,
+) -> list[Launch]:
+    of_failing = run.bonds, marks_of(run), run.dashed
+    return [
+        (_load_failing_dashpot, run.span.m, (moving, beams, dashpots, candidates, run.dashed)),
+        (_take_dashpots_off, run.span.n, (*of_failing, dashpots, candidates, postponed)),
+    ]
 
 
 def _break(
@@ -92,8 +124,11 @@ def _break(
     postponed: Postponed,
     log: EventLog,
 ) -> list[Launch]:
-    run.keep_log(log)
-    return [(_break_beams, 1, (run.span, moving, beams, integrity, candidates, postponed, log))]
+    return [
+        (_remove_beam, run.span.m, (run.span, moving, beams, integrity, candidates, log, run.loads)),
+        (_take_beams_off, run.span.n, (run.bonds, marks_of(run), run.loads, candidates, postponed)),
+        counted(run, candidates, log),
+    ]
 
 
 def _write(run: Translation, log: EventLog, history: HistoryRows) -> list[Launch]:

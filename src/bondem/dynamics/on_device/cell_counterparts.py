@@ -9,7 +9,6 @@ from bondem.dynamics.on_device.device_tables import (
     DeviceSpan,
     LoadsOfBonds,
     RowOrder,
-    StrainPortions,
     WallEnergy,
 )
 from bondem.dynamics.on_device.translation import Counterpart, Translation
@@ -45,9 +44,9 @@ _sum_portion_of_walls = IndexPass("sum_portion_of_walls", Moving, WallConstraint
 _add_energies = IndexPass("add_energies", DilatationEnergy, WallEnergy, Portions)
 
 
-_follow_factors = IndexPass("follow_cell_factors", DeviceSpan, Timeline, CellStrains, StrainPortions)
-_stretch_facet = IndexPass("stretch_facet_of_step", CellStrains, ElasticFacets, StrainPortions)
-_stretch_wall = IndexPass("stretch_wall_of_step", CellStrains, WallConstraints, StrainPortions)
+_follow_factors = IndexPass("follow_cell_factors", DeviceSpan, Timeline, CellStrains)
+_stretch_facet = IndexPass("stretch_facet_of_step", CellStrains, ElasticFacets)
+_stretch_wall = IndexPass("stretch_wall_of_step", CellStrains, WallConstraints)
 _sum_strain_portion = IndexPass("sum_strain_portion", DeviceSpan, Moving, CellStrains, ElasticFacets)
 _begin_cell_strains = IndexPass("begin_cell_strains", DeviceSpan, Moving, CellStrains, WallConstraints)
 _add_work = IndexPass("add_work_of_cell_strains", DeviceSpan, Moving, CellStrains, WallConstraints, Rows)
@@ -109,21 +108,13 @@ def _add_traction_work(run: Translation, moving: Moving, tractions: FacetTractio
 # ---- strains that change
 
 
-def _changes(run: Translation, strains: CellStrains) -> StrainPortions:
-    def make() -> StrainPortions:
-        return StrainPortions(np.zeros(2, dtype=np.int64), np.zeros((0, len(strains.schedule))))
-
-    return run.once(strains, make)
-
-
 def _follow_strains(
     run: Translation, timeline: Timeline, strains: CellStrains, facets: ElasticFacets, walls: WallConstraints
 ) -> list[Launch]:
-    changes = _changes(run, strains)
     return [
-        (_follow_factors, 1, (run.span, timeline, strains, changes)),
-        (_stretch_facet, run.span.m, (strains, facets, changes)),
-        (_stretch_wall, len(strains.wall_still), (strains, walls, changes)),
+        (_follow_factors, 1, (run.span, timeline, strains)),
+        (_stretch_facet, run.span.m, (strains, facets)),
+        (_stretch_wall, len(strains.wall_still), (strains, walls)),
     ]
 
 

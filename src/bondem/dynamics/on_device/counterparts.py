@@ -1,7 +1,7 @@
 """The counterparts of all passes: for each pass that a step is composed of, the launches that do the same.
 
-The parts of a step (`bondem.dynamics.parts`) compose it once, for the CPU and for devices. A model runs on a device
-where each of its passes has a counterpart.
+The parts of a step (`bondem.dynamics.parts`) compose it once, for the CPU and for devices. Each of its passes has a
+counterpart, so that a device runs whatever the CPU runs.
 """
 
 from collections.abc import Mapping
@@ -22,6 +22,7 @@ from bondem.dynamics.on_device import (
     softening_counterparts,
     stored_counterparts,
     stress_onset_counterparts,
+    yielding_counterparts,
 )
 from bondem.dynamics.on_device.translation import Counterpart, Translation
 from bondem.dynamics.parts.part import Passes
@@ -29,7 +30,8 @@ from bondem.dynamics.parts.part import Passes
 #: Passes that act on elements beside the loads of their bonds.
 FURTHER = {"add_dashpot_loads", "add_body_forces", "add_wall_loads", "add_contact_loads", "add_crack_loads"}
 
-_ALL = {
+#: Counterparts by the names of the passes of the CPU.
+COUNTERPARTS = {
     **boundary_counterparts.COUNTERPARTS,
     **beam_counterparts.COUNTERPARTS,
     **breakage_counterparts.COUNTERPARTS,
@@ -44,6 +46,7 @@ _ALL = {
     **stress_onset_counterparts.COUNTERPARTS,
     **softening_counterparts.COUNTERPARTS,
     **stored_counterparts.COUNTERPARTS,
+    **yielding_counterparts.COUNTERPARTS,
 }
 
 
@@ -55,10 +58,5 @@ def launches_of(passes: Passes, run: Translation, instead: Mapping[str, Counterp
         run: tables of the run.
         instead: counterparts to use instead of the usual ones.
     """
-    counterparts = _ALL if instead is None else {**_ALL, **instead}
+    counterparts = COUNTERPARTS if instead is None else {**COUNTERPARTS, **instead}
     return [launch for one, *tables in passes for launch in counterparts[one.name](run, *tables)]
-
-
-def lacking(passes: Passes) -> list[str]:
-    """Return the names of passes that have no counterpart."""
-    return [one.name for one, *_ in passes if one.name not in _ALL]

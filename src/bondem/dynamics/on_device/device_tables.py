@@ -33,9 +33,11 @@ class LoadsOfBonds(NamedTuple):
 
 
 class BondMarks(NamedTuple):
-    """Bonds whose load reaches their bound."""
+    """Bonds whose load reaches their bound, and those of them that fail."""
 
-    mark: np.ndarray  #: uint8, (m,)
+    mark: np.ndarray  #: 1 for bonds near to failure, 2 for those that fail, uint8, (m,)
+    failing: np.ndarray  #: bonds that fail in a step, in any order, uint32, (m,)
+    mode: np.ndarray  #: how, uint8, (m,)
 
 
 class SofteningLosses(NamedTuple):

@@ -3,7 +3,7 @@
 from bondem._device import IndexPass, Launch
 from bondem.damage.failure_passes import Strengths
 from bondem.dynamics.damage_tables import Candidates, EventLog, FailureBounds, Postponed
-from bondem.dynamics.on_device.breakage_counterparts import marking, marks_of, sort_failing
+from bondem.dynamics.on_device.breakage_counterparts import counted, marking, marks_of, ranked
 from bondem.dynamics.on_device.device_tables import BondMarks, DeviceSpan, LoadsOfBonds, RowOrder
 from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
 from bondem.dynamics.step_tables import Moving
@@ -17,7 +17,9 @@ _judge = IndexPass(
 _postpone_neighbour = IndexPass("postpone_neighbour", ElasticFacets, FacetRelease, Candidates, Postponed)
 _EXCHANGED = Moving, ElasticFacets, WallConstraints, FacetRelease, Candidates
 _withdraw_of_cell = IndexPass("withdraw_facets_of_cell", *_EXCHANGED, Postponed)
-_break_all_facets = IndexPass("break_all_facets", DeviceSpan, *_EXCHANGED, EventLog)
+_REMOVED = Moving, ElasticFacets, WallConstraints, FacetRelease, BondMarks, Candidates
+_write_failure = IndexPass("write_facet_failure", DeviceSpan, *_REMOVED, EventLog)
+_end_of_cell = IndexPass("end_facets_of_cell", *_REMOVED)
 _restore_of_cell = IndexPass("restore_facets_of_cell", *_EXCHANGED, Postponed)
 _renew_wall_row = IndexPass("renew_wall_row", WallConstraints, RowOrder, Rows, Candidates)
 
@@ -35,7 +37,7 @@ def _judge_facets(
     return [
         (_judge, run.span.m, tables),
         (_postpone_neighbour, run.span.n, (facets, release, candidates, postponed)),
-        (sort_failing, 1, (candidates,)),
+        ranked(run, candidates),
     ]
 
 
@@ -48,8 +50,12 @@ def _break(
     candidates: Candidates,
     log: EventLog,
 ) -> list[Launch]:
-    run.keep_log(log)
-    return [(_break_all_facets, 1, (run.span, moving, facets, walls, release, candidates, log))]
+    removed = moving, facets, walls, release, marks_of(run), candidates
+    return [
+        (_write_failure, run.span.m, (run.span, *removed, log)),
+        (_end_of_cell, run.span.n, removed),
+        counted(run, candidates, log),
+    ]
 
 
 def _renew(run: Translation, walls: WallConstraints, rows: Rows, candidates: Candidates) -> list[Launch]:

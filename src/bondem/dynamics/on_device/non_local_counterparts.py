@@ -4,9 +4,9 @@ from bondem._device import IndexPass, Launch
 from bondem.damage.failure_passes import Strengths
 from bondem.dynamics.contact_tables import ContactConstants, ContactPairs, NearPairs, WallContacts
 from bondem.dynamics.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
-from bondem.dynamics.on_device.breakage_counterparts import sort_failing
+from bondem.dynamics.on_device.breakage_counterparts import counted, marks_of, ranked
 from bondem.dynamics.on_device.contact_counterparts import earlier_pairs
-from bondem.dynamics.on_device.device_tables import BondsOfElements, DeviceSpan, EarlierPairs, LoadsOfBonds
+from bondem.dynamics.on_device.device_tables import BondMarks, BondsOfElements, DeviceSpan, EarlierPairs, LoadsOfBonds
 from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
 from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
 from bondem.interactions.beams.beam_tables import Beams
@@ -24,9 +24,13 @@ _add_wall_moments = IndexPass(
     "add_wall_moments_of_element", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, LaggedStresses
 )
 _find_stress = IndexPass("find_stress_of_element", Moving, LaggedStresses)
-_judge_pair = IndexPass("judge_pair", DeviceSpan, Beams, LaggedStresses, Strengths, Candidates, Postponed)
-_break = IndexPass("break_all_pairs", *_OF_PAIRS, Candidates, Postponed, EventLog)
-_relieve = IndexPass("relieve_all_pairs", *_OF_PAIRS, LaggedStresses, BeamIntegrity, Candidates)
+_judge_pair = IndexPass("judge_pair", DeviceSpan, Beams, LaggedStresses, Strengths, BondMarks, Candidates, Postponed)
+_write_failure = IndexPass("write_pair_failure", *_OF_PAIRS, Candidates, EventLog)
+_take_pairs_off = IndexPass(
+    "take_pairs_off_element", NonLocalBonds, BondsOfElements, BondMarks, Candidates, Postponed
+)
+_relieve = IndexPass("relieve_element", Moving, NonLocalBonds, BondsOfElements, BondMarks, LaggedStresses, Candidates)
+_end_pair = IndexPass("end_failing_pair", NonLocalBonds, BeamIntegrity, Candidates)
 _add_begun = IndexPass(
     "add_all_begun_contacts", DeviceSpan, Moving, ContactConstants, ContactPairs, LaggedStresses, EventLog
 )
@@ -83,8 +87,8 @@ def _judge(
     candidates: Candidates,
     postponed: Postponed,
 ) -> list[Launch]:
-    tables = run.span, beams, stresses, strengths, candidates, postponed
-    return [(_judge_pair, run.span.m, tables), (sort_failing, 1, (candidates,))]
+    tables = run.span, beams, stresses, strengths, marks_of(run), candidates, postponed
+    return [(_judge_pair, run.span.m, tables), ranked(run, candidates)]
 
 
 def _break_pairs(
@@ -96,8 +100,26 @@ def _break_pairs(
     postponed: Postponed,
     log: EventLog,
 ) -> list[Launch]:
-    run.keep_log(log)
-    return [(_break, 1, (run.span, moving, beams, bonds, candidates, postponed, log))]
+    return [
+        (_write_failure, run.span.m, (run.span, moving, beams, bonds, candidates, log)),
+        (_take_pairs_off, run.span.n, (bonds, run.bonds, marks_of(run), candidates, postponed)),
+        counted(run, candidates, log),
+    ]
+
+
+def _relieve_pairs(
+    run: Translation,
+    moving: Moving,
+    _: Beams,
+    bonds: NonLocalBonds,
+    stresses: LaggedStresses,
+    integrity: BeamIntegrity,
+    candidates: Candidates,
+) -> list[Launch]:
+    return [
+        (_relieve, run.span.n, (moving, bonds, run.bonds, marks_of(run), stresses, candidates)),
+        (_end_pair, run.span.m, (bonds, integrity, candidates)),
+    ]
 
 
 def _energies(
@@ -121,7 +143,7 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "mark_pairs": lambda *_: [],  # each thread asks whether its bond reaches the bounds
     "judge_pairs": _judge,
     "break_pairs": _break_pairs,
-    "relieve_pairs": over(_relieve, _one_thread),
+    "relieve_pairs": _relieve_pairs,
     "add_begun_contacts": over(_add_begun, _one_thread),
     "sum_non_local_energies": _energies,
     "write_non_local_work": over(_write_work, _one_thread),

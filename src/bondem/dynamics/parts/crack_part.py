@@ -71,7 +71,7 @@ _mark_cracking_planes = StepPass(
 _begin_cracks = StepPass("begin_cracks", ElasticFacets, FacetForces, FacetStrengths, CrackOnset, CohesiveCracks)
 _link_cracks = StepPass("link_cracks", ElasticFacets, FacetForces, FacetStrengths, CohesiveCracks, CrackLists)
 _weigh_cracked_cells = StepPass("weigh_cracked_cells", ElasticFacets, CellDilatation, CellSlack, CohesiveCracks)
-_follow_levers = StepPass("follow_levers", ElasticFacets, CohesiveCracks)
+_follow_levers = StepPass("follow_levers", CellStrains, ElasticFacets, CohesiveCracks)
 _list_cracks = StepPass("list_cracks", ElasticFacets, CohesiveCracks, CrackLists)
 _carry_cracks = StepPass("carry_cracks", StressesOfCells, CohesiveCracks, CrackLists)
 _sum_moments = StepPass("sum_moments", Moving, ElasticFacets, FacetsOfCells, FacetForces)
@@ -227,7 +227,7 @@ class CrackingBody:
         return Part(
             {
                 "begin": self._begin(),
-                "present": [(_follow_levers, body.facets, cracks)] if body.strains is not None else [],
+                "present": [] if body.strains is None else [(_follow_levers, body.strains, body.facets, cracks)],
                 "prepare": crack,
                 "add": [(_add_crack_loads, moving, stresses, cracks, lists, self.shared.cut)],
                 "settle": still,
