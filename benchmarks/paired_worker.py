@@ -135,14 +135,21 @@ def bits(**arguments) -> dict:
     return run(**arguments)
 
 
+def close(**arguments) -> dict:
+    from bits.closeness import close
+
+    return close(**arguments)
+
+
 def cases() -> dict:
-    """Names of the cases of `bits`."""
+    """Names of the cases of `bits`, and of further ones."""
+    from bits.bodies import BODIES
     from bits.cases import CASES
 
-    return {"names": list(CASES)}
+    return {"names": list(CASES), "bodies": list(BODIES)}
 
 
-TASKS = {task.__name__: task for task in (source, specimen, load, go, first_run, bits, cases)}
+TASKS = {task.__name__: task for task in (source, specimen, load, go, first_run, bits, close, cases)}
 
 
 def main() -> None:

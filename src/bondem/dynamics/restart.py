@@ -20,6 +20,7 @@ from bondem.errors import InputError, StageWarning
 from bondem.geometry.rotations import rotation_vector
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.model.state_check import check_arrays
 from bondem.model.state_compatibility import Origin
 
 # What a prescribed displacement may differ from where the element is: rounding of many steps, as a share of the
@@ -34,11 +35,14 @@ def begin(model: Model, state: State | None) -> State:
     """Return a state to run `model` from: a new one at rest, or a copy of `state`, whose time continues.
 
     Raises:
-        InputError: The state belongs to a model with other elements, masses or bonds, or displacements would jump.
+        InputError: The state belongs to a model with other elements, masses or bonds or has an array that does not
+            fit them, or displacements would jump.
 
     Warns:
         StageWarning: A schedule began before the time of the state, and was not in the run that made the state.
     """
+    if state is not None:
+        check_arrays(state)
     own = State(model) if state is None else state.copy()
     before = None if state is None or state.time == 0.0 else state.model
     if state is not None:
