@@ -77,8 +77,8 @@ class Servo:
 class Free:
     """A rigid body pushed by elements, without rotation: an impactor, a dropped weight or a flyer plate.
 
-    The body is outside the energy ledger. Its work on the elements is "work"; its remaining kinetic energy ½ m v²
-    follows from `bd.WallGauge(..., "velocity")`. In a later stage it continues at its velocity.
+    The energy ledger counts the work of the body on the elements as "work", and not the kinetic energy ½ m v² of the
+    body; `bd.WallGauge(..., "velocity")` records v. In a later stage the body continues at its velocity.
 
     Attributes:
         mass: mass of the body [kg].
@@ -156,7 +156,10 @@ class PlaneWall:
 
     @property
     def row(self) -> Floats:
-        """Point, normal, outer radius, kind and inner radius, in the form of the core, (9,)."""
+        """Row of the table of walls that the compiled core reads, (9,).
+
+        It holds the point [m], the normal, the outer radius [m], the kind of the wall and the inner radius [m].
+        """
         if self.outer is None and not self.inner:
             return np.array([*self.point, *self.normal, 0.0, PLANE, 0.0])
         outer = np.inf if self.outer is None else self.outer
@@ -192,7 +195,10 @@ class CylinderWall:
 
     @property
     def row(self) -> Floats:
-        """Numbers that describe the cylinder: point, axis, radius, kind and 0, (9,)."""
+        """Row of the table of walls that the compiled core reads, (9,).
+
+        It holds a point of the axis [m], the axis, the radius [m], the kind of the wall and a zero.
+        """
         return np.array([*self.point, *self.axis, self.radius, OUTSIDE if self.outside else INSIDE, 0.0])
 
 
@@ -222,7 +228,10 @@ class SphereWall:
 
     @property
     def row(self) -> Floats:
-        """Centre, zeros, radius, kind and 0, in the form of the core, (9,)."""
+        """Row of the table of walls that the compiled core reads, (9,).
+
+        It holds the centre [m], three zeros, the radius [m], the kind of the wall and a zero.
+        """
         return np.array([*self.centre, 0.0, 0.0, 0.0, self.radius, SHELL if self.inside else BALL, 0.0])
 
 

@@ -75,10 +75,12 @@ class Response:
             self.E, self.nu = self.tension.E, self.tension.nu
 
     def slope(self, parameter: str) -> Slope:
-        """Derivatives with respect to a parameter of the law, by its name: "nu", "radius_ratio" or its free
-        parameter.
+        """Return the derivatives of ln E and ν with respect to a parameter of the law.
 
         A tension test solves two adjoint problems, once for all parameters; bulk moduli need none.
+
+        Args:
+            parameter: name of the parameter: "nu", "radius_ratio" or the free parameter of the law.
         """
         change = stiffness_slope(self.lattice, self.law, parameter)
         if self.moduli is not None:

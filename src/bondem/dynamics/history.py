@@ -32,11 +32,15 @@ class History:
 
     @classmethod
     def empty(cls, gauges: tuple[str, ...]) -> "History":
-        """Return a history without records."""
+        """Return a history of the named gauges without records."""
         return cls(np.zeros((0, FIXED_COLUMNS + 3 * len(gauges))), gauges)
 
     def extended(self, *records: Floats) -> "History":
-        """Return this history with more records."""
+        """Return a history with further records appended.
+
+        Args:
+            *records: rows with the columns of `records`, each argument of shape (s, 14 + 3 g).
+        """
         return History(np.concatenate([self.records, *records]), self.gauges)
 
     def __len__(self) -> int:

@@ -135,9 +135,9 @@ def _warn_of_lost_time(model: Model, before: Origin, time: float) -> None:
         if value != first and schedule not in known:
             over = "over" if schedule.table[0][-1] <= time else "under way"
             warnings.warn(
-                f"{owner}: {shown(schedule)} is {over} when this run begins, as time goes on from its state"
-                f" (t = {time:.6g} s): it begins at {value:.6g}, not {first:.6g}; give times from there on, such as"
-                f" begin={time:.6g}",
+                f"{owner}: {shown(schedule)} is {over} when this run begins, because the time continues from that of"
+                f" its initial state (t = {time:.6g} s): its first value is {value:.6g}, not {first:.6g}; give later"
+                f" times, such as begin={time:.6g}",
                 StageWarning,
                 stacklevel=users_line(),
             )

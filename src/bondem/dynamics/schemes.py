@@ -26,7 +26,13 @@ class Scheme(ABC):
 
     @abstractmethod
     def coefficients(self, dt: float) -> tuple[float, float, float]:
-        """Return finish [s], begin [s] and extra [s²] for a step dt [s]."""
+        """Return the factors of the acceleration in a step of the duration dt [s].
+
+        Returns:
+            Factors a, b [s] and c [s²]: the velocity grows by a times the acceleration at the end of the step
+            before and b times the one of this step; the displacement has c times the acceleration beside dt times
+            the velocity.
+        """
 
 
 @dataclass(frozen=True)

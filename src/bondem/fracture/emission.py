@@ -75,7 +75,7 @@ class AcousticEmission:
 def acoustic_emission(
     events: BrokenBonds, *, time: float | None = None, distance: float | None = None, model: Model | None = None
 ) -> AcousticEmission:
-    """Group breakages into emissions, by single links between those near in space and in time.
+    """Group breakages that are near each other in space and time into emissions.
 
     Two breakages are linked if they are at most `distance` and at most `time` apart. All breakages joined by links
     form one emission, much as Hazzard and Young (2002) group broken bonds. Both numbers define what an emission is:

@@ -71,7 +71,7 @@ class Walled(ABC):
 
     @property
     def planes(self) -> Planes:
-        """Planes of the faces that have the whole shape on one side, by the names of the faces."""
+        """Point [m] and outward normal of each plane face with the whole shape on one side, by face."""
         return {}
 
     def depth(self, points: PerElement3) -> PerElement:
@@ -79,9 +79,9 @@ class Walled(ABC):
         return self.depth_of(self.faces, points)
 
     def depth_of(self, faces: Sequence[str], points: PerElement3) -> PerElement:
-        """Return the depth of points (n, 3) with respect to some faces only [m], (n,).
+        """Return the depth of points (n, 3) [m] below the faces named in `faces` [m], (n,).
 
-        Shapes that are not an intersection of their faces use all faces.
+        A shape that is not the intersection of its faces uses all its faces.
         """
         points = np.atleast_2d(points)
         if not faces:

@@ -144,8 +144,8 @@ def read_lattice(
     _refuse_across(path, lattice)
     if strained:
         warnings.warn(
-            f"'{path}': {strained}; bonds get the lengths that they have there as those at rest, so that the body is"
-            " free of stress; read the file of the body before it was loaded, or keep runs in run files (out=)",
+            f"'{path}': {strained}; the present lengths of its bonds become their rest lengths, so that the body"
+            " is free of stress; read the file of the body before it was loaded, or keep runs in run files (out=)",
             StressFreeWarning, stacklevel=2,
         )  # fmt: skip
     return lattice

@@ -42,7 +42,7 @@ class FragmentSizes:
         return cls(diameter * np.cbrt(mass / mass.sum()), np.cumsum(mass) / mass.sum())
 
     def below(self, diameter: float) -> float:
-        """Mass share of the fragments smaller than a diameter [m]."""
+        """Return the mass share of the fragments smaller than a diameter [m], [-]."""
         found = int(np.searchsorted(self.diameter, diameter))
         return float(self.passing[found - 1]) if found else 0.0
 

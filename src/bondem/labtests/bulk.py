@@ -42,7 +42,11 @@ class BulkModuli:
     volume: float
 
     def stiffness_of(self, k: Floats) -> Floats:
-        """Stiffness C [Pa], (6, 6), for bonds with given kn, ks, kb and kt, (4, m), at these deformations.
+        """Return the stiffness C [Pa], (6, 6), of bonds with given stiffnesses at the deformations of this result.
+
+        Args:
+            k: kn, ks, kb and kt of each bond, (4, m).
+
 
         With the derivatives of the bond stiffnesses with respect to a parameter, the result is the derivative of C.
         """

@@ -64,15 +64,15 @@ class ThinBar:
         return 2.0 * self.pressure / (self.rho * self.celerity)
 
     def pull_back(self, tension: float) -> float:
-        """Pull-back velocity of the free end for a tensile strength f_t [Pa], 2 f_t / ρ c [m/s]."""
+        """Return the pull-back velocity of the free end for a tensile strength [Pa], 2 f_t / ρ c [m/s]."""
         return 2.0 * tension / (self.rho * self.celerity)
 
     def strength(self, pull_back: float) -> float:
-        """Tensile strength for a pull-back velocity Δu [m/s], ½ ρ c Δu [Pa] (Novozhilov's acoustic estimate)."""
+        """Return the tensile strength for a pull-back velocity Δu [m/s], ½ ρ c Δu [Pa] (Novozhilov's estimate)."""
         return 0.5 * self.rho * self.celerity * pull_back
 
     def place(self, tension: float) -> float:
-        """Distance from the free end at which tension first reaches a strength, ½ c t_fall f_t / p [m].
+        """Return the distance from the free end at which tension first reaches a strength, ½ c t_fall f_t / p [m].
 
         At the distance d the reflected peak meets the incident pulse after 2 d / c, when its pressure has dropped by
         f_t. The result is infinite for a strength above the peak pressure.

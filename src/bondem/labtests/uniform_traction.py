@@ -71,7 +71,7 @@ class UniformStress:
         return self.isotropic.nu
 
     def along(self, axis: str) -> tuple[float, float]:
-        """Young's modulus [Pa] and Poisson's ratio [-] in uniaxial tension along "x", "y" or "z"."""
+        """Return Young's modulus [Pa] and Poisson's ratio [-] in uniaxial tension along "x", "y" or "z"."""
         k = "xyz".index(choice("along", "axis", axis, ("x", "y", "z")))
         S = self.compliance
         return 1.0 / S[k, k], -0.5 * (S[:3, k].sum() - S[k, k]) / S[k, k]

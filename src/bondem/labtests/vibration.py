@@ -59,7 +59,11 @@ class FreeVibration(Plotted):
         return slice(int(np.argmax(self.time >= self.released * (1.0 - 1e-9))), len(self.time))
 
     def frequency(self, kind: str) -> float:
-        """Frequency of a signal [Hz], fitted over all records after release."""
+        """Return the frequency of a signal [Hz], fitted over all records after release.
+
+        Args:
+            kind: name of the signal, "tension", "bending" or "torsion".
+        """
         return dominant_frequency(self.time[self.free], self.signal[kind][self.free])
 
 

@@ -50,7 +50,7 @@ def radial_distribution(particles: Particles, *, reach: float = 4.0, bins: int =
         bins: number of shells.
 
     Returns:
-        Distances and g.
+        Distances, over the mean diameter [-], and g [-] at them.
 
     Raises:
         InputError: The region away from the walls has too few centres.

@@ -110,7 +110,8 @@ class LaggedStatics:
             extra = later.extra if k < steps else mixing(now.extra, later.extra)
             now = NonLocalStrain(lattice, constants, later.gap, extra)
         raise ConvergenceError(
-            f"stresses of the non-local law still change by {change:.2g} a round after {_ROUNDS} rounds"
+            f"stresses of the non-local law still change by {change:.2g} a round after {_ROUNDS} rounds;"
+            " lower nu=, or use solve_explicit with damping"
         )
 
     def _answer(self, total: PerElement6, guess: PerElement6 | None) -> PerElement6:

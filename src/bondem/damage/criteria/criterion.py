@@ -90,11 +90,14 @@ class Criterion(ABC):
 
     @property
     def principal(self) -> tuple[float, float, float] | None:
-        """Factors a, b, c [1/Pa] of max(a σ1, b σ1 - c σ3) ≥ 1, by which bonds of `bd.NonLocal` break, or None."""
+        """Factors a, b and c [1/Pa] of the limit max(a σ1, b σ1 - c σ3) = 1 of bonds of `bd.NonLocal`.
+
+        None for a criterion that such bonds cannot have, because it is not one of principal stresses.
+        """
         return None
 
     def factors(self, volume: PerBond, place: PerBond3, period: Floats | None) -> PerBond:
-        """Return strengths over the parameter [-], user's order, (m,).
+        """Return the strength of each bond over that of the criterion [-], user's order, (m,).
 
         Args:
             volume: volumes of bonds or facets [m³], (m,).
@@ -122,26 +125,35 @@ class BondCriterion(Criterion):
 
     @property
     def energies(self) -> tuple[float, float] | None:
-        """G_f of opening and G_II of shear of beams that soften [J/m²], or None for brittle ones."""
+        """Fracture energies G_f of opening and G_II of shear of softening beams [J/m²]; None for brittle beams."""
         return None
 
     @abstractmethod
     def coefficients(self, joint: Joint, factor: PerBond) -> Floats:
-        """Return the coefficients of each bond, shape (m, 4); strengths are multiplied by `factor`, (m,)."""
+        """Return the coefficients of the failure index of the bonds `joint`, (m, 4).
+
+        Args:
+            joint: geometry of the bonds.
+            factor: strength of each bond over that of the criterion [-], (m,).
+        """
 
     @abstractmethod
     def bounds(self, joint: Joint, coefficients: Floats) -> tuple[PerBond, PerBond]:
-        """Return a and b of each bond such that the index reaches 1 only if a |F| + b |M| does too [1/N, 1/(N·m)].
+        """Return a [1/N] and b [1/(N·m)] of each bond, so that an index of 1 requires a |F| + b |M| ≥ 1.
 
         F is the force of the bond and M the root of the sum of squares of its two torques on the elements' centres.
+
+        Args:
+            joint: geometry of the bonds.
+            coefficients: result of `coefficients`, (m, 4).
         """
 
     def pulled_and_sheared(self, joint: Joint, factor: PerBond, arm: PerBond) -> tuple[PerBond, PerBond]:
-        """Return tension, and shear without tension, at which a beam begins to soften [N], (m,) each.
+        """Return the tensile force and the shear force that alone make each beam soften [N], (m,) each.
 
         Args:
-            joint: bonds.
-            factor: strengths over the parameter.
+            joint: geometry of the beams.
+            factor: strength of each beam over that of the criterion [-], (m,).
             arm: arm from the contact point to the place where the moment of shear counts [m], (m,).
         """
         raise NotImplementedError(f"{type(self).__name__} does not soften")

@@ -22,17 +22,17 @@ class MohrCoulomb(BondCriterion):
     The traction is force over area, for a beam N/A and Q/A; moments do not count. Tension is positive, so that
     compression (t_n < 0) strengthens. If tension > c / tan φ, the cohesion alone limits the traction.
 
-    With a fracture energy beams soften from there on (`core/laws/beam_softening.hpp`). They absorb G_f times their
-    section in tension and G_II times it in shear; G_II is finite and ψ = 0 for them. In bodies of cells the criterion
-    is then that of the material. Facets crack where the largest principal stress reaches the tensile strength, as for
-    `bd.Rankine`, and cells yield where
+    With a fracture energy, beams that reach this limit soften (`core/laws/beam_softening.hpp`). They absorb G_f times
+    their section in tension and G_II times it in shear; G_II is finite and ψ = 0 for them. In bodies of cells the
+    criterion is then that of the material. Facets crack where the largest principal stress reaches the tensile
+    strength, as for `bd.Rankine`, and cells yield where
 
         (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ ≥ r c cos φ
 
     on their mean stress. The cohesion falls (r from 1 to 0) as slip dissipates the fracture energy of shear, while
     friction remains. Facets of a cell without cohesion break.
 
-    Between two regions with an entry of their own the criterion is that of a plane, on the traction of the facet. The
+    An entry of `failure=` for a pair of regions describes a plane between them, by the traction of its facets. A
     facet opens from t_n = tension on and slips from |t_s| + t_n tan φ = c on, with G_f and G_II per facet area.
 
     Bonds of `bd.NonLocal` break at once where the mean stress of their two elements reaches the criterion in any

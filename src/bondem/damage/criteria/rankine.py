@@ -24,9 +24,10 @@ class Rankine(Criterion):
     in another direction finds the strength of that direction (`core/laws/softening.hpp`). Without a fracture energy
     the facet breaks at once.
 
-    Between two regions with an entry of their own the traction of the facet alone decides: t_n ≥ tension, and G_f per
-    facet area. Bonds of `bd.NonLocal` break at once where σ1 of the mean stress σ̄ itself reaches the strength; the
-    friction of their faces is that of the contact law. The criterion does not apply to beams.
+    For an entry of `failure=` for a pair of regions, the traction of a facet between them decides alone: t_n ≥
+    tension, and G_f per facet area. Bonds of `bd.NonLocal` break at once where σ1 of the mean stress σ̄ itself
+    reaches the strength; the friction of their faces is that of the contact law. The criterion does not apply to
+    beams.
 
     Attributes:
         tension: f_t [Pa].

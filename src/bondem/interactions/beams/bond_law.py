@@ -37,7 +37,7 @@ class BondGeometry:
     mean_radius: float
 
     def take(self, chosen: np.ndarray) -> "BondGeometry":
-        """Return the geometry of a subset of the bonds."""
+        """Return the geometry of the bonds `chosen`, by indices or by a mask."""
         return BondGeometry(
             self.length[chosen], self.radius_i[chosen], self.radius_j[chosen], self.mean_radius
         )
@@ -45,7 +45,7 @@ class BondGeometry:
 
 @dataclass(frozen=True)
 class BondStiffness:
-    """Stiffnesses of bonds by a law, the input of the core, each of shape (m,).
+    """Stiffnesses of bonds by a law, as the compiled core reads them, each of shape (m,).
 
     Attributes:
         kn: normal stiffness [N/m].
@@ -64,12 +64,12 @@ class BondStiffness:
     radius: PerBond
 
     def put(self, chosen: np.ndarray, other: "BondStiffness") -> None:
-        """Overwrite the stiffnesses of the chosen bonds with those of another law."""
+        """Overwrite the stiffnesses of the bonds `chosen` with `other`, which has one row for each of them."""
         for item in fields(self):
             getattr(self, item.name)[chosen] = getattr(other, item.name)
 
     def take(self, chosen: np.ndarray) -> "BondStiffness":
-        """Return the stiffnesses of a subset of the bonds."""
+        """Return the stiffnesses of the bonds `chosen`, by indices or by a mask."""
         return BondStiffness(**{item.name: getattr(self, item.name)[chosen] for item in fields(self)})
 
     @classmethod

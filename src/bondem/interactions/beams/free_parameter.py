@@ -34,12 +34,12 @@ class FreeParameter:
 
     @property
     def label(self) -> str:
-        """Label for the axis of a figure."""
+        """Label of the axis of this parameter in figures."""
         return f"{self.meaning} {self.tex} [-]"
 
     @property
     def scale(self) -> str:
-        """Scale of such an axis: "log" if the search spans more than a decade, else "linear"."""
+        """Scale of the axis of this parameter: "log" if the search spans more than a decade, else "linear"."""
         return "log" if self.search[1] > 10.0 * self.search[0] else "linear"
 
 

@@ -37,7 +37,10 @@ class ContactLaw(ABC):
     @property
     @abstractmethod
     def parameters(self) -> Floats:
-        """Modulus [Pa], ks / kn, μ, β, and 1 for a Hertzian law or 0, in the form of the core, (5,)."""
+        """Parameters of the law that the compiled core reads, (5,).
+
+        They are the modulus [Pa], ks / kn, μ and β, and 1 for a Hertzian law or 0 for a linear one.
+        """
 
     @abstractmethod
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
@@ -172,11 +175,11 @@ class LinearContact(ContactLaw):
 
     @property
     def parameters(self) -> Floats:
-        """E [Pa], ks / kn, μ, β and 0, in the form of the core, (5,)."""
+        """Parameters of the law that the compiled core reads: E [Pa], ks / kn, μ, β and 0 for "linear", (5,)."""
         return np.array([self.E, 1.0 / self.kappa, self.friction, self.damping, 0.0])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
-        """Return bounds of the fastest motions of spheres in contact; see `ContactLaw.stiffest`."""
+        """Return bounds of the fastest motions of spheres in contact; arguments as for `ContactLaw.stiffest`."""
         kn = 0.5 * math.pi * self.E * radius
         delay = 2.0 * self.damping * float(np.sqrt(0.5 * mass / kn).max())
         return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0)
@@ -187,7 +190,7 @@ class LinearContact(ContactLaw):
         return _DEEPEST
 
     def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
-        """Return the duration of the shortest elastic collision [s]; see `ContactLaw.shortest`.
+        """Return the duration of the shortest elastic collision [s]; arguments as for `ContactLaw.shortest`.
 
         It is π √(m / k) at every speed.
         """

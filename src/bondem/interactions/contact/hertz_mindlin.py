@@ -25,7 +25,7 @@ class HertzMindlin(ContactLaw):
         F_n = 4/3 E* √R* u^(3/2) + cn u',    ks = 8 G* √(R* u)    (stick; |F_t| <= μ F_n)
 
     with E* = E / 2(1 − ν²), G* = G / 2(2 − ν), R* = Ri Rj / (Ri + Rj). A wall is rigid: E* and G* are doubled, R* =
-    R. The dashpots are cn = 2 √(5/6) β √(m̄ kn), kn = 2 E* √(R* u), and so for ks. They give the requested
+    R. The dashpots are cn = 2 √(5/6) β √(m̄ kn), kn = 2 E* √(R* u), and likewise with ks. They give the requested
     restitution at all speeds, with contacts that only repel. The tangential spring keeps its force while the overlap
     grows, and its stretch while it shrinks.
 
@@ -84,7 +84,7 @@ class HertzMindlin(ContactLaw):
 
     @property
     def parameters(self) -> Floats:
-        """E* of two spheres [Pa], ks / kn, μ, β and 1, in the form of the core, (5,)."""
+        """Parameters of the law that the compiled core reads: E* [Pa], ks / kn, μ, β and 1 for "Hertzian", (5,)."""
         return np.array([self.modulus, 1.0 / self.kappa, self.friction, self.damping, 1.0])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:

@@ -40,7 +40,7 @@ class NonLocal:
 
     The law has no potential. The work of its extra force e is therefore a separate entry of the energy ledger, and
     there is no symmetric stiffness and no mode. Stress lags one step or one iteration behind. The only moments are
-    those of forces. The module describes e and the computation of stresses.
+    those of forces. The page "The non-local law" of the documentation defines e and the stresses.
 
     Attributes:
         E: Young's modulus of the material [Pa].
