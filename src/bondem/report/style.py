@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from matplotlib import rc_context
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image, ImageChops
 
@@ -116,18 +117,19 @@ def sheet(
         if columns:
             axes = _column(figure, rows, columns, options) if slim else figure.subplots(rows, columns, **options)
         yield figure, axes
-        figure.savefig(path, dpi=_DOTS_PER_INCH)
-        _trim(path)
+        canvas = FigureCanvasAgg(figure)
+        canvas.draw()
+        image = Image.frombuffer("RGBA", canvas.get_width_height(), canvas.buffer_rgba()).convert("RGB")
+        _trimmed(image).save(path, dpi=(_DOTS_PER_INCH, _DOTS_PER_INCH))
 
 
-def _trim(path: Path) -> None:
+def _trimmed(image: Image.Image) -> Image.Image:
     """Remove empty rows at the top and the bottom of a figure; bodies in perspective leave many."""
-    with Image.open(path) as opened:
-        image = opened.convert("RGB")
     drawn = ImageChops.difference(image, Image.new("RGB", image.size, "white")).getbbox()
-    if drawn is not None:
-        top, bottom = max(drawn[1] - _MARGIN, 0), min(drawn[3] + _MARGIN, image.height)
-        image.crop((0, top, image.width, bottom)).save(path, dpi=(_DOTS_PER_INCH, _DOTS_PER_INCH))
+    if drawn is None:
+        return image
+    top, bottom = max(drawn[1] - _MARGIN, 0), min(drawn[3] + _MARGIN, image.height)
+    return image.crop((0, top, image.width, bottom))
 
 
 def _column(figure: Figure, rows: int, columns: int, options: dict[str, Any]) -> Any:
