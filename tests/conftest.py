@@ -14,6 +14,9 @@ os.environ["BONDEM_PACKING_CACHE"] = "off"
 # Tests of progress turn it on.
 os.environ.setdefault("BONDEM_PROGRESS", "off")
 
+# Processes that tests start import the package as bytecode, which the first of them writes.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+
 # Workers of pytest-xdist share the cores: libraries of linear algebra would start as many threads as cores in each.
 for _library in ("OPENBLAS", "OMP", "MKL"):
     os.environ.setdefault(f"{_library}_NUM_THREADS", "1")

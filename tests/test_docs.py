@@ -1,6 +1,6 @@
 """The documentation: Sphinx reads it without a warning, and the reference has every public name.
 
-Sphinx parses the pages and resolves all references, and writes no HTML, which takes three times as long; its theme and
+Sphinx parses the pages and resolves all references. It writes no HTML, which takes three times as long; theme and
 search index are built by `.github/workflows/docs.yml`.
 """
 

@@ -9,6 +9,7 @@ from typing import Any
 from matplotlib import rc_context
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.ticker import ScalarFormatter
 from PIL import Image, ImageChops
 
 from bondem.laws.catalogue import LAWS
@@ -117,10 +118,32 @@ def sheet(
         if columns:
             axes = _column(figure, rows, columns, options) if slim else figure.subplots(rows, columns, **options)
         yield figure, axes
+        _set_plain_ticks(figure)
         canvas = FigureCanvasAgg(figure)
         canvas.draw()
         image = Image.frombuffer("RGBA", canvas.get_width_height(), canvas.buffer_rgba()).convert("RGB")
         _trimmed(image).save(path, dpi=(_DOTS_PER_INCH, _DOTS_PER_INCH))
+
+
+class _PlainNumbers(ScalarFormatter):
+    """Numbers of an axis as plain text, whose factor alone is a formula.
+
+    With `axes.formatter.use_mathtext` every number is a formula, and parsing these takes a third of the time of a
+    figure; they look the same.
+    """
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        return super().__call__(x, pos).removeprefix(r"$\mathdefault{").removesuffix("}$")
+
+
+def _set_plain_ticks(figure: Figure) -> None:
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            found = axis.get_major_formatter()
+            if type(found) is ScalarFormatter:
+                plain = _PlainNumbers()
+                vars(plain).update(vars(found))
+                axis.set_major_formatter(plain)
 
 
 def _trimmed(image: Image.Image) -> Image.Image:
