@@ -204,7 +204,7 @@ def test_what_is_finished_is_not_run_again(finished: Any, tmp_path: Path, monkey
     assert run_programme(parse_programme(PROGRAMME), out) == results
     assert ran == []
     # specimens that are not broken
-    whole = PRISM | {"tests": ["static_tension"], "count": 60}
+    whole = PRISM | {"tests": ["static_tension"], "count": 100}
     elastic = PROGRAMME | {"specimens": [whole, whole | {"name": "other"}], "output": {"figures": False}}
     del elastic["failure"], elastic["targets"]
     results = run_programme(parse_programme(elastic), tmp_path)
@@ -212,7 +212,7 @@ def test_what_is_finished_is_not_run_again(finished: Any, tmp_path: Path, monkey
     again = run_programme(parse_programme(elastic), tmp_path)
     assert ran[2:] == ["concrete: Small prism"]
     assert again["rows"] == results["rows"]
-    changed = elastic | {"specimens": [whole | {"count": 70}, whole | {"name": "other", "count": 70}]}
+    changed = elastic | {"specimens": [whole | {"count": 110}, whole | {"name": "other", "count": 110}]}
     run_programme(parse_programme(changed), tmp_path)
     assert ran[3:] == ["concrete: Small prism", "concrete: other"]
     run_programme(parse_programme(changed).changed(packings=2), tmp_path, fresh=True)

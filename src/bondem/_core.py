@@ -24,6 +24,7 @@ from typing import Any
 import numpy as np
 
 from bondem._core_build import LIBRARIES, PROBE, SOURCES, Platform, compile_core, source_digest
+from bondem._core_functions import address_of
 from bondem._lock import alone
 from bondem.errors import InputError
 
@@ -34,8 +35,8 @@ __all__ = [
 
 # How long a process waits for what another one compiles [s].
 _PATIENCE = 300.0
-# Bytes of a number, of a pointer, and of the length of an axis.
-_WORD = 8
+# Bytes of a number, of a pointer, and of the length of an axis; and numbers as such words.
+_WORD, _REAL, _INTEGER = 8, struct.Struct("=d"), struct.Struct("=q")
 
 
 # ---- the library
@@ -298,12 +299,11 @@ class Pass:
             InputError: an array of another type, shape or order in memory than declared.
         """
         lengths: dict[str, tuple[int, str]] = {}
-        pairs = zip(self._fields, tables, strict=True)
-        filled = [filled_table(name, fields, table, lengths) for (name, fields), table in pairs]
+        filled = [filled_table(*one, table, lengths) for one, table in zip(self._fields, tables, strict=True)]
 
         def run() -> str:
             assert tables is not None  # the arrays live as long as this function
-            ended = self._function(int(threads), *filled)
+            ended = self._function(int(threads), *map(address_of, filled))
             return self._outcomes[ended] if self._outcomes else ""
 
         return run
@@ -351,8 +351,8 @@ def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[_Field, ...]:
 
 def filled_table(
     name: str, fields: tuple[_Field, ...], table: tuple[Any, ...], lengths: dict[str, tuple[int, str]]
-) -> Any:
-    """A table in memory as the core takes it.
+) -> np.ndarray:
+    """Return the words of a table as the core takes it, (words,).
 
     Args:
         name: name of the table.
@@ -363,33 +363,34 @@ def filled_table(
     words: list[int] = []
     for field, value in zip(fields, table, strict=True):
         if field.written is None:
-            packed = struct.pack("=d", float(value)) if field.dtype == np.float64 else struct.pack("=q", int(value))
-            words += struct.unpack("=q", packed)
+            real = field.dtype.kind == "f"
+            words += _INTEGER.unpack(_REAL.pack(float(value)) if real else _INTEGER.pack(int(value)))
             continue
-        where = f"{name}.{field.name}"
-        _check_array(where, field, value)
+        _check_array(name, field, value)
         for (symbol, more), length in zip(field.shape, value.shape, strict=True):
             if symbol == "*":
                 continue
-            known, source = lengths.setdefault(symbol, (length - more, where)) if symbol else (0, where)
+            if symbol and symbol not in lengths:
+                lengths[symbol] = length - more, f"{name}.{field.name}"
+            known, source = lengths[symbol] if symbol else (0, "the header")
             if length != known + more:
                 raise InputError(
-                    f"{where} = array of shape {value.shape}: an axis has to be {known + more} long"
+                    f"{name}.{field.name} = array of shape {value.shape}: an axis has to be {known + more} long"
                     f" ({symbol or 'fixed'}, as of {source}); pass {field}"
                 )
-        words += [value.ctypes.data, *value.shape]
-    return (ctypes.c_int64 * len(words))(*words)
+        words += [address_of(value), *value.shape]
+    return np.array(words, dtype=np.int64)
 
 
-def _check_array(where: str, field: _Field, value: Any) -> None:
+def _check_array(name: str, field: _Field, value: Any) -> None:
     """Raise InputError for what is no array as a field declares it, the lengths of its axes apart."""
     if not isinstance(value, np.ndarray):
-        raise InputError(f"{where} = {value!r}: not an array; pass {field}")
+        raise InputError(f"{name}.{field.name} = {value!r}: not an array; pass {field}")
     if value.dtype != field.dtype or value.ndim != len(field.shape) or not value.flags.c_contiguous:
         what = f"{value.dtype} of shape {value.shape}{'' if value.flags.c_contiguous else ', not contiguous'}"
-        raise InputError(f"{where} = array of {what}: the core cannot read it; pass {field}")
+        raise InputError(f"{name}.{field.name} = array of {what}: the core cannot read it; pass {field}")
     if field.written and not value.flags.writeable:
-        raise InputError(f"{where} = read-only array: the core writes to it; pass a copy")
+        raise InputError(f"{name}.{field.name} = read-only array: the core writes to it; pass a copy")
 
 
 def room_for(values: np.ndarray, rows: int) -> np.ndarray:

@@ -6,6 +6,7 @@ from contextvars import ContextVar
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from matplotlib import rc_context
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -121,7 +122,7 @@ def sheet(
         _set_plain_ticks(figure)
         canvas = FigureCanvasAgg(figure)
         canvas.draw()
-        image = Image.frombuffer("RGBA", canvas.get_width_height(), canvas.buffer_rgba()).convert("RGB")
+        image = Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3])
         _trimmed(image).save(path, dpi=(_DOTS_PER_INCH, _DOTS_PER_INCH))
 
 
