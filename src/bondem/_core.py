@@ -23,6 +23,7 @@ import numpy as np
 
 from bondem._core_build import LIBRARIES, PROBE, SOURCES, Platform, compile_core, source_digest
 from bondem._core_fields import Field, filled_table
+from bondem._core_functions import address_of
 from bondem._lock import alone
 from bondem.errors import InputError
 
@@ -255,13 +256,11 @@ class Pass:
             InputError: an array of another type, shape or order in memory than declared.
         """
         lengths: dict[str, tuple[int, str]] = {}
-        pairs = zip(self._fields, tables, strict=True)
-        filled = [filled_table(name, fields, table, lengths) for (name, fields), table in pairs]
-        addresses = [words.ctypes.data for words in filled]
+        filled = [filled_table(*one, table, lengths) for one, table in zip(self._fields, tables, strict=True)]
 
         def run() -> str:
-            assert filled and tables is not None  # the arrays live as long as this function
-            ended = self._function(int(threads), *addresses)
+            assert tables is not None  # the arrays live as long as this function
+            ended = self._function(int(threads), *map(address_of, filled))
             return self._outcomes[ended] if self._outcomes else ""
 
         return run

@@ -101,7 +101,7 @@ def test_facets_break_by_their_own_traction(angle: float) -> None:
         assert found.end == "parted"
 
 
-@pytest.mark.parametrize("nu", [-0.2, 0.2, 0.45])
+@pytest.mark.parametrize("nu", [0.2, *(pytest.param(nu, marks=pytest.mark.validate) for nu in (-0.2, 0.45))])
 def test_work_is_stored_or_dissipated(nu: float) -> None:
     found = follow(pulled(uneven_bar(100), nu=nu), ripple=0.3, most=120)
     assert found.end == "events"

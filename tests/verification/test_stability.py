@@ -157,7 +157,7 @@ def test_the_state_given_back_is_no_older_than_ten_thousand_steps() -> None:
 def test_grains_that_collide_are_not_stopped(options: dict) -> None:
     model, state = cloud(4, bd.LinearContact(E=1e7, **options), speed=10.0, walls=walls_of_box(9.2))
     dt = time_step(model, 0.9)
-    run = integrate(model, bd.Plan(duration=20_000 * dt, dt=dt, every=0, imbalance=None), state=state)
+    run = integrate(model, bd.Plan(duration=8_000 * dt, dt=dt, every=0, imbalance=None), state=state)
     assert run.status is bd.Status.COMPLETED
     assert np.abs(run.state.displacement).max() > 2.0
 

@@ -2,7 +2,7 @@
 
 import warnings
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal, cast
 
 import numpy as np
 from scipy.linalg import eigh
@@ -190,11 +190,11 @@ def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, 
 
 
 def _iterated(
-    iteration: Iteration, M: bsr_array, rigid: Floats, S: Floats, *, count: int, width: int
+    iteration: Iteration, M: Any, rigid: Floats, S: Floats, *, count: int, width: int
 ) -> tuple[Floats, Floats, int, bool]:
     """Return squares and vectors of a block, its number of rounds, and True if the first `count` have converged."""
-    K, M_rigid = iteration.scaled, M @ rigid
-    KS, MS = K @ S, M @ S
+    K = cast(Any, iteration.scaled)  # types of sparse products take a type checker a minute in this loop
+    M_rigid, KS, MS = M @ rigid, K @ S, M @ S
     last, square, X = 0, np.zeros(0), S
     for k in range(_PATIENCE):
         square, turn = _ritz(S.T @ KS, S.T @ MS, width)
