@@ -128,10 +128,10 @@ void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, con
         const Vector b = stretched(deformation_of(cells, walls.cell(g)), cells.base_wall.row<const Vector>(g));
         for (Index d = 0; d < 3; d++) walls.arm(g, d) = b[d];
     }
-    for (Index c = 0; c < cracks.size(0); c++) {
-        const Index k = cracks.order(c);
-        if (grows(cells, facets.i(k)) || grows(cells, facets.j(k))) write_levers(facets, cracks, k);
-    }
+    // in the order of facets: neighbours have the same cells
+    for (Index k = 0, m = cracks.integrity.size(); k < m; k++)
+        if (cracks.listed(k) != 0 && (grows(cells, facets.i(k)) || grows(cells, facets.j(k))))
+            write_levers(facets, cracks, k);
 }
 
 void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets &facets,
