@@ -53,7 +53,8 @@ BONDEM_TABLE(MomentsOfForces, F(moment, "* 6"), F(owner, "vectors"), F(arm, "vec
         P(turn_vectors, ""), P(add_moments, ""), P(weigh_cells, ""), P(index_facets_by_peripheral_stress, ""), P(index_facets_by_mohr_coulomb, ""), \
         P(index_facets_by_linear_sum, ""), P(index_facets_by_ellipse, "")
 #define BONDEM_CELL_STEP_PASSES                                                                          \
-    S(bonds_of_blocks, accumulate_dilatation), S(parts_of_shared, collect_dilatation),                   \
+    S(bonds_of_blocks, accumulate_dilatation), S(bonds_of_blocks, accumulate_left_dilatation),             \
+        S(parts_of_shared, collect_dilatation),                   \
         S(elements_of_blocks, stress_cells), S(bonds_of_blocks, add_facet_loads),                        \
         S(bonds_of_blocks, add_and_keep_facet_loads), S(parts_of_shared, collect_facet_moments),               \
         S(elements_of_blocks, take_moments), S(of_elements, sum_moments), S(of_bonds, check_facets),     \

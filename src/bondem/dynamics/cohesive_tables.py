@@ -131,6 +131,7 @@ class CohesiveCracks(NamedTuple):
         for column, table, of_row in self._columns():
             state.cracks[:, column] = table[facet, of_row]
         state.facet_force[:] = kept.force[:, : state.facet_force.shape[1]]
+        state.facet_force[:, facet[self.integrity[facet] == 0.0]] = 0.0
         active = facet[state.cracks[:, STATUS] == ACTIVE]
         state.facet_force[:, active] = self.pull[active, :3].T
 

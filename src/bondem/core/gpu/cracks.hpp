@@ -99,7 +99,8 @@ inline void watch_resting_crack(Index k, const DeviceSpan &span, const Moving &a
                                 const FacetStrengths &strengths, const StressesOfCells &stresses,
                                 const CohesiveCracks &cracks, const CrackLists &lists) {
     if (cracks.listed(k) != 1 + crack::resting || !takes_time(span)) return;
-    watch_each(OneCrack(facets, k), all, facets.period.data, strengths, stresses, cracks, lists, 0);
+    SingleTrials trials;
+    watch_each(OneCrack(facets, k), all, facets.period.data, strengths, stresses, cracks, lists, 0, trials);
 }
 inline void wake_crack(Index k, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                        const CrackLists &lists) {
@@ -142,7 +143,8 @@ inline void soften_crack(Index k, const DeviceSpan &span, const Moving &all, con
                          const FacetStrengths &strengths, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                          const CrackLists &lists) {
     if (!is_treated(cracks, k) || !takes_time(span)) return;
-    soften_each(OneCrack(facets, k), all, strengths, stresses, cracks, lists, facets.period.data, 0);
+    SingleTrials trials;
+    soften_each(OneCrack(facets, k), all, strengths, stresses, cracks, lists, facets.period.data, 0, trials);
     if (lists.flag(k) != crack::unchanged) make_stale(lists, facets, k);
 }
 

@@ -12,7 +12,8 @@ struct StressesOfCells {
     Array<const double, 1> volume;  // [m³], (n,)
     // in the last step, in space, xx, yy, zz, xy, xz, yz [Pa], Σ T_b² [Pa²], size √(σ:σ) [Pa], (n, 8)
     Array<double, 2> tensor;
-    // Σ b⊗f of cracks, b in the reference and f in space: b_x f, b_y f, b_z f [J], and a number behind each, (n, 12)
+    // Σ b⊗f of cracks, b in the reference and f in space: b_x f, b_y f, b_z f [J], and a number behind each,
+    // the first of which is 0 for cells that have had no crack, (n, 12)
     Array<double, 2> carried;
     Array<const double, 3> pressed;  // what loads on free facets add to V σ at full load [J], (l, n, 6)
 };

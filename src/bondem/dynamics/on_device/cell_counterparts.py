@@ -164,6 +164,7 @@ def _add_cell_energies(
 
 COUNTERPARTS: dict[str, Counterpart] = {
     "accumulate_dilatation": _dilate,
+    "accumulate_left_dilatation": _dilate,
     "collect_dilatation": _gather,
     "stress_cells": _stress,
     "add_facet_loads": _load,

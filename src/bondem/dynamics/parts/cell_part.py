@@ -30,6 +30,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 
 _accumulate_dilatation = StepPass("accumulate_dilatation", Moving, ElasticFacets, CellDilatation)
+_accumulate_left_dilatation = StepPass("accumulate_left_dilatation", Moving, ElasticFacets, CellDilatation)
 _accumulate_and_mark = StepPass(
     "accumulate_and_mark", Moving, ElasticFacets, CellDilatation, FailureBounds, Candidates
 )
@@ -119,6 +120,7 @@ def cells(
     loads: Passes = [(_add_facet_loads, moving, body.facets, cut)]
     gather: Passes = []
     if kept is not None:
+        mark = [(_accumulate_left_dilatation, moving, body.facets, body.cells)]
         loads = [(_add_and_keep_facet_loads, moving, body.facets, kept, cut)]
         gather = [(_collect_facet_moments, cut, kept), (_take_moments, kept)]
     if dashpots is not None:

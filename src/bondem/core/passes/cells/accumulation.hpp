@@ -13,7 +13,13 @@ BONDEM_INLINE void stress_cell(const Array<double, 2> &pose, const CellDilatatio
 
 // Facets that cannot fail.
 struct NoFacetMarks {
+    BONDEM_INLINE bool counts(const FacetColumns &, Index) { return true; }
     BONDEM_INLINE void mark(Index, int, const Row<Lanes> &, const Row<Lanes> &, const Ends<Lanes> &, const FacetColumns &) {}
+};
+
+// Facets of which many have no integrity left.
+struct LeftFacets : NoFacetMarks {
+    BONDEM_INLINE bool counts(const FacetColumns &columns, Index k) { return any_left(columns, k); }
 };
 
 // Adds what the facets first … last - 1 contribute to V θ of their cells, one by one, and marks those near to failure.
@@ -24,6 +30,7 @@ BONDEM_INLINE void accumulate(Index first, Index last, const double *pose, const
     const Short *const to_i = cells.to_i.data, *const to_j = facets.j.data;
     const FacetColumns columns(facets);
     for_each_facets(first, last, pose, facets, columns.period,
+                    [&](Index k) __attribute__((always_inline)) { return marking.counts(columns, k); },
                     [&](Index k, int known, const Row<Lanes> &a, const Row<Lanes> &b, const Ends<Lanes> &ends)
                         __attribute__((always_inline)) {
         const OfCells<Lanes> grown = dilatation(ends, columns.shape<Lanes>(k));

@@ -10,6 +10,7 @@ namespace {
 // Facets that are compared with their bounds, by the stresses of the step before.
 struct FacetMarks {
     Marks marks;
+    BONDEM_INLINE bool counts(const FacetColumns &, Index) { return true; }
     BONDEM_INLINE void mark(Index k, int known, const Row<Lanes> &a, const Row<Lanes> &b, const Ends<Lanes> &ends,
                             const FacetColumns &columns) {
         marks.mark(k, known, pull_squared(a, b, ends, columns, k), Lanes{});
@@ -21,6 +22,11 @@ struct FacetMarks {
 void accumulate_dilatation(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells) {
     NoFacetMarks none;
     accumulate(turn.first, turn.last, all.pose.data, facets, cells, none);
+}
+void accumulate_left_dilatation(const Turn &turn, const Moving &all, const ElasticFacets &facets,
+                                const CellDilatation &cells) {
+    LeftFacets left;
+    accumulate(turn.first, turn.last, all.pose.data, facets, cells, left);
 }
 void accumulate_and_mark(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                          const FailureBounds &bounds, const Candidates &candidates) {

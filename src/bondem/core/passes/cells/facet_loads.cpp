@@ -32,6 +32,7 @@ void add_and_keep_facet_loads(const Turn &turn, const Moving &all, const Elastic
     const Short *const row_i = cut.row_i.data, *const row_j = cut.row_j.data;
     double *const force = kept.force.data;
     for_each_facets(turn.first, turn.last, all.pose.data, facets, columns.period,
+                    [&](Index k) __attribute__((always_inline)) { return any_left(columns, k); },
                     [&](Index k, int known, const Row<Lanes> &a, const Row<Lanes> &b, const Ends<Lanes> &ends)
                         __attribute__((always_inline)) {
         const Lanes s = load(columns.integrity + k);

@@ -1,6 +1,7 @@
 // How passes read the facets of a table: one, or as many as there are lanes.
 #pragma once
 #include "../../laws/cell.hpp"
+#include "../../select.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../beams/bonds.hpp"
 
@@ -76,23 +77,33 @@ inline Vector normal_of(const ElasticFacets &facets, Index k) {
 
 #if defined(BONDEM_LANES)
 
-// Calls on(k, known, i, j, ends) for the groups of the facets first … last - 1, with the poses of their cells; rows that
-// are to come are asked for.
-template <class On>
+// Calls on(k, known, i, j, ends) for the groups of the facets first … last - 1 that counts(k) names, with the poses of
+// their cells; rows that are to come are asked for.
+template <class Counts, class On>
 BONDEM_INLINE void for_each_facets(Index first, const Index last, const double *const pose, const ElasticFacets &facets,
-                                   const double *const period, On on) {
+                                   const double *const period, Counts counts, On on) {
     constexpr Index ahead = 32;
     const Short *const i = facets.i.data, *const j = facets.j.data;
     const bool periodic = period[3] != 0.0 || period[4] != 0.0 || period[5] != 0.0;
     for_each_group(first, last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
         prefetch(pose, i + least(k + ahead, most(last - lanes, Index(0))));
+        if (!counts(k)) return;
         const Row<Lanes> a = gather(pose, i + k), b = gather(pose, j + k);
         Ends<Lanes> ends = {{b.column[0] - a.column[0], b.column[1] - a.column[1], b.column[2] - a.column[2]},
                             orientation(a), orientation(b)};
         if (__builtin_expect(periodic, 0)) ends.branch = branch(a, b, period);
         on(k, group.known, a, b, ends);
     });
+}
+template <class On>
+BONDEM_INLINE void for_each_facets(Index first, const Index last, const double *const pose, const ElasticFacets &facets,
+                                   const double *const period, On on) {
+    for_each_facets(first, last, pose, facets, period, [](Index) { return true; }, on);
+}
+// Whether any of a group of facets has integrity left.
+BONDEM_INLINE bool any_left(const FacetColumns &columns, Index k) {
+    return any(load(columns.integrity + k) != Lanes{});
 }
 
 #endif

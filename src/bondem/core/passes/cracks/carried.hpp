@@ -4,6 +4,9 @@
 
 namespace bondem {
 
+// Column of `StressesOfCells.carried` that is 0 for a cell that has had no crack.
+constexpr Index has_cracks = 3;
+
 struct Carried {
     double sum[12];  // b_x f, b_y f, b_z f, each and another number, b in its pitch
 
@@ -16,6 +19,7 @@ struct Carried {
     }
     BONDEM_INLINE void put(const StressesOfCells &stresses, const double *pitch, Index p) const {
         for (int c = 0; c < 12; c++) stresses.carried(p, c) = pitch[c / 4] * sum[c];
+        stresses.carried(p, has_cracks) = 1.0;
     }
 };
 

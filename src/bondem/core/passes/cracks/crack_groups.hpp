@@ -35,6 +35,7 @@ struct OneCrack {
         table(crack, column) = value;
     }
     BONDEM_INLINE void prefetch(const Array<double, 2> &) const {}
+    BONDEM_INLINE void prefetch_pull(const CohesiveCracks &) const {}
     BONDEM_INLINE FacetShape<double> shapes(const CohesiveCracks &cracks) const { return facet_shape(cracks, crack); }
     BONDEM_INLINE Symmetric3<double> resistances(const CohesiveCracks &cracks, double *plane) const {
         const CrackSofteningRow &of = softening_of(cracks, crack);
@@ -151,6 +152,11 @@ struct CrackGroup {
     BONDEM_INLINE void prefetch(const Array<double, 2> &table) const {
         constexpr Index ahead = 24;
         for (int n = 0; n < known; n++) bondem::prefetch(table.data + 8 * crack[known == lanes ? ahead + n : 0]);
+    }
+    BONDEM_INLINE void prefetch_pull(const CohesiveCracks &cracks) const {
+        constexpr Index ahead = 24;
+        for (int n = 0; n < known; n++)
+            bondem::prefetch(cracks.pull.data + 4 * crack[known == lanes ? ahead + n : 0]);
     }
     // The shape of their facets.
     BONDEM_INLINE FacetShape<Lanes> shapes(const CohesiveCracks &cracks) const {

@@ -1,4 +1,5 @@
-// Lists of cracks in the order of their facets, and the halves of each cell, from the last facet to the first.
+// Lists of cracks in the order of their facets, and the halves of each cell, from the last facet to the first. Levers
+// of the halves are written where the shapes of the cracks are read (`measure_cracks`).
 //
 // What is added to a cell is added in that order, whatever place a crack has in a list, so that a pause changes no
 // bit. Facets that follow each other are near each other, and so is what cracks of a list read and write.
@@ -19,6 +20,20 @@ void fill(const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<
     }
 }
 
+// Calls on(k) for cracked facets; of those that are whole, eight are passed over at once.
+typedef uint64_t EightBytes __attribute__((aligned(1), may_alias));
+template <class On> inline void for_each_listed(const CohesiveCracks &cracks, On on) {
+    const Byte *const listed = cracks.listed.data;
+    for (Index k = 0, m = cracks.integrity.size(); k < m;) {
+        if (k + 8 <= m && *reinterpret_cast<const EightBytes *>(listed + k) == 0) {
+            k += 8;
+            continue;
+        }
+        for (const Index last = least(k + 8, m); k < last; k++)
+            if (listed[k] != 0) on(k);
+    }
+}
+
 }  // namespace
 
 void fill_treated(const CrackLists &lists) {
@@ -33,41 +48,36 @@ void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks
     if (cracks.size(1) == 0) return;
     cracks.size(1) = 0;
     for (Index q = 0; q < lists.size(2); q++) lists.head(lists.cell(q)) = 0;
-    const Index m = cracks.integrity.size();
     // broken cracks stand behind the others, so that groups of lanes have one or the other
     Index treated[2] = {}, resting[2] = {}, cells = 0;
-    for (Index k = 0; k < m; k++) {
-        const Byte listed = cracks.listed(k);
-        if (listed == 0) continue;
+    for_each_listed(cracks, [&](Index k) {
         const bool whole = cracks.integrity(k) != 0.0;
-        treated[1] += whole & (listed == 1 + crack::active);
-        resting[1] += whole & (listed == 1 + crack::resting);
-    }
-    const auto push = [&](Short p, Index number, const int32_t *lever) {
+        treated[1] += whole & (cracks.listed(k) == 1 + crack::active);
+        resting[1] += whole & (cracks.listed(k) == 1 + crack::resting);
+    });
+    const auto push = [&](Short p, Index number) {
         if (lists.head(p) == 0) lists.cell(cells++) = p;
-        put_node(lists, number, lists.head(p), lever);
+        lists.node(number, 0) = lists.head(p);
         lists.head(p) = int32_t(number);
     };
     const auto put = [&](const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<Short, 1> &at_j,
-                         Index e,
-                         Index k) {
+                         Index e, Index k) {
         list(e) = k;
         at_i(e) = facets.i(k);
         at_j(e) = facets.j(k);
     };
-    for (Index k = 0; k < m; k++) {
+    for_each_listed(cracks, [&](Index k) {
         const Byte listed = cracks.listed(k);
-        if (listed == 0) continue;
         const bool broken = cracks.integrity(k) == 0.0;
         if (listed == 1 + crack::active) {
             const Index e = treated[broken]++;
             put(lists.treated, lists.treated_i, lists.treated_j, e, k);
-            push(facets.i(k), 2 * e + 1, shape_of(cracks, k).lever_i);
-            push(facets.j(k), 2 * e + 2, shape_of(cracks, k).lever_j);
+            push(facets.i(k), 2 * e + 1);
+            push(facets.j(k), 2 * e + 2);
         } else if (listed == 1 + crack::resting) {
             put(lists.resting, lists.resting_i, lists.resting_j, resting[broken]++, k);
         }
-    }
+    });
     lists.size(0) = treated[1], lists.size(1) = resting[1], lists.size(2) = cells;
     fill_treated(lists);
     fill(lists.resting, lists.resting_i, lists.resting_j, resting[1]);
@@ -85,6 +95,7 @@ void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForce
     clear_half(lists, 0);
     cracks.size(1) = 1;
     list_cracks(turn, facets, cracks, lists);
+    put_levers(cracks, lists, 0, lists.size(0));
 }
 
 void follow_levers(const Turn &, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks) {

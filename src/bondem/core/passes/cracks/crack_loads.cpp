@@ -49,9 +49,13 @@ void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells 
                      const CrackLists &lists, const StepCut &cut) {
     for (Index at = turn.first; at < turn.last; at++) {
         const Short p = turn.element[at];
-        const Index later = lists.head(turn.element[least(at + 4, turn.last - 1)]);
-        prefetch(lists.node.data + 4 * later);
-        prefetch(lists.output.data + 8 * later);
+        // halves of the cells to come, one more of each cell the sooner its turn is
+        for (Index ahead = 2, links = 2; ahead <= 8; ahead += 3, links--) {
+            Index h = lists.head(turn.element[least(at + ahead, turn.last - 1)]);
+            for (Index n = 0; n < links; n++) h = lists.node(h, 0);
+            prefetch(lists.node.data + 4 * h);
+            prefetch(lists.output.data + 8 * h);
+        }
         if (lists.head(p) == 0) continue;
         double sum[8] = {};
         Carried carried = {};

@@ -62,9 +62,13 @@ void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFace
     over_places(turn, count, [&](Index first, Index last, Index portion) {
         lists.woken(portion) = 0;
         for (Index e = first; e < last; e++) lists.waking(e) = crack::unchanged;
+        CrackTrials trials;
         for (Index e = first; e < last; e += lanes)
             watch_each(CrackGroup{lists.resting, lists.resting_i, lists.resting_j, e, count}, all,
-                       facets.period.data, strengths, stresses, cracks, lists, portion);
+                       facets.period.data, strengths, stresses, cracks, lists, portion, trials);
+        trials.finish([&](const auto &at, auto valid, const auto &tried) {
+            wake_tried(at, valid, tried, strengths, stresses, lists, portion);
+        });
     });
 }
 
@@ -93,10 +97,16 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
 void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
                    const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
-    over_treated(turn, lists, [](Index, Index, Index) {},
-                 [&](const CrackGroup &group, Index portion) {
-                     soften_each(group, all, strengths, stresses, cracks, lists, facets.period.data, portion);
-                 });
+    const Index count = lists.size(0);
+    over_places(turn, count, [&](Index first, Index last, Index portion) {
+        CrackTrials trials;
+        for (Index e = first; e < last; e += lanes)
+            soften_each(CrackGroup{lists.treated, lists.treated_i, lists.treated_j, e, count}, all, strengths, stresses,
+                        cracks, lists, facets.period.data, portion, trials);
+        trials.finish([&](const auto &tried, auto valid, const auto &loads) {
+            soften_tried(tried, valid, loads, strengths, stresses, cracks, lists, portion);
+        });
+    });
 }
 
 void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,

@@ -11,6 +11,8 @@ template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double *period, const CohesiveCracks &cracks,
                              const CrackLists &lists, Index portion, bool changes, double &total) {
     group.prefetch(cracks.state);
+    group.prefetch(cracks.softening);
+    group.prefetch_pull(cracks);
     const T zero = {};
     const CrackPlace<T> at = place_of(group, all.pose, period, cracks);
     Row<T> row = group.lines(cracks.state);

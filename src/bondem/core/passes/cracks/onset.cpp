@@ -38,10 +38,12 @@ void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFace
     };
     for_each_group(turn.first, turn.last, [&](Group group) {
         const Index k = group.first;
+        int whole = 0, judged_here = 0;
+        for (int n = 0; n < lanes; n++) whole += onset.listed.data[k + n] == 0;
+        if (whole == 0) return;
         Byte now[lanes];
-        int judged_here = 0;
         for (int n = 0; n < lanes; n++) {
-            now[n] = onset.listed(k + n) != 0 ? 0 : most(judged[at_i[k + n]], judged[at_j[k + n]]);
+            now[n] = onset.listed.data[k + n] != 0 ? 0 : most(judged[at_i[k + n]], judged[at_j[k + n]]);
             judged_here += now[n] != 0;
         }
         if (judged_here == 0) return;

@@ -42,6 +42,7 @@ void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fa
                  },
                  [&](const CrackGroup &group, Index portion) {
                      measure_each(group, all, facets.period.data, cracks, lists, portion, changes);
+                     put_levers(cracks, lists, group.e, group.e + group.known);
                  });
 }
 

@@ -4,7 +4,7 @@
 // turn with the cell: R Σ b⊗f is the same sum in space.
 #include "stress_state.hpp"
 
-#include "crack_groups.hpp"
+#include "carried.hpp"
 
 namespace bondem {
 namespace {
@@ -20,7 +20,8 @@ void find_stresses(const Turn &turn, const Moving &all, const FacetForces &kept,
     for (Index p = turn.first; p < turn.last; p++) {
         const double *m = &kept.moment(p, 0), *c = &stresses.carried(p, 0);
         const double one = 1.0 / stresses.volume(p);
-        const Symmetric3<double> more = turned_moment(orientation(gather(all.pose.data, Short(p))), c);
+        const Symmetric3<double> more =
+            c[has_cracks] != 0.0 ? turned_moment(orientation(gather(all.pose.data, Short(p))), c) : Symmetric3<double>{};
         double *const s = &stresses.tensor(p, 0);
         s[0] = one * (m[0] + more.xx), s[1] = one * (m[1] + more.yy), s[2] = one * (m[2] + more.zz);
         s[3] = one * (m[3] + more.xy), s[4] = one * (m[4] + more.xz), s[5] = one * (m[5] + more.yz);
