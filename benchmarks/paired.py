@@ -54,16 +54,19 @@ class Worker:
         source: the folder `src` it imports.
         cores: threads it may use at most.
         cache: where it keeps compiled code; None for where it always does.
+        python: interpreter that has what this revision depends on; None for the present one.
     """
 
-    def __init__(self, source: Path, *, cores: int, cache: Path | None = None) -> None:
+    def __init__(
+        self, source: Path, *, cores: int, cache: Path | None = None, python: str | None = None
+    ) -> None:  # fmt: skip
         # the second name is that of revisions without a core
         threads = {name: str(cores) for name in ("BONDEM_NUM_THREADS", "NUMBA_NUM_THREADS")}
         environment = {**os.environ, "PYTHONPATH": str(source), **threads}
         if cache is not None:
             environment["BONDEM_CACHE_DIR"] = str(cache)
         self._process = subprocess.Popen(
-            [sys.executable, str(Path(__file__).parent / "paired_worker.py")],
+            [python or sys.executable, str(Path(__file__).parent / "paired_worker.py")],
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment,
         )  # fmt: skip
         found = Path(self.ask("source")["file"])

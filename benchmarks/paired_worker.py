@@ -51,7 +51,8 @@ def elastic(lattice: bd.Lattice) -> bd.Model:
 
 # Loops of runs, the newest first: of the core; of Numba; of c790c8a and older revisions.
 _LOOPS = (
-    ("CoreLoop", "bondem.solve.loop_core"), ("CpuLoop", "bondem.solve.loop_cpu"), ("_Loop", "bondem.solve.explicit"),
+    ("CoreLoop", "bondem.dynamics.core_loop"), ("CoreLoop", "bondem.dynamics.core_loop"),
+    ("CpuLoop", "bondem.dynamics.loop_cpu"), ("_Loop", "bondem.dynamics.explicit"),
 )  # fmt: skip
 
 
@@ -59,7 +60,7 @@ class Timed:
     """What is timed: bondem's loop over the steps alone."""
 
     def __init__(self, path: str) -> None:
-        from bondem.solve.timestep import critical_step
+        from bondem.dynamics.timestep import critical_step
 
         self.model = elastic(read_lattice(path))
         n = len(self.model.lattice.particles)
@@ -75,7 +76,7 @@ class Timed:
             (name, module) for name, module in _LOOPS if importlib.util.find_spec(module) is not None
         )  # fmt: skip
         loop_of = getattr(importlib.import_module(module), name)
-        plans = importlib.import_module(module if name == "_Loop" else "bondem.solve.plan")
+        plans = importlib.import_module(module if name == "_Loop" else "bondem.dynamics.plan")
         state = State(self.model)
         state.set_motion(velocity=self.velocity)
         loop = loop_of(self.model, plans.Plan(duration=1.0, dt=self.dt, every=0), state, self.dt)
@@ -134,14 +135,21 @@ def bits(**arguments) -> dict:
     return run(**arguments)
 
 
+def close(**arguments) -> dict:
+    from bits.closeness import close
+
+    return close(**arguments)
+
+
 def cases() -> dict:
-    """Names of the cases of `bits`."""
+    """Names of the cases of `bits`, and of further ones."""
+    from bits.bodies import BODIES
     from bits.cases import CASES
 
-    return {"names": list(CASES)}
+    return {"names": list(CASES), "bodies": list(BODIES)}
 
 
-TASKS = {task.__name__: task for task in (source, specimen, load, go, first_run, bits, cases)}
+TASKS = {task.__name__: task for task in (source, specimen, load, go, first_run, bits, close, cases)}
 
 
 def main() -> None:

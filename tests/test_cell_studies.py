@@ -14,13 +14,13 @@ from bondem.errors import InputError, StudyError
 from bondem.labtests.faces import face_motion
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.tension import tension_model
-from bondem.observe.cell_forces import CellForces
-from bondem.observe.cell_stress import dilatation
+from bondem.observables.cell_forces import CellForces
+from bondem.observables.cell_stress import dilatation
 from bondem.report.cell_pictures import section_through
 from bondem.study.beginnings import TEMPLATES, template
 from bondem.study.pipeline import run_study
 from bondem.study.programme import Programme, read
-from bondem.study.study import TESTS, parse_study, read_study
+from bondem.study.study_file import TESTS, parse_study, read_study
 from tests.drawings import only
 from tests.specimens import cells
 

@@ -7,8 +7,8 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.observe.cell_strain import CellStrain
-from bondem.observe.surface import surface_displacement
+from bondem.interactions.cells.cell_strain import CellStrain
+from bondem.observables.surface_displacement import surface_displacement
 from bondem.packing.grading import MOST_CELLS, cells_of, sites, sizes_by
 from tests.bits import most_threads, threads
 

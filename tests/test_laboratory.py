@@ -9,9 +9,9 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, StudyError
-from bondem.labtests.ledger import energy_ledger
+from bondem.labtests.energy_balance import energy_ledger
 from bondem.study.pipeline import run_study
-from bondem.study.study import parse_study, read_study
+from bondem.study.study_file import parse_study, read_study
 from tests.drawings import only
 from tests.specimens import cells, spheres
 

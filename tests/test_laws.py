@@ -14,11 +14,11 @@ from bondem.calibration.reach import reach
 from bondem.calibration.surface_correction import SurfaceCorrection
 from bondem.cli.calibrate import command
 from bondem.errors import StudyError
+from bondem.interactions.law_catalogue import CALIBRATED, DEFAULT, LAWS, PARAMETERS, named
 from bondem.io.codec import decode, encode
-from bondem.laws.catalogue import CALIBRATED, DEFAULT, LAWS, PARAMETERS, named
 from bondem.report.style import law_colour, sheet
 from bondem.study.pipeline import run_study
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
 from tests.drawings import only
 from tests.specimens import spheres
 from validation.studies.abacus import SWEEPS

@@ -12,7 +12,7 @@ from bondem.fracture.lost_area import lost_area
 from bondem.labtests.failure_tests import failure_outcome
 from bondem.study.pipeline import run_study
 from bondem.study.programme import Programme, parse_programme
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
 from tests import specimens
 from tests.drawings import only
 

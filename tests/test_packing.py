@@ -6,11 +6,11 @@ import trimesh
 
 import bondem as bd
 from bondem.errors import InputError, PackingError
+from bondem.geometry.neighbours import neighbours
 from bondem.packing import targets
 from bondem.packing.quench import _just_above_jamming
 from bondem.packing.soft_spheres import SoftSpheres
-from bondem.packing.walls import walls
-from bondem.specimen.neighbours import neighbours
+from bondem.packing.wall_contacts import walls
 from tests.bits import most_threads, threads
 
 SHAPES = [

@@ -8,11 +8,11 @@ import pytest
 
 from bondem.cli import run as run_command
 from bondem.errors import StudyError
-from bondem.labtests.ledger import PARTS
+from bondem.labtests.energy_balance import PARTS
 from bondem.study import programme_run
 from bondem.study.programme import Programme, parse_programme, read
 from bondem.study.programme_run import run_programme
-from bondem.study.study import Study, parse_study, read_study
+from bondem.study.study_file import Study, parse_study, read_study
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 PRISM: dict[str, Any] = {

@@ -9,9 +9,9 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, StudyError
-from bondem.observe.energy import elastic_energy
+from bondem.observables.energy import elastic_energy
 from bondem.study.pipeline import run_study
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
 from tests.drawings import only
 from tests.specimens import bar, spheres
 

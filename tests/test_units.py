@@ -10,12 +10,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as some
 
 import bondem as bd
+from bondem._plausibility import _USUAL
+from bondem._units import length_unit, quantity
 from bondem.errors import InputError, StudyError, UnitWarning
 from bondem.specimen import materials
-from bondem.specimen.plausibility import _USUAL
-from bondem.specimen.units import length_unit, quantity
 from bondem.study.pipeline import run_study
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
 from tests.scripts import command
 from tests.specimens import row
 

@@ -13,8 +13,6 @@ lengths of the arrays. Passes do not check them again.
 import ctypes
 import functools
 import os
-import re
-import struct
 import sys
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -24,19 +22,20 @@ from typing import Any
 import numpy as np
 
 from bondem._core_build import LIBRARIES, PROBE, SOURCES, Platform, compile_core, source_digest
+from bondem._core_fields import Field, filled_table
 from bondem._core_functions import address_of
 from bondem._lock import alone
 from bondem.errors import InputError
 
 __all__ = [
     "Pass", "checked_fields", "compiled_level", "core_lanes", "filled_table", "index_pass", "index_pass_names",
-    "room_for", "step_pass", "table_fields",
+    "room_for", "step_pass", "step_pass_names", "table_fields",
 ]  # fmt: skip
 
 # How long a process waits for what another one compiles [s].
 _PATIENCE = 300.0
-# Bytes of a number, of a pointer, and of the length of an axis; and numbers as such words.
-_WORD, _REAL, _INTEGER = 8, struct.Struct("=d"), struct.Struct("=q")
+# Bytes of a number, of a pointer, and of the length of an axis.
+_WORD = 8
 
 
 # ---- the library
@@ -128,48 +127,6 @@ class _StepPassDescription(ctypes.Structure):
 
 
 @dataclass(frozen=True)
-class _Field:
-    """A number or an array of a table, as the header declares it.
-
-    Attributes:
-        name: of the field.
-        dtype: of the number, or of the numbers of the array.
-        written: whether passes write to the array; None for a number.
-        shape: for each axis a symbol, or "", and what is added to it.
-        offset: in the table [bytes].
-    """
-
-    name: str
-    dtype: np.dtype[Any]
-    written: bool | None
-    shape: tuple[tuple[str, int], ...]
-    offset: int
-
-    @classmethod
-    def of(cls, description: _FieldDescription) -> "_Field":
-        """Read a description of the library."""
-        dtype, _, use = description.type.decode().partition(" ")
-        axes = []
-        for axis in description.shape.decode().split():
-            match = re.fullmatch(r"(\*|[a-z_]*)\+?(\d*)", axis)
-            assert match is not None, axis
-            axes.append((match[1], int(match[2] or 0)))
-        written = {"": None, "read": False, "written": True}[use]
-        return cls(description.name.decode(), np.dtype(dtype), written, tuple(axes), description.offset)
-
-    @property
-    def words(self) -> int:
-        """Words of the field in the table: a pointer and the lengths of the axes, or a number."""
-        return 1 if self.written is None else 1 + len(self.shape)
-
-    def __str__(self) -> str:
-        if self.written is None:
-            return f"a number, {self.dtype}"
-        axes = (f"{symbol}{f'+{more}' if symbol and more else more or ''}" for symbol, more in self.shape)
-        return f"a contiguous array of {self.dtype} of shape ({', '.join(axes)})"
-
-
-@dataclass(frozen=True)
 class _Library:
     """A loaded library and what it says of itself.
 
@@ -183,7 +140,7 @@ class _Library:
     """
 
     level: str
-    tables: dict[str, tuple[_Field, ...]]
+    tables: dict[str, tuple[Field, ...]]
     passes: dict[str, tuple[Any, tuple[str, ...], tuple[str, ...]]]
     step_passes: dict[str, tuple[tuple[int, int], tuple[str, ...]]]
     index_passes: dict[str, tuple[Any, tuple[str, ...]]]
@@ -202,7 +159,7 @@ def _library() -> _Library:
     loaded = ctypes.CDLL(os.environ.get("BONDEM_CORE") or str(_compiled(target, level)))
     tables = {}
     for table in _described(loaded.bondem_tables, _TableDescription):
-        fields = tuple(_Field.of(table.fields[k]) for k in range(table.count))
+        fields = tuple(Field.of(table.fields[k]) for k in range(table.count))
         _check_layout(table.name.decode(), fields, table.size)
         tables[table.name.decode()] = fields
     passes = {}
@@ -229,7 +186,7 @@ def _described(function: Any, kind: type[ctypes.Structure]) -> Iterable[Any]:
     return [first[k] for k in range(count.value)]
 
 
-def _check_layout(name: str, fields: tuple[_Field, ...], size: int) -> None:
+def _check_layout(name: str, fields: tuple[Field, ...], size: int) -> None:
     """Refuse a library whose compiler lays a table out otherwise than word by word."""
     offset = 0
     for field in fields:
@@ -314,6 +271,11 @@ def step_pass(name: str) -> tuple[tuple[int, int], tuple[str, ...]]:
     return _library().step_passes[name]
 
 
+def step_pass_names() -> tuple[str, ...]:
+    """Names of all passes that steps are composed of."""
+    return tuple(_library().step_passes)
+
+
 def index_pass_names() -> tuple[str, ...]:
     """Names of all passes over an index."""
     return tuple(_library().index_passes)
@@ -330,14 +292,14 @@ def index_pass(name: str) -> tuple[Any, tuple[str, ...]]:
 
 def checked_kinds(
     name: str, tables: tuple[str, ...], kinds: tuple[type[tuple[Any, ...]], ...]
-) -> tuple[tuple[str, tuple[_Field, ...]], ...]:
+) -> tuple[tuple[str, tuple[Field, ...]], ...]:
     """Return names and fields of the tables of a pass; ImportError if they are not those of the library."""
     if tables != tuple(kind.__name__ for kind in kinds):
         raise ImportError(f"{name} takes the tables {', '.join(tables)}")
     return tuple((kind.__name__, checked_fields(kind)) for kind in kinds)
 
 
-def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[_Field, ...]:
+def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[Field, ...]:
     """The fields of the table that a named tuple is named after.
 
     Raises:
@@ -347,50 +309,6 @@ def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[_Field, ...]:
     if kind._fields != tuple(field.name for field in fields):  # type: ignore[attr-defined]
         raise ImportError(f"{kind.__name__} has the fields {', '.join(field.name for field in fields)}")
     return fields
-
-
-def filled_table(
-    name: str, fields: tuple[_Field, ...], table: tuple[Any, ...], lengths: dict[str, tuple[int, str]]
-) -> np.ndarray:
-    """Return the words of a table as the core takes it, (words,).
-
-    Args:
-        name: name of the table.
-        fields: fields of the table as the header declares them.
-        table: values of the fields.
-        lengths: lengths of axes known so far by their symbols, and of which array; those of this table are added.
-    """
-    words: list[int] = []
-    for field, value in zip(fields, table, strict=True):
-        if field.written is None:
-            real = field.dtype.kind == "f"
-            words += _INTEGER.unpack(_REAL.pack(float(value)) if real else _INTEGER.pack(int(value)))
-            continue
-        _check_array(name, field, value)
-        for (symbol, more), length in zip(field.shape, value.shape, strict=True):
-            if symbol == "*":
-                continue
-            if symbol and symbol not in lengths:
-                lengths[symbol] = length - more, f"{name}.{field.name}"
-            known, source = lengths[symbol] if symbol else (0, "the header")
-            if length != known + more:
-                raise InputError(
-                    f"{name}.{field.name} = array of shape {value.shape}: an axis has to be {known + more} long"
-                    f" ({symbol or 'fixed'}, as of {source}); pass {field}"
-                )
-        words += [address_of(value), *value.shape]
-    return np.array(words, dtype=np.int64)
-
-
-def _check_array(name: str, field: _Field, value: Any) -> None:
-    """Raise InputError for what is no array as a field declares it, the lengths of its axes apart."""
-    if not isinstance(value, np.ndarray):
-        raise InputError(f"{name}.{field.name} = {value!r}: not an array; pass {field}")
-    if value.dtype != field.dtype or value.ndim != len(field.shape) or not value.flags.c_contiguous:
-        what = f"{value.dtype} of shape {value.shape}{'' if value.flags.c_contiguous else ', not contiguous'}"
-        raise InputError(f"{name}.{field.name} = array of {what}: the core cannot read it; pass {field}")
-    if field.written and not value.flags.writeable:
-        raise InputError(f"{name}.{field.name} = read-only array: the core writes to it; pass a copy")
 
 
 def room_for(values: np.ndarray, rows: int) -> np.ndarray:

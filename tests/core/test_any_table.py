@@ -1,4 +1,4 @@
-"""Every table of every pass refuses an array that does not fit, whatever is wrong with it and in whichever field."""
+"""Every table of every pass refuses a value that does not fit, whatever is wrong with it and in whichever field."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -11,7 +11,15 @@ from bondem._core import filled_table
 from bondem.errors import InputError
 
 LIBRARY = _core._library()
+# Numbers that are none; those of arrays are the caller's to check.
+NUMBERS = [None, "1", [1], np.ones(1), np.array(1.0), 1j, float("nan"), np.nan, np.datetime64(1, "s"), 10**400]
 KINDS = [np.float64, np.float32, np.int64, np.uint32, np.int32, np.uint8, bool, complex, object]
+
+
+# Tables of each pass, of every kind of pass.
+PASSES = {
+    name: one[1] for kind in (LIBRARY.passes, LIBRARY.step_passes, LIBRARY.index_passes) for name, one in kind.items()
+}
 
 
 def fitting(table: str, lengths: dict[str, int]) -> dict[str, Any]:
@@ -23,8 +31,13 @@ def fitting(table: str, lengths: dict[str, int]) -> dict[str, Any]:
     return values
 
 
-def faults(field: Any, right: np.ndarray, others: set[str]) -> Iterator[Any]:
+def faults(field: Any, right: Any, others: set[str]) -> Iterator[Any]:
     """Values that do not fit a field; `others` are the lengths that other fields fix."""
+    if field.written is None:
+        yield from NUMBERS
+        if field.dtype == np.int64:
+            yield from (1.0, np.float64(2.0), 2**63, -(2**63) - 1, np.uint64(2**63))
+        return
     yield None
     yield right.tolist()
     yield right[None]
@@ -32,6 +45,9 @@ def faults(field: Any, right: np.ndarray, others: set[str]) -> Iterator[Any]:
     scattered = np.zeros((*right.shape[:-1], 2 * right.shape[-1]), field.dtype)[..., ::2]
     if not scattered.flags.c_contiguous:
         yield scattered
+    if field.dtype.itemsize > 1:
+        yield np.frombuffer(bytearray(right.nbytes + 1), np.uint8)[1:].view(field.dtype).reshape(right.shape)
+        yield right.astype(field.dtype.newbyteorder())
     for axis, (symbol, _) in enumerate(field.shape):
         if symbol == "" or symbol in others:  # else no other array has this length
             yield np.zeros([size + (k == axis) for k, size in enumerate(right.shape)], field.dtype)
@@ -51,17 +67,18 @@ def test_arrays_that_do_not_fit_are_refused(table):
     right, fields = fitting(table, lengths), LIBRARY.tables[table]
     filled_table(table, fields, tuple(right.values()), {})
     for field in fields:
-        if field.written is None:
-            continue
         for wrong in faults(field, right[field.name], shared_lengths(table, field.name)):
             with pytest.raises(InputError, match=f"{table}.{field.name} = |an axis has to be"):
                 filled_table(table, fields, tuple({**right, field.name: wrong}.values()), {})
+    for values in (tuple(right.values())[:-1], (*right.values(), 1)):
+        with pytest.raises(InputError, match=f"{table}: {len(values)} values; pass {len(fields)}"):
+            filled_table(table, fields, values, {})
 
 
-@pytest.mark.parametrize("name", sorted(LIBRARY.passes) + sorted(LIBRARY.step_passes))
+@pytest.mark.parametrize("name", sorted(PASSES))
 def test_tables_of_one_pass_agree_on_their_lengths(name):
     """A symbol is one length in all tables of a call, so that an index of one table is valid in another."""
-    tables = LIBRARY.passes[name][1] if name in LIBRARY.passes else LIBRARY.step_passes[name][1]
+    tables = PASSES[name]
     lengths: dict[str, int] = {}
     right = [fitting(table, lengths) for table in tables]
     used = [{symbol for field in LIBRARY.tables[table] for symbol, _ in field.shape} - {"", "*"} for table in tables]

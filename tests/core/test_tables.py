@@ -8,8 +8,8 @@ import pytest
 from bondem import _core
 from bondem._core import Pass, compiled_level, room_for, table_fields
 from bondem.errors import InputError
-from bondem.specimen.neighbours import NeighbourLists, SphereGrid
-from bondem.specimen.triangles import Nearest, TriangleTree
+from bondem.geometry.neighbours import NeighbourLists, SphereGrid
+from bondem.geometry.triangles import Nearest, TriangleTree
 
 find_nearest = Pass("find_nearest_triangles", TriangleTree, Nearest)
 
@@ -53,11 +53,11 @@ def test_other_fields_are_refused_when_a_pass_is_made():
 
 
 def test_a_layout_other_than_word_by_word_is_refused():
-    field = _core._Field("x", np.dtype(float), None, (), 8)
+    field = _core.Field("x", np.dtype(float), None, (), 8)
     with pytest.raises(ImportError, match=r"Table.x is at byte 8, not at 0"):
         _core._check_layout("Table", (field,), 16)
     with pytest.raises(ImportError, match="has 16 bytes, not 8"):
-        _core._check_layout("Table", (_core._Field("x", np.dtype(float), None, (), 0),), 16)
+        _core._check_layout("Table", (_core.Field("x", np.dtype(float), None, (), 0),), 16)
 
 
 POINTS = np.zeros((2, 3))

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.core_loop import CoreLoop
 from bondem.errors import InputError
-from bondem.observe.energy import elastic_energy
-from bondem.solve.loop_core import CoreLoop
+from bondem.observables.energy import elastic_energy
 from tests.bits import assert_resumes_to, assert_same_bits, need_two_threads, threads
 from tests.models import time_step
 from tests.recording import Record

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.damage.crack_columns import FACET, PARTED, STATUS, TOP
 from bondem.errors import InputError
-from bondem.model.crack_columns import FACET, PARTED, STATUS, TOP
 from tests.bits import assert_resumes_to, digest, threads
 from tests.models import moving, time_step
 from tests.scripts import python

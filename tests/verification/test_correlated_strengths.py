@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.damage.correlated import normal_field
+from bondem.damage.counter import uniform_by_counter
 from bondem.errors import InputError
-from bondem.laws.failure.correlated import normal_field
-from bondem.laws.failure.counter import uniform_by_counter
 from tests.specimens import bar, spheres
 
 LENGTH = 1.0

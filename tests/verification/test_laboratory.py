@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import quad
 
 import bondem as bd
-from bondem.labtests.beams import CrossSection
+from bondem.labtests.beam_tests import CrossSection
 from bondem.labtests.punching import _Core
 from bondem.labtests.splitting import flattened, splitting_strength, stamped
 from tests.specimens import cells

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.solve.explicit import integrate
-from bondem.solve.timestep import highest_frequency
+from bondem.dynamics.explicit import integrate
+from bondem.model.highest_frequency import highest_frequency
 from tests.bits import assert_resumes_to, assert_same_bits, need_two_threads, threads
 from tests.core.law_samples import stress_bounds
 from tests.models import momenta, time_step

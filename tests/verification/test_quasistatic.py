@@ -7,11 +7,11 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.model.matrices import stiffness_matrix
-from bondem.quasistatic.damaged_body import DamagedBody
-from bondem.quasistatic.equilibrium import Iterated
-from bondem.quasistatic.teeth import SofteningLine, Teeth
-from bondem.solve.linear import Elimination, Iteration, System
+from bondem.model.stiffness_matrices import stiffness_matrix
+from bondem.statics.linear import Elimination, Iteration, System
+from bondem.statics.quasistatic.damaged_body import DamagedBody
+from bondem.statics.quasistatic.equilibrium import Iterated
+from bondem.statics.quasistatic.sawtooth_softening import SofteningLine, Teeth
 from tests.models import follow, pulled
 from tests.specimens import cells, cubes, spheres, two_cubes, uneven_bar
 

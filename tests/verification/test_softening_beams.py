@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.core_loop import CoreLoop
 from bondem.errors import InputError
-from bondem.solve.loop_core import CoreLoop
 from tests.bits import assert_resumes_to, assert_same_bits, flying_apart, need_two_threads
 from tests.models import crooked_beams, time_step
 from tests.specimens import two_spheres

@@ -11,11 +11,12 @@ import pytest
 from scipy.linalg import eigvalsh_tridiagonal
 
 import bondem as bd
+from bondem._blas import one_blas_thread
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.timestep import critical_step
 from bondem.errors import InputError, StepWarning
-from bondem.model.matrices import mass_diagonal, stiffness_matrix
-from bondem.solve.explicit import integrate
-from bondem.solve.threads import one_blas_thread
-from bondem.solve.timestep import critical_step, highest_frequency
+from bondem.model.highest_frequency import highest_frequency
+from bondem.model.stiffness_matrices import mass_diagonal, stiffness_matrix
 from tests.models import cloud, moving, stirred, time_step, walls_of_box
 from tests.recording import Record
 from tests.specimens import crooked_block, row, two_cubes

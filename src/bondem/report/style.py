@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import ScalarFormatter
 from PIL import Image, ImageChops
 
-from bondem.laws.catalogue import LAWS
+from bondem.interactions.law_catalogue import LAWS
 
 INK = "#1f2933"
 GREY = "#8a96a3"

@@ -1,0 +1,122 @@
+"""Tables in memory as the core takes them: each value is checked against its field, and written as words."""
+
+import re
+import struct
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from bondem._core_functions import address_of
+from bondem._types import Ints
+from bondem.errors import InputError
+
+# What a number may be in Python.
+INTEGER = (int, np.integer, np.bool_)
+REAL = (float, np.floating, *INTEGER)
+# A word of a table as an integer, and a number as such a word.
+_WORD, _REAL = struct.Struct("=q"), struct.Struct("=d")
+
+
+@dataclass(frozen=True)
+class Field:
+    """A number or an array of a table, as the header declares it.
+
+    Attributes:
+        name: of the field.
+        dtype: of the number, or of the numbers of the array.
+        written: whether passes write to the array; None for a number.
+        shape: for each axis a symbol, or "", and what is added to it.
+        offset: in the table [bytes].
+    """
+
+    name: str
+    dtype: np.dtype[Any]
+    written: bool | None
+    shape: tuple[tuple[str, int], ...]
+    offset: int
+
+    @classmethod
+    def of(cls, description: Any) -> "Field":
+        """Read a description of the library."""
+        dtype, _, use = description.type.decode().partition(" ")
+        axes = []
+        for axis in description.shape.decode().split():
+            match = re.fullmatch(r"(\*|[a-z_]*)\+?(\d*)", axis)
+            assert match is not None, axis
+            axes.append((match[1], int(match[2] or 0)))
+        written = {"": None, "read": False, "written": True}[use]
+        return cls(description.name.decode(), np.dtype(dtype), written, tuple(axes), description.offset)
+
+    @property
+    def words(self) -> int:
+        """Words of the field in the table: a pointer and the lengths of the axes, or a number."""
+        return 1 if self.written is None else 1 + len(self.shape)
+
+    def __str__(self) -> str:
+        if self.written is None:
+            return f"a number, {self.dtype}"
+        axes = (f"{symbol}{f'+{more}' if symbol and more else more or ''}" for symbol, more in self.shape)
+        return f"a contiguous array of {self.dtype} of shape ({', '.join(axes)})"
+
+
+def filled_table(
+    name: str, fields: tuple[Field, ...], table: tuple[Any, ...], lengths: dict[str, tuple[int, str]]
+) -> Ints:
+    """A table in memory as the core takes it.
+
+    Args:
+        name: name of the table.
+        fields: fields of the table as the header declares them.
+        table: values of the fields.
+        lengths: lengths of axes known so far by their symbols, and of which array; those of this table are added.
+
+    Returns:
+        Its words: numbers, and addresses and lengths of arrays. The arrays must live as long as it is used.
+
+    Raises:
+        InputError: a value that is not as its field declares it.
+    """
+    if len(table) != len(fields):
+        raise InputError(f"{name}: {len(table)} values; pass {len(fields)}")
+    words: list[int] = []
+    for field, value in zip(fields, table, strict=True):
+        where = f"{name}.{field.name}"
+        if field.written is None:
+            words.append(_number(where, field, value))
+            continue
+        _check_array(where, field, value)
+        for (symbol, more), length in zip(field.shape, value.shape, strict=True):
+            if symbol == "*":
+                continue
+            known, source = lengths.setdefault(symbol, (length - more, where)) if symbol else (0, where)
+            if length != known + more:
+                raise InputError(
+                    f"{where} = array of shape {value.shape}: an axis has to be {known + more} long"
+                    f" ({symbol or 'fixed'}, as of {source}); pass {field}"
+                )
+        words += [address_of(value), *value.shape]
+    return np.array(words, dtype=np.int64)
+
+
+def _number(where: str, field: Field, value: Any) -> int:
+    """The word of a number; InputError for what is none, or none of the type that a field declares."""
+    real = field.dtype == np.float64
+    if not isinstance(value, REAL if real else INTEGER) or value != value:
+        raise InputError(f"{where} = {value!r}: not a number that the core can read; pass {field}")
+    try:
+        return _WORD.unpack(_REAL.pack(float(value)) if real else _WORD.pack(int(value)))[0]
+    except (OverflowError, struct.error):
+        raise InputError(f"{where} = {value!r}: too large a number; pass {field}") from None
+
+
+def _check_array(where: str, field: Field, value: Any) -> None:
+    """Raise InputError for what is no array as a field declares it, the lengths of its axes apart."""
+    if not isinstance(value, np.ndarray):
+        raise InputError(f"{where} = {value!r}: not an array; pass {field}")
+    fits = value.flags.c_contiguous and value.flags.aligned
+    if value.dtype != field.dtype or value.ndim != len(field.shape) or not fits:
+        what = f"{value.dtype} of shape {value.shape}{'' if fits else ', not contiguous or not aligned'}"
+        raise InputError(f"{where} = array of {what}: the core cannot read it; pass {field}")
+    if field.written and not value.flags.writeable:
+        raise InputError(f"{where} = read-only array: the core writes to it; pass a copy")
