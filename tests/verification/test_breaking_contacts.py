@@ -254,7 +254,7 @@ done = run(2, 50)
 print(bits(done.state), len(done.events), len(done.state.contacts))
 place = Path(sys.argv[1]) / "run.h5"
 try:
-    run(2, 100, save_every=7, out=place, progress=stop)
+    run(2, 100, save_every=31, out=place, progress=stop)
 except EnoughError:
     pass
 found = bd.read_run(place).state
