@@ -35,7 +35,7 @@ import numpy as np
 import bondem as bd
 from any_specimen_figures import draw
 from bondem.calibration.density import element_density
-from bondem.solve.static import Statics
+from bondem.statics.static import Statics
 from continuum import BRACKET, Continuum, Corners, Vibration
 from layers import calibrate_layers
 from matching import matched

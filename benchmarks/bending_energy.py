@@ -25,7 +25,7 @@ from unittest.mock import patch
 import numpy as np
 
 import bondem as bd
-from bondem.quasistatic.teeth import SofteningLine, Teeth
+from bondem.statics.quasistatic.sawtooth_softening import SofteningLine, Teeth
 from concrete import BEAM, ENERGY, LAW, NOTCH, TENSION, concrete, specimen
 from kept import RESULTS, keep, origin
 

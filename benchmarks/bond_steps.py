@@ -20,10 +20,10 @@ os.environ["BONDEM_PACKING_CACHE"] = "off"
 
 import bondem as bd
 from bondem._threads import threads
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
 from bondem.model.state import State
-from bondem.solve.explicit import integrate
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
 from kept import RESULTS, keep, origin, spread
 from tiled import specimen
 

@@ -17,9 +17,9 @@ import numpy as np
 
 import bondem as bd
 from bondem._threads import threads
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
 from kept import RESULTS, keep, origin
 from tiled import specimen
 

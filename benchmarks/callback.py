@@ -17,8 +17,8 @@ import numpy as np
 
 import bondem as bd
 from bondem._threads import threads
+from bondem.dynamics.history import History
 from bondem.model.state import State
-from bondem.solve.history import History
 from kept import RESULTS, keep, origin, spread
 from static_solve import LAW, cylinder
 

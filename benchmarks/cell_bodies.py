@@ -34,8 +34,8 @@ from skfem import Basis, ElementHex2, ElementVector
 import bondem as bd
 from any_specimen import FORCE_X, FORCE_Y, FORCE_Z, MODES, MOMENT_X, ROOT
 from any_specimen import MATERIALS as NAMES
-from bondem.observe.surface import surface_displacement
-from bondem.solve.static import Statics
+from bondem.observables.surface_displacement import surface_displacement
+from bondem.statics.static import Statics
 from continuum import Continuum, Vibration, _lines
 from fem_cylinder import disc, extruded
 from kept import RESULTS, commit, keep, origin

@@ -20,7 +20,7 @@ from scipy.sparse.linalg import splu
 from skfem import Basis, ElementHex1, ElementHex2, ElementVector, MeshHex, MeshHex2
 
 import bondem as bd
-from bondem.specimen.cells.polyhedra import polyhedra
+from bondem.specimen.tessellation.polyhedra import polyhedra
 from continuum import Continuum
 from kept import RESULTS, keep, origin
 

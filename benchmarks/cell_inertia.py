@@ -19,7 +19,7 @@ from scipy.sparse import bsr_array
 
 import bondem as bd
 from any_specimen import MODES
-from bondem.solve.linear import System, rigid_motions, solver
+from bondem.statics.linear import System, rigid_motions, solver
 from cell_bodies import cut, mesh
 from kept import RESULTS, keep, origin
 from matching import groups

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
-from bondem.observe.cell_strain import CellStrain
+from bondem.interactions.cells.cell_strain import CellStrain
 from kept import RESULTS, keep, origin
 
 NU = (-0.3, 0.0, 0.1, 0.2, 0.3, 0.4, 0.45, 0.49)

@@ -19,7 +19,7 @@ from typing import Any
 
 import bondem as bd
 from bondem._threads import threads
-from bondem.solve.timestep import critical_step
+from bondem.dynamics.timestep import critical_step
 from kept import RESULTS, keep, origin
 
 SHAPE = bd.Cylinder(radius=5e-3, length=40e-3)

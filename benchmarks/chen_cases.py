@@ -17,8 +17,8 @@ from scipy.optimize import brentq
 
 import bondem as bd
 from bondem._threads import threads
+from bondem.dynamics.plan import ExplicitResult
 from bondem.report.style import GREY, INK, sheet
-from bondem.solve.plan import ExplicitResult
 from chen_shear import draw_shear, print_shear, shear_cases
 from chen_specimens import CASES, FORCE, LAWS, MARKS, E, G, beam, bond, cantilever, exact, row
 

@@ -14,9 +14,9 @@ import numpy as np
 
 import bondem as bd
 from bondem._core import Pass
-from bondem.laws.bond import BondLaw
-from bondem.model.beam_tables import Beams, BeamSums, Poses, beam_tables
-from bondem.solve.timestep import critical_step
+from bondem.dynamics.timestep import critical_step
+from bondem.interactions.beams.beam_tables import Beams, BeamSums, Poses, beam_tables
+from bondem.interactions.beams.bond_law import BondLaw
 from chen_specimens import cantilever
 
 #: Readings of eq (11): |F_i| sign(U_i), |F| U/|U|, F_i U_i/U_i as printed, F_i sign(U_i).

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 import bondem as bd
-from bondem.laws.bond import BondLaw
+from bondem.interactions.beams.bond_law import BondLaw
 from bondem.report.style import BLUE, GREEN, ORANGE, PURPLE
 
 E, NU, RHO, FORCE = 200e9, 0.3, 7800.0, 100e3

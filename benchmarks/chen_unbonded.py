@@ -25,7 +25,7 @@ import numpy as np
 
 import bondem as bd
 from bondem._threads import threads
-from bondem.laws.bond import BondGeometry, BondStiffness
+from bondem.interactions.beams.bond_law import BondGeometry, BondStiffness
 from chen_one_sided import run_to_rest
 from chen_specimens import CASES, FORCE, NU, RHO, E, beam, bond, cantilever, exact
 from kept import commit, keep, place

@@ -12,12 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 
 import bondem as bd
-from bondem.quasistatic import solve
-from bondem.quasistatic.damaged_body import DamagedBody, Loaded
-from bondem.quasistatic.limits import StressOnset
-from bondem.quasistatic.reading import Reading
-from bondem.quasistatic.teeth import SofteningLine
-from bondem.quasistatic.tensors import full_tensor
+from bondem.statics.quasistatic import quasistatic_run
+from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
+from bondem.statics.quasistatic.limits import StressOnset
+from bondem.statics.quasistatic.load_response import Reading
+from bondem.statics.quasistatic.sawtooth_softening import SofteningLine
+from bondem.statics.quasistatic.tensors import full_tensor
 
 # Largest change of an integrity, as a share of it, that counts as none; and rounds until a step is given up.
 _STILL, _ROUNDS = 1e-3, 300
@@ -43,7 +43,7 @@ def pulled_in_steps(model: bd.Model, drive: bd.Face, first: float, step: float, 
         first, step: displacements [m].
         until: share of the largest load.
     """
-    body, equilibrium, onset = solve._begin(model)
+    body, equilibrium, onset = quasistatic_run._begin(model)
     assert isinstance(onset, StressOnset)
     reading, motion = Reading(body, drive), body.motion.copy()
     lines: dict[int, SofteningLine] = {}
@@ -53,7 +53,7 @@ def pulled_in_steps(model: bd.Model, drive: bd.Face, first: float, step: float, 
         rounds, settled = 0, False
         while not settled and rounds < _ROUNDS:
             rounds += 1
-            motion, found = solve._balance(body, equilibrium, motion, stored)
+            motion, found = quasistatic_run._balance(body, equilibrium, motion, stored)
             stored = body.size(found)
             load, size = reading.read(found, motion)
             factor = way / size

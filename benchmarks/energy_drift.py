@@ -17,8 +17,8 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
+from bondem.dynamics.timestep import critical_step
 from bondem.model.state import State
-from bondem.solve.timestep import critical_step
 from static_solve import cylinder
 
 SILICA = bd.Material("fused silica", E=72.5e9, nu=0.17, rho=2201.0)

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
-import bondem.model.softening_table as table
+import bondem.damage.softening_table as table
 from kept import RESULTS, keep, origin, place
 
 EVERY = -1e6  # of the strength: below any stress

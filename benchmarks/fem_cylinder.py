@@ -15,7 +15,7 @@ from skfem import Basis, BilinearForm, ElementHex1, ElementVector, MeshHex, asm
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
 import bondem as bd
-from bondem.labtests.beams import Bar, CrossSection
+from bondem.labtests.beam_tests import Bar, CrossSection
 
 E, NU, RHO = 72.5e9, 0.17, 2201.0
 SHAPE = bd.Cylinder(radius=5e-3, length=40e-3)

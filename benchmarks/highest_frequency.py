@@ -13,8 +13,8 @@ from scipy.sparse import diags_array
 from scipy.sparse.linalg import eigsh
 
 import bondem as bd
-from bondem.model.matrices import mass_diagonal, stiffness_matrix
-from bondem.solve.timestep import highest_frequency
+from bondem.model.highest_frequency import highest_frequency
+from bondem.model.stiffness_matrices import mass_diagonal, stiffness_matrix
 from kept import RESULTS, clocked, keep, origin
 from tiled import specimen
 

@@ -26,11 +26,11 @@ from scipy.spatial.transform import Rotation
 
 import bondem as bd
 from bondem._threads import threads
-from bondem.laws.bond import BondLaw
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.plan import Plan
+from bondem.interactions.beams.bond_law import BondLaw
 from bondem.model.state import State
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, sheet
-from bondem.solve.explicit import integrate
-from bondem.solve.plan import Plan
 from printed_rates import Printed
 
 ROOT = Path(__file__).resolve().parents[1]

@@ -24,10 +24,10 @@ from bondem._types import PerElement
 from bondem.calibration.density import balanced_density
 from bondem.calibration.elastic import calibrate
 from bondem.errors import InputError
-from bondem.laws.euler_bernoulli import EulerBernoulli
+from bondem.geometry.elementary_shapes import Cell
+from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
 from bondem.packing import pack
 from bondem.specimen.bonding import connect
-from bondem.specimen.geometry import Cell
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 from bondem.specimen.regions import Index

@@ -19,7 +19,7 @@ import numpy as np
 
 import bondem as bd
 from bondem.calibration.density import balanced_density, element_density
-from bondem.specimen.moments import moments
+from bondem.geometry.moments import moments
 
 RHO = 2201.0
 SHAPE = bd.Cylinder(radius=5e-3, length=40e-3)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem.solve.modal import ModesResult
+from bondem.statics.modes import ModesResult
 from continuum import Vibration
 
 

@@ -18,7 +18,7 @@ from typing import Any
 
 from bondem.specimen.material import Material
 from bondem.study.pipeline import run_study
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
 from kept import RESULTS, commit, keep, origin
 
 STUDY = Path(__file__).parents[1] / "examples" / "mesoscale.toml"

@@ -27,7 +27,7 @@ import numpy as np
 
 import bondem as bd
 from bondem.errors import FillingWarning, ThinBodyWarning, UnitWarning
-from bondem.model import cell_constants
+from bondem.interactions.cells import cell_constants
 from cell_bodies import cut, free_modes, mesh
 from cell_moduli import bar_test
 from cell_waves import LENGTH, celerity

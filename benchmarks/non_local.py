@@ -16,12 +16,12 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.plan import Plan
+from bondem.model.highest_frequency import highest_frequency
 from bondem.model.state import State
-from bondem.solve.lagged import LaggedStatics
-from bondem.solve.linear import System
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import highest_frequency
+from bondem.statics.linear import System
+from bondem.statics.non_local_statics import LaggedStatics
 from kept import RESULTS, keep, origin
 
 E = 40e9

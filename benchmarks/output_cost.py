@@ -1,17 +1,19 @@
 """What output costs: snapshots of 100 000 elements at every hundredth of a run, over the run without any.
 
 Three runs in one process take turns, all with a checkpoint at the end: one without snapshots, one with two more than
-that at the start, one with ten. The difference of the last two over eight is the cost of a snapshot, and what is left
-of the second that of finding and writing once what does not change. That and a hundred snapshots, over the time of a
-run of 50 000 steps, is what output every 1 % costs. The compression test of 12 000 elements in `python -m validation
-celigueta` takes 55 000 steps, and more with smaller elements.
+that at the start, one with ten. The difference of the last two over eight is the cost of a snapshot. The rest of the
+cost of the second is that of what does not change, which is computed and written once. That and a hundred snapshots,
+over the time of a run of 50 000 steps, is what output every 1 % costs. The compression test of 12 000 elements in
+`python -m validation celigueta` takes 55 000 steps, and more with smaller elements.
 
-Run: python benchmarks/output_cost.py [--elements 100000] [--steps 200] [--repeat 3]
+Seconds are those of one processor (`process_time`, one thread): they do not depend on other work of the machine. The
+share by the wall is given beside it, because a disk may be slower than the processor.
+
+Run: python benchmarks/output_cost.py [--elements 100000] [--steps 200] [--repeat 3] [--threads 1]
 It writes benchmarks/results/output_cost.json.
 """
 
 import argparse
-import statistics
 import tempfile
 import time
 from pathlib import Path
@@ -19,7 +21,7 @@ from pathlib import Path
 import numpy as np
 
 import bondem as bd
-from kept import RESULTS, keep, origin
+from kept import RESULTS, keep, origin, spread
 
 FILE = RESULTS / "output_cost.json"
 FEW, MANY, LONG = 2, 10, 50_000
@@ -40,10 +42,12 @@ def model_of(kind: str, count: int) -> bd.Model:
     return bd.Model(lattice, law, 2500.0, failure=failure, boundary=ends)
 
 
-def seconds(model: bd.Model, steps: int, dt: float, every: int, folder: Path) -> tuple[float, int]:
-    began = time.perf_counter()
+def seconds(model: bd.Model, steps: int, dt: float, every: int, folder: Path) -> tuple[np.ndarray, int]:
+    """Seconds of a run by the processor and by the wall, and the size of its file [bytes]."""
+    began = np.array((time.process_time(), time.perf_counter()))
     bd.solve_explicit(model, duration=steps * dt, dt=dt, every=0, snapshot_every=every, out=folder / "run.h5")
-    return time.perf_counter() - began, (folder / "run.h5").stat().st_size
+    taken = np.array((time.process_time(), time.perf_counter())) - began
+    return taken, (folder / "run.h5").stat().st_size
 
 
 def measured(kind: str, count: int, steps: int, repeat: int) -> dict:
@@ -58,17 +62,15 @@ def measured(kind: str, count: int, steps: int, repeat: int) -> dict:
             few.append(seconds(model, steps, dt, steps // FEW, folder))
             many.append(seconds(model, steps, dt, steps // MANY, folder))
     # the first snapshot also finds and writes what does not change, such as the polyhedra
-    each = [(b[0] - a[0]) / (MANY - FEW) for a, b in zip(few, many, strict=True)]
-    once = [b[0] - a[0] - (FEW + 1) * one for a, b, one in zip(plain, few, each, strict=True)]
-    step = [a[0] / steps for a in plain]
-    cost = (statistics.median(once) + 100.0 * statistics.median(each)) / (LONG * statistics.median(step))
+    each = np.array([(b[0] - a[0]) / (MANY - FEW) for a, b in zip(few, many, strict=True)])
+    once = np.array([b[0] - a[0] - (FEW + 1) * one for a, b, one in zip(plain, few, each, strict=True)])
+    step = np.array([a[0] / steps for a in plain])
+    cost = (np.median(once, axis=0) + 100.0 * np.median(each, axis=0)) / (LONG * np.median(step, axis=0))
     return {
         "kind": kind, "elements": count, "bonds": len(model.lattice.pairs), "steps": steps,
-        "step": {"min": min(step), "median": statistics.median(step)},
-        "snapshot": {"min": min(each), "median": statistics.median(each)},
-        "once": {"min": min(once), "median": statistics.median(once)},
+        "step": spread(step[:, 0]), "snapshot": spread(each[:, 0]), "once": spread(once[:, 0]),
         "bytes a snapshot": (many[-1][1] - few[-1][1]) / (MANY - FEW),
-        "bytes without": plain[-1][1], "cost": cost,
+        "bytes without": plain[-1][1], "cost": float(cost[0]), "cost by the wall": float(cost[1]),
     }  # fmt: skip
 
 
@@ -77,13 +79,15 @@ def main() -> None:
     parser.add_argument("--elements", type=int, default=100_000)
     parser.add_argument("--steps", type=int, default=200)
     parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--kinds", nargs="+", default=["beams", "cells"], choices=["beams", "cells"])
     options = parser.parse_args()
     begun, cases = origin(), []
+    bd.set_threads(options.threads)
     for kind in options.kinds:
         cases.append(measured(kind, options.elements, options.steps, options.repeat))
-        print({key: np.round(value, 6) if isinstance(value, float) else value for key, value in cases[-1].items()})
-    keep(FILE, begun | {"cases": cases, "long": LONG})
+        print({key: round(value, 6) if isinstance(value, float) else value for key, value in cases[-1].items()})
+    keep(FILE, begun | {"threads": options.threads, "cases": cases, "long": LONG})
 
 
 if __name__ == "__main__":

@@ -48,7 +48,7 @@ def read_lattice(path: str) -> bd.Lattice:
 
 # Loops of runs, the newest first: of the core; of Numba; of c790c8a and older revisions.
 _LOOPS = (
-    ("CoreLoop", "bondem.dynamics.loop_core"), ("CoreLoop", "bondem.solve.loop_core"),
+    ("CoreLoop", "bondem.dynamics.core_loop"), ("CoreLoop", "bondem.solve.loop_core"),
     ("CpuLoop", "bondem.solve.loop_cpu"), ("_Loop", "bondem.solve.explicit"),
 )  # fmt: skip
 

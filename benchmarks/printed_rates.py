@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 import bondem as bd
-from bondem.laws.bond import BondLaw
+from bondem.interactions.beams.bond_law import BondLaw
 
 
 class Printed:

@@ -17,10 +17,10 @@ import numpy as np
 
 import bondem as bd
 from bondem._threads import most_threads, threads
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
 from bondem.model.state import State
-from bondem.solve.explicit import integrate
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
 from kept import RESULTS, keep, origin
 from roofline import bandwidth, bytes_per_bond, flops_per_bond, peak, state_bytes_per_element
 from tiled import specimen

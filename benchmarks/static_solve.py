@@ -14,7 +14,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 import bondem as bd
-from bondem.solve.linear import Iteration, System
+from bondem.statics.linear import Iteration, System
 from kept import RESULTS, clocked, keep, origin
 
 LAW = bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.5)

@@ -16,7 +16,7 @@ Verification (closed forms, conservation laws) is in `tests/verification/` and r
 _MEASURED = """## How it was measured
 
 Every number of bondem in a table comes from a command: a study, a benchmark or the tests.
-The command writes a file in [`benchmarks/results`](../benchmarks/results) and is listed at the top of its page.
+The command writes a file in `benchmarks/results` and is listed at the top of its page.
 The last column of a table, #, is the number of the command.
 `BUILD` in a command stands for a folder of your choice.
 

@@ -18,6 +18,8 @@ _LONGEST = 6  # lines of an example
 # What annotations of arrays look like once they are resolved, innermost brackets first.
 _WITHIN = r"(?:\[(?:[^\[\]]|\[(?:[^\[\]]|\[[^\[\]]*\])*\])*\])?"
 _ARRAY = re.compile(rf"~?(?:numpy\.)?(?:typing\.)?(?:nd|ND)[aA]rray{_WITHIN}")
+# Two stars, but not those of a name in bold, "**StepWarning** -- text", as napoleon writes the section Warns.
+_STARS = re.compile(r"(?<!\w)\*\*(?!\w+\*\* --)|(?<=\w)\*\*(?! --)")
 _MODULES = re.compile(r"~?\b(?:bondem|collections|typing|pathlib|numpy)(?:\.\w+)*\.(?=[A-Z])")
 
 
@@ -110,8 +112,8 @@ def shorten_properties(app: object, document: Any) -> None:
 
 
 def escape_bars(app: object, what: str, name: str, thing: object, options: object, lines: list[str]) -> None:
-    """Keep |M| and x**2 as they are: to docutils they would be a substitution and bold."""
-    lines[:] = [line.replace("|", "\\|").replace("**", "\\*\\*") for line in lines]
+    """Keep |M| and x**2 as they are: to docutils they would be a substitution and bold, as names of warnings are."""
+    lines[:] = [_STARS.sub(r"\\*\\*", line.replace("|", "\\|")) for line in lines]
 
 
 def setup(app: Any) -> dict[str, bool]:

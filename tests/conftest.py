@@ -6,11 +6,20 @@ from pathlib import Path
 
 import pytest
 
+import bondem as bd
+
 # What tests pack is packed anew, here and in the processes they start; those of the cache turn it on.
 os.environ["BONDEM_PACKING_CACHE"] = "off"
 
 # Tests of progress turn it on.
 os.environ.setdefault("BONDEM_PROGRESS", "off")
+
+# Processes that tests start import the package as bytecode, which the first of them writes.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+
+# Workers of pytest-xdist share the cores: libraries of linear algebra would start as many threads as cores in each.
+for _library in ("OPENBLAS", "OMP", "MKL"):
+    os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
 
 pytest_plugins = ("tests.recording",)
 
@@ -21,6 +30,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--validate", action="store_true", help="run the slow tests too: published numbers, studies")
     parser.addoption("--gpu", action="store_true", help="run the tests that need a CUDA device too")
     parser.addoption("--sanitize", action="store_true", help="run the tests of the core with g++'s sanitizers too")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    # For the same reason solvers run on one thread there, unless a test sets another number.
+    if hasattr(config, "workerinput"):
+        bd.set_threads(1)
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

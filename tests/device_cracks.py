@@ -13,8 +13,8 @@ from tests.device_cases import Case
 LAW = bd.CellBond(E=40e9, nu=0.2)
 RANKINE = bd.Rankine(tension=4e6, fracture_energy=50.0)
 GAUGES = {"end": bd.Gauge(bd.Face("x_max"), "displacement"), "wall": bd.Gauge(bd.Face("x_min"), "force", "sum")}
-# Stable time step of the bodies, about [s].
-_DT = 1e-7
+#: Stable time step of the bodies, about [s].
+STEP = 1e-7
 
 
 @cache
@@ -57,18 +57,18 @@ def held() -> bd.Model:
 
 
 CASES: dict[str, Callable[[], Case]] = {
-    "torn apart": lambda: (free(RANKINE), thrown((2.0, -0.4, 0.6)), 240, _DT, {"every": 20}),
+    "torn apart": lambda: (free(RANKINE), thrown((2.0, -0.4, 0.6)), 240, STEP, {"every": 20}),
     "brittle": lambda: (
-        free(bd.Rankine(tension=4e6)), thrown((2.0, -0.4, 0.6)), 200, _DT,
+        free(bd.Rankine(tension=4e6)), thrown((2.0, -0.4, 0.6)), 200, STEP,
         {"every": 20, "damping": bd.LocalDamping(0.05)}
     ),
     "bilinear": lambda: (
-        free(bd.Rankine(tension=4e6, fracture_energy=50.0, curve=bd.Bilinear())), thrown((2.0, -0.4, 0.6)), 200, _DT,
+        free(bd.Rankine(tension=4e6, fracture_energy=50.0, curve=bd.Bilinear())), thrown((2.0, -0.4, 0.6)), 200, STEP,
         {"every": 20, "damping": bd.BondDamping(eta=0.1)},
     ),
-    "held and pulled": lambda: (held(), thrown((0.5, 0.0, 0.0)), 240, _DT, {"every": 20, "gauges": GAUGES}),
+    "held and pulled": lambda: (held(), thrown((0.5, 0.0, 0.0)), 240, STEP, {"every": 20, "gauges": GAUGES}),
     "driven together and touching": lambda: (
         free(RANKINE, contact=bd.LinearContact(E=40e9, friction=0.4)), thrown((-40.0, -12.0, -12.0), 10.0), 500,
-        0.25 * _DT, {"every": 100},
+        0.25 * STEP, {"every": 100},
     ),
 }  # fmt: skip

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
-from bondem.solve.timestep import highest_frequency
+from bondem.model.highest_frequency import highest_frequency
 from tests.core import contact_cases
 from tests.device_cases import CELL_GAUGES, GAUGES, Case, bar, body, cell, moving
 

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
-from bondem.solve.timestep import critical_step
+from bondem.dynamics.timestep import critical_step
 from tests.specimens import bar, crooked_block, loose, row, two_cubes
 
 VERLET = bd.VelocityVerlet()

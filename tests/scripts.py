@@ -10,9 +10,12 @@ from contextlib import chdir, redirect_stderr, redirect_stdout
 from pathlib import Path
 from types import ModuleType
 
-from bondem.cli import main
+from bondem import cli
+from validation import __main__ as studies
 
 ROOT = Path(__file__).parents[1]
+# Modules whose `main` reads the command line, by package.
+COMMANDS = {"bondem": cli, "validation": studies}
 
 
 def scripts(folder: str, **modules: str) -> dict[str, ModuleType]:
@@ -28,16 +31,16 @@ def scripts(folder: str, **modules: str) -> dict[str, ModuleType]:
 def command(
     *arguments: object, cwd: Path, package: str = "bondem", process: bool = False, **options
 ) -> subprocess.CompletedProcess[str]:
-    """Call the command `bondem` in a folder; with `process`, and for other packages, as `python -m bondem`."""
+    """Call the command `bondem`, or that of another package, in a folder; with `process` as `python -m bondem`."""
     words = [sys.executable, "-m", package, *map(str, arguments)]
-    if process or options or package != "bondem":
+    if process or options:
         return subprocess.run(words, cwd=cwd, capture_output=True, text=True, timeout=300, **options)
     out, err, former = io.StringIO(), io.StringIO(), sys.argv
     sys.argv, code = [package, *words[3:]], 0
     try:
         with chdir(cwd), redirect_stdout(out), redirect_stderr(err), warnings.catch_warnings():
             warnings.resetwarnings()
-            main()
+            COMMANDS[package].main()
     except SystemExit as ended:
         code = ended.code
     finally:

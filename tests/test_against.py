@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from tests.bits import most_threads
+from bondem._threads import current_threads
 from tests.scripts import scripts
 
 SIZE = 60
@@ -14,9 +14,10 @@ pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.StepWarning")
 @pytest.fixture(scope="module")
 def benchmarks():
     """The modules beside the scripts."""
+    before = current_threads()
     names = {"cases": "bits.cases", "compare": "bits.compare", "runs": "bits.runs"}
     yield scripts("benchmarks", paired="paired", tiled="tiled", **names)
-    bd.set_threads(most_threads())  # runs of cases set it
+    bd.set_threads(before)  # runs of cases set it
 
 
 @pytest.mark.validate

@@ -12,7 +12,7 @@ import pytest
 import bondem as bd
 from bondem.campaign.sweep import is_campaign
 from bondem.errors import BondemError, DisconnectedError, EmptyRegionError, InputError, StudyError, UnstableStepError
-from bondem.study.study import parse_study, read_study
+from bondem.study.study_file import parse_study, read_study
 from tests.scripts import command
 from tests.specimens import chain, row
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.explicit import integrate
 from bondem.errors import InputError
-from bondem.solve.explicit import integrate
 from tests.models import time_step
 from tests.specimens import bar, row, spheres, two_spheres
 

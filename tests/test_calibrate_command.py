@@ -8,7 +8,7 @@ import pytest
 import bondem as bd
 from bondem.cli import bondem as group
 from bondem.errors import InputError
-from bondem.study.calibration import CalibrationPlan, run_calibration
+from bondem.study.calibration_step import CalibrationPlan, run_calibration
 from tests.scripts import command
 from tests.specimens import spheres
 from validation.frame.runner import run

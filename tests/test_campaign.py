@@ -25,7 +25,7 @@ from bondem.cli.check import command as check
 from bondem.errors import InputError, MissingDependencyError, StudyError, UnprotectedClusterWarning
 from bondem.study.pipeline import run_study
 from bondem.study.programme import read
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
 
 EXAMPLE = Path("examples/campaign.toml")
 # Packed and checked only: a fraction of a second each.

@@ -14,13 +14,14 @@ from bondem.errors import InputError, StudyError
 from bondem.labtests.faces import face_motion
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.tension import tension_model
-from bondem.observe.cell_forces import CellForces
-from bondem.observe.cell_stress import dilatation
+from bondem.observables.cell_forces import CellForces
+from bondem.observables.cell_stress import dilatation
 from bondem.report.cell_pictures import section_through
 from bondem.study.beginnings import TEMPLATES, template
 from bondem.study.pipeline import run_study
 from bondem.study.programme import Programme, read
-from bondem.study.study import TESTS, parse_study, read_study
+from bondem.study.study_file import TESTS, parse_study, read_study
+from tests.drawings import only
 from tests.specimens import cells
 
 E, NU, RHO = 70e9, 0.3, 2500.0
@@ -59,7 +60,8 @@ def clamped(body, law):
 @pytest.fixture(scope="module")
 def finished(tmp_path_factory):
     out = tmp_path_factory.mktemp("cells")
-    return out, run_study(parse_study(STUDY | {"output": {"vtk": True, "run_files": True}}), out)
+    with only("cells", "profiles", "errors"):
+        return out, run_study(parse_study(STUDY | {"output": {"vtk": True, "run_files": True}}), out)
 
 
 def test_a_study_of_cells_calibrates_nothing_and_measures_what_theory_says(finished):

@@ -14,9 +14,9 @@ import pytest
 import bondem as bd
 from bondem import cli
 from bondem.cli import main
+from bondem.dynamics.plan import settled
 from bondem.errors import UnstableRunError
 from bondem.io.runfile import RunFile
-from bondem.solve.plan import settled
 from tests.models import loaded_row
 from tests.scripts import command
 from tests.specimens import spheres

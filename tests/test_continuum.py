@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from bondem.labtests.beams import Bar, CrossSection
-from bondem.specimen.geometry import Box
+from bondem.geometry.elementary_shapes import Box
+from bondem.labtests.beam_tests import Bar, CrossSection
 
 E, NU, RHO = 72.5e9, 0.17, 2201.0
 SPEC = importlib.util.spec_from_file_location("continuum", Path(__file__).parents[1] / "benchmarks" / "continuum.py")

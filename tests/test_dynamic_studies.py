@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.labtests.beams import Bar, CrossSection
+from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.cantilever import mass_gyration
 from bondem.labtests.vibration import ramped_vibration
 from bondem.labtests.wave import first_passage, strike

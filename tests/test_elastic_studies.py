@@ -246,6 +246,7 @@ def test_influence_without_bars_compares_no_shapes(tmp_path):
     assert set(results["verdicts"]) == {"periodic cell"}
 
 
+@pytest.mark.validate  # the abacus is a study with the same rows
 def test_assembly_leaves_scatter_limits_and_specimens(tmp_path):
     study = Assembly(counts=(300, 360), packings=2, cells=1)
     results = run(study, tmp_path, processes=1)

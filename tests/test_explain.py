@@ -10,7 +10,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, StrengthWarning
-from bondem.observe.crack_index import yield_index
+from bondem.observables.crack_index import yield_index
 from tests.specimens import bar, cubes
 
 STONE = bd.CellBond(E=50e9, nu=0.0)

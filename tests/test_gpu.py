@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
 from bondem.errors import InputError
 from bondem.model.state import State
-from bondem.solve.explicit import integrate
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
 from tests.device_runs import CASES, deviation
 
 
@@ -28,7 +28,7 @@ def test_another_device_is_refused() -> None:
 
 
 def test_every_option_is_known_to_the_device() -> None:
-    """A new field of Model or Plan must be carried out on a device or refused by `bondem.solve.loop_on_gpu`."""
+    """A new field of Model or Plan must be carried out on a device or refused by `bondem.dynamics.gpu_loop`."""
     assert {f.name for f in dataclasses.fields(bd.Model)} == {
         "lattice", "bond", "density", "boundary", "contact", "walls", "failure",
     }  # fmt: skip
@@ -39,7 +39,7 @@ def test_every_option_is_known_to_the_device() -> None:
 
 
 def test_without_the_package_it_says_what_to_install(monkeypatch) -> None:
-    for module in ("bondem.solve.loop_on_gpu", "bondem._cuda"):
+    for module in ("bondem.dynamics.gpu_loop", "bondem._cuda"):
         monkeypatch.delitem(sys.modules, module, raising=False)
     monkeypatch.delattr(bd, "_cuda", raising=False)
     monkeypatch.setitem(sys.modules, "cuda.core", None)
@@ -83,7 +83,7 @@ def cylinder(law: str, count: int = 5_000) -> bd.Model:
 def test_small_runs_on_a_device_agree_with_the_cpu(case: str) -> None:
     if (reason := absent()) is not None:
         pytest.skip(reason)
-    loop_of = importlib.import_module("bondem.solve.loop_on_gpu").loop_on_gpu
+    loop_of = importlib.import_module("bondem.dynamics.gpu_loop").loop_on_gpu
     model, start, steps, dt, options = CASES[case]()
     plan = Plan(duration=steps * dt, dt=dt, **options)
     cpu, device = (integrate(model, plan, state=start(model), loop_of=loop) for loop in (None, loop_of))
@@ -95,7 +95,7 @@ def test_small_runs_on_a_device_agree_with_the_cpu(case: str) -> None:
 def test_device_agrees_with_cpu_after_a_thousand_steps(monkeypatch, law: str) -> None:
     if (reason := absent()) is not None:
         pytest.skip(reason)
-    loop_of = importlib.import_module("bondem.solve.loop_on_gpu").loop_on_gpu
+    loop_of = importlib.import_module("bondem.dynamics.gpu_loop").loop_on_gpu
     model = cylinder(law)
     dt = 0.9 * critical_step(model, bd.VelocityVerlet())
     plan = Plan(duration=1000 * dt, dt=dt, every=100, gauges={"end": bd.Gauge(bd.Face("x_max"), "displacement")})

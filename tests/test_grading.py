@@ -7,10 +7,10 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.observe.cell_strain import CellStrain
-from bondem.observe.surface import surface_displacement
+from bondem.interactions.cells.cell_strain import CellStrain
+from bondem.observables.surface_displacement import surface_displacement
 from bondem.packing.grading import MOST_CELLS, cells_of, sites, sizes_by
-from tests.bits import threads
+from tests.bits import most_threads, threads
 
 BAR = (0.2, 0.1, 0.05)
 SLOT = bd.Box((2e-3, 0.03, 1.0)).moved((0.099, -1e-6, -0.5))
@@ -74,7 +74,7 @@ def test_bits_depend_on_the_seed_and_on_nothing_else():
         with threads(count):
             return bd.pack(NOTCHED, size=FIELD, method="even", seed=seed, cache=False)
 
-    first, second, other = packed(1, 1), packed(1, None), packed(2, None)
+    first, second, other = packed(1, 1), packed(1, most_threads()), packed(2, most_threads())
     np.testing.assert_array_equal(first.position, second.position)
     np.testing.assert_array_equal(first.radius, second.radius)
     assert len(first) == len(other)

@@ -7,7 +7,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.specimen.core import core_solid, core_volume, solid_fraction
+from bondem.specimen.interior import core_solid, core_volume, solid_fraction
 from bondem.specimen.quasirandom import points_inside, spread_directions
 from tests.specimens import crystal
 

@@ -11,7 +11,7 @@ import bondem as bd
 from bondem.errors import BondemError, FillingWarning, InputError, PackingError, StudyError
 from bondem.specimen import materials
 from bondem.study.pipeline import run_study
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
 from tests.specimens import spheres
 
 BOX = bd.Box((10e-3,) * 3)

@@ -8,7 +8,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import StudyError
-from bondem.study.study import Study, parse_study
+from bondem.study.study_file import Study, parse_study
 
 WHOLE = {
     "name": "s", "seed": 1, "packings": 2, "tests": ["impact"],

@@ -8,12 +8,12 @@ from scipy.linalg import eigh
 
 import bondem as bd
 from bondem.errors import EmptyRegionError, InputError, ShortSpecimenWarning
-from bondem.labtests.beams import Bar, CrossSection
+from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.cantilever import Cantilever, mass_gyration
 from bondem.labtests.frequency import dominant_frequency
 from bondem.labtests.gauge_length import AffineField, curvature, profile, rigid_motion, twist_rate
 from bondem.labtests.tension import paper_length, static_bond_forces
-from bondem.solve.linear import Iteration, System
+from bondem.statics.linear import Iteration, System
 from tests.specimens import chain, spheres
 
 E, NU, RHO = 70e9, 0.2, 2200.0

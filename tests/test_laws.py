@@ -3,6 +3,7 @@
 import json
 import math
 import warnings
+from contextlib import nullcontext
 from dataclasses import fields
 
 import numpy as np
@@ -13,12 +14,12 @@ from bondem.calibration.reach import reach
 from bondem.calibration.surface_correction import SurfaceCorrection
 from bondem.cli.calibrate import command
 from bondem.errors import StudyError
+from bondem.interactions.law_catalogue import CALIBRATED, DEFAULT, LAWS, PARAMETERS, named
 from bondem.io.codec import decode, encode
-from bondem.laws.catalogue import CALIBRATED, DEFAULT, LAWS, PARAMETERS, named
-from bondem.report import page
 from bondem.report.style import law_colour, sheet
 from bondem.study.pipeline import run_study
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
+from tests.drawings import only
 from tests.specimens import spheres
 from validation.studies.abacus import SWEEPS
 from validation.studies.surface import FITTED, HELD_OUT
@@ -141,12 +142,10 @@ def test_the_surface_correction_is_fitted_to_these_laws():
 
 
 @pytest.mark.parametrize("law", CALIBRATED.values(), ids=CALIBRATED)
-def test_a_study_with_any_law_draws_its_report(law, tmp_path, monkeypatch):
+def test_a_study_with_any_law_draws_its_report(law, tmp_path):
     # all figures of Obermayr bonds, which once could not be drawn; of the others those that know the law
-    if law is not bd.Obermayr:
-        drawings = page.drawings_of
-        monkeypatch.setattr(page, "drawings_of", lambda findings: {"calibration": drawings(findings)["calibration"]})
-    results = run_study(study(law), tmp_path)
+    with nullcontext() if law is bd.Obermayr else only("calibration"):
+        results = run_study(study(law), tmp_path)
     assert results["micro"]["law"] == law.__name__
     assert results["macro"]["nu"] == pytest.approx(0.25, abs=1e-5)
     drawn = {path.stem for path in (tmp_path / "figures").glob("*.png")}

@@ -11,9 +11,9 @@ import trimesh
 import bondem as bd
 from bondem.calibration.density import balanced_density, element_density
 from bondem.errors import InputError
-from bondem.labtests.beams import CrossSection
+from bondem.geometry.moments import moments
+from bondem.labtests.beam_tests import CrossSection
 from bondem.labtests.cantilever import mass_gyration
-from bondem.specimen.moments import moments
 from tests.specimens import spheres
 
 RHO = 2201.0

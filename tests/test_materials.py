@@ -8,7 +8,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, StudyError
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
 
 SPECIMEN = {"shape": "cylinder", "radius": 5e-3, "length": 40e-3, "count": 500}
 

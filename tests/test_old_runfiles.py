@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.history import FIXED_COLUMNS, FRACTURE, NON_LOCAL, PLASTIC
 from bondem.errors import RunFileError
 from bondem.io.runfile import RunFile
-from bondem.solve.explicit import integrate
-from bondem.solve.history import FIXED_COLUMNS, FRACTURE, NON_LOCAL, PLASTIC
 from tests.bits import EnoughError, assert_same_bits
 from tests.models import cantilever
 from tests.specimens import row

@@ -6,12 +6,12 @@ import trimesh
 
 import bondem as bd
 from bondem.errors import InputError, PackingError
+from bondem.geometry.neighbours import neighbours
 from bondem.packing import targets
 from bondem.packing.quench import _just_above_jamming
 from bondem.packing.soft_spheres import SoftSpheres
-from bondem.packing.walls import walls
-from bondem.specimen.neighbours import neighbours
-from tests.bits import threads
+from bondem.packing.wall_contacts import walls
+from tests.bits import most_threads, threads
 
 SHAPES = [
     bd.Cylinder(radius=5e-3, length=20e-3),
@@ -97,7 +97,7 @@ def test_same_seed_gives_same_bits_on_any_number_of_threads():
         with threads(count):
             return bd.pack(bd.Cylinder(1.0, 3.0), count=2500, spread=0.25, seed=seed)
 
-    one, two, other = packing(5, 1), packing(5, None), packing(6, None)
+    one, two, other = packing(5, 1), packing(5, most_threads()), packing(6, most_threads())
     np.testing.assert_array_equal(one.position, two.position)
     np.testing.assert_array_equal(one.radius, two.radius)
     assert not np.allclose(one.position, other.position)

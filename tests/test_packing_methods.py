@@ -6,9 +6,10 @@ import trimesh
 
 import bondem as bd
 from bondem.errors import InputError
+from bondem.packing import soft_spheres
 from bondem.packing.growth import _fly
 from bondem.packing.packing_tables import COLLISIONS, TIME, VIRIAL, Flight, Growing, Near, PackingWalls, Spheres
-from tests.bits import threads
+from tests.bits import most_threads, threads
 
 METHODS = ("quench", "growth", "compression")
 CELL = bd.Cell((1.0, 1.0, 1.0))
@@ -39,7 +40,7 @@ def test_jammed_monodisperse_spheres_are_isostatic_at_random_close_density(metho
     assert quality.passed, quality.reasons
 
 
-@pytest.mark.parametrize("seed", range(1, 6))
+@pytest.mark.parametrize("seed", [1, 2, *(pytest.param(seed, marks=pytest.mark.validate) for seed in (3, 4, 5))])
 def test_jamming_by_default_is_that_of_the_literature(seed, record):
     quality = bd.fabric(bd.connect(bd.pack(CELL, count=2000, spread=0.0, seed=seed, jamming=True)))
     # Random close packing, 0.636 (André et al. 2012, § 4), isostatic with six contacts a sphere.
@@ -52,8 +53,10 @@ def test_jamming_by_default_is_that_of_the_literature(seed, record):
     record("jammed contacts", quality.backbone_coordination_number)
 
 
-@pytest.mark.parametrize("sizes", [bd.Uniform(0.25), bd.Lognormal(0.3)], ids=repr)
-@pytest.mark.parametrize("shape", [*PLAIN, TUBE], ids=lambda shape: type(shape).__name__)
+@pytest.mark.parametrize(("shape", "sizes"), [
+    *((shape, bd.Uniform(0.25)) for shape in (*PLAIN, TUBE)), (PLAIN[0], bd.Lognormal(0.3)),
+    *(pytest.param(shape, bd.Lognormal(0.3), marks=pytest.mark.validate) for shape in (*PLAIN[1:], TUBE)),
+], ids=lambda one: type(one).__name__)  # fmt: skip
 def test_jammed_spheres_hardly_overlap_whatever_their_shape_and_sizes(shape, sizes):
     shares = []
     particles = bd.pack(shape, count=600, sizes=sizes, seed=4, jamming=True, progress=shares.append)
@@ -75,12 +78,14 @@ def test_a_surface_is_filled_like_any_other_shape(method):
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_jamming_has_the_same_bits_on_any_number_of_threads(method):
+def test_jamming_has_the_same_bits_on_any_number_of_threads(method, monkeypatch):
+    monkeypatch.setattr(soft_spheres, "_THREADED", 1)  # so few spheres are relaxed on one thread
+
     def packing(count):
         with threads(count):
-            return bd.pack(CELL, count=800, spread=0.2, seed=1, method=method, jamming=True)
+            return bd.pack(CELL, count=300, spread=0.2, seed=1, method=method, jamming=True)
 
-    one, all_of_them = packing(1), packing(None)
+    one, all_of_them = packing(1), packing(most_threads())
     np.testing.assert_array_equal(one.position, all_of_them.position)
     np.testing.assert_array_equal(one.radius, all_of_them.radius)
 

@@ -33,8 +33,8 @@ ROOT = Path(__file__).parents[1]
 HERE = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH"))))}
 
 
-def validation(*arguments, cwd):
-    return command(*arguments, cwd=cwd, package="validation", env=HERE)
+def validation(*arguments, cwd, **options):
+    return command(*arguments, cwd=cwd, package="validation", **options)
 
 
 def without_time(rows):
@@ -44,7 +44,7 @@ def without_time(rows):
 @pytest.fixture(scope="module")
 def refined(tmp_path_factory):
     folder = tmp_path_factory.mktemp("refinement")
-    return folder / "out", validation("refinement", "--out", "out", *SMALL, "--processes", "2", cwd=folder)
+    return folder / "out", validation("refinement", "--out", "out", *SMALL, "--processes", "2", cwd=folder, env=HERE)
 
 
 def request(folder, **changed):

@@ -8,11 +8,11 @@ import pytest
 
 from bondem.cli import run as run_command
 from bondem.errors import StudyError
-from bondem.labtests.ledger import PARTS
+from bondem.labtests.energy_balance import PARTS
 from bondem.study import programme_run
 from bondem.study.programme import Programme, parse_programme, read
 from bondem.study.programme_run import run_programme
-from bondem.study.study import Study, parse_study, read_study
+from bondem.study.study_file import Study, parse_study, read_study
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 PRISM: dict[str, Any] = {
@@ -191,7 +191,7 @@ def test_one_report_shows_all_specimens(finished: Any) -> None:
     assert drawn >= {"strength", "broken", "pieces", "energies"}
 
 
-def test_what_is_finished_is_not_run_again(finished: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_is_finished_is_not_run_again(finished: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     out, results, _ = finished
     ran: list[str] = []
     real = programme_run.run_study
@@ -203,16 +203,21 @@ def test_what_is_finished_is_not_run_again(finished: Any, monkeypatch: pytest.Mo
     monkeypatch.setattr(programme_run, "run_study", counted)
     assert run_programme(parse_programme(PROGRAMME), out) == results
     assert ran == []
-    (out / "small-prism" / "finished.json").unlink()  # as a kill leaves it
-    again = run_programme(parse_programme(PROGRAMME), out)
-    assert ran == ["concrete: Small prism"]
+    # specimens that are not broken
+    whole = PRISM | {"tests": ["static_tension"], "count": 100}
+    elastic = PROGRAMME | {"specimens": [whole, whole | {"name": "other"}], "output": {"figures": False}}
+    del elastic["failure"], elastic["targets"]
+    results = run_programme(parse_programme(elastic), tmp_path)
+    (tmp_path / "small-prism" / "finished.json").unlink()  # as a kill leaves it
+    again = run_programme(parse_programme(elastic), tmp_path)
+    assert ran[2:] == ["concrete: Small prism"]
     assert again["rows"] == results["rows"]
-    other = PROGRAMME | {"specimens": [PRISM, DISC | {"count": 150}], "output": {"figures": False}}
-    run_programme(parse_programme(other), out)
-    assert ran[1:] == ["concrete: Small prism", "concrete: disc"]
-    run_programme(parse_programme(other).changed(packings=2), out, fresh=True)
-    assert len(ran) == 5
-    assert "± scatter" in (out / "report.html").read_text()
+    changed = elastic | {"specimens": [whole | {"count": 110}, whole | {"name": "other", "count": 110}]}
+    run_programme(parse_programme(changed), tmp_path)
+    assert ran[3:] == ["concrete: Small prism", "concrete: other"]
+    run_programme(parse_programme(changed).changed(packings=2), tmp_path, fresh=True)
+    assert len(ran) == 7
+    assert "± scatter" in (tmp_path / "report.html").read_text()
 
 
 def test_the_command_runs_a_programme(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -7,7 +7,7 @@ import pytest
 from click.testing import CliRunner
 
 import bondem as bd
-from bondem.labtests.beams import Bar, CrossSection
+from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.tension import paper_radius
 from tests.specimens import chain, spheres
 from validation.__main__ import validation

@@ -4,7 +4,7 @@ import pytest
 
 import bondem as bd
 from bondem.cli.terminal import progress_bars
-from bondem.solve.pulse import Pulse, heard, listening
+from bondem.dynamics.pulse import Pulse, heard, listening
 from tests.models import torn_row
 
 

@@ -8,7 +8,7 @@ import matplotlib
 import pytest
 from PIL import Image
 
-from bondem.study.study import read_study
+from bondem.study.study_file import read_study
 
 ROOT = Path(__file__).parents[1]
 TEXT = (ROOT / "README.md").read_text(encoding="utf-8")

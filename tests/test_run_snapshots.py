@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.explicit import integrate
 from bondem.errors import RunFileError
 from bondem.fracture.growing_cracks import GrowingCracks
 from bondem.io.runfile import RunFile
-from bondem.solve.explicit import integrate
 from tests.bits import EnoughError, assert_same_bits
 from tests.specimens import bar, spheres
 

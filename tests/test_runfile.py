@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.explicit import integrate
 from bondem.errors import InputError, RunFileError
 from bondem.io.codec import decode, encode
 from bondem.io.runfile import RunFile
-from bondem.solve.explicit import integrate
 from tests.models import loaded_row
 from tests.specimens import grid
 

@@ -16,7 +16,7 @@ from bondem.cli.schema import command
 from bondem.errors import StudyError
 from bondem.study.keys import schema
 from bondem.study.programme import read
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
 from bondem.study.toml_table import TomlTable
 from tests.test_hostile_studies import OTHERS, WHOLE
 

@@ -173,10 +173,10 @@ def test_a_turn_about_two_axes_goes_on_in_its_own_model():
 
 def test_a_ramp_of_a_second_stage_that_is_over_is_warned_of(moved):
     late = bd.Load(RIGHT, force=(50.0, 0, 0), schedule=bd.Ramp(1.0, 2.0, 1e-6))
-    with pytest.warns(StageWarning, match=r"Ramp.* is over .*\(t = 2e-06 s\): it begins at 2, not 1; .* begin=2e"):
+    with pytest.warns(StageWarning, match=r"Ramp.* is over .*\(t = 2e-06 s\): its first value is 2, not 1; .*=2e"):
         go(model_of(bd.Fix(LEFT), late), 1, state=moved)
     half = bd.Load(RIGHT, force=(50.0, 0, 0), schedule=bd.Ramp(1.0, 2.0, 4e-6))
-    with pytest.warns(StageWarning, match="is under way .* begins at 1.5, not 1"):
+    with pytest.warns(StageWarning, match="is under way .* first value is 1.5, not 1"):
         go(model_of(bd.Fix(LEFT), half), 1, state=moved)
 
 

@@ -11,8 +11,8 @@ import bondem as bd
 from bondem.packing import METHODS
 from bondem.study.pipeline import run_study
 from bondem.study.results import deviation
-from bondem.study.specimen import SpecimenPlan
-from bondem.study.study import TESTS, Study, parse_study, read_study
+from bondem.study.specimen_step import SpecimenPlan
+from bondem.study.study_file import TESTS, Study, parse_study, read_study
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "silica.toml"
 

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.boundary.wall_outlines import wall_outlines
+from bondem.dynamics.plan import settled
 from bondem.io.runfile import RunFile
 from bondem.io.vtk_cells import Corners
-from bondem.model.wall_outlines import wall_outlines
-from bondem.solve.plan import settled
 from tests.models import turned_cubes
 from tests.specimens import two_spheres
 from tests.test_run_snapshots import shown

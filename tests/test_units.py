@@ -2,8 +2,6 @@
 
 import json
 import math
-import subprocess
-import sys
 import warnings
 
 import numpy as np
@@ -12,12 +10,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as some
 
 import bondem as bd
+from bondem._plausibility import _USUAL
+from bondem._units import length_unit, quantity
 from bondem.errors import InputError, StudyError, UnitWarning
 from bondem.specimen import materials
-from bondem.specimen.plausibility import _USUAL
-from bondem.specimen.units import length_unit, quantity
 from bondem.study.pipeline import run_study
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
+from tests.scripts import command
 from tests.specimens import row
 
 SAME = {
@@ -237,18 +236,14 @@ def test_bonds_far_thicker_or_thinner_than_elements_are_doubted():
 
 
 def test_the_command_warns_in_a_line_and_reads_units(tmp_path):
-    def command(*arguments):
-        return subprocess.run(
-            [sys.executable, "-m", "bondem", *arguments], cwd=tmp_path, capture_output=True, text=True, timeout=300
-        )
-
-    done = command("calibrate", "--material", "granite", "--E", "69", "--count", "200", "--packings", "1")
+    small = ("--count", "200", "--packings", "1")
+    done = command("calibrate", "--material", "granite", "--E", "69", *small, cwd=tmp_path)
     assert done.returncode == 0
     (line,) = done.stderr.splitlines()
     assert line.startswith("bondem: warning: material 'granite': E = 69 Pa, but granite has about 6e+10 Pa")
-    done = command("calibrate", "--E", "5 mm", "--nu", "0.2", "--rho", "2.2 g/cm^3")
+    done = command("calibrate", "--E", "5 mm", "--nu", "0.2", "--rho", "2.2 g/cm^3", cwd=tmp_path)
     assert done.returncode == 2
     (line,) = done.stderr.splitlines()
     assert "--E = '5 mm': mm is not a unit of [Pa]" in line
-    done = command("calibrate", "--E", "nan", "--nu", "0.2", "--rho", "2200")
+    done = command("calibrate", "--E", "nan", "--nu", "0.2", "--rho", "2200", cwd=tmp_path)
     assert (done.returncode, len(done.stderr.splitlines())) == (2, 1)

@@ -78,6 +78,7 @@ def test_compliance_gives_the_stress_intensity(monkeypatch):
     assert pytest.approx(plate.k(0.5) / (plate.thickness * np.sqrt(plate.width)), rel=0.03) == K
 
 
+@pytest.mark.validate  # `test_validation_fracture` has a study of quasi-static paths
 def test_a_study_of_plates_judges_and_draws(tmp_path, monkeypatch):
     monkeypatch.setitem(PLATES, "centre crack", (CentreCrack, (3.0, 4.0, 5.0)))
     monkeypatch.setattr("validation.rows.toughness._RIPPLE", 0.5)

@@ -30,7 +30,7 @@ from scipy.spatial import KDTree
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
 import bondem as bd
-from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness
+from bondem.interactions.beams.bond_law import BondGeometry, BondLaw, BondStiffness
 from kept import RESULTS, keep, origin
 
 SEEDS = (134598738, 1)  # the first is that of the example

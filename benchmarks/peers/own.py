@@ -47,11 +47,11 @@ class NonLocalBondem(Bondem):
 
 def _run(specimen: Specimen, check: int, steps: int, contacts: bool, which: str) -> Outcome:
     import bondem as bd
+    from bondem.dynamics.explicit import integrate
+    from bondem.dynamics.plan import Plan
+    from bondem.dynamics.schemes import VelocityVerlet
+    from bondem.dynamics.timestep import choose_step
     from bondem.model.state import State
-    from bondem.solve.explicit import integrate
-    from bondem.solve.plan import Plan
-    from bondem.solve.schemes import VelocityVerlet
-    from bondem.solve.timestep import choose_step
 
     lattice = bd.Lattice(bd.Particles(specimen.position, specimen.radius), specimen.pairs)
     contact = bd.LinearContact(E=RADIUS_RATIO**2 * YOUNG) if contacts else None

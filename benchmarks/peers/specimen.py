@@ -67,7 +67,7 @@ class Specimen:
 def build(elements: int, *, seed: int = 1) -> Specimen:
     """The specimen of `elements` spheres, κ = 25 %, z about 6.2, Euler–Bernoulli bonds."""
     import bondem as bd
-    from bondem.solve.timestep import critical_step
+    from bondem.dynamics.timestep import critical_step
 
     edge = (elements * 4.0 / 3.0 * np.pi * MEAN_RADIUS**3 / 0.64) ** (1.0 / 3.0)
     lattice = bd.connect(bd.pack(bd.Box(size=(edge, edge, edge)), count=elements, spread=0.25, seed=seed))

@@ -110,6 +110,7 @@ def _fuzzed() -> Section:
 
 def _output() -> Section:
     rows: list[Row] = []
+    walls = " and ".join(f"{100.0 * float(one['cost by the wall']):.1f} %" for one in OUTPUT.at("cases"))
     for one in OUTPUT.at("cases"):
         told = f"{one['elements']} {'cells' if one['kind'] == 'cells' else 'spheres with beams'}"
         rows += [
@@ -125,10 +126,13 @@ def _output() -> Section:
         title="Output",
         before=(
             "Snapshots are written every hundredth of a run; the compression test of 12 000 elements takes 55 000 "
-            "steps, and finer bodies take more."
+            "steps, and finer bodies take more. Shares are of the processor time of one thread, without AVX-512: "
+            "other work of the machine hardly changes them. With more threads or faster steps the share is larger, "
+            "because one thread writes."
         ),
         rows=tuple(rows),
         after=(
+            f"By the wall, beside other work of the machine, the shares were {walls}. "
             "The polyhedra of the cells are computed and written once, at the first snapshot. An earlier version "
             "spread this over ten snapshots and counted it a hundred times, which gave 11 %."
         ),

@@ -23,12 +23,13 @@ import numpy as np
 
 from bondem._core_build import LIBRARIES, PROBE, SOURCES, Platform, compile_core, source_digest
 from bondem._core_fields import Field, filled_table
+from bondem._core_functions import address_of
 from bondem._lock import alone
 from bondem.errors import InputError
 
 __all__ = [
     "Pass", "checked_fields", "compiled_level", "core_lanes", "filled_table", "index_pass", "index_pass_names",
-    "room_for", "step_pass", "table_fields",
+    "room_for", "step_pass", "step_pass_names", "table_fields",
 ]  # fmt: skip
 
 # How long a process waits for what another one compiles [s].
@@ -255,13 +256,11 @@ class Pass:
             InputError: an array of another type, shape or order in memory than declared.
         """
         lengths: dict[str, tuple[int, str]] = {}
-        pairs = zip(self._fields, tables, strict=True)
-        filled = [filled_table(name, fields, table, lengths) for (name, fields), table in pairs]
-        addresses = [words.ctypes.data for words in filled]
+        filled = [filled_table(*one, table, lengths) for one, table in zip(self._fields, tables, strict=True)]
 
         def run() -> str:
-            assert filled and tables is not None  # the arrays live as long as this function
-            ended = self._function(int(threads), *addresses)
+            assert tables is not None  # the arrays live as long as this function
+            ended = self._function(int(threads), *map(address_of, filled))
             return self._outcomes[ended] if self._outcomes else ""
 
         return run
@@ -270,6 +269,11 @@ class Pass:
 def step_pass(name: str) -> tuple[tuple[int, int], tuple[str, ...]]:
     """Address and kind of a pass that steps are composed of, and names of its tables."""
     return _library().step_passes[name]
+
+
+def step_pass_names() -> tuple[str, ...]:
+    """Names of all passes that steps are composed of."""
+    return tuple(_library().step_passes)
 
 
 def index_pass_names() -> tuple[str, ...]:

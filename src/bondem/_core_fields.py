@@ -7,12 +7,15 @@ from typing import Any
 
 import numpy as np
 
+from bondem._core_functions import address_of
 from bondem._types import Ints
 from bondem.errors import InputError
 
 # What a number may be in Python.
 INTEGER = (int, np.integer, np.bool_)
 REAL = (float, np.floating, *INTEGER)
+# A word of a table as an integer, and a number as such a word.
+_WORD, _REAL = struct.Struct("=q"), struct.Struct("=d")
 
 
 @dataclass(frozen=True)
@@ -92,7 +95,7 @@ def filled_table(
                     f"{where} = array of shape {value.shape}: an axis has to be {known + more} long"
                     f" ({symbol or 'fixed'}, as of {source}); pass {field}"
                 )
-        words += [value.ctypes.data, *value.shape]
+        words += [address_of(value), *value.shape]
     return np.array(words, dtype=np.int64)
 
 
@@ -102,7 +105,7 @@ def _number(where: str, field: Field, value: Any) -> int:
     if not isinstance(value, REAL if real else INTEGER) or value != value:
         raise InputError(f"{where} = {value!r}: not a number that the core can read; pass {field}")
     try:
-        return struct.unpack("=q", struct.pack("=d", float(value)) if real else struct.pack("=q", int(value)))[0]
+        return _WORD.unpack(_REAL.pack(float(value)) if real else _WORD.pack(int(value)))[0]
     except (OverflowError, struct.error):
         raise InputError(f"{where} = {value!r}: too large a number; pass {field}") from None
 

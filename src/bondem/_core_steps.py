@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from bondem._core import checked_kinds, filled_table, step_pass
+from bondem._core_functions import address_of
 
 __all__ = ["Composer", "StepPass"]
 
@@ -45,7 +46,7 @@ class Composer:
 
     def __init__(self, known: "Composer | None" = None) -> None:
         self._lengths: dict[str, tuple[int, str]] = {} if known is None else known._lengths.copy()
-        self._filled: dict[int, tuple[Any, Any]] = {} if known is None else known._filled.copy()
+        self._filled: dict[int, tuple[Any, np.ndarray, int]] = {} if known is None else known._filled.copy()
 
     def __call__(self, passes: Iterable[tuple[Any, ...]]) -> np.ndarray:
         """Entries of a list, int64, (passes, 8).
@@ -66,7 +67,8 @@ class Composer:
 
     def _address(self, name: str, fields: Any, table: tuple[Any, ...]) -> int:
         """Where a table is in memory; each is filled once."""
-        if id(table) not in self._filled:
+        found = self._filled.get(id(table))
+        if found is None:
             words = filled_table(name, fields, table, self._lengths)
-            self._filled[id(table)] = table, np.frombuffer(words, dtype=np.int64)
-        return self._filled[id(table)][1].ctypes.data
+            found = self._filled[id(table)] = table, words, address_of(words)
+        return found[2]

@@ -42,7 +42,7 @@ class _Chosen:
 
 
 def show_progress(mode: str = "auto") -> None:
-    """Choose how long calls show their progress; the environment variable BONDEM_PROGRESS sets the initial mode.
+    """Set the display of progress; the environment variable BONDEM_PROGRESS sets the initial mode.
 
     The logger "bondem" receives the beginning and the end of each stage at level INFO in every mode.
 

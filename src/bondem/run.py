@@ -8,24 +8,24 @@ from pathlib import Path
 from bondem._checks import instance, shown
 from bondem._extras import install
 from bondem._progress import staged
+from bondem.boundary.gauges import AnyGauge
+from bondem.damage.criteria.criterion import Criterion
+from bondem.dynamics.damping import AnyDamping
+from bondem.dynamics.events import Event
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.plan import Callback, ExplicitResult, Loop, Plan, Status
+from bondem.dynamics.restart import begin, check_gauges
+from bondem.dynamics.schemes import Scheme, VelocityVerlet
+from bondem.dynamics.signals import noticing, stop_by
+from bondem.dynamics.timestep import choose_step
 from bondem.errors import InputError
 from bondem.fracture.growing_cracks import GrowingCracks
 from bondem.io.runfile import RunFile, read_run
-from bondem.laws.damping import AnyDamping
-from bondem.laws.failure.criterion import Criterion
-from bondem.model.gauges import AnyGauge
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve.events import Event
-from bondem.solve.explicit import integrate
-from bondem.solve.halting import noticing, stop_by
-from bondem.solve.modal import solve_modes
-from bondem.solve.plan import Callback, ExplicitResult, Loop, Plan, Status
-from bondem.solve.relaxation import solve_relaxed
-from bondem.solve.schemes import Scheme, VelocityVerlet
-from bondem.solve.stage import begin, check_gauges
-from bondem.solve.static import solve_static
-from bondem.solve.timestep import choose_step
+from bondem.statics.modes import solve_modes
+from bondem.statics.relaxation import solve_relaxed
+from bondem.statics.static import solve_static
 
 __all__ = ["resume", "solve_explicit", "solve_modes", "solve_relaxed", "solve_static"]
 
@@ -115,7 +115,7 @@ def solve_explicit(
         safety=safety,
         imbalance=imbalance,
     )
-    loop_of = _loop_on(device, model, plan)
+    loop_of = _loop_on(device, model)
     check_gauges(model, plan)
     own = begin(model, state)
     step = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
@@ -175,7 +175,7 @@ def resume(
             dt=kept.plan.dt or 0.0,
             message=f"had been stopped by an event at t = {kept.state.time:.6g} s",
         )
-    loop_of = _loop_on(device, kept.model, kept.plan)
+    loop_of = _loop_on(device, kept.model)
     cracks = GrowingCracks(kept.model.lattice)
     with RunFile(path, kept.model, kept.plan, cracks=cracks, goes_on=kept) as sink, noticing() as halt:
         result = integrate(
@@ -186,7 +186,7 @@ def resume(
     return _unless(stopped, result, sink)
 
 
-def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, State, float], Loop] | None:
+def _loop_on(device: str, model: Model) -> Callable[[Model, Plan, State, float], Loop] | None:
     """Return the factory of the loop of a run on a device, None for the CPU.
 
     Raises:
@@ -197,8 +197,8 @@ def _loop_on(device: str, model: Model, plan: Plan) -> Callable[[Model, Plan, St
     if not isinstance(device, str) or device != "gpu":
         raise InputError(f"device = {shown(device)} is unknown; choose 'cpu' or 'gpu'")
     try:
-        gpu = importlib.import_module("bondem.solve.loop_on_gpu")
-        gpu.require_gpu(model, plan)
+        gpu = importlib.import_module("bondem.dynamics.gpu_loop")
+        gpu.require_gpu(model)
     except ImportError as error:
         raise InputError(
             f"device='gpu' needs NVIDIA's packages for Python ({error}); {install('gpu')}, or use device='cpu'"

@@ -18,9 +18,10 @@ def test_a_circle_is_found():
 
 
 def test_imports_of_a_module_are_those_it_names():
-    text = "import numpy\nimport bondem.errors\nfrom bondem.solve import plan\nfrom bondem.model.state import State"
+    own = "from bondem.dynamics import plan\nfrom bondem.model.state import State"
+    text = f"import numpy\nimport bondem.errors\n{own}"
     assert measures.imports("bondem.run", ast.parse(text)) == {
-        "bondem.errors", "bondem.solve.plan", "bondem.model.state"
+        "bondem.errors", "bondem.dynamics.plan", "bondem.model.state"
     }  # fmt: skip
 
 

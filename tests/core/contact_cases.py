@@ -5,9 +5,9 @@ from collections.abc import Callable
 import numpy as np
 
 import bondem as bd
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
 from bondem.model.state import State
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
 
 E = 1e7
 LINEAR = bd.LinearContact(E=E, friction=0.4, damping=0.1)

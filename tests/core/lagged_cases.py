@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 
 import bondem as bd
-from bondem.laws.damping import AnyDamping
+from bondem.dynamics.damping import AnyDamping
+from bondem.dynamics.plan import Plan
+from bondem.model.highest_frequency import highest_frequency
 from bondem.model.state import State
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import highest_frequency
 from tests import lagged_runs
 from tests.core.test_steps import GAUGES, HELD, LAWS, crooked
 from tests.specimens import crooked_cells

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.model.event_columns import SOFT_BOND, SOFT_RATE, SOFT_SPENT
+from bondem.damage.event_columns import SOFT_BOND, SOFT_RATE, SOFT_SPENT
+from bondem.dynamics import core_loop
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.solve import loop_core
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop
 from tests.core.test_breakage import assert_close
@@ -52,7 +52,7 @@ def test_threads_and_pauses_change_no_bit(monkeypatch, law):
     model = softening(law, (12, 10, 10))
     results = []
     for count, every in ((1, 50), (2, 50), (3, 7), (4, 0)):
-        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        monkeypatch.setattr(core_loop, "current_threads", lambda count=count: count)
         plan = plan_of(model, 120, every=every)
         results.append(integrate(model, plan, state=moving_state(model), loop_of=CoreLoop))
     assert len(results[0].state.broken) > 0

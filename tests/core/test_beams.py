@@ -4,7 +4,14 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.model.beam_tables import BeamSums, beam_energies, beam_tables, count_turned, load_beams, loads_of_each
+from bondem.interactions.beams.beam_tables import (
+    BeamSums,
+    beam_energies,
+    beam_tables,
+    count_turned,
+    load_beams,
+    loads_of_each,
+)
 from bondem.model.state import State
 from tests.core.test_steps import LAWS, crooked
 

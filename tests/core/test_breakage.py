@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics import core_loop
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
 from bondem.model.model import Model
-from bondem.solve import loop_core
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop, movement
 from tests.core.test_steps import HELD, LAWS, crooked, moving_state, plan_of
@@ -56,7 +56,7 @@ def test_threads_and_pauses_change_no_bit(monkeypatch):
     model = breaking("Timoshenko", PERIPHERAL, (12, 10, 10))
     results = []
     for count, every in ((1, 50), (2, 50), (3, 7), (4, 0)):
-        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        monkeypatch.setattr(core_loop, "current_threads", lambda count=count: count)
         plan = plan_of(model, 150, every=every, damping=bd.BondDamping(eta=0.1))
         results.append(integrate(model, plan, state=moving_state(model), loop_of=CoreLoop))
     assert len(results[0].state.broken) > 30

@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.model.cache_lines import lines
-from bondem.model.cell_tables import STRESS, CellPoses, body_energies
+from bondem._cache_lines import lines
+from bondem.dynamics import core_loop
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import ExplicitResult, integrate
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
+from bondem.interactions.cells.cell_tables import STRESS, CellPoses, body_energies
+from bondem.model.cell_tangent import BodyTables
 from bondem.model.state import State
-from bondem.solve import loop_core
-from bondem.solve.cell_forces import BodyTables
-from bondem.solve.explicit import ExplicitResult, integrate
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop, movement
 from tests.specimens import crooked_cells
@@ -79,7 +79,7 @@ def test_threads_and_pauses_change_no_bit(monkeypatch):
     model, results = model_of("held", body(450)), []
     assert len(model.layout.i) > 2000
     for count, every in ((1, 50), (2, 50), (3, 7), (4, 0)):
-        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        monkeypatch.setattr(core_loop, "current_threads", lambda count=count: count)
         results.append(run_of(model, 150, CoreLoop, every=every))
     for other in results[1:]:
         assert_same_bits(results[0], other)

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.model.crack_columns import ACTIVE, FACET, PARTED, RESTING, STATUS, TOP
+from bondem.damage.crack_columns import ACTIVE, FACET, PARTED, RESTING, STATUS, TOP
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
 from bondem.model.state import State
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
 from tests.bits import threads
 from tests.core.former_loop import FormerLoop
 from tests.specimens import crooked_cells

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.model.contact_search import PairSources, Walls, WallSources, found_pairs, found_walls
-from bondem.model.contacts import grid_of
+from bondem.dynamics import core_loop
+from bondem.dynamics import neighbour_list as lists
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
+from bondem.interactions.contact.contact_model import grid_of
+from bondem.interactions.contact.contact_search import PairSources, Walls, WallSources, found_pairs, found_walls
 from bondem.model.state import State
-from bondem.solve import loop_core
-from bondem.solve import neighbour_list as lists
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop
 from tests.bits import assert_same_bits
 from tests.core.contact_cases import BEAM, CASES, HERTZIAN, LINEAR, STEPS, E, all_walls, cloud, moving_beams, plan_of
 
@@ -49,7 +49,7 @@ def test_the_numbers_are_those_of_the_former_loop(case):
 def test_threads_pauses_and_lists_change_no_bit(monkeypatch):
     results = []
     for count, every, skin in ((1, 40, 0.1), (2, 40, 0.3), (3, 7, 0.1), (4, 0, 0.6)):
-        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        monkeypatch.setattr(core_loop, "current_threads", lambda count=count: count)
         monkeypatch.setattr(lists, "_SKIN_LEAST", skin)
         model, state = cloud(13, LINEAR, walls=all_walls(30.0), speed=30.0)
         results.append(integrate(model, plan_of(model, 120, every=every), state=state, loop_of=CoreLoop))

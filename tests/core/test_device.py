@@ -8,13 +8,13 @@ import pytest
 import bondem as bd
 from bondem._core import index_pass_names
 from bondem._device import DeviceTables, Enqueue, Host, IndexPass
-from bondem.model.cell_tables import STRESS
-from bondem.model.event_columns import BROKEN_STEP
-from bondem.solve.explicit import integrate
-from bondem.solve.history import FIXED_COLUMNS, FRACTURE, TRANSLATION, WORK
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.loop_device import DeviceLoop
-from bondem.solve.plan import Plan
+from bondem.damage.event_columns import BROKEN_STEP
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.device_loop import DeviceLoop
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.history import FIXED_COLUMNS, FRACTURE, TRANSLATION, WORK
+from bondem.dynamics.plan import Plan
+from bondem.interactions.cells.cell_tables import STRESS
 from tests.bits import assert_same_bits, assert_same_fracture, assert_same_run
 from tests.core.test_stress_onset_on_device import ONSET
 from tests.device_cases import CRITERIA, CUBE_DT, CUBE_STEPS, NUS, cell, cubes, moving, pressed_bar
@@ -28,6 +28,7 @@ from tests.device_sides import (
     on_both_sides,
     on_device,
 )
+from tests.device_yielding import CASES as YIELDING
 from tests.recording import Record
 
 # Cases of contact are fast and soft, so that much happens in few steps.
@@ -72,10 +73,10 @@ def test_these_runs_have_all_that_acts_on_bodies() -> None:
         assert abs(records[-1, WORK]) > 0.1 * records[-1, TRANSLATION:WORK].sum()
         assert abs(work[-1]) > 0.01 * np.abs(work).max()  # of walls and tractions
         assert (np.abs(records[-1, FIXED_COLUMNS:]) > 0.0).all()
-    for make in (*CASES.values(), *CRACKING.values()):
+    for make in (*CASES.values(), *CRACKING.values(), *YIELDING.values()):
         model, start, _, dt, options = make()
         DeviceLoop(model, Plan(duration=dt, dt=dt, **options), start(model), dt, Noting()).look()
-    assert set(index_pass_names()) - ONSET == LAUNCHED
+    assert set(index_pass_names()) - ONSET == LAUNCHED - ONSET
 
 
 @pytest.mark.parametrize(

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from bondem.model.crack_columns import ACTIVE, PARTED, RESTING, STATUS
-from bondem.solve.history import FRACTURE
-from bondem.solve.loop_core import CoreLoop
+from bondem.damage.crack_columns import ACTIVE, PARTED, RESTING, STATUS
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.history import FRACTURE
 from tests.device_cracks import CASES
 from tests.device_runs import deviation
 from tests.device_sides import (

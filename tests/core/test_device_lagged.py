@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.plan import Plan
 from bondem.model.state import State
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
 from tests.bits import assert_same_bits, assert_same_state
 from tests.device_runs import deviation
 from tests.device_sides import (

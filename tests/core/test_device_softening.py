@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from bondem.model.event_columns import BROKEN_GAP, BROKEN_STEP, FIRST, LAST, SOFT_BOND, SOFT_RATE
-from bondem.solve.explicit import integrate
-from bondem.solve.history import CONTACT, FRACTURE, TRANSLATION, WORK
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
+from bondem.damage.event_columns import BROKEN_GAP, BROKEN_STEP, FIRST, LAST, SOFT_BOND, SOFT_RATE
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.history import CONTACT, FRACTURE, TRANSLATION, WORK
+from bondem.dynamics.plan import Plan
 from tests.bits import assert_same_bits
 from tests.device_runs import CASES
 from tests.device_sides import (

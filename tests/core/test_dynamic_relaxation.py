@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.model.beam_tables import BeamSums, beam_tables
-from bondem.model.cache_lines import lines
+from bondem._cache_lines import lines
+from bondem.interactions.beams.beam_tables import BeamSums, beam_tables
 from bondem.model.state import State
-from bondem.solve.relaxation import DynamicRelaxation, masses, relaxed
+from bondem.statics.relaxation import DynamicRelaxation, masses, relaxed
 from tests.core.former_loop import FormerLoop
 from tests.core.test_steps import LAWS, X_MAX, X_MIN, crooked
 

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.observe.cell_forces import CellForces
-from bondem.observe.energy import elastic_energy
-from bondem.solve import loop_core
-from bondem.solve.history import FRACTURE, TRANSLATION, TWISTING, WORK
-from bondem.solve.loop_core import CoreLoop
+from bondem.dynamics import core_loop
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.history import FRACTURE, TRANSLATION, TWISTING, WORK
+from bondem.observables.cell_forces import CellForces
+from bondem.observables.energy import elastic_energy
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop, movement
 from tests.core.test_cells import CONDITIONS, GRID, LAW, X_MAX, X_MIN, body, run_of
@@ -45,7 +45,7 @@ def test_breakage_is_that_of_the_former_loop():
 def test_threads_and_pauses_change_no_bit(monkeypatch):
     model, results = breaking("held", body(450), **TOUCHING), []
     for count, every in ((1, 50), (2, 50), (3, 7), (4, 0)):
-        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        monkeypatch.setattr(core_loop, "current_threads", lambda count=count: count)
         results.append(run_of(model, 200, CoreLoop, every=every, damping=bd.BondDamping(eta=0.05)))
     assert len(results[0].state.broken) > 30
     for other in results[1:]:

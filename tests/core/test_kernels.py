@@ -10,12 +10,12 @@ import pytest
 import bondem as bd
 from bondem._core import index_pass, index_pass_names
 from bondem._device import DeviceTables, HostCall, Launch
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.on_device import beam_counterparts, counterparts
+from bondem.dynamics.on_device.translation import Translation
+from bondem.dynamics.plan import Plan
 from bondem.errors import InputError
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.on_device import beam_counterparts, counterparts
-from bondem.solve.on_device.translation import Translation
-from bondem.solve.plan import Plan
 from tests.bits import assert_same_bits
 from tests.device_cases import GAUGES, bar, moving
 
@@ -36,8 +36,7 @@ def test_all_passes_over_an_index_compile_without_a_device(architecture: str) ->
     assert cubin[:4] == b"\x7fELF"
     assert set(found) == set(index_pass_names())
     assert {name for name, thread in found.items() if thread.spilled} == set()
-    # the first is one thread for all facets; a crack that is open, closed or rubs has more to keep than other bonds
-    large = {"break_all_facets", "load_crack"}
+    large = {"load_crack"}  # a crack that is open, closed or rubs has more to keep than other bonds
     assert {name for name, thread in found.items() if thread.registers > 168} <= large
     assert found["load_crack"].registers <= 184
     # those that all bonds or elements go through in every step
@@ -141,7 +140,7 @@ def fake_cuda(monkeypatch) -> None:
 
 
 def test_a_run_asks_a_device_in_order(monkeypatch, fake_cuda) -> None:
-    gpu = pytest.importorskip("bondem.solve.loop_on_gpu")
+    gpu = pytest.importorskip("bondem.dynamics.gpu_loop")
     model, dt = bar(), 2e-3
     plan = Plan(duration=250 * dt, dt=dt, damping=bd.LocalDamping(0.1), gauges=GAUGES, every=40)
     monkeypatch.setattr(_cuda.CudaDevice, "fetch", _synchronous(_cuda.CudaDevice.fetch))
@@ -158,7 +157,7 @@ def test_a_run_asks_a_device_in_order(monkeypatch, fake_cuda) -> None:
 
 def test_steps_with_work_of_the_cpu_are_no_graphs(monkeypatch, fake_cuda) -> None:
     """Such as a criterion of a user, which reads what the passes of this step have written."""
-    gpu = pytest.importorskip("bondem.solve.loop_on_gpu")
+    gpu = pytest.importorskip("bondem.dynamics.gpu_loop")
     model, dt, seen = bar(), 2e-3, list[float]()
     plan, load = Plan(duration=7 * dt, dt=dt, every=0), beam_counterparts.COUNTERPARTS["add_beam_loads"]
 
@@ -171,7 +170,7 @@ def test_steps_with_work_of_the_cpu_are_no_graphs(monkeypatch, fake_cuda) -> Non
 
     monkeypatch.setattr(_cuda.CudaDevice, "fetch", _synchronous(_cuda.CudaDevice.fetch))
     monkeypatch.setattr(_cuda.CudaDevice, "send", _synchronous(_cuda.CudaDevice.send))
-    monkeypatch.setitem(counterparts._ALL, "add_beam_loads", watched)
+    monkeypatch.setitem(counterparts.COUNTERPARTS, "add_beam_loads", watched)
     cpu, device = (integrate(model, plan, state=moving(model), loop_of=loop) for loop in (CoreLoop, gpu.loop_on_gpu))
     assert_same_bits(cpu, device)
     assert FakeDevice.graphs == 0
@@ -189,9 +188,9 @@ def _synchronous(copy: Any) -> Any:
 
 
 def test_a_user_without_a_device_learns_what_is_missing(monkeypatch) -> None:
-    gpu = pytest.importorskip("bondem.solve.loop_on_gpu")
+    gpu = pytest.importorskip("bondem.dynamics.gpu_loop")
     monkeypatch.setattr(_cuda, "lacks_gpu", lambda: "no CUDA device or driver was found: …")
     with pytest.raises(InputError, match="device='gpu': no CUDA device"):
-        gpu.require_gpu(bar(), Plan(duration=1.0))
+        gpu.require_gpu(bar())
     with pytest.raises(InputError, match="no CUDA device"):
         bd.solve_explicit(bar(), duration=1e-6, device="gpu")

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.model.event_columns import BROKEN_GAP
-from bondem.model.non_local_constants import NON_LOCAL_WORK
+from bondem.damage.event_columns import BROKEN_GAP
+from bondem.dynamics import core_loop
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.plan import Plan
+from bondem.interactions.non_local.non_local_constants import NON_LOCAL_WORK
 from bondem.model.state import State
-from bondem.solve import loop_core
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
 from tests.bits import EnoughError, assert_same_bits
 from tests.core.former_loop import FormerLoop, movement
 from tests.core.lagged_cases import (
@@ -69,7 +69,7 @@ def test_threads_and_pauses_change_no_bit(name, monkeypatch):
     model = bd.Model(crooked((12, 10, 10)), law, density=1e3, boundary=HELD, **options)
     results = []
     for count, every in ((1, 25), (2, 25), (3, 7), (4, 0)):
-        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        monkeypatch.setattr(core_loop, "current_threads", lambda count=count: count)
         plan, state = plan_and_state(model, bd.BondDamping(eta=0.1), steps=75, every=every)
         results.append(integrate(model, plan, state=state, loop_of=CoreLoop))
     assert (len(results[0].events) > 10) == (name == "breaking")

@@ -8,12 +8,12 @@ from bondem._core import Pass
 from bondem.packing.growth import _fly
 from bondem.packing.packing_tables import MEAN_OVERLAP, STEPS, Flight, Growing, Near, PackingWalls, Relaxing, Spheres
 from bondem.packing.start import thrown
-from bondem.packing.walls import walls
-from bondem.specimen.cells.laguerre import CellRequest, CellRoom, _make_cells, bins, plain_cells, usual_reach
-from bondem.specimen.cells.pile import new_pile
-from bondem.specimen.cells.solids import bulk
-from bondem.specimen.cells.tessellation import tessellate
+from bondem.packing.wall_contacts import walls
 from bondem.specimen.particles import Particles, filled
+from bondem.specimen.tessellation.cutting import tessellate
+from bondem.specimen.tessellation.laguerre import CellRequest, CellRoom, _make_cells, bins, plain_cells, usual_reach
+from bondem.specimen.tessellation.polygon_buffer import new_pile
+from bondem.specimen.tessellation.solids import bulk
 
 relax = Pass("relax_spheres", Spheres, PackingWalls, Near, Relaxing)
 BOX = bd.Box(size=(1.0, 1.0, 1.0))

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
 from tests.core.former_loop import FormerLoop, digest, movement
 from tests.core.test_steps import HELD, LAWS, crooked, moving_state, plan_of
 

@@ -5,16 +5,16 @@ import pytest
 
 import bondem as bd
 from bondem._core_steps import Composer, StepPass
+from bondem.dynamics import core_loop
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.step_tables import Moving, Portions
+from bondem.dynamics.timestep import critical_step
 from bondem.errors import InputError
-from bondem.model.blocks import StepCut
 from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
 from bondem.model.state import State
-from bondem.solve import loop_core
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
-from bondem.solve.step_tables import Moving, Portions
-from bondem.solve.timestep import critical_step
 from tests.bits import assert_same_bits
 
 LAWS = {
@@ -61,7 +61,7 @@ def test_threads_and_pauses_change_no_bit(monkeypatch):
     model = bd.Model(crooked((12, 10, 10)), LAWS["Timoshenko"], density=1e3, boundary=HELD)
     results = []
     for count, every in ((1, 50), (2, 50), (3, 7), (4, 0)):
-        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        monkeypatch.setattr(core_loop, "current_threads", lambda count=count: count)
         plan = plan_of(model, 150, every=every, damping=bd.BondDamping(eta=0.1))
         results.append(integrate(model, plan, state=moving_state(model), loop_of=CoreLoop))
     for other in results[1:]:

@@ -7,9 +7,9 @@ import pytest
 
 import bondem as bd
 from bondem._core_steps import Composer
-from bondem.laws.failure.drucker_prager import cone_index
-from bondem.laws.failure.hydrostatic import mean_index
-from bondem.model.stress_passes import StressCandidates, StressPasses
+from bondem.damage.criteria.drucker_prager import cone_index
+from bondem.damage.criteria.hydrostatic import mean_index
+from bondem.damage.stress_passes import StressCandidates, StressPasses
 
 
 def stresses(count: int) -> np.ndarray:

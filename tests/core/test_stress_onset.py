@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.solve import loop_core
-from bondem.solve.explicit import ExplicitResult, integrate
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
+from bondem.dynamics import core_loop
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import ExplicitResult, integrate
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop
 from tests.specimens import bar, crooked_cells
@@ -54,7 +54,7 @@ def test_cracks_are_those_of_the_former_loop(name):
 def test_threads_and_pauses_change_no_bit(monkeypatch, name):
     results = []
     for count, every in ((1, 50), (3, 7)):
-        monkeypatch.setattr(loop_core, "current_threads", lambda count=count: count)
+        monkeypatch.setattr(core_loop, "current_threads", lambda count=count: count)
         results.append(torn(FAILURES[name], bar(600, 20e-3), steps=120, every=every))
     assert len(results[0].state.cracks) > 100
     assert_same_bits(*results)

@@ -10,16 +10,15 @@ import pytest
 import bondem as bd
 from bondem._core_steps import Composer
 from bondem._device import DeviceTables, Host, HostCall, passes_of
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.on_device.counterparts import launches_of
+from bondem.dynamics.on_device.stress_onset_counterparts import COUNTERPARTS
+from bondem.dynamics.on_device.translation import Translation
+from bondem.dynamics.parts.part import Passes, composed
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
 from bondem.model.state import State
-from bondem.solve.explicit import integrate
-from bondem.solve.loop_core import CoreLoop
-from bondem.solve.loop_device import device_has
-from bondem.solve.on_device.counterparts import launches_of
-from bondem.solve.on_device.stress_onset_counterparts import COUNTERPARTS
-from bondem.solve.on_device.translation import Translation
-from bondem.solve.parts.part import Passes, composed
-from bondem.solve.plan import Plan
-from bondem.solve.timestep import critical_step
 from tests.core.test_cells import LAW, body
 from tests.device_runs import deviation
 from tests.device_sides import on_device
@@ -120,7 +119,6 @@ def test_facets_that_begin_to_crack_are_those_of_the_cpu(name: str) -> None:
 def test_a_body_that_is_torn_cracks_as_on_the_cpu(name: str) -> None:
     boundary = [bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), vx=2.0)]
     model = bd.Model(body(120), LAW, density=2500.0, failure=CRITERIA[name], boundary=boundary)
-    assert device_has(model)
     dt = 0.9 * critical_step(model, bd.VelocityVerlet())
     plan = Plan(duration=110 * dt, dt=dt, every=20)
     cpu, device = (integrate(model, plan, loop_of=loop) for loop in (CoreLoop, on_device))

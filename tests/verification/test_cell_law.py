@@ -5,13 +5,13 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.model.matrices import stiffness_matrix
-from bondem.observe.cell_strain import CellStrain
-from bondem.observe.energy import elastic_energy
-from bondem.observe.facet_loads import loads_on_facets
-from bondem.observe.surface import surface_displacement
-from bondem.solve.cell_forces import cell_forces
-from bondem.solve.nonlinear import tangent_matrix
+from bondem.interactions.cells.cell_strain import CellStrain
+from bondem.model.cell_tangent import cell_forces
+from bondem.model.stiffness_matrices import stiffness_matrix
+from bondem.observables.energy import elastic_energy
+from bondem.observables.facet_loads import loads_on_facets
+from bondem.observables.surface_displacement import surface_displacement
+from bondem.statics.nonlinear import tangent_matrix
 from tests.bits import threads
 from tests.models import clamped, time_step
 from tests.specimens import crooked_cells

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.observe.energy import elastic_energy
+from bondem.observables.energy import elastic_energy
 from tests.bits import threads
 from tests.specimens import bar
 

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from bondem.quasistatic.damaged_body import DamagedBody
-from bondem.quasistatic.equilibrium import Iterated
-from bondem.solve.clumps import parted
-from bondem.solve.linear import Iteration, System
+from bondem.statics.coarse_space import parted
+from bondem.statics.linear import Iteration, System
+from bondem.statics.quasistatic.damaged_body import DamagedBody
+from bondem.statics.quasistatic.equilibrium import Iterated
 from tests.models import pulled
 from tests.specimens import uneven_bar
 

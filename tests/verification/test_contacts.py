@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.solve import neighbour_list as lists
-from bondem.solve.cracks import joints
-from bondem.solve.explicit import integrate
+from bondem.dynamics import neighbour_list as lists
+from bondem.dynamics.crack_joints import joints
+from bondem.dynamics.explicit import integrate
 from tests.bits import assert_same_bits, assert_same_run, need_two_threads, threads
 from tests.models import cloud, grains, momenta, moving, time_step, walls_of_box
 from tests.specimens import spheres, two_spheres

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.damage.crack_columns import CRACK_COLUMNS, FACET, GAMMA, ONSET, RESTING, SLIP, STATUS
+from bondem.dynamics.core_loop import CoreLoop
 from bondem.errors import InputError
-from bondem.model.crack_columns import CRACK_COLUMNS, FACET, GAMMA, ONSET, RESTING, SLIP, STATUS
-from bondem.solve.loop_core import CoreLoop
 from tests.bits import assert_same_fracture, most_threads, threads
 from tests.models import slowly_torn, torn_then_pressed
 from tests.specimens import bar, cubes, spheres, two_cubes

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.explicit import integrate
 from bondem.errors import InputError
-from bondem.solve.explicit import integrate
-from bondem.solve.timestep import highest_frequency
+from bondem.model.highest_frequency import highest_frequency
 from tests.models import momenta, moving, stirred, time_step
 from tests.recording import Record
 from tests.specimens import crooked_block, rod, two_spheres

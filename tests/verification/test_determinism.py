@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.solve.explicit import integrate
-from bondem.solve.step_tables import BONDS_OF_PORTION
-from bondem.solve.timestep import critical_step
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.step_tables import BONDS_OF_PORTION
+from bondem.dynamics.timestep import critical_step
 from tests.bits import assert_same_bits, need_two_threads, threads
 from tests.models import stirred, time_step
 from tests.recording import Record
@@ -121,7 +121,7 @@ def slow(model):
     return state
 
 
-for count in (1, 2, 3, 4):
+for count in (1, 2, 4):
     with threads(count):
         run = integrate(model, bd.Plan(duration=10_000 * dt, dt=dt, damping=DAMPING, every=1000), state=slow(model))
     assert run.steps == 10_000, run.message
@@ -131,9 +131,9 @@ for count in (1, 2, 3, 4):
 
 
 def test_ten_thousand_steps_on_more_threads_than_cores(record: Record) -> None:
-    """Damped, held, driven and loaded, on 1 to 4 threads; in a process of its own, which may have that many."""
+    """Damped, held, driven and loaded, on 1, 2 and 4 threads; in a process of its own, which may have that many."""
     bits = python(MANY_THREADS)
-    assert len(bits) == 4
+    assert len(bits) == 3
     assert len(set(bits)) == 1
     record("same bits", True)
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from bondem.errors import ConvergenceError
-from bondem.quasistatic.damaged_body import DamagedBody
-from bondem.quasistatic.equilibrium import Eliminated, Iterated
-from bondem.solve.linear import Iteration, System
+from bondem.statics.linear import Iteration, System
+from bondem.statics.quasistatic.damaged_body import DamagedBody
+from bondem.statics.quasistatic.equilibrium import Eliminated, Iterated
 from tests.models import follow, pulled
 from tests.specimens import uneven_bar
 

@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.plan import settled
+from bondem.dynamics.timestep import critical_step
 from bondem.errors import InputError, UnstableStepError
-from bondem.model.matrices import mass_diagonal, stiffness_matrix
-from bondem.solve.explicit import integrate
-from bondem.solve.plan import settled
-from bondem.solve.timestep import critical_step, highest_frequency
+from bondem.model.highest_frequency import highest_frequency
+from bondem.model.stiffness_matrices import mass_diagonal, stiffness_matrix
 from tests.models import momenta, moving, time_step, total_energy
 from tests.recording import Record
 from tests.specimens import crooked_block, rod, two_spheres

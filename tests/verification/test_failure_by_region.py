@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.damage.failure_table import FailureTable
+from bondem.damage.softening_table import SofteningTable
 from bondem.errors import InputError
-from bondem.model.failure_table import FailureTable
-from bondem.model.softening_table import SofteningTable
 from tests.specimens import bar, row
 
 LENGTH, WIDTH = 24e-3, 6e-3

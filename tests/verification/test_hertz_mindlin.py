@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.laws.contact import rebound
-from bondem.solve.explicit import integrate
+from bondem.dynamics.explicit import integrate
+from bondem.interactions.contact.contact_law import rebound
 from tests.bits import assert_same_bits
 from tests.models import cloud, grains, moving, time_step, walls_of_box
 

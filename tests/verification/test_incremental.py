@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.explicit import integrate
 from bondem.errors import InputError
-from bondem.solve.explicit import integrate
 from tests.specimens import row, two_spheres
 
 

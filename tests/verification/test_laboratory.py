@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import quad
 
 import bondem as bd
-from bondem.labtests.beams import CrossSection
+from bondem.labtests.beam_tests import CrossSection
 from bondem.labtests.punching import _Core
 from bondem.labtests.splitting import flattened, splitting_strength, stamped
 from tests.specimens import cells
@@ -71,7 +71,9 @@ def test_what_a_disc_bears_is_where_its_centre_meets_the_criterion() -> None:
     assert reached == pytest.approx(cone.strength, rel=1e-5)
 
 
-@pytest.mark.parametrize("shape", [bd.Cylinder(radius=RADIUS, length=20e-3), flat_disc(math.radians(10.0))])
+@pytest.mark.parametrize("shape", [
+    bd.Cylinder(radius=RADIUS, length=20e-3), pytest.param(flat_disc(math.radians(10.0)), marks=pytest.mark.validate),
+])  # fmt: skip
 def test_a_disc_has_the_elastic_stress_of_theory_at_its_centre(shape: bd.Shape) -> None:
     """Within 3 % of the stress under strips or flats, and E within 2 %, with nothing calibrated."""
     test = bd.labtests.brazilian(cells(shape, 800), LAW, CONCRETE)
@@ -136,7 +138,7 @@ def work_of_rollers(test: bd.labtests.BendingTest) -> float:
 
 
 def test_a_notched_beam_takes_the_fracture_energy_of_its_ligament() -> None:
-    test = bent((80e-3, 20e-3, 20e-3), 400, notch=8e-3, span=60e-3, together=0.01)
+    test = bent((80e-3, 20e-3, 20e-3), 400, notch=8e-3, span=60e-3, together=0.03)
     assert test.ligament == pytest.approx(12e-3, rel=1e-6)
     assert test.work == pytest.approx(20.0, rel=0.1)
     assert test.work * 12e-3 * 20e-3 == pytest.approx(work_of_rollers(test), rel=0.04)

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.damage.crack_columns import CRACK_COLUMNS, FACET, ONSET, RESTING, STATUS, TOP
+from bondem.damage.opened_facets import Opened
 from bondem.errors import InputError
 from bondem.io.older_states import judge_anew
-from bondem.model.crack_columns import CRACK_COLUMNS, FACET, ONSET, RESTING, STATUS, TOP
-from bondem.observe.opened_facets import Opened
 from tests.core.law_samples import left_in_bulk, left_on_plane, softened, softening
 from tests.specimens import cube, cubes
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.step_tables import BONDS_OF_PORTION
 from bondem.errors import InputError
-from bondem.solve.explicit import integrate
-from bondem.solve.step_tables import BONDS_OF_PORTION
-from bondem.specimen.patches import face_patches
+from bondem.geometry.face_patches import face_patches
 from tests.bits import assert_same_bits, assert_same_run, need_two_threads, threads
 from tests.models import time_step, total_energy
 from tests.recording import Record

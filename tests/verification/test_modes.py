@@ -7,8 +7,8 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, PrestressWarning
-from bondem.model.matrices import mass_diagonal, stiffness_matrix
-from bondem.solve import modal as modes_module
+from bondem.model.stiffness_matrices import mass_diagonal, stiffness_matrix
+from bondem.statics import modes as modes_module
 from tests.specimens import cells, crooked_block, row
 
 E, NU, RADIUS, STEP, RHO = 200e9, 0.3, 1.5e-3, 8e-3, 3000.0

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.quasistatic import solve
-from bondem.quasistatic.damaged_body import DamagedBody
-from bondem.quasistatic.equilibrium import Iterated
-from bondem.quasistatic.limits import StressOnset
-from bondem.quasistatic.teeth import SofteningLine, Teeth
-from bondem.solve.linear import Elimination, Iteration, System
+from bondem.statics.linear import Elimination, Iteration, System
+from bondem.statics.quasistatic import quasistatic_run
+from bondem.statics.quasistatic.damaged_body import DamagedBody
+from bondem.statics.quasistatic.equilibrium import Iterated
+from bondem.statics.quasistatic.limits import StressOnset
+from bondem.statics.quasistatic.sawtooth_softening import SofteningLine, Teeth
 from tests.models import pulled
 from tests.specimens import uneven_bar
 
@@ -51,7 +51,7 @@ def test_the_size_of_a_bar_is_its_energy() -> None:
     """(1 + ν) σ² V / E of a bar in uniform tension."""
     model = pulled(uneven_bar(200))
     model = bd.Model(model.lattice, model.bond, 2500.0, failure=bd.Rankine(tension=4e6), boundary=model.boundary)
-    body, _, _ = solve._begin(model)
+    body, _, _ = quasistatic_run._begin(model)
     found = body.loaded(Elimination(body.system).solve(body.right)[0])
     strain = 1e-6 / 16e-3
     assert body.size(found) == pytest.approx(1.2 * 40e9 * strain**2 * 16e-3 * 8e-3 * 8e-3, rel=1e-2)

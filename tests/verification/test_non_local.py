@@ -7,16 +7,16 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.damping import DampingTerms
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.non_local_timestep import growth
 from bondem.errors import InputError
+from bondem.interactions.non_local.contact_areas import weighted_areas
 from bondem.io.runfile import RunFile
-from bondem.laws.damping import DampingTerms
-from bondem.model.contact_areas import weighted_areas
-from bondem.observe.non_local_strain import NonLocalStrain
-from bondem.solve.explicit import integrate
-from bondem.solve.lagged import LaggedStatics
-from bondem.solve.lagged_step import growth
-from bondem.solve.linear import System
-from bondem.solve.timestep import highest_frequency
+from bondem.model.highest_frequency import highest_frequency
+from bondem.observables.non_local_strain import NonLocalStrain
+from bondem.statics.linear import System
+from bondem.statics.non_local_statics import LaggedStatics
 from tests.specimens import cells, grid
 
 E, RHO = 40e9, 2400.0

@@ -8,8 +8,8 @@ from scipy.integrate import simpson, solve_bvp
 
 import bondem as bd
 from bondem.errors import ConvergenceError, InputError
-from bondem.solve.linear import System
-from bondem.solve.nonlinear import tangent_matrix
+from bondem.statics.linear import System
+from bondem.statics.nonlinear import tangent_matrix
 from tests.specimens import crooked_block, row
 
 E, NU, RADIUS, LENGTH = 200e9, 0.3, 0.5e-3, 1.0

@@ -7,8 +7,8 @@ import pytest
 
 import bondem as bd
 from bondem.errors import ConvergenceError, InputError
-from bondem.solve.relaxation import masses
-from bondem.solve.timestep import stiffest
+from bondem.model.highest_frequency import stiffest
+from bondem.statics.relaxation import masses
 from tests.specimens import row
 
 LENGTH = 1.0

@@ -8,11 +8,12 @@ from click.testing import CliRunner
 
 import bondem as bd
 from bondem.cli.resume import command as resume_command
+from bondem.dynamics.contact_check import SinkingCheck
+from bondem.dynamics.damping import DampingTerms
+from bondem.dynamics.dashpot_rate import fastest_decay
+from bondem.dynamics.timestep import choose_step
 from bondem.errors import ContactWarning, ImbalanceWarning, InputError, StepWarning
-from bondem.laws.damping import DampingTerms
-from bondem.solve.contact_check import SinkingCheck
-from bondem.solve.dashpot_rate import fastest_decay
-from bondem.solve.timestep import choose_step, highest_frequency
+from bondem.model.highest_frequency import highest_frequency
 from tests.models import moving, time_step
 from tests.specimens import loose, row, two_spheres
 

@@ -5,7 +5,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.observe.energy import elastic_energy
+from bondem.observables.energy import elastic_energy
 from tests.bits import assert_same_bits
 from tests.specimens import cells
 

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.core_loop import CoreLoop
 from bondem.errors import InputError
-from bondem.solve.loop_core import CoreLoop
 from tests.bits import assert_resumes_to, assert_same_bits, flying_apart, need_two_threads
 from tests.models import crooked_beams, time_step
 from tests.specimens import two_spheres
@@ -190,8 +190,7 @@ def test_the_same_bits_however_it_is_run(tmp_path: Path) -> None:
     whole = run(1, 100)
     assert len(whole.state.softened) > 2000
     assert len(whole.events) > 500
-    for count, every in ((2, 100), (2, 7)):
-        assert_same_bits(whole, run(count, every))
+    assert_same_bits(whole, run(2, 7))
     assert_resumes_to(whole, functools.partial(run, 2, 100, save_every=7), tmp_path / "run.h5", 0.5)
 
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem._blas import one_blas_thread
 from bondem.errors import ConvergenceError, InputError
-from bondem.model.matrices import stiffness_matrix
-from bondem.observe.energy import linear_energy
-from bondem.solve.linear import Elimination, Iteration, System
-from bondem.solve.threads import one_blas_thread
+from bondem.model.stiffness_matrices import stiffness_matrix
+from bondem.observables.energy import linear_energy
+from bondem.statics.linear import Elimination, Iteration, System
 from tests.beam_theory import beam_stiffness
 from tests.specimens import crooked_block, two_spheres
 

@@ -5,7 +5,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import ThinBodyWarning
-from bondem.solve.linear import System
+from bondem.statics.linear import System
 from tests.models import clamped
 from tests.specimens import crooked_cells, cubes
 

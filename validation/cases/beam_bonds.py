@@ -13,21 +13,21 @@ from functools import cache
 
 import numpy as np
 
+from bondem.boundary.conditions import Drive, Fix
+from bondem.boundary.gauges import Gauge
+from bondem.boundary.schedules import Ramp
 from bondem.calibration.elastic import calibrate
+from bondem.damage.criteria.peripheral_stress import PeripheralStress
+from bondem.dynamics.damping import MassDamping
+from bondem.dynamics.history import History
 from bondem.errors import UnstableRunError
-from bondem.laws.damping import MassDamping
-from bondem.laws.euler_bernoulli import EulerBernoulli
-from bondem.laws.failure.peripheral_stress import PeripheralStress
-from bondem.model.boundary import Drive, Fix
-from bondem.model.gauges import Gauge
+from bondem.geometry.elementary_shapes import Box
+from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
 from bondem.model.model import Model
-from bondem.model.schedules import Ramp
 from bondem.model.state import State
 from bondem.packing import pack
 from bondem.run import solve_explicit
-from bondem.solve.history import History
 from bondem.specimen.bonding import connect
-from bondem.specimen.geometry import Box
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 from bondem.specimen.regions import Face

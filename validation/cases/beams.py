@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from bondem.specimen.geometry import Box
-from bondem.specimen.shape import Shape
+from bondem.geometry.elementary_shapes import Box
+from bondem.geometry.shape import Shape
 from validation.cases.case import Line
 
 # A roller is a line; so thin is the box about which cells are fine [m].

@@ -18,18 +18,18 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._types import Floats
+from bondem.boundary.conditions import BoundaryCondition, Fix, Load
+from bondem.damage.bilinear import Bilinear
 from bondem.errors import InputError
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.bilinear import Bilinear
-from bondem.model.boundary import BoundaryCondition, Fix, Load
+from bondem.geometry.shape import Shape
+from bondem.interactions.cells.cell_bond import CellBond
 from bondem.model.model import Model
 from bondem.packing import EVEN, pack
 from bondem.packing.grading import Graded
-from bondem.quasistatic.solve import QuasistaticResult
 from bondem.specimen.bonding import connect
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Index
-from bondem.specimen.shape import Shape
+from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult
 from validation.cases.spared import SparedRankine
 
 #: How cracks of concrete soften: along two lines, after Petersson (1981), or along one.

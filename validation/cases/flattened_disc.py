@@ -10,23 +10,23 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats
+from bondem.boundary.conditions import BoundaryCondition, Drive
+from bondem.boundary.gauges import Gauge
+from bondem.boundary.schedules import Ramp
+from bondem.damage.criteria.criterion import Criterion
+from bondem.dynamics.damping import MassDamping
+from bondem.dynamics.history import History
 from bondem.errors import UnstableRunError
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.damping import MassDamping
-from bondem.laws.failure.criterion import Criterion
-from bondem.model.boundary import BoundaryCondition, Drive
-from bondem.model.gauges import Gauge
+from bondem.geometry.elementary_shapes import Box, Cylinder
+from bondem.geometry.shape import Shape
+from bondem.interactions.cells.cell_bond import CellBond
 from bondem.model.model import Model
-from bondem.model.schedules import Ramp
 from bondem.model.state import State
 from bondem.packing import EVEN, pack
 from bondem.run import solve_explicit
-from bondem.solve.history import History
 from bondem.specimen.bonding import connect
-from bondem.specimen.geometry import Box, Cylinder
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
-from bondem.specimen.shape import Shape
 
 #: α, half the angle of a flat [rad].
 HALF = math.radians(10.0)

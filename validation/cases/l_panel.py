@@ -9,7 +9,7 @@ the lower side of the arm at x = 470 mm, which may turn and slide; its displacem
 fails within 30 mm of it. A density of 2400 kg/m³, of no account.
 """
 
-from bondem.specimen.geometry import Box
+from bondem.geometry.elementary_shapes import Box
 from validation.cases.case import Case, Claim, Line
 
 SIDE, ARM, THICK = 0.5, 0.25, 0.1

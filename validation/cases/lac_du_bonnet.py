@@ -15,9 +15,9 @@ zone, E G_f/f_t² = 48 mm, is as long as the beam is deep: a beam of W = 200 mm 
 import math
 from dataclasses import dataclass
 
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.mohr_coulomb import MohrCoulomb
-from bondem.specimen.geometry import Cylinder
+from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
+from bondem.geometry.elementary_shapes import Cylinder
+from bondem.interactions.cells.cell_bond import CellBond
 from validation.cases.beams import BentBeam
 from validation.cases.case import Case, Claim
 from validation.cases.flattened_disc import FlattenedDisc

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, PerBond, PerBond3
-from bondem.laws.failure.rankine import Rankine
+from bondem.damage.criteria.rankine import Rankine
 
 # Strength over that of the material where nothing is to fail.
 _NEVER = 1e3

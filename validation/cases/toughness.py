@@ -23,17 +23,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem.laws.cell_bond import CellBond
-from bondem.model.boundary import BoundaryCondition, Fix, Load
-from bondem.model.loads import Pressure
+from bondem.boundary.conditions import BoundaryCondition, Fix, Load
+from bondem.boundary.loads import Pressure
+from bondem.geometry.elementary_shapes import Box
+from bondem.geometry.shape import Shape
+from bondem.interactions.cells.cell_bond import CellBond
 from bondem.model.model import Model
 from bondem.packing import EVEN, pack
 from bondem.packing.grading import Graded
 from bondem.specimen.bonding import connect
-from bondem.specimen.geometry import Box
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Index, Region
-from bondem.specimen.shape import Shape
 from validation.cases.spared import SparedRankine
 
 #: E [Pa], ν, f_t [Pa] and G_f [J/m²]: only l of them counts.

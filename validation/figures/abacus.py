@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from bondem.calibration.abacus import Curve
-from bondem.laws.catalogue import DEFAULT, LAWS, PARAMETERS, named
+from bondem.interactions.law_catalogue import DEFAULT, LAWS, PARAMETERS, named
 from bondem.report.style import BLUE, GREY, INK, ORANGE, law_colour, sheet
 
 _MARKS = ("o", "s")

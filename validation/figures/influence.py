@@ -9,7 +9,7 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 
 from bondem._types import Floats
-from bondem.laws.catalogue import named
+from bondem.interactions.law_catalogue import named
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, SEQUENTIAL, law_colour, sheet
 
 Groups = Mapping[str, Sequence[Mapping[str, Any]]]

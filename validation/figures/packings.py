@@ -12,9 +12,9 @@ from matplotlib.colors import Normalize
 from bondem._types import Floats, Ints
 from bondem.report.spheres import View, render, tubes
 from bondem.report.style import DIVERGING, SEQUENTIAL, sheet
-from bondem.specimen.core import region
 from bondem.specimen.fabric import fabric
 from bondem.specimen.geode import geode
+from bondem.specimen.interior import region
 from bondem.specimen.lattice import Lattice
 from validation.figures.solids import render_triangles
 

@@ -16,10 +16,10 @@ from abc import ABC, abstractmethod
 from pathlib import Path
 from typing import Any, final
 
+from bondem._blas import one_blas_thread
 from bondem.errors import BondemError, UnstableRunError
 from bondem.io.atomic import write_text
 from bondem.io.packing_cache import written
-from bondem.solve.threads import one_blas_thread
 from validation.frame.sources import code_hash
 
 

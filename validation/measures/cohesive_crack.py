@@ -14,8 +14,8 @@ from scipy.sparse import coo_array, csc_array
 from scipy.sparse.linalg import splu
 
 from bondem._types import Floats, Ints
+from bondem.damage.bilinear import Bilinear
 from bondem.errors import ConvergenceError
-from bondem.laws.failure.bilinear import Bilinear
 from validation.cases.beams import BentBeam
 from validation.cases.case import Case
 

@@ -7,13 +7,13 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
+from bondem.geometry.elementary_shapes import Cylinder
 from bondem.labtests.tension import static_bond_forces
 from bondem.model.model import Model
-from bondem.solve.static import StaticResult
-from bondem.specimen.core import solid
-from bondem.specimen.geometry import Cylinder
+from bondem.specimen.interior import solid
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
+from bondem.statics.static import StaticResult
 
 # Points along a bond; one reaches over some two annuli.
 _POINTS = 64

@@ -8,17 +8,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._types import Floats
+from bondem.boundary.conditions import Load
+from bondem.boundary.schedules import Ramp
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.history import History
+from bondem.dynamics.plan import Plan, settled
+from bondem.dynamics.schemes import TchamwaWielgosz
 from bondem.errors import InputError, UnstableRunError
+from bondem.interactions.beams.assignment import BondAssignment
 from bondem.labtests.gauge_length import AffineField, middle_half
-from bondem.model.assignment import BondAssignment
-from bondem.model.boundary import Load
 from bondem.model.model import Model
-from bondem.model.schedules import Ramp
 from bondem.model.state import State
-from bondem.solve.explicit import integrate
-from bondem.solve.history import History
-from bondem.solve.plan import Plan, settled
-from bondem.solve.schemes import TchamwaWielgosz
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 

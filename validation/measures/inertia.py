@@ -7,10 +7,10 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.labtests.beams import Bar
-from bondem.specimen.geometry import Cylinder
+from bondem.geometry.elementary_shapes import Cylinder
+from bondem.geometry.moments import moments
+from bondem.labtests.beam_tests import Bar
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.moments import moments
 
 # (sinh β - sin β) / (cosh β + cos β) and β of the cantilever's first bending mode.
 _BETA = 1.8751040687119611

@@ -9,9 +9,9 @@ from typing import Any, ClassVar
 
 from bondem.calibration import calibrate
 from bondem.errors import InputError
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.interactions.law_catalogue import DEFAULT
 from bondem.labtests.tension import Tension, static_tension
-from bondem.laws.bond import BondLaw
-from bondem.laws.catalogue import DEFAULT
 from bondem.packing import SEED
 from bondem.packing.sizes import SPREAD
 from bondem.specimen.lattice import Lattice

@@ -9,18 +9,18 @@ from typing import Any
 import numpy as np
 
 from bondem._types import Floats
+from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
+from bondem.boundary.gauges import Gauge
+from bondem.boundary.schedules import Ramp
+from bondem.damage.criteria.peripheral_stress import PeripheralStress
+from bondem.dynamics.damping import MassDamping
+from bondem.dynamics.history import History
+from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import InputError, UnstableRunError
-from bondem.laws.damping import MassDamping
-from bondem.laws.failure.peripheral_stress import PeripheralStress
-from bondem.model.boundary import BoundaryCondition, Drive, Fix
-from bondem.model.gauges import Gauge
 from bondem.model.model import Model
-from bondem.model.schedules import Ramp
 from bondem.model.state import State
 from bondem.packing import pack
 from bondem.run import solve_explicit
-from bondem.solve.history import History
-from bondem.solve.plan import ExplicitResult
 from bondem.specimen.bonding import connect
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Everything, Face, Index

@@ -10,19 +10,19 @@ from typing import Any
 import numpy as np
 
 from bondem._types import Floats
+from bondem.boundary.loads import Pressure
+from bondem.damage.criteria.rankine import Rankine
+from bondem.dynamics.plan import Status
 from bondem.errors import InputError, UnstableRunError
 from bondem.fracture.crack_growth import CrackGrowth, crack_speed
 from bondem.fracture.fragments import fragments
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.rankine import Rankine
-from bondem.model.loads import Pressure
+from bondem.geometry.elementary_shapes import Box
+from bondem.interactions.cells.cell_bond import CellBond
 from bondem.model.model import Model
-from bondem.observe.breakage import BrokenBonds
+from bondem.observables.breakage import BrokenBonds
 from bondem.packing import EVEN, pack
 from bondem.run import solve_explicit
-from bondem.solve.plan import Status
 from bondem.specimen.bonding import connect
-from bondem.specimen.geometry import Box
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 from validation.frame.files import plain, thinned

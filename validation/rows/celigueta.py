@@ -16,27 +16,27 @@ from typing import Any
 import numpy as np
 
 from bondem._types import Floats
+from bondem.boundary.gauges import Gauge, WallGauge
+from bondem.boundary.schedules import Ramp
+from bondem.boundary.walls import Driven, PlaneWall
+from bondem.damage.criteria.criterion import Criterion
+from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
+from bondem.damage.criteria.rankine import Rankine
+from bondem.dynamics.damping import LocalDamping
+from bondem.dynamics.events import Event
+from bondem.dynamics.explicit import ExplicitResult
+from bondem.geometry.elementary_shapes import Cylinder
+from bondem.geometry.shape import Shape
+from bondem.interactions.contact.contact_law import LinearContact
+from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.labtests.punching import punch_specimen
-from bondem.laws.contact import LinearContact
-from bondem.laws.damping import LocalDamping
-from bondem.laws.failure.criterion import Criterion
-from bondem.laws.failure.mohr_coulomb import MohrCoulomb
-from bondem.laws.failure.rankine import Rankine
-from bondem.laws.non_local import NonLocal
-from bondem.model.gauges import Gauge, WallGauge
 from bondem.model.model import Model
-from bondem.model.schedules import Ramp
 from bondem.model.state import State
-from bondem.model.walls import Driven, PlaneWall
 from bondem.packing import pack
 from bondem.run import solve_explicit
-from bondem.solve.events import Event
-from bondem.solve.explicit import ExplicitResult
 from bondem.specimen.bonding import connect
-from bondem.specimen.geometry import Cylinder
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Index
-from bondem.specimen.shape import Shape
 from validation.frame.files import plain
 from validation.frame.request import Request
 

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from bondem.calibration.response import Response
-from bondem.laws.bond import BondLaw
-from bondem.laws.catalogue import PARAMETERS
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.interactions.law_catalogue import PARAMETERS
 from bondem.specimen.lattice import Lattice
 from validation.rows.packings import PackingRequest, PackingTest, kept_lattice
 

@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 
 from bondem._types import Floats
-from bondem.quasistatic.solve import QuasistaticResult, solve_quasistatic
 from bondem.specimen.lattice import Lattice
+from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult, solve_quasistatic
 from validation.cases.case import Case
 from validation.frame.files import plain
 from validation.frame.request import Request

@@ -8,20 +8,20 @@ from typing import Any
 import numpy as np
 
 from bondem._types import Floats
+from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
+from bondem.boundary.schedules import Ramp
+from bondem.damage.criteria.rankine import Rankine
+from bondem.dynamics.plan import Status
 from bondem.errors import InputError, UnstableRunError
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.rankine import Rankine
-from bondem.model.boundary import BoundaryCondition, Drive, Fix
+from bondem.geometry.elementary_shapes import Box
+from bondem.geometry.shape import Shape
+from bondem.interactions.cells.cell_bond import CellBond
 from bondem.model.model import Model
-from bondem.model.schedules import Ramp
 from bondem.packing import EVEN, pack
 from bondem.run import solve_explicit
-from bondem.solve.plan import Status
 from bondem.specimen.bonding import connect
-from bondem.specimen.geometry import Box
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Region, Within
-from bondem.specimen.shape import Shape
 from validation.frame.files import plain
 from validation.frame.request import Request
 

@@ -12,13 +12,13 @@ from typing import Any
 
 import numpy as np
 
+from bondem.geometry.elementary_shapes import Box, Cell, Cylinder, Shape
 from bondem.io.particles_file import load_bonded, save_particles
 from bondem.packing import pack
 from bondem.specimen.bonding import connect
-from bondem.specimen.core import region
 from bondem.specimen.fabric import fabric
 from bondem.specimen.geode import geode
-from bondem.specimen.geometry import Box, Cell, Cylinder, Shape
+from bondem.specimen.interior import region
 from bondem.specimen.lattice import Lattice
 from validation.frame.request import Request
 

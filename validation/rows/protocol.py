@@ -8,12 +8,12 @@ from scipy.optimize import root_scalar
 
 from bondem.calibration.response import Response
 from bondem.errors import InputError
-from bondem.labtests.beams import Bar, CrossSection
+from bondem.geometry.elementary_shapes import Cylinder
+from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
+from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.tension import paper_length, paper_radius
 from bondem.labtests.vibration import ramped_vibration
 from bondem.labtests.wave import first_passage, strike
-from bondem.laws.euler_bernoulli import EulerBernoulli
-from bondem.specimen.geometry import Cylinder
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.materials import fused_silica
 from validation.frame.files import plain

@@ -8,14 +8,14 @@ from typing import Any
 
 import numpy as np
 
+from bondem.damage.criteria.rankine import Rankine
 from bondem.fracture.fragments import fragments
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.rankine import Rankine
+from bondem.geometry.elementary_shapes import Cylinder
+from bondem.interactions.cells.cell_bond import CellBond
 from bondem.model.model import Model
 from bondem.packing import EVEN, pack
 from bondem.run import solve_explicit
 from bondem.specimen.bonding import connect
-from bondem.specimen.geometry import Cylinder
 from bondem.specimen.lattice import Lattice
 from validation.frame.files import plain
 from validation.frame.request import Request

@@ -6,12 +6,12 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
+from bondem.damage.criteria.rankine import Rankine
+from bondem.geometry.elementary_shapes import Cylinder
+from bondem.interactions.cells.cell_bond import CellBond
 from bondem.labtests.spalling import SpallTest, ThinBar, spall
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.rankine import Rankine
 from bondem.packing import EVEN, pack
 from bondem.specimen.bonding import connect
-from bondem.specimen.geometry import Cylinder
 from bondem.specimen.lattice import Lattice
 from validation.frame.files import plain, thinned
 from validation.frame.request import Request

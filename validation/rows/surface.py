@@ -8,25 +8,25 @@ from typing import Any
 
 import numpy as np
 
+from bondem.boundary.conditions import Drive, Fix
 from bondem.calibration.affine import affine_estimate, is_bar
+from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
+from bondem.geometry.surface import Surface
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.interactions.law_catalogue import PARAMETERS
 from bondem.io.particles_file import load_bonded, save_particles
-from bondem.labtests.any_shape import uniform_stress
 from bondem.labtests.bulk import bulk_moduli
 from bondem.labtests.gauge_length import AffineField, middle_half
 from bondem.labtests.tension import static_tension
-from bondem.laws.bond import BondLaw
-from bondem.laws.catalogue import PARAMETERS
-from bondem.model.boundary import Drive, Fix
+from bondem.labtests.uniform_traction import uniform_stress
 from bondem.model.model import Model
 from bondem.packing import pack
 from bondem.packing.sizes import SPREAD
-from bondem.solve.static import solve_static
 from bondem.specimen.bonding import connect
-from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
 from bondem.specimen.lattice import Lattice, carve
 from bondem.specimen.particles import Particles
 from bondem.specimen.regions import Face
-from bondem.specimen.surface import Surface
+from bondem.statics.static import solve_static
 from validation.frame.request import Request
 
 #: Where a packing ends: 6.2 or 7 contacts a sphere over all spheres, the onset of jamming, or cut from a periodic

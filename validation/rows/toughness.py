@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from bondem.quasistatic.solve import solve_quasistatic
+from bondem.statics.quasistatic.quasistatic_run import solve_quasistatic
 from validation.cases.toughness import PLATES, Cracked
 from validation.frame.files import plain
 from validation.frame.request import Request

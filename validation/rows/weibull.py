@@ -4,17 +4,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.rankine import Rankine
-from bondem.laws.failure.scatter import Weibull
-from bondem.model.boundary import Drive, Fix
+from bondem.boundary.conditions import Drive, Fix
+from bondem.damage.criteria.rankine import Rankine
+from bondem.damage.scatter import Weibull
+from bondem.geometry.elementary_shapes import Box
+from bondem.interactions.cells.cell_bond import CellBond
 from bondem.model.model import Model
 from bondem.packing import EVEN, pack
-from bondem.quasistatic.solve import solve_quasistatic
 from bondem.specimen.bonding import connect
-from bondem.specimen.geometry import Box
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
+from bondem.statics.quasistatic.quasistatic_run import solve_quasistatic
 from validation.frame.files import plain
 from validation.frame.request import Request
 

@@ -13,9 +13,9 @@ import numpy as np
 from bondem import __version__
 from bondem.calibration.abacus import Curve
 from bondem.errors import InputError
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.interactions.law_catalogue import DEFAULT, LAWS, PARAMETERS
 from bondem.io.atomic import write_text
-from bondem.laws.bond import BondLaw
-from bondem.laws.catalogue import DEFAULT, LAWS, PARAMETERS
 from bondem.packing.sizes import SPREAD
 from validation.figures.abacus import draw_abacus, draw_reach, draw_silica
 from validation.frame.study import Row, Stages, Study

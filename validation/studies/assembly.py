@@ -9,7 +9,7 @@ import numpy as np
 
 from bondem._checks import choice
 from bondem.errors import InputError
-from bondem.laws.catalogue import DEFAULT
+from bondem.interactions.law_catalogue import DEFAULT
 from bondem.packing.sizes import SPREAD
 from validation.figures.assembly import draw_assembly, draw_fineness, draw_scatter
 from validation.figures.packing_curves import NAMES

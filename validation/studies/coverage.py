@@ -11,7 +11,7 @@ import numpy as np
 from bondem.calibration.elastic import Calibration, calibrate
 from bondem.calibration.uncertainty import Sample, half_width
 from bondem.errors import InputError
-from bondem.laws.bond import BondLaw
+from bondem.interactions.beams.bond_law import BondLaw
 from bondem.packing.sizes import SPREAD
 from bondem.specimen.materials import fused_silica
 from validation.figures.coverage import draw_coverage

@@ -9,7 +9,7 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.laws.catalogue import CALIBRATED, DEFAULT
+from bondem.interactions.law_catalogue import CALIBRATED, DEFAULT
 from bondem.packing.sizes import SPREAD
 from validation.figures.influence import draw_bond_modulus, draw_bond_radius, draw_exponent, draw_nu_mu
 from validation.frame.files import table

@@ -8,8 +8,8 @@ from typing import Any, ClassVar
 import numpy as np
 
 from bondem._checks import count, number
-from bondem.laws.bond import BondLaw
-from bondem.observe.energy import EnergyParts
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.observables.energy import EnergyParts
 from validation.figures.energy import draw_breakdown, draw_quasistatic, draw_settling
 from validation.frame.files import table, thinned
 from validation.frame.study import Row

@@ -7,12 +7,12 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from bondem.labtests.beams import Bar, CrossSection
+from bondem.geometry.elementary_shapes import Cylinder
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.cantilever import Cantilever, mass_gyration, static_bending, static_torsion
 from bondem.labtests.modal import natural_frequencies
-from bondem.laws.bond import BondLaw
 from bondem.model.model import Model
-from bondem.specimen.geometry import Cylinder
 from validation.figures.section import draw_section, draw_section_errors
 from validation.frame.files import in_percent, mean_and_scatter, plain, table
 from validation.frame.study import Row

@@ -10,9 +10,9 @@ import numpy as np
 
 from bondem import __version__
 from bondem.errors import InputError
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.interactions.law_catalogue import LAWS, PARAMETERS
 from bondem.io.atomic import write_text
-from bondem.laws.bond import BondLaw
-from bondem.laws.catalogue import LAWS, PARAMETERS
 from validation.figures.surface import draw_surface
 from validation.frame.study import Row, Stages, Study
 from validation.rows.surface import ModuliRequest, SpecimenRequest

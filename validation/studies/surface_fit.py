@@ -7,7 +7,7 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.calibration.surface_correction import lattice_terms, law_terms
-from bondem.laws.catalogue import PARAMETERS
+from bondem.interactions.law_catalogue import PARAMETERS
 from validation.frame.study import Row
 
 # The scatter that sets the weights of rows, √(a² + b² / elements): first guess, then as found.

@@ -8,10 +8,10 @@ from typing import Any, ClassVar
 import numpy as np
 
 from bondem._checks import count, number
+from bondem.interactions.beams.bond_law import BondLaw
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
 from bondem.labtests.vibration import FreeVibration, ramped_vibration
-from bondem.laws.bond import BondLaw
 from bondem.model.model import Model
 from bondem.specimen.materials import fused_silica
 from validation.figures.energy import draw_breakdown, draw_inertia, draw_vibration_energy

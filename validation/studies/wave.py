@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from bondem._checks import number
+from bondem.interactions.beams.bond_law import BondLaw
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.wave import Wave, first_passage, strike
-from bondem.laws.bond import BondLaw
 from validation.figures.wave import draw_arrival, draw_faces, draw_snapshots, draw_travel
 from validation.frame.files import in_percent, mean_and_scatter, table, thinned
 from validation.frame.study import Row

@@ -18,7 +18,7 @@ from scipy.interpolate import PchipInterpolator
 from scipy.optimize import brentq
 
 from bondem._types import Floats
-from bondem.laws.bond import BondLaw
+from bondem.interactions.beams.bond_law import BondLaw
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,8 +10,8 @@ import numpy as np
 
 from bondem._types import Floats, PerBond
 from bondem.errors import InputError
+from bondem.interactions.beams.assignment import BondAssignment, bond_stiffness
 from bondem.labtests.isotropic import Isotropic
-from bondem.model.assignment import BondAssignment, bond_stiffness
 from bondem.specimen.lattice import Lattice
 
 # Voigt order xx, yy, zz, yz, xz, xy, with engineering shear strains.

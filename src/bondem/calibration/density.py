@@ -6,8 +6,8 @@ import numpy as np
 
 from bondem._types import Floats, PerElement
 from bondem.errors import InputError
+from bondem.geometry.moments import moments
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.moments import moments
 
 # What rounding may leave of the moments, relative.
 _ROUNDING = 1e-10

@@ -18,9 +18,9 @@ from bondem.calibration.search import Search
 from bondem.calibration.surface_correction import SurfaceCorrection
 from bondem.calibration.uncertainty import Sample
 from bondem.errors import InputError
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.interactions.law_catalogue import DEFAULT
 from bondem.labtests.tension import Tension
-from bondem.laws.bond import BondLaw
-from bondem.laws.catalogue import DEFAULT
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 
@@ -135,7 +135,13 @@ class Calibration:
         return self.sample(quantity).interval(kind=kind, level=level)
 
     def packings_for(self, precision: float, *, quantity: str = "E", level: float = 0.95) -> int:
-        """Number of calibrating packings for a mean within ± precision [-], for the scatter of this calibration."""
+        """Return the number of calibrating packings that a mean within ± precision × mean requires.
+
+        Args:
+            precision: half-width of the confidence interval over the mean [-].
+            quantity: name "E", "nu", "E_mu" or "value"; see `sample`.
+            level: probability that the interval holds [-].
+        """
         return self.sample(quantity).packings_for(precision, level=level)
 
     def law_for(self, lattice: Lattice) -> BondLaw:
@@ -163,13 +169,19 @@ class Calibration:
         return replace(self.law, **changed)
 
     def density_for(self, lattice: Lattice, *, balanced: bool = False) -> float | PerElement:
-        """Density ρ_μ of another specimen [kg/m³]: uniform by eq (19), or per element by `balanced_density`, (n,)."""
+        """Return the density ρ_μ that gives another specimen the density of the material [kg/m³].
+
+        Args:
+            lattice: the specimen.
+            balanced: False for one density, by eq (19) of André et al. (2012); True for one per element, (n,), so
+                that the mass is also distributed as in the material.
+        """
         if balanced:
             return balanced_density(lattice, self.material.rho)
         return element_density([lattice], self.material.rho)
 
     def sensitivity(self, parameter: str) -> Slope:
-        """Derivatives d ln E / dp and dν / dp with respect to any parameter p of the law, mean over the lattices."""
+        """Return d ln E / dp and dν / dp for a parameter p of the law, by its name, as means over the lattices."""
         return _mean_slope([one.slope(parameter) for one in self.responses])
 
 

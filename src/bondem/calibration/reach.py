@@ -6,8 +6,8 @@ from typing import Any
 from bondem.calibration.abacus import curve
 from bondem.calibration.response import Response
 from bondem.errors import UnreachableTargetError
-from bondem.laws.bond import BondLaw
-from bondem.laws.catalogue import LAWS
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.interactions.law_catalogue import LAWS
 from bondem.specimen.lattice import Lattice
 
 # Packings differ from the curves by about a hundredth.

@@ -15,15 +15,15 @@ import numpy as np
 
 from bondem._checks import instance
 from bondem._types import Floats
+from bondem.interactions.beams.assignment import bond_geometry
+from bondem.interactions.beams.bond_law import BondGeometry, BondLaw
+from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.labtests.bulk import BulkModuli, bulk_moduli
 from bondem.labtests.gauge_length import AffineField, middle_half
 from bondem.labtests.isotropic import Isotropic
 from bondem.labtests.tension import Tension, tension_model, tension_of
-from bondem.laws.bond import BondGeometry, BondLaw
-from bondem.model.assignment import bond_geometry
-from bondem.observe.bond_strain import BondStrain
-from bondem.solve.static import Statics
 from bondem.specimen.lattice import Lattice
+from bondem.statics.static import Statics
 
 # Central differences of closed forms over this share of a parameter: right to ten digits.
 _STEP = 1e-5
@@ -75,10 +75,12 @@ class Response:
             self.E, self.nu = self.tension.E, self.tension.nu
 
     def slope(self, parameter: str) -> Slope:
-        """Derivatives with respect to a parameter of the law, by its name: "nu", "radius_ratio" or its free
-        parameter.
+        """Return the derivatives of ln E and ν with respect to a parameter of the law.
 
         A tension test solves two adjoint problems, once for all parameters; bulk moduli need none.
+
+        Args:
+            parameter: name of the parameter: "nu", "radius_ratio" or the free parameter of the law.
         """
         change = stiffness_slope(self.lattice, self.law, parameter)
         if self.moduli is not None:

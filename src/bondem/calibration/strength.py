@@ -65,7 +65,7 @@ class StrengthCalibration:
         return dict(self.nearest.parameters)
 
     def sample(self, parameter: str, measured: Mapping[str, Sequence[float]] | None = None) -> Sample:
-        """Values of a parameter with which each packing alone would have met the targets, to first order.
+        """Compute the values of a parameter with which each packing alone would have met the targets, to first order.
 
         Args:
             parameter: name of the parameter.
@@ -98,7 +98,15 @@ class StrengthCalibration:
         kind: str = "confidence",
         level: float = 0.95,
     ) -> tuple[float, float]:
-        """Compute an interval of a parameter from the scatter of packings, in its logarithm; see `Sample.interval`.
+        """Compute an interval of a parameter from the scatter of packings.
+
+        The logarithms of the values of `sample` are taken as normally distributed; see `Sample.interval`.
+
+        Args:
+            parameter: name of the parameter.
+            measured: strengths of several packings, as for `sample`.
+            kind: kind of interval, "confidence" or "prediction".
+            level: probability that the interval holds [-].
 
         Raises:
             InputError: fewer than two packings, or an unknown parameter or kind.
@@ -108,7 +116,7 @@ class StrengthCalibration:
         return math.exp(low), math.exp(high)
 
     def tolerated(self, parameter: str) -> tuple[float, float]:
-        """Range of a parameter for strengths anywhere within the tolerances of the targets."""
+        """Return the range of a parameter for strengths anywhere within the tolerances of the targets."""
         if parameter not in self.names:
             raise InputError(
                 f"parameter = {shown(parameter)}: unknown parameter; choose from {', '.join(self.names)}"

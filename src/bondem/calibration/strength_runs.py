@@ -45,7 +45,7 @@ class StrengthRun:
     failed: str = ""
 
     def mean(self, test: str) -> float:
-        """Mean strength of all packings [Pa]."""
+        """Return the mean strength of all packings in a test, by its name [Pa]."""
         return float(np.mean(self.measured[test]))
 
 

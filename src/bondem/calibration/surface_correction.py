@@ -28,8 +28,8 @@ from bondem._names import users_line
 from bondem._types import Floats
 from bondem.calibration.affine import AffineEstimate, affine_estimate
 from bondem.errors import InputError
+from bondem.interactions.beams.bond_law import BondGeometry, BondLaw, BondStiffness
 from bondem.labtests.isotropic import Isotropic
-from bondem.laws.bond import BondGeometry, BondLaw, BondStiffness
 from bondem.specimen.lattice import Lattice
 
 _DATA = Path(__file__).with_suffix(".json")

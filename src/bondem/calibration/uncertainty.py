@@ -59,9 +59,13 @@ class Sample:
         return self.mean - half, self.mean + half
 
     def packings_for(self, precision: float, *, level: float = 0.95) -> int:
-        """Number of packings for a confidence interval of the mean within ± precision × mean.
+        """Return the number of packings for a confidence interval of the mean within ± precision × mean.
 
-        The scatter of these packings is taken for that of all packings.
+        The standard deviation of these packings is taken for that of all packings.
+
+        Args:
+            precision: half-width of the interval over the mean [-].
+            level: probability that the interval holds [-].
 
         Raises:
             InputError: fewer than two packings, or a precision that is not positive.

@@ -16,7 +16,7 @@ from bondem.errors import StudyError
 from bondem.io.text_file import read_text
 from bondem.study.keys import STUDY
 from bondem.study.programme_run import code_hash
-from bondem.study.study import Study, parse_study, read_toml
+from bondem.study.study_file import Study, parse_study, read_toml
 from bondem.study.toml_table import TomlTable
 
 # Specimens of one campaign; more are a mistake in [campaign] more often than a wish.

@@ -17,7 +17,7 @@ from bondem.campaign.sweep import CampaignSpecimen
 from bondem.errors import BondemError
 from bondem.io.atomic import write_text
 from bondem.study.pipeline import run_study
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
 
 #: Folder of the specimens within that of a campaign, and what each of them leaves.
 SPECIMENS, RECORD = "specimens", "specimen.json"

@@ -12,12 +12,12 @@ from rich.table import Table
 from bondem.cli.quantities import Quantity
 from bondem.cli.terminal import on_threads, progress_bars
 from bondem.errors import InputError
-from bondem.laws.bond import BondLaw
-from bondem.laws.catalogue import CALIBRATED, LAWS, named
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.interactions.law_catalogue import CALIBRATED, LAWS, named
 from bondem.report.numbers import percent, with_unit
 from bondem.specimen import materials
 from bondem.specimen.material import Material
-from bondem.study.calibration import SHAPES, CalibrationPlan, run_calibration
+from bondem.study.calibration_step import SHAPES, CalibrationPlan, run_calibration
 
 # As one types them: euler-bernoulli.
 _LAWS: dict[str, type[BondLaw]] = {law.title.lower().replace("–", "-"): law for law in CALIBRATED.values()}

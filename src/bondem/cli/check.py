@@ -9,7 +9,7 @@ from rich.table import Table
 from bondem.campaign.sweep import is_campaign, read_campaign
 from bondem.study.forecast import forecast
 from bondem.study.programme import Programme, read
-from bondem.study.study import parse_study
+from bondem.study.study_file import parse_study
 
 
 @click.command("check")

@@ -3,8 +3,8 @@
 import click
 
 from bondem._checks import number
+from bondem._units import quantity
 from bondem.errors import InputError
-from bondem.specimen.units import quantity
 
 
 class Quantity(click.ParamType):

@@ -12,11 +12,11 @@ from rich.table import Table
 
 from bondem._progress import stages
 from bondem._threads import most_threads, threads
+from bondem.dynamics.pulse import Pulse, listening
 from bondem.errors import InputError
-from bondem.laws.catalogue import LAWS
+from bondem.interactions.law_catalogue import LAWS
 from bondem.report.numbers import percent, signed_percent, with_unit
-from bondem.solve.pulse import Pulse, listening
-from bondem.study.study import Study
+from bondem.study.study_file import Study
 
 _EXPLANATION = (
     "error = measured / theory − 1, mean over the packings. Theory uses E and ν of each specimen and the length"

@@ -15,7 +15,7 @@ namespace bondem {
 BONDEM_TABLE(DeviceSpan, F(clock, "9"), F(postponed, "*"), F(halted, "1"), F(n, ""), F(m, ""))
 BONDEM_TABLE(Tick, F(ahead, ""), F(goes_on, ""), F(still, ""), F(first, ""))
 BONDEM_TABLE(LoadsOfBonds, F(load, "9 *"))
-BONDEM_TABLE(BondMarks, F(mark, "*"))
+BONDEM_TABLE(BondMarks, F(mark, "bonds"), F(failing, "bonds"), F(mode, "bonds"))
 BONDEM_TABLE(SofteningLosses, F(lost, "bonds"))
 BONDEM_TABLE(BondsOfElements, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"))
 BONDEM_TABLE(EarlierPairs, F(start, "n+1"), F(pair, "pairs"))

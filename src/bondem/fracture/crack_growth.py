@@ -10,7 +10,7 @@ from bondem._checks import array, instance, number, possible, shown, vector
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.fracture.directions import unit_vector
-from bondem.observe.breakage import BrokenBonds
+from bondem.observables.breakage import BrokenBonds
 
 # Theil–Sen computes a slope for every pair: of more advances than this, so many are evenly chosen.
 _MOST = 1500

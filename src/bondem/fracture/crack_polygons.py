@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints
-from bondem.fracture.faces import Faces, moved_points
+from bondem.fracture.crack_faces import Faces, moved_points
 from bondem.model.state import State
-from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
-from bondem.specimen.cells.solids import ranges
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.tessellation.polyhedra import Polyhedra, polyhedra
+from bondem.specimen.tessellation.solids import ranges
 
 # Corners of the polygon of a beam.
 _CORNERS = 24

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints
+from bondem.fracture.crack_faces import Faces
 from bondem.fracture.crack_polygons import CrackPolygons
-from bondem.fracture.faces import Faces
 
 
 @dataclass(frozen=True, eq=False)

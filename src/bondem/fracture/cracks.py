@@ -12,10 +12,10 @@ from scipy.spatial import KDTree
 from bondem._checks import instance, number, place
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
+from bondem.fracture.crack_faces import Faces, faces_of
 from bondem.fracture.crack_polygons import CrackPolygons, crack_polygons
 from bondem.fracture.crack_surfaces import CrackSurfaces, crack_surfaces
 from bondem.fracture.directions import unit_vector
-from bondem.fracture.faces import Faces, faces_of
 from bondem.io.vtk_polygons import write_polygons
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice

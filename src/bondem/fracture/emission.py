@@ -9,11 +9,11 @@ from scipy.spatial import KDTree
 
 from bondem._checks import instance, number
 from bondem._types import Floats, Ints
+from bondem.damage.criteria.criterion import MODES
 from bondem.errors import InputError
 from bondem.fracture.magnitudes import BValue, b_value_of, magnitude_of
-from bondem.laws.failure.criterion import MODES
 from bondem.model.model import Model
-from bondem.observe.breakage import BrokenBonds
+from bondem.observables.breakage import BrokenBonds
 
 # Bonds or facets that break within this many of their mean lengths belong to one emission, if no time or distance is
 # given.
@@ -75,7 +75,7 @@ class AcousticEmission:
 def acoustic_emission(
     events: BrokenBonds, *, time: float | None = None, distance: float | None = None, model: Model | None = None
 ) -> AcousticEmission:
-    """Group breakages into emissions, by single links between those near in space and in time.
+    """Group breakages that are near each other in space and time into emissions.
 
     Two breakages are linked if they are at most `distance` and at most `time` apart. All breakages joined by links
     form one emission, much as Hazzard and Young (2002) group broken bonds. Both numbers define what an emission is:

@@ -5,14 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import count, instance
+from bondem._plausibility import strength_doubts
 from bondem._types import Floats, Ints
+from bondem.damage.implied_fracture import ImpliedFracture
 from bondem.errors import InputError
-from bondem.model.implied_fracture import ImpliedFracture
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.observe.breakage import failure_index
-from bondem.observe.crack_index import yield_index
-from bondem.specimen.plausibility import strength_doubts
+from bondem.observables.breakage import failure_index
+from bondem.observables.crack_index import yield_index
 
 # Fewer elements than this in a process zone do not resolve it.
 _RESOLVED = 2.0

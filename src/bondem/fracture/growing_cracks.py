@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints
+from bondem.fracture.crack_faces import faces_of
 from bondem.fracture.crack_polygons import crack_polygons
-from bondem.fracture.faces import faces_of
 from bondem.model.state import State
-from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.tessellation.polyhedra import Polyhedra, polyhedra
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,9 +9,9 @@ from dataclasses import fields
 import h5py
 import numpy as np
 
-from bondem.specimen.cells.tables import Cells, Facets, FreeFacets
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, freeze
+from bondem.specimen.tessellation.facets import Cells, Facets, FreeFacets
 
 
 def write_bonds(file: h5py.File, lattice: Lattice) -> None:

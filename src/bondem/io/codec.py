@@ -11,29 +11,29 @@ from typing import Any
 
 import numpy as np
 
+from bondem.boundary.conditions import Drive, Fix, Load
+from bondem.boundary.gauges import Gauge, WallGauge
+from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure
+from bondem.boundary.schedules import Constant, Ramp, Table
+from bondem.boundary.walls import CylinderWall, Driven, Free, PlaneWall, Servo, SphereWall
+from bondem.damage.bilinear import Bilinear
+from bondem.damage.criteria.criterion_catalogue import CRITERIA
+from bondem.damage.criteria.stress_criterion import StressCriterion
+from bondem.damage.scatter import Normal, Weibull
+from bondem.dynamics.damping import BondDamping, LocalDamping, MassDamping
+from bondem.dynamics.events import AtRest
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.schemes import TchamwaWielgosz, VelocityVerlet
 from bondem.errors import RunFileError
-from bondem.laws.catalogue import CELL_LAWS, LAWS
-from bondem.laws.contact import LinearContact
-from bondem.laws.damping import BondDamping, LocalDamping, MassDamping
-from bondem.laws.failure.bilinear import Bilinear
-from bondem.laws.failure.catalogue import CRITERIA
-from bondem.laws.failure.scatter import Normal, Weibull
-from bondem.laws.failure.stress_criterion import StressCriterion
-from bondem.laws.hertz_mindlin import HertzMindlin
-from bondem.laws.non_local import NonLocal
-from bondem.model.boundary import Drive, Fix, Load
-from bondem.model.gauges import Gauge, WallGauge
-from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure
-from bondem.model.schedules import Constant, Ramp, Table
-from bondem.model.walls import CylinderWall, Driven, Free, PlaneWall, Servo, SphereWall
-from bondem.solve.events import AtRest
-from bondem.solve.plan import Plan
-from bondem.solve.schemes import TchamwaWielgosz, VelocityVerlet
+from bondem.geometry.elementary_shapes import Ball, BoundingBox, Box, Cell, Cylinder
+from bondem.geometry.shape import Cut, Joined, Overlap, Placed
+from bondem.geometry.surface import Surface
+from bondem.interactions.contact.contact_law import LinearContact
+from bondem.interactions.contact.hertz_mindlin import HertzMindlin
+from bondem.interactions.law_catalogue import CELL_LAWS, LAWS
+from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.specimen.aggregates import Aggregates
-from bondem.specimen.geometry import Ball, BoundingBox, Box, Cell, Cylinder
 from bondem.specimen.regions import Difference, Everything, Face, Index, Intersection, Plane, Union, Within
-from bondem.specimen.shape import Cut, Joined, Overlap, Placed
-from bondem.specimen.surface import Surface
 
 _TYPES: dict[str, type] = {
     cls.__name__: cls

@@ -14,7 +14,9 @@ from bondem._checks import instance, number, place, shown, vector
 from bondem._extras import install
 from bondem._names import users_line
 from bondem._types import ArrayLike, Pairs
+from bondem._units import length_unit
 from bondem.errors import InputError, StressFreeWarning, UnitWarning
+from bondem.geometry.elementary_shapes import Shape
 from bondem.io.lammps import read_lammps
 from bondem.io.lammps_dump import read_dump
 from bondem.io.particles_file import load_bonded, load_lattice
@@ -22,10 +24,8 @@ from bondem.io.raw_spheres import RawSpheres
 from bondem.io.sphere_tables import read_csv, read_yade
 from bondem.io.vtkhdf_spheres import read_vtkhdf_spheres
 from bondem.io.xyz import read_xyz
-from bondem.specimen.geometry import Shape
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
-from bondem.specimen.units import length_unit
 
 # Longest specimen taken for metres without being told so [m].
 _USUAL = 1.0
@@ -144,8 +144,8 @@ def read_lattice(
     _refuse_across(path, lattice)
     if strained:
         warnings.warn(
-            f"'{path}': {strained}; bonds get the lengths that they have there as those at rest, so that the body is"
-            " free of stress; read the file of the body before it was loaded, or keep runs in run files (out=)",
+            f"'{path}': {strained}; the present lengths of its bonds become their rest lengths, so that the body"
+            " is free of stress; read the file of the body before it was loaded, or keep runs in run files (out=)",
             StressFreeWarning, stacklevel=2,
         )  # fmt: skip
     return lattice

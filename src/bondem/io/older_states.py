@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from bondem.model.crack_columns import FACET, ONSET, RESTING, STATUS, TOP
-from bondem.model.event_columns import BROKEN_PLACE
+from bondem.damage.crack_columns import FACET, ONSET, RESTING, STATUS, TOP
+from bondem.damage.event_columns import BROKEN_PLACE
 from bondem.model.model import Model
 from bondem.model.state import State
 

@@ -29,7 +29,9 @@ from bondem.specimen.particles import Particles, filled
 
 _MOST_BYTES = 2 << 30
 # What decides the bits of a packing. Read as text: the rooms above this one may not be imported here.
-_ROOMS = ("specimen", "laws", "model", "observe", "solve", "packing")
+_ROOMS = (
+    "geometry", "specimen", "boundary", "interactions", "damage", "model", "observables", "dynamics", "packing",
+)  # fmt: skip
 # Fewer spheres are packed about as fast as a file is found, and would crowd the folder.
 _WORTH_KEEPING = 1000
 

@@ -21,13 +21,13 @@ import numpy as np
 from bondem import __version__
 from bondem._checks import instance, place
 from bondem.errors import InputError
+from bondem.geometry.shape import Shape
 from bondem.io.atomic import replacing, require_writable
 from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
 from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, filled
-from bondem.specimen.shape import Shape
 
 FORMAT = "bondem particles"
 #: From 2 on they may hold facets and cells, from 3 on they have a digest.

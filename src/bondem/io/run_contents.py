@@ -11,10 +11,10 @@ import numpy as np
 
 from bondem._checks import place
 from bondem._lock import claim
+from bondem.dynamics.history import History
 from bondem.errors import RunFileError
 from bondem.io.journal import JournaledFile, journal_of
 from bondem.io.runfile import head_of, reading
-from bondem.solve.history import History
 
 
 @dataclass(frozen=True)

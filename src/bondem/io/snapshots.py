@@ -20,14 +20,14 @@ import h5py
 import numpy as np
 
 from bondem._types import Floats, Ints
+from bondem.boundary.wall_outlines import WallOutlines, wall_outlines
 from bondem.io.vtk_cells import Corners
 from bondem.io.vtkhdf_series import Piece, begin_collection, static_lines, static_polyhedra
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.model.wall_outlines import WallOutlines, wall_outlines
-from bondem.observe.bond_forces import bond_forces
-from bondem.observe.cell_forces import CellForces
-from bondem.observe.cell_stress import mean_stress
+from bondem.observables.bond_forces import bond_forces
+from bondem.observables.cell_forces import CellForces
+from bondem.observables.cell_stress import mean_stress
 
 #: Columns of a 3×3 tensor, and of a row xx, yy, zz, xy, xz, yz of a state, in the order of VTK.
 _OF_TENSOR, _OF_ROW = ((0, 1, 2, 0, 1, 0), (0, 1, 2, 1, 2, 2)), (0, 1, 2, 3, 5, 4)

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from bondem._checks import shown
+from bondem._units import length_unit
 from bondem.errors import InputError
-from bondem.specimen.units import length_unit
 
 _WANTED = ("x", "y", "z", "r")
 # Names others give these columns, in small letters and without units; d is halved.

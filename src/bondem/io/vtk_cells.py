@@ -7,14 +7,14 @@ import h5py
 import numpy as np
 
 from bondem._types import ArrayLike, Floats, Ints
+from bondem.geometry.rotations import turned_vectors
 from bondem.io.atomic import replacing, require_writable
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.model.turned_frames import turned_vectors
-from bondem.observe.cell_forces import CellForces
-from bondem.observe.cell_stress import dilatation, mean_stress
-from bondem.specimen.cells.polyhedra import polyhedra
+from bondem.observables.cell_forces import CellForces
+from bondem.observables.cell_stress import dilatation, mean_stress
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.tessellation.polyhedra import polyhedra
 
 # What VTK calls a polyhedron, and the version of VTKHDF that knows it.
 _POLYHEDRON = 42

@@ -4,7 +4,6 @@ from typing import TYPE_CHECKING
 
 from bondem._describe import describe
 from bondem._names import no_attribute, suggesting
-from bondem.labtests.any_shape import UniformStress, uniform_stress
 from bondem.labtests.ball import BrokenBall, FragmentSizes
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
 from bondem.labtests.celerity import impact
@@ -17,12 +16,13 @@ from bondem.labtests.isotropic import Isotropic
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.punching import punch_specimen, shear
-from bondem.labtests.rig import StrengthTest
+from bondem.labtests.quasi_static_rig import StrengthTest
 from bondem.labtests.spalling import SpallTest, ThinBar, spall
 from bondem.labtests.splitting import BrazilianTest, brazilian
 from bondem.labtests.tearing import direct_tension
 from bondem.labtests.tension import Tension, static_tension
 from bondem.labtests.throwing import SphereImpact, sphere_impact
+from bondem.labtests.uniform_traction import UniformStress, uniform_stress
 from bondem.labtests.vibration import FreeVibration, free_vibration
 
 __all__ = [

@@ -6,9 +6,9 @@ import numpy as np
 
 from bondem._checks import instance, number, possible
 from bondem.errors import InputError
-from bondem.laws.non_local import NonLocal
-from bondem.model.assignment import BondAssignment
-from bondem.model.cell_constants import CellAssignment
+from bondem.interactions.beams.assignment import BondAssignment
+from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.specimen.lattice import Lattice
 
 #: Laws of a specimen: a bond law or laws by region, a cell law, or the non-local law.

@@ -8,7 +8,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.fracture.fragments import Fragments, fragments
-from bondem.laws.contact import ContactLaw, LinearContact
+from bondem.interactions.contact.contact_law import ContactLaw, LinearContact
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
@@ -42,7 +42,7 @@ class FragmentSizes:
         return cls(diameter * np.cbrt(mass / mass.sum()), np.cumsum(mass) / mass.sum())
 
     def below(self, diameter: float) -> float:
-        """Mass share of the fragments smaller than a diameter [m]."""
+        """Return the mass share of the fragments smaller than a diameter [m], [-]."""
         found = int(np.searchsorted(self.diameter, diameter))
         return float(self.passing[found - 1]) if found else 0.0
 

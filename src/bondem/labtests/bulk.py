@@ -8,15 +8,15 @@ from bondem._checks import instance
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
+from bondem.interactions.beams.bond_strain import BondStrain
+from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.labtests.arguments import AnyLaw
 from bondem.labtests.isotropic import Isotropic
 from bondem.model.model import Model
-from bondem.observe.bond_strain import BondStrain
-from bondem.observe.cell_strain import CellStrain
-from bondem.solve.lagged import LaggedStatics
-from bondem.solve.linear import System
-from bondem.solve.static import Statics
 from bondem.specimen.lattice import Lattice
+from bondem.statics.linear import System
+from bondem.statics.non_local_statics import LaggedStatics
+from bondem.statics.static import Statics
 
 # Voigt order xx, yy, zz, yz, xz, xy, with engineering shear strains.
 _VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
@@ -42,7 +42,11 @@ class BulkModuli:
     volume: float
 
     def stiffness_of(self, k: Floats) -> Floats:
-        """Stiffness C [Pa], (6, 6), for bonds with given kn, ks, kb and kt, (4, m), at these deformations.
+        """Return the stiffness C [Pa], (6, 6), of bonds with given stiffnesses at the deformations of this result.
+
+        Args:
+            k: kn, ks, kb and kt of each bond, (4, m).
+
 
         With the derivatives of the bond stiffnesses with respect to a parameter, the result is the derivative of C.
         """

@@ -12,19 +12,19 @@ import numpy as np
 from bondem._checks import array, shown
 from bondem._progress import staged
 from bondem._types import Floats, Ints, PerElement
+from bondem.boundary.conditions import Fix, Load
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
-from bondem.labtests.beams import Bar, CrossSection
+from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.faces import ends, face_motion
 from bondem.labtests.gauge_length import AffineField, curvature, middle_half, profile, twist_rate
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tension import paper_length
-from bondem.model.boundary import Fix, Load
 from bondem.model.model import Model
-from bondem.observe.cell_stress import cell_stress
-from bondem.solve.static import StaticResult, solve_static
+from bondem.observables.cell_stress import cell_stress
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
+from bondem.statics.static import StaticResult, solve_static
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,11 +4,11 @@ from collections.abc import Callable
 
 from bondem._checks import number
 from bondem._progress import staged
+from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
+from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.loading import Loading, load_to_failure
-from bondem.labtests.rig import Moduli, StrengthTest, softenings_of
-from bondem.model.cell_constants import CellAssignment
-from bondem.model.failure_assignment import FailureAssignment
+from bondem.labtests.quasi_static_rig import Moduli, StrengthTest, softenings_of
 from bondem.specimen.lattice import Lattice
 
 

@@ -7,10 +7,10 @@ from bondem._checks import number
 from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
+from bondem.damage.failure_assignment import FailureAssignment
+from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.compression import uniaxial_compression
-from bondem.labtests.rig import StrengthTest
-from bondem.model.cell_constants import CellAssignment
-from bondem.model.failure_assignment import FailureAssignment
+from bondem.labtests.quasi_static_rig import StrengthTest
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 

@@ -10,22 +10,22 @@ from bondem._checks import number
 from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
+from bondem.boundary.gauges import WallGauge
+from bondem.boundary.schedules import Ramp
+from bondem.boundary.walls import Driven, PlaneWall
+from bondem.damage.failure_assignment import FailureAssignment
+from bondem.dynamics.damping import MassDamping
+from bondem.dynamics.history import History
+from bondem.dynamics.plan import ExplicitResult
+from bondem.dynamics.schemes import VelocityVerlet
+from bondem.dynamics.timestep import choose_step
 from bondem.errors import InputError, UnstableRunError
+from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.ball import BallSpecimen, BrokenBall
-from bondem.laws.contact import ContactLaw
-from bondem.laws.damping import MassDamping
-from bondem.model.failure_assignment import FailureAssignment
-from bondem.model.gauges import WallGauge
 from bondem.model.model import Model
-from bondem.model.schedules import Ramp
 from bondem.model.state import State
-from bondem.model.walls import Driven, PlaneWall
 from bondem.run import solve_explicit
-from bondem.solve.history import History
-from bondem.solve.plan import ExplicitResult
-from bondem.solve.schemes import VelocityVerlet
-from bondem.solve.timestep import choose_step
 from bondem.specimen.lattice import Lattice
 
 #: 2.8 / π: the tensile strength of Hiramatsu and Oka (1966) over F / D².

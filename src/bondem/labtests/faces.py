@@ -5,18 +5,18 @@ import numpy as np
 from bondem._types import Floats
 from bondem.labtests.gauge_length import rigid_motion
 from bondem.model.model import Model
-from bondem.observe.facet_loads import loads_on_facets
-from bondem.observe.surface import surface_displacement
-from bondem.solve.static import StaticResult
+from bondem.observables.facet_loads import loads_on_facets
+from bondem.observables.surface_displacement import surface_displacement
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
+from bondem.statics.static import StaticResult
 
 
 def face_motion(model: Model, solution: StaticResult, name: str, depth: float) -> Floats:
     """Rigid motion of a face closest to its elements or, for cells, to its facets [m, rad], (6,).
 
     Spheres are loaded and held at their centres, cells at the walls of the body. The motion of a body of cells is
-    therefore that of its surface; see `bondem.observe.surface`.
+    therefore that of its surface; see `bondem.observables.surface_displacement`.
     """
     lattice = model.lattice
     if lattice.cells is None:

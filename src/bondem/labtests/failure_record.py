@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from bondem._types import Floats
+from bondem.damage.cohesive_softening import Softening
 from bondem.fracture.fragments import fragments
 from bondem.labtests.suited import Suited
-from bondem.laws.failure.softening import Softening
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 

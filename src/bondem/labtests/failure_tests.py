@@ -7,27 +7,27 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from bondem.damage.cohesive_softening import Softening
+from bondem.damage.criteria.criterion import Criterion
+from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.ball import BrokenBall
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.confined import triaxial
 from bondem.labtests.crushing import SphereCrushing, sphere_crushing
+from bondem.labtests.energy_balance import AnyTest, energy_ledger
 from bondem.labtests.failure_record import FailureTest, TestFigure, TestOption
 from bondem.labtests.flexure import BendingTest, three_point_bending
-from bondem.labtests.ledger import AnyTest, energy_ledger
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.punching import shear
-from bondem.labtests.rig import softening_of
+from bondem.labtests.quasi_static_rig import softening_of
 from bondem.labtests.spalling import SpallTest, spall
 from bondem.labtests.splitting import brazilian
 from bondem.labtests.suited import BALLS, BEAM, BORED, DISC
 from bondem.labtests.tearing import direct_tension
 from bondem.labtests.throwing import SphereImpact, sphere_impact
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.criterion import Criterion
-from bondem.laws.failure.softening import Softening
-from bondem.model.cell_constants import CellAssignment
-from bondem.model.failure_assignment import FailureAssignment
 from bondem.specimen.lattice import Lattice
 
 

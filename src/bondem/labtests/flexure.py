@@ -9,21 +9,21 @@ from bondem._checks import instance, number
 from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
+from bondem.boundary.conditions import Load
+from bondem.damage.criteria.criterion import Criterion
+from bondem.damage.criteria.rankine import Rankine
+from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
-from bondem.labtests.probing import walls_along
-from bondem.labtests.rig import DENSITY, require_cells, softening_of
-from bondem.laws.failure.criterion import Criterion
-from bondem.laws.failure.rankine import Rankine
-from bondem.model.boundary import Load
-from bondem.model.cell_constants import CellAssignment
-from bondem.model.failure_assignment import FailureAssignment
+from bondem.geometry.elementary_shapes import Box
+from bondem.geometry.shape_boundary import BOX_FACES
+from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.labtests.line_probe import walls_along
+from bondem.labtests.quasi_static_rig import DENSITY, require_cells, softening_of
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.quasistatic.solve import QuasistaticResult, solve_quasistatic
-from bondem.specimen.geometry import Box
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Index, Region, Within
-from bondem.specimen.walled import BOX_FACES
+from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult, solve_quasistatic
 
 # Load at a factor of 1 [N]: nothing depends on it.
 _LOAD = 1e3

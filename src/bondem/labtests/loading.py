@@ -3,12 +3,12 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from bondem.labtests.rig import Moduli, Rig, StrengthTest, check_traverses, run_to_failure
-from bondem.model.boundary import BoundaryCondition, Drive, Fix
-from bondem.model.cell_constants import CellAssignment
-from bondem.model.failure_assignment import FailureAssignment
-from bondem.model.loads import Pressure
-from bondem.model.schedules import Ramp
+from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
+from bondem.boundary.loads import Pressure
+from bondem.boundary.schedules import Ramp
+from bondem.damage.failure_assignment import FailureAssignment
+from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.labtests.quasi_static_rig import Moduli, Rig, StrengthTest, check_traverses, run_to_failure
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 

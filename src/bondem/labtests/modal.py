@@ -7,13 +7,13 @@ import numpy as np
 
 from bondem._progress import staged
 from bondem._types import Floats, PerElement
+from bondem.boundary.conditions import Fix
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
-from bondem.model.boundary import Fix
 from bondem.model.model import Model
-from bondem.solve.modal import ModesResult, solve_modes
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
+from bondem.statics.modes import ModesResult, solve_modes
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,9 +9,16 @@ import numpy as np
 from bondem._checks import number
 from bondem._progress import staged
 from bondem._types import Floats, Ints
+from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
+from bondem.boundary.schedules import Ramp
+from bondem.damage.cohesive_softening import Softening
+from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
-from bondem.labtests.probing import walls_along
-from bondem.labtests.rig import (
+from bondem.geometry.elementary_shapes import Cylinder
+from bondem.geometry.shape import Cut, Shape
+from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.labtests.line_probe import walls_along
+from bondem.labtests.quasi_static_rig import (
     DENSITY,
     Rig,
     StrengthTest,
@@ -20,17 +27,10 @@ from bondem.labtests.rig import (
     run_to_failure,
     softenings_of,
 )
-from bondem.laws.failure.softening import Softening
-from bondem.model.boundary import BoundaryCondition, Drive, Fix
-from bondem.model.cell_constants import CellAssignment
-from bondem.model.failure_assignment import FailureAssignment
 from bondem.model.model import Model
-from bondem.model.schedules import Ramp
-from bondem.solve.static import solve_static
-from bondem.specimen.geometry import Cylinder
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Index, Region
-from bondem.specimen.shape import Cut, Shape
+from bondem.statics.static import solve_static
 
 # The borings of the paper: mean diameter, width and depth [m].
 _RING, _WIDTH, _DEPTH = 45e-3, 4e-3, 10e-3

@@ -10,18 +10,18 @@ from bondem._checks import count, number
 from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
+from bondem.boundary.gauges import Gauge
+from bondem.boundary.loads import Pressure
+from bondem.boundary.schedules import Table
+from bondem.damage.criteria.criterion import Criterion
+from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import InputError, UnstableRunError
 from bondem.fracture.fragments import Fragments, fragments
-from bondem.labtests.rig import require_cells
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.criterion import Criterion
-from bondem.model.gauges import Gauge
-from bondem.model.loads import Pressure
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.labtests.quasi_static_rig import require_cells
 from bondem.model.model import Model
-from bondem.model.schedules import Table
 from bondem.model.state import State
 from bondem.run import solve_explicit
-from bondem.solve.plan import ExplicitResult
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 
@@ -64,15 +64,15 @@ class ThinBar:
         return 2.0 * self.pressure / (self.rho * self.celerity)
 
     def pull_back(self, tension: float) -> float:
-        """Pull-back velocity of the free end for a tensile strength f_t [Pa], 2 f_t / ρ c [m/s]."""
+        """Return the pull-back velocity of the free end for a tensile strength [Pa], 2 f_t / ρ c [m/s]."""
         return 2.0 * tension / (self.rho * self.celerity)
 
     def strength(self, pull_back: float) -> float:
-        """Tensile strength for a pull-back velocity Δu [m/s], ½ ρ c Δu [Pa] (Novozhilov's acoustic estimate)."""
+        """Return the tensile strength for a pull-back velocity Δu [m/s], ½ ρ c Δu [Pa] (Novozhilov's estimate)."""
         return 0.5 * self.rho * self.celerity * pull_back
 
     def place(self, tension: float) -> float:
-        """Distance from the free end at which tension first reaches a strength, ½ c t_fall f_t / p [m].
+        """Return the distance from the free end at which tension first reaches a strength, ½ c t_fall f_t / p [m].
 
         At the distance d the reflected peak meets the incident pulse after 2 d / c, when its pressure has dropped by
         f_t. The result is infinite for a strength above the peak pressure.

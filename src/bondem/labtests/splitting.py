@@ -10,9 +10,14 @@ from bondem._checks import number
 from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
+from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
+from bondem.boundary.schedules import Ramp
+from bondem.damage.cohesive_softening import Softening
+from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
+from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.gauge_length import AffineField
-from bondem.labtests.rig import (
+from bondem.labtests.quasi_static_rig import (
     DENSITY,
     Rig,
     StrengthTest,
@@ -21,17 +26,12 @@ from bondem.labtests.rig import (
     run_to_failure,
     softenings_of,
 )
-from bondem.laws.failure.softening import Softening
-from bondem.model.boundary import BoundaryCondition, Drive, Fix
-from bondem.model.cell_constants import CellAssignment
-from bondem.model.failure_assignment import FailureAssignment
 from bondem.model.model import Model
-from bondem.model.schedules import Ramp
 from bondem.model.state import State
-from bondem.observe.cell_stress import cell_stress
-from bondem.solve.static import solve_static
+from bondem.observables.cell_stress import cell_stress
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Index, Region
+from bondem.statics.static import solve_static
 
 # Half the angle of the strips of a plain cylinder [rad], and at least so many mean edges of cells for half of one.
 _STRIP, _CELLS = math.radians(5.0), 0.75

@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from bondem.specimen.geometry import Ball, BoundingBox, Box, Cylinder
-from bondem.specimen.shape import Cut, Shape
+from bondem.geometry.elementary_shapes import Ball, BoundingBox, Box, Cylinder
+from bondem.geometry.shape import Cut, Shape
 
 # Names of the faces that the cuts of specimens have; and of a specimen that is no bar either.
 NOTCH, BORING, BALL = "notch", "boring", "ball"

@@ -9,17 +9,17 @@ import numpy as np
 from bondem._names import users_line
 from bondem._progress import staged
 from bondem._types import Floats, Ints
+from bondem.boundary.conditions import Load
 from bondem.errors import ShortSpecimenWarning
+from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.faces import ends, surface
 from bondem.labtests.gauge_length import AffineField, middle_half
-from bondem.model.boundary import Load
 from bondem.model.model import Model
-from bondem.observe.bond_strain import BondStrain
-from bondem.observe.cell_stress import cell_stress
-from bondem.solve.static import StaticResult, Statics
+from bondem.observables.cell_stress import cell_stress
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
+from bondem.statics.static import StaticResult, Statics
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,18 +10,18 @@ from bondem._checks import instance, number, vector
 from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
+from bondem.boundary.gauges import WallGauge
+from bondem.boundary.walls import PlaneWall
+from bondem.damage.failure_assignment import FailureAssignment
+from bondem.dynamics.history import History
+from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import InputError, UnstableRunError
+from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.ball import BallSpecimen, BrokenBall
-from bondem.laws.contact import ContactLaw
-from bondem.model.failure_assignment import FailureAssignment
-from bondem.model.gauges import WallGauge
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.model.walls import PlaneWall
 from bondem.run import solve_explicit
-from bondem.solve.history import History
-from bondem.solve.plan import ExplicitResult
 from bondem.specimen.lattice import Lattice
 
 # Steps between records; the impulse is their sum.

@@ -8,21 +8,21 @@ import numpy as np
 from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
+from bondem.boundary.conditions import Fix, Load
+from bondem.boundary.gauges import Gauge
+from bondem.boundary.schedules import Constant, Ramp, Schedule
+from bondem.dynamics.plan import ExplicitResult, Plan, settled
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import AnyLaw, check
-from bondem.labtests.beams import CrossSection
+from bondem.labtests.beam_tests import CrossSection
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.frequency import dominant_frequency
-from bondem.model.boundary import Fix, Load
-from bondem.model.gauges import Gauge
 from bondem.model.model import Model
-from bondem.model.schedules import Constant, Ramp, Schedule
 from bondem.model.state import State
 from bondem.run import solve_explicit
-from bondem.solve.plan import ExplicitResult, Plan, settled
-from bondem.solve.static import solve_static
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
+from bondem.statics.static import solve_static
 
 # Steps between records: a wave crosses less than an element radius a step, so no first mode has fewer than a
 # dozen samples a period.
@@ -59,7 +59,11 @@ class FreeVibration(Plotted):
         return slice(int(np.argmax(self.time >= self.released * (1.0 - 1e-9))), len(self.time))
 
     def frequency(self, kind: str) -> float:
-        """Frequency of a signal [Hz], fitted over all records after release."""
+        """Return the frequency of a signal [Hz], fitted over all records after release.
+
+        Args:
+            kind: name of the signal, "tension", "bending" or "torsion".
+        """
         return dominant_frequency(self.time[self.free], self.signal[kind][self.free])
 
 

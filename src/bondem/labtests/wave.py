@@ -5,14 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, PerElement3
+from bondem.boundary.conditions import Drive
+from bondem.boundary.gauges import Gauge
+from bondem.dynamics.history import History
 from bondem.errors import InputError, UnstableRunError
 from bondem.labtests.arguments import AnyLaw
-from bondem.model.boundary import Drive
-from bondem.model.gauges import Gauge
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.run import solve_explicit
-from bondem.solve.history import History
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 

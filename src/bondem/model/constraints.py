@@ -8,14 +8,14 @@ import numpy as np
 
 from bondem._checks import shown
 from bondem._types import Floats, PerBond, PerElement
+from bondem.boundary.conditions import BoundaryCondition, Drive, Fix, Load
+from bondem.boundary.couples import Couple, CoupleTable, couple_table
+from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure, is_face
+from bondem.boundary.schedules import Schedule
 from bondem.errors import InputError
-from bondem.model.boundary import BoundaryCondition, Drive, Fix, Load
-from bondem.model.cell_constants import CellConstants
-from bondem.model.couples import Couple, CoupleTable, couple_table
-from bondem.model.layout import Layout
-from bondem.model.loads import Absorbing, BodyForce, Eigenstrain, Pressure, is_face
-from bondem.model.schedules import Schedule
+from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
 
 
 class Rows(NamedTuple):
@@ -109,8 +109,8 @@ class Constraints:
     ) -> "Constraints":
         """Resolve the boundary conditions of a model whose elements have `mass` [kg], user's order.
 
-        For a body of `cells`, conditions that hold a wall are left out: see `bondem.model.grips`. The cells that they
-        hold own rows nevertheless.
+        For a body of `cells`, conditions that hold a wall are left out: see `bondem.boundary.wall_constraints`. The
+        cells that they hold own rows nevertheless.
 
         Raises:
             InputError: Different conditions hold or drive the same degree of freedom.

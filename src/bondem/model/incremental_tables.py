@@ -9,8 +9,8 @@ import numpy as np
 
 from bondem._core import Pass
 from bondem._types import Floats
-from bondem.model.beam_tables import Beams, Poses, beam_tables
-from bondem.model.bond_table import with_zeros
+from bondem.interactions.beams.beam_tables import Beams, Poses, beam_tables
+from bondem.interactions.beams.bond_table import with_zeros
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -34,7 +34,8 @@ _load_stored_beams = Pass("load_stored_beams", Poses, Beams, StoredLoads, LoadsO
 def stored_beam_tables(model: Model, state: State) -> tuple[Beams, StoredLoads]:
     """Return beams of the incremental formulation and what they store; the latter shares its array with the state.
 
-    Where the model has fewer beams than a group, the array is a longer copy (`bondem.model.bond_table.with_zeros`).
+    Where the model has fewer beams than a group, the array is a longer copy, made by
+    `bondem.interactions.beams.bond_table.with_zeros`.
     """
     beams, _ = beam_tables(model.bonds, model.layout, model.period, state.integrity, may_share=False)
     return beams, StoredLoads(np.ascontiguousarray(with_zeros(model.bonds.kb)), with_zeros(state.history))

@@ -10,34 +10,34 @@ import numpy as np
 
 from bondem._checks import array, instance, possible, several, shown
 from bondem._drawing import draw
+from bondem._plausibility import question_bond_radius, question_strength
 from bondem._types import ArrayLike, Floats, PerElement
+from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
+from bondem.boundary.wall_constraints import Holds, holds_wall
+from bondem.boundary.walls import Wall, WallTable, check_walls
+from bondem.damage.beam_softening import BeamSoftening
+from bondem.damage.criteria.criterion import BondCriterion
+from bondem.damage.failure_assignment import FailureAssignment, FailurePart, failure_parts
+from bondem.damage.failure_table import FailureTable, check_failure
+from bondem.damage.implied_fracture import ImpliedFracture, implied_fracture
+from bondem.damage.softening_table import SofteningTable
 from bondem.errors import InputError
-from bondem.laws.bond import BondLaw, BondStiffness
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.contact import ContactLaw
-from bondem.laws.failure.criterion import BondCriterion
-from bondem.laws.non_local import NonLocal
-from bondem.model.assignment import BondAssignment, bond_stiffness
-from bondem.model.beam_softening import BeamSoftening
-from bondem.model.bond_table import BondTable
-from bondem.model.boundary import BoundaryCondition, Drive, Fix
-from bondem.model.cell_constants import CellAssignment, CellConstants, body_of
-from bondem.model.cell_doubts import question_cells
+from bondem.interactions.beams.assignment import BondAssignment, bond_stiffness
+from bondem.interactions.beams.bond_law import BondLaw, BondStiffness
+from bondem.interactions.beams.bond_table import BondTable
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.cell_constants import CellAssignment, CellConstants, body_of
+from bondem.interactions.cells.cell_plausibility import question_cells
+from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.interactions.contact.contact_model import ContactModel
+from bondem.interactions.non_local.non_local_constants import NonLocalConstants
+from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.model.constraints import Constraints
-from bondem.model.contacts import ContactModel
-from bondem.model.failure_assignment import FailureAssignment, FailurePart, failure_parts
-from bondem.model.failure_table import FailureTable, check_failure
-from bondem.model.grips import Holds, holds_wall
-from bondem.model.implied_fracture import ImpliedFracture, implied_fracture
-from bondem.model.layout import Layout
-from bondem.model.local_origin import local_origin
-from bondem.model.non_local_constants import NonLocalConstants
-from bondem.model.softening_table import SofteningTable
 from bondem.model.state import State
-from bondem.model.walls import Wall, WallTable, check_walls
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.local_origin import local_origin
+from bondem.specimen.ordering import Layout
 from bondem.specimen.particles import freeze
-from bondem.specimen.plausibility import question_bond_radius, question_strength
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,15 +7,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bondem._cache_lines import lines
 from bondem._core import Pass
 from bondem._types import Floats, PerBond
-from bondem.model.beam_tables import Beams, Poses, beam_tables
-from bondem.model.bond_table import with_twins, with_zeros
-from bondem.model.cache_lines import lines
-from bondem.model.failure_passes import FailureIndices, Strengths, strengths_of
-from bondem.model.failure_table import FailureTable
+from bondem.damage.failure_passes import FailureIndices, Strengths, strengths_of
+from bondem.damage.failure_table import FailureTable
+from bondem.interactions.beams.beam_tables import Beams, Poses, beam_tables
+from bondem.interactions.beams.bond_table import with_twins, with_zeros
+from bondem.interactions.non_local.non_local_constants import NonLocalConstants
 from bondem.model.model import Model
-from bondem.model.non_local_constants import NonLocalConstants
 from bondem.model.state import State
 
 
@@ -78,7 +78,8 @@ _index_pairs = Pass("index_pairs", Beams, LaggedStresses, Strengths, FailureIndi
 def non_local_tables(model: Model, state: State) -> tuple[Beams, NonLocalBonds]:
     """Return bonds of the non-local law, whose stored data are the state's own array.
 
-    Where the model has fewer bonds than a group, the array is a longer copy (`bondem.model.bond_table.with_zeros`).
+    Where the model has fewer bonds than a group, the array is a longer copy, made by
+    `bondem.interactions.beams.bond_table.with_zeros`.
     """
     constants = model.non_local
     assert constants is not None

@@ -4,21 +4,21 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from bondem._cache_lines import lines
 from bondem._checks import array, instance, shown
 from bondem._names import meant
 from bondem._types import ArrayLike, Floats, Pairs, PerBond, PerElement, PerElement3
+from bondem.boundary.loads import Eigenstrain
+from bondem.boundary.wall_columns import WALL_COLUMNS, WALL_FORCE, WALL_WORK
+from bondem.boundary.wall_constraints import reference_base
+from bondem.boundary.walls import Wall
+from bondem.damage.crack_columns import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT, PLASTIC_COLUMNS
+from bondem.damage.event_columns import BROKEN_COLUMNS, SOFT_COLUMNS
 from bondem.errors import InputError
-from bondem.model.cache_lines import lines
-from bondem.model.crack_columns import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT, PLASTIC_COLUMNS
-from bondem.model.event_columns import BROKEN_COLUMNS, SOFT_COLUMNS
-from bondem.model.grips import reference_base
-from bondem.model.loads import Eigenstrain
-from bondem.model.local_origin import local_origin, local_rest
-from bondem.model.non_local_constants import NON_LOCAL_ROWS, NON_LOCAL_WORK
-from bondem.model.origin import Origin, difference
+from bondem.interactions.non_local.non_local_constants import NON_LOCAL_ROWS, NON_LOCAL_WORK
+from bondem.model.state_compatibility import Origin, difference
 from bondem.model.state_walls import known_walls, rows_of_walls, set_off
-from bondem.model.wall_columns import WALL_COLUMNS, WALL_FORCE, WALL_WORK
-from bondem.model.walls import Wall
+from bondem.specimen.local_origin import local_origin, local_rest
 from bondem.specimen.particles import freeze
 
 _INTERNAL = "ARRAYS", "GROWING", "layout", "local_position", "origin", "rest", "rest_strain", "stale"
@@ -59,13 +59,13 @@ class State:
     - `stretch`: tangential stretch [m] and dashpot force [N] of these contacts, shape (c, 6).
     - `wall_touching`: internal element and wall of each contact with a wall, shape (b, 2).
     - `wall_stretch`: tangential stretch [m] and dashpot force [N] of these contacts, shape (b, 6).
-    - `walls`: positions, velocities and loads of the walls (`bondem.model.wall_columns`), shape (w, 14).
+    - `walls`: positions, velocities and loads of the walls (`bondem.boundary.wall_columns`), shape (w, 14).
     - `broken`: breakages in order of time: time [s], step, bond, mode, gap [m], energy [J], place [m]; (e, 9).
     - `released`: energy that breaking bonds have released since the start [J], shape (1,).
-    - `cracks`: facets that have begun to crack, in order of time (`bondem.model.crack_columns`), shape (c, 13).
-    - `plastic`: plastic strain of cells (`bondem.model.crack_columns`), (n, 17), or (0, 17) if none can yield.
-    - `softened`: beams that have begun to soften, in order of time (`bondem.model.event_columns`), shape (c, 6).
-    - `grips`: initial places of the walls that hold facets of cells (`bondem.model.grips`), shape (g, 7).
+    - `cracks`: facets that have begun to crack, in order of time (`bondem.damage.crack_columns`), shape (c, 13).
+    - `plastic`: plastic strain of cells (`bondem.damage.crack_columns`), (n, 17), or (0, 17) if none can yield.
+    - `softened`: beams that have begun to soften, in order of time (`bondem.damage.event_columns`), shape (c, 6).
+    - `grips`: initial places of walls that hold facets of cells (`bondem.boundary.wall_constraints`), shape (g, 7).
     - `facet_force`: force of each facet on its cell i [N], (3, m), if facets may crack; else (3, 0).
     - `stale`: True if the acceleration must be recomputed before the next step.
     """

@@ -4,9 +4,9 @@ from typing import Any
 
 import numpy as np
 
+from bondem.damage.crack_columns import FACET
+from bondem.damage.event_columns import BROKEN_BOND, SOFT_BOND
 from bondem.errors import InputError
-from bondem.model.crack_columns import FACET
-from bondem.model.event_columns import BROKEN_BOND, SOFT_BOND
 from bondem.model.state import State
 
 

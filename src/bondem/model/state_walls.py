@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from bondem._types import Floats, Ints
-from bondem.model.wall_columns import WALL_COLUMNS, WALL_RATE
-from bondem.model.walls import Free, Servo, Wall
+from bondem.boundary.wall_columns import WALL_COLUMNS, WALL_RATE
+from bondem.boundary.walls import Free, Servo, Wall
 
 
 def set_off(rows: Floats, before: Sequence[Wall | None], walls: Sequence[Wall]) -> None:

@@ -8,22 +8,22 @@ from bondem._checks import choice, instance, shown
 from bondem._checks import count as whole
 from bondem._progress import staged
 from bondem.errors import InputError
+from bondem.geometry.elementary_shapes import Shape
+from bondem.geometry.shape import Placed
 from bondem.io.packing_cache import PackingCache, wanted
-from bondem.packing.compression import compress
 from bondem.packing.even import even
 from bondem.packing.graded import graded
 from bondem.packing.grading import SizeField, cells_of, sizes_by
 from bondem.packing.growth import grow
 from bondem.packing.inclusions import aggregates, around_balls
+from bondem.packing.isotropic_compression import compress
 from bondem.packing.quench import quench
 from bondem.packing.shear import sheared
 from bondem.packing.sizes import SPREAD, SizeLaw, Uniform
 from bondem.packing.targets import chosen
 from bondem.packing.two_sided import Around, around_surfaces
 from bondem.specimen.aggregates import Aggregates
-from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled
-from bondem.specimen.shape import Placed
 
 __all__ = ["EVEN", "METHOD", "METHODS", "SEED", "aggregates", "pack"]
 

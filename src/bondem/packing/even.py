@@ -11,10 +11,10 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._types import Floats, PerElement
+from bondem.geometry.elementary_shapes import Shape
 from bondem.packing.start import thrown
-from bondem.specimen.cells.tessellation import cell_centroids
-from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled
+from bondem.specimen.tessellation.cutting import cell_centroids
 
 # Volume fraction at which soft spheres push each other apart, and how far inside walls they start, over their radius.
 _PUSHED, _START = 0.64, 0.6

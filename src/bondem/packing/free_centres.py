@@ -6,10 +6,10 @@ import numpy as np
 
 from bondem._types import PerElement, PerElement3
 from bondem.errors import InputError
+from bondem.geometry.elementary_shapes import Shape
 from bondem.packing.even import kept_inside, points_of
 from bondem.packing.graded import nearest_others, pushed
-from bondem.specimen.cells.tessellation import cell_centroids
-from bondem.specimen.geometry import Shape
+from bondem.specimen.tessellation.cutting import cell_centroids
 
 #: Distance of centres from walls, over the size of a cell.
 MARGIN = 0.33

@@ -12,11 +12,11 @@ from scipy.spatial import KDTree
 
 from bondem._types import Floats, Ints, PerElement, PerElement3
 from bondem.errors import InputError
+from bondem.geometry.elementary_shapes import Shape
 from bondem.packing.even import kept_inside
 from bondem.packing.grading import STEEPEST, Sites, SizesAt, sites
-from bondem.specimen.cells.tessellation import cell_centroids
-from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled, freeze
+from bondem.specimen.tessellation.cutting import cell_centroids
 
 # Radius over the size of a cell, that of a facet half-way between equal ones.
 _RADIUS = 0.5

@@ -14,8 +14,8 @@ from scipy.spatial import KDTree
 from bondem._checks import array, number, possible, shown
 from bondem._types import ArrayLike, Floats, Ints, PerElement, PerElement3
 from bondem.errors import InputError
-from bondem.specimen.morton import morton_code
-from bondem.specimen.shape import Shape
+from bondem.geometry.morton import morton_code
+from bondem.geometry.shape import Shape
 
 __all__ = ["MOST_CELLS", "STEEPEST", "Graded", "Sites", "SizeField", "SizesAt", "cells_of", "sites", "sizes_by"]
 

@@ -11,12 +11,12 @@ import numpy as np
 from bondem._core import Pass
 from bondem._types import Floats
 from bondem.errors import InputError, PackingError
+from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
 from bondem.packing import packing_tables as tables
 from bondem.packing.packing_tables import Flight, Growing, Near, PackingWalls, Spheres
 from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 from bondem.packing.targets import Fraction, Target
-from bondem.specimen.geometry import Ball, Box, Cell, Cylinder, Shape
 
 _fly = Pass("fly_and_grow", Spheres, PackingWalls, Near, Growing, Flight)
 

@@ -5,10 +5,10 @@ from collections.abc import Callable
 import numpy as np
 
 from bondem._types import Floats
+from bondem.geometry.elementary_shapes import Shape
 from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 from bondem.packing.targets import Jammed, Target
-from bondem.specimen.geometry import Shape
 
 # Volume fraction at which the random spheres are let loose, far above jamming: they come to rest fast, and
 # the way back down leaves a denser and more even packing than a quench near jamming. It keeps that density down to

@@ -14,23 +14,23 @@ import numpy as np
 
 from bondem._threads import threads
 from bondem._types import Floats
+from bondem.boundary.gauges import WallGauge
+from bondem.boundary.schedules import Table
+from bondem.boundary.walls import CylinderWall, Driven, PlaneWall, Servo, Wall
+from bondem.dynamics.explicit import integrate
+from bondem.dynamics.history import History
+from bondem.dynamics.plan import Plan, Status
+from bondem.dynamics.schemes import VelocityVerlet
+from bondem.dynamics.timestep import critical_step
 from bondem.errors import InputError, PackingError
-from bondem.laws.contact import LinearContact
-from bondem.model.gauges import WallGauge
+from bondem.geometry.elementary_shapes import Box, Cylinder, Shape
+from bondem.geometry.morton import morton_code
+from bondem.interactions.contact.contact_law import LinearContact
 from bondem.model.model import Model
-from bondem.model.schedules import Table
 from bondem.model.state import State
-from bondem.model.walls import CylinderWall, Driven, PlaneWall, Servo, Wall
 from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.targets import Target
-from bondem.solve.explicit import integrate
-from bondem.solve.history import History
-from bondem.solve.plan import Plan, Status
-from bondem.solve.schemes import VelocityVerlet
-from bondem.solve.timestep import critical_step
-from bondem.specimen.geometry import Box, Cylinder, Shape
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.morton import morton_code
 from bondem.specimen.particles import Particles
 
 # Pressure and density are units, as only their ratio to stiffness and rate matters. Grains of this modulus over

@@ -25,10 +25,14 @@ class SizeLaw(ABC):
 
     @abstractmethod
     def quantile(self, share: Floats) -> Floats:
-        """Return the radii below which the given shares of the spheres lie, up to a common factor, (n,)."""
+        """Return the radii below which given shares of the spheres lie, up to a common factor, (n,).
+
+        Args:
+            share: shares of the number of spheres, in (0, 1) [-], (n,).
+        """
 
     def radii(self, count: int, random: np.random.Generator) -> Floats:
-        """Return radii over their mean [-], in random order, (count,)."""
+        """Return `count` radii of this distribution over their mean [-], in random order, (count,)."""
         radius = self.quantile((np.arange(count) + 0.5) / count)
         radius /= radius.mean()
         random.shuffle(radius)
@@ -59,7 +63,7 @@ class Lognormal(SizeLaw):
     """Radii distributed log-normally.
 
     Args:
-        cv: coefficient of variation of the whole law, standard deviation over mean [-].
+        cv: coefficient of variation before truncation, standard deviation over mean [-].
         cut: truncation of both tails, in standard deviations of the logarithm [-]. A sphere far larger than the
             others would make every neighbour list long.
     """

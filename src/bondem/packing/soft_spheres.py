@@ -8,11 +8,11 @@ import numpy as np
 from bondem._core import Pass
 from bondem._threads import current_threads
 from bondem._types import Floats
+from bondem.geometry.elementary_shapes import Shape
+from bondem.geometry.neighbours import neighbours
 from bondem.packing import packing_tables as tables
 from bondem.packing.packing_tables import Near, PackingWalls, Relaxing, Spheres
-from bondem.packing.walls import walls
-from bondem.specimen.geometry import Shape
-from bondem.specimen.neighbours import neighbours
+from bondem.packing.wall_contacts import walls
 
 _relax = Pass("relax_spheres", Spheres, PackingWalls, Near, Relaxing)
 

@@ -6,9 +6,9 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
+from bondem.geometry.elementary_shapes import Shape
+from bondem.geometry.morton import morton_code
 from bondem.packing.soft_spheres import SoftSpheres
-from bondem.specimen.geometry import Shape
-from bondem.specimen.morton import morton_code
 
 # A periodic cell must be this many largest radii wide at the highest density, or a sphere meets another twice.
 _WIDTH, _DENSEST = 5.2, 0.75

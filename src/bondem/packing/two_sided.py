@@ -16,11 +16,11 @@ from scipy.spatial import KDTree
 
 from bondem._types import PerElement, PerElement3
 from bondem.errors import InputError
+from bondem.geometry.elementary_shapes import Shape
 from bondem.packing.even import kept_inside, usual_radius
 from bondem.packing.free_centres import MARGIN, settled_free, thrown_free
 from bondem.packing.graded import nearest_others, pushed
 from bondem.specimen.aggregates import Aggregates
-from bondem.specimen.geometry import Shape
 from bondem.specimen.particles import Particles, filled
 from bondem.specimen.regions import Plane
 

@@ -8,9 +8,9 @@ from matplotlib.figure import Figure
 
 from bondem.fracture.cracks import cracks
 from bondem.fracture.fragments import fragments
+from bondem.labtests.energy_balance import PARTS
 from bondem.labtests.failure_record import TestFigure
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.labtests.ledger import PARTS
 from bondem.labtests.outcome import Outcome
 from bondem.report.crack_pictures import draw_cracks, draw_fragments
 from bondem.report.findings import Examined

@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem.calibration.abacus import curve
 from bondem.calibration.elastic import Calibration
-from bondem.laws.catalogue import named
+from bondem.interactions.law_catalogue import named
 from bondem.report.numbers import with_unit
 from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
 

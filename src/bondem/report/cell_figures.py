@@ -12,8 +12,8 @@ from bondem.report.cell_pictures import draw_cells, draw_section, section_throug
 from bondem.report.findings import Examined
 from bondem.report.spheres import View
 from bondem.report.style import DIVERGING, SEQUENTIAL, sheet
-from bondem.specimen.cells.polyhedra import polyhedra
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.tessellation.polyhedra import polyhedra
 
 _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 # Largest displacement drawn, over the length.

@@ -12,7 +12,7 @@ from matplotlib.colors import Normalize
 from bondem._types import Floats, Mask
 from bondem.report.spheres import View
 from bondem.report.style import DIVERGING
-from bondem.specimen.cells.polyhedra import Polyhedra
+from bondem.specimen.tessellation.polyhedra import Polyhedra
 
 _LIGHT = np.array([-0.45, 0.60, 0.66]) / np.linalg.norm([-0.45, 0.60, 0.66])
 # Shares of light that falls everywhere and from the lamp.

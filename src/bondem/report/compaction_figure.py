@@ -10,9 +10,9 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 
 from bondem._types import Floats
+from bondem.dynamics.history import History
 from bondem.report.spheres import View, render
 from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, sheet
-from bondem.solve.history import History
 
 _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(20.0))
 _PIXELS = 1500

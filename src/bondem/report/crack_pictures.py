@@ -12,14 +12,14 @@ from matplotlib.colors import Normalize
 from bondem._types import Floats, PerElement3
 from bondem.fracture.cracks import Cracks
 from bondem.fracture.fragments import Fragments
+from bondem.geometry.rotations import turned_vectors
 from bondem.model.state import State
-from bondem.model.turned_frames import turned_vectors
 from bondem.report.cell_pictures import draw_cells
 from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View
 from bondem.report.style import GREY, SEQUENTIAL
-from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.tessellation.polyhedra import Polyhedra, polyhedra
 
 # Share of light that falls on a surface seen edge-on.
 _AMBIENT = 0.55

@@ -3,7 +3,7 @@
 import math
 from dataclasses import fields
 
-from bondem.laws.failure.criterion import Criterion
+from bondem.damage.criteria.criterion import Criterion
 from bondem.report.numbers import with_unit
 
 # Fields of criteria that are stresses, and angles.

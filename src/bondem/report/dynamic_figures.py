@@ -12,7 +12,7 @@ from bondem.report.findings import Examined
 from bondem.report.numbers import with_unit
 from bondem.report.spheres import View, render
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, for_phones, sheet
-from bondem.specimen.cells.polyhedra import polyhedra
+from bondem.specimen.tessellation.polyhedra import polyhedra
 
 _KINDS = (
     ("bending", "dynamic_bending", 1, GREEN),

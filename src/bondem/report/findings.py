@@ -5,13 +5,13 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from bondem.calibration.elastic import Calibration, Trial
+from bondem.damage.criteria.criterion import Criterion
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.interactions.cells.cell_bond import CellBond
 from bondem.labtests.arguments import AnyLaw
 from bondem.labtests.modal import NaturalFrequencies
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tension import Tension
-from bondem.laws.bond import BondLaw
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.criterion import Criterion
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.fabric import Fabric
 from bondem.specimen.lattice import Lattice

@@ -17,8 +17,8 @@ from bondem.report.spheres import View
 from bondem.report.strength_figures import arranged, broken_in, panels
 from bondem.report.style import BLUE, sheet
 from bondem.specimen.aggregates import Aggregates
-from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.tessellation.polyhedra import Polyhedra, polyhedra
 
 _STONE, _MORTAR, _CRACK = "#8a8f98", "#e3ddd0", "#c1272d"
 _VIEW = View(azimuth=0.5, elevation=0.42)

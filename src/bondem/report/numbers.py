@@ -2,7 +2,7 @@
 
 import math
 
-from bondem.specimen.geometry import Ball, Cylinder, Shape
+from bondem.geometry.elementary_shapes import Ball, Cylinder, Shape
 
 _PREFIXES = {9: "G", 6: "M", 3: "k", 0: "", -3: "m", -6: "µ", -9: "n"}
 # Units that take a prefix; the others (kg/m³) are printed in powers of ten where need be.

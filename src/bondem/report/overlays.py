@@ -7,10 +7,10 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 
 from bondem._types import Floats
+from bondem.boundary.wall_outlines import wall_outlines
+from bondem.boundary.walls import Driven, Free, Servo, Wall
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.model.wall_outlines import wall_outlines
-from bondem.model.walls import Driven, Free, Servo, Wall
 from bondem.report.spheres import View
 from bondem.report.style import GREY, INK
 

@@ -14,10 +14,10 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 from PIL import Image
 
 from bondem.errors import InputError
+from bondem.interactions.law_catalogue import named
 from bondem.io.atomic import write_text
 from bondem.io.commit import commit
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.laws.catalogue import named
 from bondem.report.breakage_figures import draw_energies, draw_pieces
 from bondem.report.captions import CAPTIONS, OF_CELLS
 from bondem.report.cell_figures import draw_bent, draw_body

@@ -17,26 +17,26 @@ from matplotlib.patches import Patch
 
 from bondem._checks import array, number, place, shown
 from bondem._types import ArrayLike, Floats
+from bondem.boundary.conditions import Drive, Fix, Load
+from bondem.boundary.loads import Absorbing, BodyForce, Pressure
+from bondem.dynamics.history import History
+from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import InputError
 from bondem.fracture.fragments import fragments
+from bondem.geometry.rotations import turned_vectors
 from bondem.io.atomic import require_writable
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.vibration import FreeVibration
-from bondem.model.boundary import Drive, Fix, Load
-from bondem.model.loads import Absorbing, BodyForce, Pressure
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.model.turned_frames import turned_vectors
 from bondem.report.cell_pictures import draw_cells
 from bondem.report.overlays import SCALE, draw_arrow, draw_box, draw_walls
 from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View, render
 from bondem.report.strength_figures import CRACKED, reach_of
 from bondem.report.style import BLUE, GREEN, GREY, ORANGE, PURPLE, SEQUENTIAL, SETTINGS
-from bondem.solve.history import History
-from bondem.solve.plan import ExplicitResult
-from bondem.specimen.cells.polyhedra import polyhedra
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.tessellation.polyhedra import polyhedra
 
 _PLAIN = "#d5dbe1"
 _DOTS_PER_INCH, _PIXELS = 160, 900

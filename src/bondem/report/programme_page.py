@@ -6,9 +6,9 @@ from datetime import date
 from pathlib import Path
 from typing import Any
 
+from bondem.damage.criteria.criterion import Criterion
 from bondem.io.atomic import write_text
 from bondem.io.commit import commit
-from bondem.laws.failure.criterion import Criterion
 from bondem.report.captions import CAPTIONS
 from bondem.report.criterion_told import told
 from bondem.report.numbers import percent, signed_percent, with_unit

@@ -13,9 +13,9 @@ from vtkmodules.vtkIOHDF import vtkHDFReader
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.fracture.fragments import fragments
+from bondem.geometry.rotations import turned_vectors
 from bondem.io.run_contents import read_contents
 from bondem.io.runfile import read_run
-from bondem.model.turned_frames import turned_vectors
 from bondem.report.piece_colours import piece_palette
 from bondem.report.style import GREY, INK, ORANGE, SEQUENTIAL
 

@@ -7,6 +7,7 @@ in a second, without a graphics driver or window system, and equally on every ma
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from scipy.ndimage import gaussian_filter
@@ -50,8 +51,17 @@ def render(position: Floats, radius: Floats, colour: Floats, *, view: View, widt
         width: width of the picture [pixels].
 
     Returns:
-        Red, green, blue and opacity in 0 … 1, (height, width, 4).
+        Red, green, blue and opacity in 0 … 1, (height, width, 4), not to be written to.
     """
+    arrays = (np.ascontiguousarray(one, dtype=float).tobytes() for one in (position, radius, colour))
+    return _rendered(*arrays, view, width)
+
+
+# Each figure of a report is drawn twice, wide and for phones, with the same pictures of spheres, at most three.
+@lru_cache(maxsize=3)
+def _rendered(positions: bytes, radii: bytes, colours: bytes, view: View, width: int) -> Floats:
+    position, radius = np.frombuffer(positions).reshape(-1, 3), np.frombuffer(radii)
+    colour = np.frombuffer(colours).reshape(-1, 3)
     placed = position @ view.axes.T
     margin = 1.02 * radius.max()
     lower, upper = placed[:, :2].min(axis=0) - margin, placed[:, :2].max(axis=0) + margin
@@ -72,7 +82,9 @@ def render(position: Floats, radius: Floats, colour: Floats, *, view: View, widt
     coarse = fine.mean(axis=(1, 3))
     opacity = coarse[:, :, 3:]
     coarse[:, :, :3] = np.where(opacity > 0.0, coarse[:, :, :3] / np.maximum(opacity, 1e-9), 1.0)
-    return coarse[::-1].clip(0.0, 1.0)
+    picture = coarse[::-1].clip(0.0, 1.0)
+    picture.flags.writeable = False
+    return picture
 
 
 def tubes(start: Floats, end: Floats, radius: float) -> tuple[Floats, Ints]:

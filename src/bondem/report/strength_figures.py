@@ -12,15 +12,15 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 from bondem._types import Floats
+from bondem.geometry.rotations import turned_vectors
 from bondem.labtests.failure_record import TestFigure
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.model.turned_frames import turned_vectors
 from bondem.report.cell_pictures import draw_cells
 from bondem.report.findings import Examined, Findings
 from bondem.report.spheres import View
 from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, for_phones, sheet
-from bondem.specimen.cells.polyhedra import polyhedra
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.tessellation.polyhedra import polyhedra
 
 #: Facets that have at most this integrity left are cracks, and join no pieces [-].
 CRACKED = 0.5

@@ -8,14 +8,14 @@ from matplotlib import colormaps
 
 from bondem._types import Floats, Ints
 from bondem.fracture.fragments import fragments
+from bondem.geometry.rotations import turned_vectors
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.model.turned_frames import turned_vectors
 from bondem.report.cell_pictures import outlined
 from bondem.report.findings import Examined
 from bondem.report.piece_colours import piece_palette
 from bondem.report.strength_figures import CRACKED, reach_of
 from bondem.report.style import SEQUENTIAL
-from bondem.specimen.cells.polyhedra import Polyhedra, polyhedra
+from bondem.specimen.tessellation.polyhedra import Polyhedra, polyhedra
 
 
 @dataclass(frozen=True)

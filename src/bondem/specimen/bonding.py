@@ -8,9 +8,9 @@ from scipy.spatial import KDTree
 from bondem._checks import choice, instance, number
 from bondem._progress import staged
 from bondem.errors import InputError
-from bondem.specimen.cells.tessellation import tessellate
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
+from bondem.specimen.tessellation.cutting import tessellate
 
 #: Methods of bonding elements.
 METHODS = ("distance", "laguerre")

@@ -7,10 +7,10 @@ import numpy as np
 from bondem._checks import instance
 from bondem._types import Floats, Ints, Mask, PerBond3, Vector
 from bondem.errors import InputError
-from bondem.specimen.core import core_solid, region, solid_fraction
+from bondem.geometry.elementary_shapes import Shape
 from bondem.specimen.filling import unfilled
 from bondem.specimen.geode import geode
-from bondem.specimen.geometry import Shape
+from bondem.specimen.interior import core_solid, region, solid_fraction
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import freeze
 from bondem.specimen.strata import Strata, strata
@@ -49,8 +49,7 @@ class Fabric:
         rattlers: number of elements that are not part of the specimen.
         core_volume_fraction: φ of the core, which lies three mean radii or more from every wall [-]; NaN without a
             core. The volume of the core is exact for cylinder, box, ball and cell. Spheres cut by its border are
-            divided
-            by evenly spread points, at most 256 each: ± 0.003 at 1000 spheres, ± 0.001 at 10 000.
+            divided by evenly spread points, at most 256 each: ± 0.003 at 1000 spheres, ± 0.001 at 10 000.
         loose: number of elements with fewer than four contacts with walls and other elements, counted repeatedly
             without the elements already found: rattlers in the sense of jamming.
         backbone_coordination_number: mean number of bonds among the remaining elements [-]; NaN if none remain.

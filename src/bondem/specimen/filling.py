@@ -12,7 +12,7 @@ import numpy as np
 from bondem._names import users_line
 from bondem._types import PerElement, PerElement3
 from bondem.errors import FillingWarning, InputError
-from bondem.specimen.geometry import BoundingBox, Shape
+from bondem.geometry.elementary_shapes import BoundingBox, Shape
 
 # Over the mean radius: how far a centre may lie outside; how far a sphere may stick out, as it does from soft walls;
 # and how far from a face or, in a periodic cell, from its neighbours along an axis, the nearest sphere may be.

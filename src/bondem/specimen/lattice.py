@@ -13,10 +13,10 @@ from bondem._checks import instance, shown
 from bondem._drawing import draw
 from bondem._types import ArrayLike, Ints, Mask, Pairs, PerBond, PerBond3, PerElement3
 from bondem.errors import DisconnectedError, InputError
-from bondem.specimen.cells.tables import Cells, Facets
-from bondem.specimen.cells.tessellation import tessellate
-from bondem.specimen.geometry import Shape
+from bondem.geometry.elementary_shapes import Shape
 from bondem.specimen.particles import Particles, filled, freeze
+from bondem.specimen.tessellation.cutting import tessellate
+from bondem.specimen.tessellation.facets import Cells, Facets
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,7 @@ from bondem._checks import count as whole
 from bondem._checks import instance, number
 from bondem._types import Floats, Mask
 from bondem.errors import InputError
-from bondem.specimen.core import region, samples, solid
+from bondem.specimen.interior import region, samples, solid
 from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.quasirandom import points_inside
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from bondem._checks import instance, number, shown
-from bondem.specimen.plausibility import question_material
+from bondem._plausibility import question_material
 
 _RANGES: dict[str, dict[str, Any]] = {
     "E": {"above": 0.0, "unit": "Pa", "advice": "a positive Young's modulus in Pa"},

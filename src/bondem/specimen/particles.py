@@ -8,8 +8,8 @@ from scipy.spatial import KDTree
 from bondem._checks import array, instance, shown
 from bondem._types import ArrayLike, PerElement, PerElement3, Vector
 from bondem.errors import InputError
+from bondem.geometry.elementary_shapes import BoundingBox, Cell, Shape
 from bondem.specimen.filling import check_filling
-from bondem.specimen.geometry import BoundingBox, Cell, Shape
 
 # Spheres outside this have a mass or a moment of inertia that is no number any more [m].
 _SMALLEST, _LARGEST = 1e-60, 1e60

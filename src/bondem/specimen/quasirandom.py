@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 
 from bondem._types import Floats
-from bondem.specimen.geometry import Shape
+from bondem.geometry.elementary_shapes import Shape
 from bondem.specimen.particles import freeze
 
 # Root of x³ = x + 1: the additive sequence of low discrepancy in two dimensions (Roberts 2018).

@@ -9,8 +9,8 @@ from bondem._checks import count as whole
 from bondem._checks import instance, number
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.specimen.core import core_volume, region, samples
-from bondem.specimen.geometry import Shape
+from bondem.geometry.elementary_shapes import Shape
+from bondem.specimen.interior import core_volume, region, samples
 from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.quasirandom import points_inside, spread_directions
 
@@ -50,7 +50,7 @@ def radial_distribution(particles: Particles, *, reach: float = 4.0, bins: int =
         bins: number of shells.
 
     Returns:
-        Distances and g.
+        Distances, over the mean diameter [-], and g [-] at them.
 
     Raises:
         InputError: The region away from the walls has too few centres.

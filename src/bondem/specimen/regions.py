@@ -10,7 +10,7 @@ from bondem._checks import count, instance, number, shown, vector
 from bondem._names import users_line
 from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement3, Vector
 from bondem.errors import EmptyRegionError, FaceWarning, InputError
-from bondem.specimen.geometry import Shape
+from bondem.geometry.elementary_shapes import Shape
 from bondem.specimen.lattice import Lattice
 
 # Without a shape a face is the plane of the outermost sphere. A warning is given if it has less than this share

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints, PerElement, PerElement3, Vector
-from bondem.specimen.core import Solid, samples
-from bondem.specimen.geometry import Shape
+from bondem.geometry.elementary_shapes import Shape
+from bondem.specimen.interior import Solid, samples
 from bondem.specimen.particles import freeze
 from bondem.specimen.quasirandom import points_inside
 

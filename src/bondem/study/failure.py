@@ -2,14 +2,14 @@
 
 from typing import Any
 
+from bondem.damage.bilinear import Bilinear
+from bondem.damage.criteria.criterion import Criterion
+from bondem.damage.criteria.drucker_prager import DruckerPrager
+from bondem.damage.criteria.hydrostatic import Hydrostatic
+from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
+from bondem.damage.criteria.rankine import Rankine
 from bondem.errors import InputError, StudyError
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.laws.failure.bilinear import Bilinear
-from bondem.laws.failure.criterion import Criterion
-from bondem.laws.failure.drucker_prager import DruckerPrager
-from bondem.laws.failure.hydrostatic import Hydrostatic
-from bondem.laws.failure.mohr_coulomb import MohrCoulomb
-from bondem.laws.failure.rankine import Rankine
 from bondem.study.toml_table import TomlTable
 
 #: Criteria by name.

@@ -3,8 +3,8 @@
 import math
 
 from bondem.report.numbers import with_unit
-from bondem.study.specimen import ImportPlan
-from bondem.study.study import Study
+from bondem.study.specimen_step import ImportPlan
+from bondem.study.study_file import Study
 
 # Neighbours of an element: spheres that touch (z = 6.2), and cells with a facet in common.
 _BONDS, _FACETS = 3.1, 7.0

@@ -4,11 +4,11 @@ The reader (`TomlTable`) checks values by them, and `schema()` is their JSON sch
 strict than `bondem check`, which also knows how keys depend on each other.
 """
 
+from bondem.interactions.beams.bond_law import RADIUS_RULES
+from bondem.interactions.cells.cell_bond import FACET_ROTATIONS
+from bondem.interactions.law_catalogue import CALIBRATED, CELL_LAWS
 from bondem.labtests.elastic_tests import ELASTIC_TESTS
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.laws.bond import RADIUS_RULES
-from bondem.laws.catalogue import CALIBRATED, CELL_LAWS
-from bondem.laws.cell_bond import FACET_ROTATIONS
 from bondem.packing import METHODS
 from bondem.specimen import materials
 from bondem.study.declared import (
@@ -27,7 +27,7 @@ from bondem.study.declared import (
     Unit,
 )
 from bondem.study.failure import CRITERIA
-from bondem.study.specimen import SHAPES, SIZE_LAWS
+from bondem.study.specimen_step import SHAPES, SIZE_LAWS
 
 _DRAFT = "https://json-schema.org/draft/2020-12/schema"
 # Lowest value of a number that may be zero: limits are excluded.

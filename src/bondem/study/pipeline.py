@@ -11,6 +11,10 @@ from typing import Any, cast
 from bondem._progress import reported
 from bondem.calibration.elastic import Calibration, Trial, calibrate
 from bondem.calibration.reach import recommend
+from bondem.dynamics.history import History
+from bondem.dynamics.plan import Plan, settled
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.io.atomic import write_text
 from bondem.io.folder import only_writer
 from bondem.io.particles_file import save_particles
@@ -22,25 +26,21 @@ from bondem.labtests.failure_tests import FAILURE_TESTS, failure_outcome
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.suited import broken_only
 from bondem.labtests.tension import static_tension, tension_model
-from bondem.laws.cell_bond import CellBond
-from bondem.model.cell_constants import CellAssignment
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.observe.cell_forces import CellForces
-from bondem.observe.cell_stress import dilatation, mean_stress
+from bondem.observables.cell_forces import CellForces
+from bondem.observables.cell_stress import dilatation, mean_stress
 from bondem.report.curve_files import write_curves
 from bondem.report.findings import Bonding, Examined, Findings
 from bondem.report.page import write_report
-from bondem.solve.history import History
-from bondem.solve.plan import Plan, settled
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.bonding import connect
 from bondem.specimen.fabric import fabric
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 from bondem.study.results import collect
-from bondem.study.specimen import SpecimenPlan
-from bondem.study.study import Study
+from bondem.study.specimen_step import SpecimenPlan
+from bondem.study.study_file import Study
 
 #: Told the name of a stage and the share of it that is done, 0 … 1.
 Progress = Callable[[str, float], None]

@@ -12,7 +12,7 @@ from typing import Any
 from bondem.errors import StudyError
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.study.keys import SEVERAL, STUDY
-from bondem.study.study import Study, parse_study, read_toml, source_of
+from bondem.study.study_file import Study, parse_study, read_toml, source_of
 from bondem.study.toml_table import TomlTable
 
 # What a specimen of a programme says beside the keys of [specimen], and what a study has in their place.

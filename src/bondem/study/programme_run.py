@@ -17,7 +17,7 @@ from bondem.report.numbers import measures, with_unit
 from bondem.report.programme_page import Chapter, write_programme
 from bondem.study.pipeline import Progress, run_study
 from bondem.study.programme import Programme, Series
-from bondem.study.study import Study
+from bondem.study.study_file import Study
 
 # Written last: what stands beside it is whole.
 _FINISHED = "finished.json"

@@ -11,12 +11,12 @@ from bondem import __version__
 from bondem.fracture.cracks import cracks
 from bondem.fracture.fragments import fragments
 from bondem.fracture.lost_area import lost_area
+from bondem.interactions.beams.bond_law import BondLaw
 from bondem.io.commit import commit
 from bondem.labtests.outcome import Outcome
-from bondem.laws.bond import BondLaw
 from bondem.report.findings import Bonding, Examined
 from bondem.report.strength_figures import CRACKED
-from bondem.study.study import Study
+from bondem.study.study_file import Study
 
 _COMMON = {item.name for item in fields(BondLaw)}
 

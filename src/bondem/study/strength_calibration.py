@@ -8,13 +8,13 @@ from pathlib import Path
 from bondem._checks import count as whole
 from bondem._checks import number
 from bondem.calibration.strength import StrengthCalibration, calibrate_strength
+from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
+from bondem.geometry.elementary_shapes import Cylinder
+from bondem.interactions.cells.cell_bond import CellBond
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.splitting import brazilian
-from bondem.laws.cell_bond import CellBond
-from bondem.laws.failure.mohr_coulomb import MohrCoulomb
 from bondem.packing import SEED, pack
 from bondem.specimen.bonding import connect
-from bondem.specimen.geometry import Cylinder
 from bondem.specimen.lattice import Lattice
 
 

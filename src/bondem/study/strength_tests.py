@@ -1,9 +1,9 @@
 """Tests to failure of a study: tables of their options, and the specimen that each needs."""
 
 from bondem.errors import StudyError
+from bondem.geometry.shape import Shape
 from bondem.labtests.failure_tests import FAILURE_TESTS, OF_BALLS
 from bondem.labtests.suited import BALL, broken_only, cut_as
-from bondem.specimen.shape import Shape
 from bondem.study.toml_table import TomlTable
 
 

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from bondem._checks import shown
+from bondem._units import length_unit, quantity
 from bondem.errors import InputError, StudyError
-from bondem.specimen.units import length_unit, quantity
 from bondem.study.declared import Count, Key, KeyTable, Number, Numbers, Text, Texts
 
 _Kind = TypeVar("_Kind", bound=Key)

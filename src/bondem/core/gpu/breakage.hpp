@@ -1,14 +1,13 @@
-// Breakage on a device: a thread marks and judges one bond, one thread removes those that fail, in their order, and a thread
-// each resumes the elements that this postpones.
+// Breakage on a device: a thread marks and judges one bond, finds the place of one that fails in the order of bonds, or
+// removes it; a thread each takes what has failed off the sum of an element, and resumes the elements that this postpones.
 //
-// The stages are those of the CPU (`passes/damage/pipeline.hpp`). Bonds that fail are put in a list in any order, which one
-// thread sorts. Where nothing fails, all threads but those of the marks return at once.
+// The stages are those of the CPU (`passes/damage/pipeline.hpp`). Where nothing fails, all threads but those of the marks
+// return at once. What is added up is added in the order of bonds, by the thread of an element, or of energies by one thread.
 #pragma once
-#include "../passes/damage/beam_failure.hpp"
+#include "../passes/damage/beam_removal.hpp"
 #include "../passes/damage/beam_verdicts.hpp"
 #include "../passes/damage/pipeline.hpp"
 #include "beams.hpp"
-#include "heap_sort.hpp"
 #include "motion.hpp"
 #include "record.hpp"
 
@@ -16,11 +15,16 @@ namespace bondem {
 
 // ---- marks
 
+// What a bond is marked for: its load reaches its bound; it fails in this step.
+namespace marked {
+enum : Byte { near = 1, fails };
+}
+
 template <class Bounds>
 BONDEM_INLINE void mark_one(Index k, const BeamLoads<double> &loads, const Bounds &bounds, const BondMarks &marks) {
     const Vector f = loads.force, a = loads.on_i, b = loads.on_j;
     const double size = bounds.of_force * dot(f, f) + bounds.of_moment * (dot(a, a) + dot(b, b));
-    marks.mark(k) = size >= double(bounds.limit(k));
+    marks.mark(k) = size >= double(bounds.limit(k)) ? marked::near : 0;
 }
 BONDEM_INLINE void put_marked(Index k, const BeamLoads<double> &loads, const LoadsOfBonds &to, const FailureBounds &bounds,
                               const BondMarks &marks) {
@@ -39,11 +43,13 @@ inline void load_marked_alike_beam(Index k, const Moving &all, const Beams &beam
 // ---- judging
 
 // Lists bond k as one that fails, in any order; returns whether it does.
-BONDEM_INLINE bool list_failing(Index k, const Verdict<double> &verdict, const Candidates &candidates) {
+BONDEM_INLINE bool list_failing(Index k, const Verdict<double> &verdict, const BondMarks &marks,
+                                const Candidates &candidates) {
     if (!(verdict.index >= 1.0)) return false;
     const Index place = count_up(candidates.count(0));
-    candidates.marked(place) = k;
-    candidates.mode(place) = Index(verdict.mode);
+    marks.mark(k) = marked::fails;
+    marks.failing(place) = Short(k);
+    marks.mode(place) = Byte(verdict.mode);
     put_shared(candidates.any(0), Index(1));
     return true;
 }
@@ -53,7 +59,7 @@ BONDEM_INLINE void judge_one(Index k, const DeviceSpan &span, const Moving &all,
                              const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
                              OnFailure on_failure) {
     if (marks.mark(k) == 0 || clock_of(span).first || !(beams.integrity(k) > 0.0)) return;
-    if (list_failing(k, verdict_of<Criterion>(all.pose.data, beams, strengths, k), candidates)) on_failure();
+    if (list_failing(k, verdict_of<Criterion>(all.pose.data, beams, strengths, k), marks, candidates)) on_failure();
 }
 BONDEM_INLINE void hold_ends(const Postponed &postponed, const Beams &beams, Index k) {
     hold(postponed, beams.i(k));
@@ -72,12 +78,80 @@ BONDEM_JUDGE(linear_sum, LinearSum)
 BONDEM_JUDGE(ellipse, Elliptic)
 #undef BONDEM_JUDGE
 
-// Sorts the bonds that fail by their numbers.
-inline void sort_failing(Index, const Candidates &candidates) {
+// Puts bond number e of those that fail, in any order, to its place in the order of bonds.
+inline void rank_failing(Index e, const BondMarks &marks, const Candidates &candidates) {
+    const Index count = candidates.count(0);
+    if (e >= count) return;
+    const Short k = marks.failing(e);
+    Index place = 0;
+    for (Index other = 0; other < count; other++) place += marks.failing(other) < k;
+    candidates.marked(place) = k;
+    candidates.mode(place) = marks.mode(e);
+}
+
+// ---- removal
+
+// Calls on(k, whether it is its end i) for the bonds of element p that fail, in their order.
+template <class On>
+BONDEM_INLINE void for_each_failing_of(Index p, const BondsOfElements &bonds, const BondMarks &marks, On on) {
+    const auto fails = [&](Index k) { return marks.mark(k) == marked::fails; };
+    for (Index k = bonds.in_start(p); k < bonds.in_start(p + 1); k++)
+        if (fails(k)) on(k, false);
+    for (Index e = bonds.out_start(p); e < bonds.out_start(p + 1); e++)
+        if (fails(bonds.out_bond(e))) on(Index(bonds.out_bond(e)), true);
+}
+// Writes the event of bond number e of those that fail.
+BONDEM_INLINE void write_failure(Index e, const DeviceSpan &span, const Candidates &candidates, const EventLog &log,
+                                 const Removal &removal) {
+    write_event(clock_of(span), log, log.written(0) + e, candidates.marked(e), candidates.mode(e), removal);
+}
+// Counts the events of a step, and adds up what they have released.
+inline void count_failures(Index, const Candidates &candidates, const EventLog &log) {
+    log.written(1) = log.written(0);
     if (!any_fails(candidates)) return;
-    sort_by_heap(candidates.count(0), [&](Index e) { return candidates.marked(e); }, [&](Index a, Index b) {
-        exchange(candidates.marked(a), candidates.marked(b));
-        exchange(candidates.mode(a), candidates.mode(b));
+    log.written(0) += candidates.count(0);
+    double released = log.released(0);
+    for (Index event = log.written(1); event < log.written(0); event++) released += log.event(event, 5);
+    log.released(0) = released;
+}
+
+BONDEM_INLINE BeamLoads<double> loads_in(const LoadsOfBonds &from, Index k) {
+    const auto at = [&](Index c) { return Vector{from.load(c, k), from.load(c + 1, k), from.load(c + 2, k)}; };
+    return {at(0), at(3), at(6)};
+}
+// Removes beam number e of those that fail; its loads are those that its ends have lost.
+inline void remove_failing_beam(Index e, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                                const BeamIntegrity &state, const Candidates &candidates, const EventLog &log,
+                                const LoadsOfBonds &to) {
+    if (e >= candidates.count(0)) return;
+    const Index k = candidates.marked(e);
+    const FailedBeam failed = failed_beam(all.pose.data, beams, state, k);
+    put(to, k, failed.loads);
+    write_failure(e, span, candidates, log, failed.removal);
+    end_beam(state, k);
+}
+inline void take_beams_off_element(Index p, const BondsOfElements &bonds, const BondMarks &marks, const LoadsOfBonds &from,
+                                   const Candidates &candidates, const Postponed &postponed) {
+    if (!any_fails(candidates) || !is_held(postponed, p)) return;
+    for_each_failing_of(p, bonds, marks, [&](Index k, bool is_i) {
+        take_off_end(&postponed.kept(p, 0), is_i, loads_in(from, k));
+    });
+}
+inline void load_failing_dashpot(Index e, const Moving &all, const Beams &beams, const Dashpots &dashpots,
+                                 const Candidates &candidates, const LoadsOfBonds &to) {
+    if (e >= candidates.count(0)) return;
+    const Index k = candidates.marked(e);
+    put(to, k, loads_of_dashpot(all, beams, dashpots, k));
+}
+// Both the sums of all forces and those of dashpots alone have them.
+inline void take_dashpots_off_element(Index p, const BondsOfElements &bonds, const BondMarks &marks,
+                                      const LoadsOfBonds &from, const Dashpots &dashpots, const Candidates &candidates,
+                                      const Postponed &postponed) {
+    if (!any_fails(candidates) || !is_held(postponed, p)) return;
+    for_each_failing_of(p, bonds, marks, [&](Index k, bool is_i) {
+        const BeamLoads<double> loads = loads_in(from, k);
+        take_off_end(&postponed.kept(p, 0), is_i, loads);
+        take_off_end(&dashpots.sums(postponed.first_row + p, 0), is_i, loads);
     });
 }
 
@@ -96,15 +170,6 @@ inline void keep_dashed_sum(Index e, const StepCut &cut, const Dashpots &dashpot
     const Short p = cut.ready(e);
     if (is_held(postponed, p))
         row_at(dashpots.sums.data, Short(postponed.first_row + p)) = row_at(dashpots.sums.data, cut.ready_row(e));
-}
-
-inline void withdraw_all_dashpots(Index, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                                  const Dashpots &dashpots, const Candidates &candidates, const Postponed &postponed) {
-    withdraw_dashpots(turn_of(span, 0), all, beams, dashpots, candidates, postponed);
-}
-inline void break_all_beams(Index, const DeviceSpan &span, const Moving &all, const Beams &beams, const BeamIntegrity &state,
-                            const Candidates &candidates, const Postponed &postponed, const EventLog &log) {
-    break_beams(turn_of(span, 0), all, beams, state, candidates, postponed, log);
 }
 
 // A postponed element finds its acceleration by the sum that is kept, and opens the next step if it continues.

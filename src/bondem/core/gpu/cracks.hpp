@@ -49,9 +49,9 @@ inline void weigh_cell(Index p, const CellDilatation &cells, const CellSlack &sl
 inline void carry_cell(Index p, const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (lists.head(p) != 0) carry_cracks_of(stresses, cracks, lists, p);
 }
-// Takes over the levers of a facet, where strains of cells change them.
-inline void follow_lever(Index k, const ElasticFacets &facets, const CohesiveCracks &cracks) {
-    if (cracks.listed(k) != 0) write_levers(facets, cracks, k);
+// Takes over the levers of a facet, where strains of cells have changed them.
+inline void follow_lever(Index k, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks) {
+    if (strains.due(1) && cracks.listed(k) != 0) write_levers(facets, cracks, k);
 }
 
 // ---- the halves of each cell, from the last facet to the first

@@ -1,12 +1,12 @@
-// Breakage of facets of cells on a device: a thread marks and judges one facet; a thread each postpones the cells next to
-// those of facets that fail, and exchanges the loads of one postponed cell; one thread removes the facets, in their order.
+// Breakage of facets of cells on a device: a thread marks, judges or removes one facet; a thread each postpones the cells
+// next to those of facets that fail, exchanges the loads of one postponed cell, and weighs a cell that loses facets.
 //
 // The stages are those of the CPU (`passes/cells/facet_failure.cpp`), which has lists of cells where each thread here asks
-// for what its cell is postponed.
+// for what its cell is postponed. Facets fail one after the other, in their order: a thread finds the energy of its facet
+// with those that come before it gone.
 #pragma once
 #include "../passes/cells/facet_failure.hpp"
-#include "../passes/cells/facet_neighbours.hpp"
-#include "../passes/cells/facet_verdicts.hpp"
+#include "../passes/cells/facet_removal.hpp"
 #include "breakage.hpp"
 #include "cells.hpp"
 
@@ -17,7 +17,7 @@ inline void dilate_marked_facet(Index k, const Moving &all, const ElasticFacets 
                                 const FailureBounds &bounds, const BondMarks &marks) {
     const Row<double> i = gather(all.pose.data, facets.i(k)), j = gather(all.pose.data, facets.j(k));
     const double squared = pull_squared(i, j, ends_of(i, j, facets.period.data), FacetColumns(facets), k);
-    marks.mark(k) = bounds.of_force * squared >= double(bounds.limit(k));
+    marks.mark(k) = bounds.of_force * squared >= double(bounds.limit(k)) ? marked::near : 0;
     dilate_facet(k, all, facets, to);
 }
 
@@ -25,7 +25,7 @@ inline void judge_facet_by_mohr_coulomb(Index k, const DeviceSpan &span, const M
                                         const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
                                         const Postponed &postponed) {
     if (marks.mark(k) == 0 || clock_of(span).first || !(facets.integrity(k) > 0.0)) return;
-    if (!list_failing(k, verdict_of<MohrCoulomb>(all.pose.data, facets, strengths, k), candidates)) return;
+    if (!list_failing(k, verdict_of<MohrCoulomb>(all.pose.data, facets, strengths, k), marks, candidates)) return;
     hold(postponed, facets.i(k), postponed_for::own_facet);
     hold(postponed, facets.j(k), postponed_for::own_facet);
 }
@@ -45,10 +45,48 @@ inline void withdraw_facets_of_cell(Index p, const Moving &all, const ElasticFac
     if (any_fails(candidates) && is_held(postponed, p))
         take_off_changing(1.0, all, facets, walls, release, postponed, p);
 }
-inline void break_all_facets(Index, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
-                             const WallConstraints &walls, const FacetRelease &release, const Candidates &candidates,
-                             const EventLog &log) {
-    break_facets(turn_of(span, 0), all, facets, walls, release, candidates, log);
+// Energy of dilatation of both cells of facet k, where those that fail have gone up to a number [J].
+BONDEM_INLINE double energy_of_cells(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                                     const FacetRelease &release, const BondMarks &marks, Index k, Index up_to) {
+    const auto left = [&](Index other) {
+        return other < up_to && marks.mark(other) == marked::fails ? 0.0 : facets.integrity(other);
+    };
+    double sum = 0.0;
+#pragma unroll 1
+    for (Index end = 0; end < 2; end++) {
+        const Index p = end == 0 ? facets.i(k) : facets.j(k);
+        sum += dilated(all, facets, walls, release, p, weight_left(release, p, left), left).energy;
+    }
+    return sum;
+}
+// Facet number e of those that fail; it keeps its integrity until all of them have their energies.
+inline void write_facet_failure(Index e, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                                const WallConstraints &walls, const FacetRelease &release, const BondMarks &marks,
+                                const Candidates &candidates, const EventLog &log) {
+    if (e >= candidates.count(0)) return;
+    const Index k = candidates.marked(e);
+    Removal removal = removal_of_facet(all, facets, k);
+#pragma unroll 1
+    for (Index gone = 0; gone < 2; gone++) {
+        const double energy = energy_of_cells(all, facets, walls, release, marks, k, k + gone);
+        removal.energy += gone == 0 ? energy : -energy;
+    }
+    write_failure(e, span, candidates, log, removal);
+}
+// Weight and stress of a cell without the facets that fail, which end here.
+inline void end_facets_of_cell(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                               const FacetRelease &release, const BondMarks &marks, const Candidates &candidates) {
+    if (!any_fails(candidates)) return;
+    const auto fails = [&](Index k) { return marks.mark(k) == marked::fails; };
+    bool loses = false;
+    for_each_facet_of(release, p, [&](Index k) { loses |= fails(k); });
+    if (!loses) return;
+    const auto left = [&](Index k) { return fails(k) ? 0.0 : facets.integrity(k); };
+    release.weight(p) = weight_left(release, p, left);
+    all.pose(p, stress_column) = dilated(all, facets, walls, release, p, release.weight(p), left).stress;
+    for_each_facet_of(release, p, [&](Index k) {
+        if (fails(k) && facets.i(k) == Short(p)) facets.integrity(k) = 0.0;
+    });
 }
 inline void restore_facets_of_cell(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                                    const FacetRelease &release, const Candidates &candidates,

@@ -16,6 +16,7 @@
 #include "storing_beams.hpp"
 #include "strains.hpp"
 #include "stress_onset.hpp"
+#include "yielding.hpp"
 
 #define BONDEM_INDEX_PASSES(X)          \
     X(set_clock)                        \
@@ -74,7 +75,8 @@
     X(judge_facet_by_mohr_coulomb)      \
     X(postpone_neighbour)               \
     X(withdraw_facets_of_cell)          \
-    X(break_all_facets)                 \
+    X(write_facet_failure)              \
+    X(end_facets_of_cell)               \
     X(restore_facets_of_cell)           \
     X(renew_wall_row)                   \
     X(judge_cell_by_mean_stress)        \
@@ -92,12 +94,15 @@
     X(judge_beam_by_mohr_coulomb)       \
     X(judge_beam_by_linear_sum)         \
     X(judge_beam_by_ellipse)            \
-    X(sort_failing)                     \
+    X(rank_failing)                     \
+    X(count_failures)                   \
     X(keep_gathered_sum)                \
     X(keep_sum)                         \
     X(keep_dashed_sum)                  \
-    X(withdraw_all_dashpots)            \
-    X(break_all_beams)                  \
+    X(load_failing_dashpot)             \
+    X(take_dashpots_off_element)        \
+    X(remove_failing_beam)              \
+    X(take_beams_off_element)           \
     X(resume_free)                      \
     X(resume_resisted)                  \
     X(resume_row)                       \
@@ -124,8 +129,10 @@
     X(add_wall_moments_of_element)      \
     X(find_stress_of_element)           \
     X(judge_pair)                       \
-    X(break_all_pairs)                  \
-    X(relieve_all_pairs)                \
+    X(write_pair_failure)               \
+    X(take_pairs_off_element)           \
+    X(relieve_element)                  \
+    X(end_failing_pair)                 \
     X(add_all_begun_contacts)           \
     X(sum_portion_of_springs)           \
     X(write_work_of_extra_forces)       \
@@ -187,4 +194,21 @@
     X(sum_stressed_portion)             \
     X(sum_portion_of_cracks)            \
     X(add_energies_of_cracks)           \
-    X(write_energy_of_yielding)
+    X(write_energy_of_yielding)         \
+    X(find_still_stress)                \
+    X(add_still_surface_stress)         \
+    X(mark_plane)                       \
+    X(yield_cell)                       \
+    X(add_yielding_work_of_row)         \
+    X(sum_portion_of_heat)              \
+    X(stretch_yielded_cell)             \
+    X(stretch_growing_cell)             \
+    X(stretch_wall_of_cell)             \
+    X(stretch_crack_of_cells)           \
+    X(keep_base_levers)                 \
+    X(stretch_cell_anew)                \
+    X(stretch_wall_anew)                \
+    X(follow_lever)                     \
+    X(sum_portion_of_crack_powers)      \
+    X(begin_portion_of_crack_powers)    \
+    X(add_crack_powers)

@@ -1,11 +1,11 @@
 // Bonds of the non-local law on a device: a thread finds the force of one, then one finds the stress of one element, and one
-// judges a bond by the stresses of its ends. One thread removes those that fail, in their order.
+// judges a bond by the stresses of its ends. A thread each removes one that fails, and relieves one element.
 //
 // An element adds up what its bonds and its contacts have for its stress in the order of the CPU.
 #pragma once
 #include "../passes/non_local/non_local_bonds.hpp"
 #include "../passes/non_local/own_stress.hpp"
-#include "../passes/non_local/pair_failure.hpp"
+#include "../passes/non_local/pair_removal.hpp"
 #include "../passes/non_local/pair_verdict.hpp"
 #include "../passes/non_local/touch_levers.hpp"
 #include "../passes/non_local/touch_moments.hpp"
@@ -79,21 +79,32 @@ inline void find_stress_of_element(Index p, const Moving &all, const LaggedStres
 // ---- failure
 
 inline void judge_pair(Index k, const DeviceSpan &span, const Beams &beams, const LaggedStresses &stresses,
-                       const Strengths &strengths, const Candidates &candidates, const Postponed &postponed) {
+                       const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
+                       const Postponed &postponed) {
+    marks.mark(k) = 0;
     if (clock_of(span).first || !(beams.integrity(k) > 0.0)) return;
     const double *const space = stresses.space.data;
     const Row<double> i = gather(space, beams.i(k)), j = gather(space, beams.j(k));
     if (!(bound_of_index(i, j, coefficients_of_pair(strengths, k)) >= 1.0)) return;
-    if (list_failing(k, verdict_of_pair(beams, stresses, strengths, k), candidates)) hold_ends(postponed, beams, k);
+    if (list_failing(k, verdict_of_pair(beams, stresses, strengths, k), marks, candidates)) hold_ends(postponed, beams, k);
 }
-inline void break_all_pairs(Index, const DeviceSpan &span, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
-                            const Candidates &candidates, const Postponed &postponed, const EventLog &log) {
-    break_pairs(turn_of(span, 0), all, beams, bonds, candidates, postponed, log);
+inline void write_pair_failure(Index e, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                               const NonLocalBonds &bonds, const Candidates &candidates, const EventLog &log) {
+    if (e < candidates.count(0))
+        write_failure(e, span, candidates, log, removal_of_pair(all, beams, bonds, candidates.marked(e)));
 }
-inline void relieve_all_pairs(Index, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                              const NonLocalBonds &bonds, const LaggedStresses &stresses, const BeamIntegrity &state,
-                              const Candidates &candidates) {
-    relieve_pairs(turn_of(span, 0), all, beams, bonds, stresses, state, candidates);
+inline void take_pairs_off_element(Index p, const NonLocalBonds &bonds, const BondsOfElements &of, const BondMarks &marks,
+                                   const Candidates &candidates, const Postponed &postponed) {
+    if (!any_fails(candidates) || !is_held(postponed, p)) return;
+    for_each_failing_of(p, of, marks, [&](Index k, bool is_i) { take_off_pair(&postponed.kept(p, 0), is_i, bonds, k); });
+}
+inline void relieve_element(Index p, const Moving &all, const NonLocalBonds &bonds, const BondsOfElements &of,
+                            const BondMarks &marks, const LaggedStresses &stresses, const Candidates &candidates) {
+    if (!any_fails(candidates)) return;
+    for_each_failing_of(p, of, marks, [&](Index k, bool is_i) { relieve(all, stresses, Short(p), is_i, bonds, k); });
+}
+inline void end_failing_pair(Index e, const NonLocalBonds &bonds, const BeamIntegrity &state, const Candidates &candidates) {
+    if (e < candidates.count(0)) end_pair(bonds, state, candidates.marked(e));
 }
 inline void add_all_begun_contacts(Index, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
                                    const ContactPairs &pairs, const LaggedStresses &stresses, const EventLog &log) {

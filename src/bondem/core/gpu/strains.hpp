@@ -50,17 +50,14 @@ inline void add_work_of_strains(Index, const DeviceSpan &span, const Strain &str
 
 // ---- of cells
 
-inline void follow_cell_factors(Index, const DeviceSpan &span, const Timeline &timeline, const CellStrains &strains,
-                                const StrainPortions &portions) {
-    portions.due(0) = follow_factors(clock_of(span), timeline, strains);
+inline void follow_cell_factors(Index, const DeviceSpan &span, const Timeline &timeline, const CellStrains &strains) {
+    strains.due(1) = follow_factors(clock_of(span), timeline, strains);
 }
-inline void stretch_facet_of_step(Index k, const CellStrains &strains, const ElasticFacets &facets,
-                                  const StrainPortions &portions) {
-    if (portions.due(0)) stretch_facet(strains, facets, k);
+inline void stretch_facet_of_step(Index k, const CellStrains &strains, const ElasticFacets &facets) {
+    if (strains.due(1)) stretch_facet(strains, facets, k);
 }
-inline void stretch_wall_of_step(Index w, const CellStrains &strains, const WallConstraints &walls,
-                                 const StrainPortions &portions) {
-    if (portions.due(0)) stretch_wall(strains, walls, w);
+inline void stretch_wall_of_step(Index w, const CellStrains &strains, const WallConstraints &walls) {
+    if (strains.due(1)) stretch_wall(strains, walls, w);
 }
 inline void sum_strain_portion(Index b, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
                                const ElasticFacets &facets) {

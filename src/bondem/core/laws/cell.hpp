@@ -19,7 +19,7 @@
 // v is the vector part of the relative rotation q_i* q_j and S the second moment of the facet about its centroid:
 // 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points do not open alike, and ½ ρ · H ρ
 // for a small rotation ρ. λ_p is λ with the openings of free facets eliminated, at which their traction vanishes.
-// `bondem/model/cell_constants.py` computes the constants once.
+// `bondem/interactions/cells/cell_constants.py` computes the constants once.
 //
 // With the stress σ = λ_p θ_p of a cell and g = σ R s, the gradient of U is
 //

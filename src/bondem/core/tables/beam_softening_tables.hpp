@@ -1,4 +1,4 @@
-// What passes over beams that soften take. Named once more in `bondem/solve/damage_tables.py`.
+// What passes over beams that soften take. Named once more in `bondem/dynamics/damage_tables.py`.
 #pragma once
 #include "damage_tables.hpp"
 

@@ -1,4 +1,4 @@
-// What the passes over facets and cells take. Named once more in `bondem/model/cell_tables.py`.
+// What the passes over facets and cells take. Named once more in `bondem/interactions/cells/cell_tables.py`.
 //
 // A pose has the stress λ θ of its cell in its spare column [Pa]: the pass over forces finds it with the rest of the row.
 #pragma once

@@ -1,4 +1,4 @@
-// What contacts of elements and walls take. Named once more in `bondem/solve/contact_tables.py`.
+// What contacts of elements and walls take. Named once more in `bondem/dynamics/contact_tables.py`.
 //
 // Pairs stand once, sorted by their later element and then by their earlier one, as bonds are. A portion of elements
 // (`steps.hpp`) owns the pairs whose later element is in it.

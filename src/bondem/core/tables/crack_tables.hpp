@@ -1,5 +1,5 @@
 // What the passes over cracked facets and cells that yield take. Named once more in
-// `bondem/solve/cohesive_tables.py`.
+// `bondem/dynamics/cohesive_tables.py`.
 #pragma once
 #include "../array.hpp"
 

@@ -1,5 +1,5 @@
 // What the damage pipeline takes (`passes/damage/pipeline.hpp`). "Bonds" are beams, facets of cells or pairs of the
-// non-local law: the m interactions of one kind that may fail. Named once more in `bondem/solve/damage_tables.py`.
+// non-local law: the m interactions of one kind that may fail. Named once more in `bondem/dynamics/damage_tables.py`.
 #pragma once
 #include "step_tables.hpp"
 

@@ -1,5 +1,5 @@
 // What passes over an index take on a device beside the tables of a step. Named once more in
-// `bondem/solve/device_tables.py`.
+// `bondem/dynamics/device_tables.py`.
 #pragma once
 #include "contact_tables.hpp"
 #include "step_tables.hpp"
@@ -22,9 +22,11 @@ struct Tick {
 struct LoadsOfBonds {
     Array<double, 2> load;  // force on j, torque on i, torque on j [N, N·m], (9, m)
 };
-// Bonds whose load reaches their bound.
+// Bonds whose load reaches their bound, and those of them that fail.
 struct BondMarks {
-    Array<Byte, 1> mark;  // (m,)
+    Array<Byte, 1> mark;  // see `gpu/breakage.hpp`, (m,)
+    Array<Short, 1> failing;  // bonds that fail in a step, in any order, (m,)
+    Array<Byte, 1> mode;  // how, (m,)
 };
 // Energy that beams dissipate in a step, by the place of their rows in the lists of `SofteningBeams` [J].
 struct SofteningLosses {

@@ -1,5 +1,5 @@
 // What quasi-static loading takes: facets of any integrity in small motions, and the search for those that fail next.
-// Named once more in `bondem/quasistatic/facet_passes.py`.
+// Named once more in `bondem/statics/quasistatic/facet_passes.py`.
 #pragma once
 #include "../array.hpp"
 
@@ -7,7 +7,7 @@ namespace bondem {
 
 using Byte = uint8_t;
 
-// Facets, m of them, about the reference; see `bondem/model/cell_constants.py`.
+// Facets, m of them, about the reference; see `bondem/interactions/cells/cell_constants.py`.
 struct WeakenedFacets {
     Array<const Index, 1> i, j;  // (m,)
     Array<const double, 1> k;  // [N/m]

@@ -1,4 +1,4 @@
-// What passes that seek equilibrium take. Named once more in `bondem/solve/relaxation.py`.
+// What passes that seek equilibrium take. Named once more in `bondem/statics/relaxation.py`.
 #pragma once
 #include "step_tables.hpp"
 

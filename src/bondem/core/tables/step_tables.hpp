@@ -1,4 +1,4 @@
-// What the passes of a step take. Named once more in `bondem/solve/step_tables.py`.
+// What the passes of a step take. Named once more in `bondem/dynamics/step_tables.py`.
 //
 // Rows of eight are one cache line: pose (x, y, z, spare, quaternion w x y z), motion (velocity, 1/m, angular velocity,
 // 1/I) and sums (force, 0, torque, 0).
@@ -56,7 +56,7 @@ struct Dashpots {
     Array<double, 2> sums;  // force and torque on each element, in rows as `StepCut` has them, (rows, 8)
 };
 
-// How a step is cut into blocks and domains (`bondem/model/blocks.py`), and the sums of forces.
+// How a step is cut into blocks and domains (`bondem/model/domain_blocks.py`), and the sums of forces.
 struct StepCut {
     Array<const Index, 1> domain, bond, move, held;
     Array<const Short, 1> ready, ready_row, row_i, row_j, shared, shared_row;
@@ -65,7 +65,7 @@ struct StepCut {
     Index parts;
     Array<double, 2> sums;  // (rows, 8)
 };
-// Coefficients of a step, see `bondem/solve/schemes.py`.
+// Coefficients of a step, see `bondem/dynamics/schemes.py`.
 struct StepScheme {
     double dt, finish, begin;  // [s]
     double extra;  // [s²]

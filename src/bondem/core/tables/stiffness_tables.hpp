@@ -1,10 +1,10 @@
-// What the passes that assemble stiffness matrices take. Named once more in `bondem/model/matrices.py`.
+// What the passes that assemble stiffness matrices take. Named once more in `bondem/model/stiffness_matrices.py`.
 #pragma once
 #include "../array.hpp"
 
 namespace bondem {
 
-// Beams at rest, m of them between n elements; see `bondem/model/bond_table.py`.
+// Beams at rest, m of them between n elements; see `bondem/interactions/beams/bond_table.py`.
 struct BeamRows {
     Array<const Short, 1> i, j;  // elements, i < j, (m,)
     Array<const double, 2> direction;  // reference direction i→j [-], (3, m)
@@ -12,7 +12,7 @@ struct BeamRows {
     Array<const double, 1> kn, ks, kb, kt;  // stiffnesses [N/m, N/m, N·m, N·m], (m,)
 };
 
-// Facets between cells, m of them; see `bondem/model/cell_constants.py`.
+// Facets between cells, m of them; see `bondem/interactions/cells/cell_constants.py`.
 struct FacetRows {
     Array<const Short, 1> i, j;  // cells, i < j, (m,)
     Array<const double, 1> k;  // [N/m], (m,)

@@ -1,4 +1,4 @@
-// What passes over facets that crack by a function of the stress take. Named once more in `bondem/solve/stress_onset.py`.
+// What passes over facets that crack by a function of the stress take. Named once more in `bondem/dynamics/stress_onset.py`.
 #pragma once
 #include "damage_tables.hpp"
 

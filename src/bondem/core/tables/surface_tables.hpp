@@ -1,4 +1,4 @@
-// What the search of the nearest triangle takes. Named once more in `bondem/specimen/triangles.py`.
+// What the search of the nearest triangle takes. Named once more in `bondem/geometry/triangles.py`.
 #pragma once
 #include "../array.hpp"
 

@@ -1,4 +1,4 @@
-// What the passes that cut a shape into cells take. Named once more where they are filled, in `bondem/specimen/cells/`.
+// What the passes that cut a shape into cells take. Named once more where they are filled, in `bondem/specimen/tessellation/`.
 #pragma once
 #include "../array.hpp"
 
@@ -19,7 +19,7 @@ struct Bins {
     double tolerance;  // depth to which planes do not cut [m]
 };
 
-// Convex solids, k of them, with f faces and v corners; see `bondem/specimen/cells/solids.py`.
+// Convex solids, k of them, with f faces and v corners; see `bondem/specimen/tessellation/solids.py`.
 struct Solids {
     Array<const Index, 1> cell;  // of which element's cell each is part, (k,)
     Array<const Index, 1> face;  // faces of solid s are face[s] … face[s + 1] - 1, (k + 1,)
@@ -57,7 +57,7 @@ struct CellRoom {
     Array<double, 2> work, other;  // polygons, (512, 3)
 };
 
-// Walls as triangles in a tree of boxes; see `bondem/specimen/cells/walls.py`.
+// Walls as triangles in a tree of boxes; see `bondem/specimen/tessellation/shape_walls.py`.
 struct WallTree {
     Array<const double, 3> corner;  // of the triangles [m], (t, 3, 3)
     Array<const double, 2> plane;  // unit normal of each and its product with a point of the plane [-, m], (t, 4)

@@ -1,7 +1,7 @@
 // What a failure criterion sees of a bond or facet, and what it answers.
 //
 // A criterion is a function of these loads and of four coefficients, which Python computes from strengths, once a bond
-// (`bondem/laws/failure/`). The bond fails where the index reaches 1. The index is of degree one in the loads, or grows
+// (`bondem/damage/`). The bond fails where the index reaches 1. The index is of degree one in the loads, or grows
 // with them; the mode is that of the largest part of the index.
 #pragma once
 #include "../../lanes.hpp"

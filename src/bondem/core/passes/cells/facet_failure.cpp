@@ -7,9 +7,7 @@
 // stresses of the step before.
 #include "facet_failure.hpp"
 
-#include "facet_neighbours.hpp"
-#include "facet_verdicts.hpp"
-#include "walls.hpp"
+#include "facet_removal.hpp"
 
 namespace bondem {
 namespace {
@@ -45,30 +43,17 @@ Index index_facets(const double *pose, const ElasticFacets &facets, const Streng
     return 0;
 }
 
-// λ / V of a cell with the facets that it has left: those that failed open until they have no traction.
 void weigh(const ElasticFacets &facets, const FacetRelease &release, Index p) {
-    double inward = 0.0, outward = 0.0;
-    for (Index k = release.in_start(p); k < release.in_start(p + 1); k++)
-        inward += (1.0 - facets.integrity(k)) * release.slack_j(k);
-    for (Index e = release.out_start(p); e < release.out_start(p + 1); e++)
-        outward += (1.0 - facets.integrity(release.out_bond(e))) * release.slack_i(release.out_bond(e));
-    release.weight(p) = release.whole(p) / (release.whole(p) * (inward + outward) + 1.0);
+    release.weight(p) = weight_left(release, p, [&](Index k) { return facets.integrity(k); });
 }
 
 // Energy of dilatation of a cell [J]; its stress is brought up to date.
 double dilate(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const FacetRelease &release,
               Index p) {
-    const FacetColumns columns(facets);
-    double grown = release.given(p);
-    for_each_wall_of(release, p, [&](Index g) { grown += dilatation_of_hold(all.pose, all.rest, walls, g); });
-    for_each_facet_of(release, p, [&](Index k) {
-        const double s = facets.integrity(k);
-        if (s <= 0.0) return;
-        const OfCells<double> both = dilatation(ends_of(all.pose.data, facets, k), columns.shape<double>(k));
-        grown += s * (facets.i(k) == Short(p) ? both.i : both.j);
-    });
-    all.pose(p, stress_column) = release.weight(p) * grown;
-    return 0.5 * release.weight(p) * grown * grown;
+    const auto left = [&](Index k) { return facets.integrity(k); };
+    const Dilated now = dilated(all, facets, walls, release, p, release.weight(p), left);
+    all.pose(p, stress_column) = now.stress;
+    return now.energy;
 }
 
 // That of both cells of facet k [J].
@@ -105,19 +90,11 @@ void list_changed(const ElasticFacets &facets, const FacetRelease &release, cons
 
 Removal break_facet(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                     const FacetRelease &release, Index k) {
-    const FacetColumns columns(facets);
-    const Index i = facets.i(k), j = facets.j(k);
-    const Ends<double> ends = ends_of(all.pose.data, facets, k);
-    const FacetShape<double> shape = columns.shape<double>(k);
-    const OpenFacet<double> open = opened(ends, shape);
-    const Vector normal = normal_of(facets, k), centre = {all.pose(i, 0), all.pose(i, 1), all.pose(i, 2)};
-    const FacetEnergy<double> parts = facet_energy(ends, shape, normal, columns.stiffness(k, 1.0));
-    const double energy = facets.integrity(k) * (parts.normal + parts.shear + parts.bending + parts.twisting);
-    Removal removal = {energy, dot(open.gap, present_normal(ends, normal)), centre + open.arm_i};
+    Removal removal = removal_of_facet(all, facets, k);
     removal.energy += dilate_both(all, facets, walls, release, k);
     facets.integrity(k) = 0.0;
-    weigh(facets, release, i);
-    weigh(facets, release, j);
+    weigh(facets, release, facets.i(k));
+    weigh(facets, release, facets.j(k));
     removal.energy -= dilate_both(all, facets, walls, release, k);
     return removal;
 }

@@ -87,7 +87,8 @@ void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForce
     list_cracks(turn, facets, cracks, lists);
 }
 
-void follow_levers(const Turn &, const ElasticFacets &facets, const CohesiveCracks &cracks) {
+void follow_levers(const Turn &, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks) {
+    if (!strains.due(1)) return;
     for (Index c = 0; c < cracks.size(0); c++) write_levers(facets, cracks, cracks.order(c));
 }
 

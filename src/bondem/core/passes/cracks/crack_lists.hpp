@@ -11,8 +11,8 @@ void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForce
                  const CohesiveCracks &cracks, const CrackLists &lists);
 void weigh_cracked_cells(const Turn &turn, const ElasticFacets &facets, const CellDilatation &cells,
                          const CellSlack &slack, const CohesiveCracks &cracks);
-// Takes over the levers of facets, where strains of cells change them.
-void follow_levers(const Turn &turn, const ElasticFacets &facets, const CohesiveCracks &cracks);
+// Takes over the levers of facets, where strains of cells have changed them.
+void follow_levers(const Turn &turn, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks);
 // Repeats the last of the lists of cracks that are treated one by one, for lanes behind it.
 void fill_treated(const CrackLists &lists);
 // Makes the lists anew where they are out of date.

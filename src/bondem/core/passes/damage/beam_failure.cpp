@@ -1,7 +1,7 @@
 // Beams that fail at once: the criterion on their loads, and their removal.
 #include "beam_failure.hpp"
 
-#include "../../laws/damping.hpp"
+#include "beam_removal.hpp"
 #include "beam_verdicts.hpp"
 
 namespace bondem {
@@ -55,34 +55,20 @@ inline Index index_beams(const double *pose, const Beams &beams, const Strengths
 #endif
 
 Removal break_beam(const double *pose, const Beams &beams, const BeamIntegrity &state, const Postponed &postponed, Index k) {
-    const Short i = beams.i(k), j = beams.j(k);
-    const Ends<double> ends = ends_of(pose, beams, k);
-    const BeamShape<double> shape = shape_of<double>(beams, k);
-    const double s = state.integrity(k);
-    const BeamLoads<double> loads = beam_loads(ends, shape, stiffness_of(beams, k, s));
-    take_off(&postponed.kept(i, 0), -1.0, loads.force, 1.0, loads.on_i);
-    take_off(&postponed.kept(j, 0), 1.0, loads.force, 1.0, loads.on_j);
-    const BeamEnergy<double> energy = beam_energy(ends, shape, stiffness_of(beams, k, 1.0), beams.ks(k), beams.lever(k));
-    state.integrity(k) = 0.0;
-    if (state.hold.size() > 0) state.hold(k) = 0.0;
-    const Vector centre = {pose[8 * i], pose[8 * i + 1], pose[8 * i + 2]};
-    return {s * (energy.normal + energy.shear + energy.bending + energy.twisting), length(ends.branch) - shape.length,
-            plus(centre, beams.lever(k) / shape.length, ends.branch)};
+    const FailedBeam failed = failed_beam(pose, beams, state, k);
+    take_off_end(&postponed.kept(beams.i(k), 0), true, failed.loads);
+    take_off_end(&postponed.kept(beams.j(k), 0), false, failed.loads);
+    end_beam(state, k);
+    return failed.removal;
 }
 
 void withdraw_dashpot(const Moving &all, const Beams &beams, const Dashpots &dashpots, const Postponed &postponed, Index k) {
-    const Short i = beams.i(k), j = beams.j(k);
-    const Index m = dashpots.c.shape[1];
-    const double *const c = dashpots.c.data, s = beams.integrity(k);
-    const Motion<double> a(gather(all.motion.data, i)), b(gather(all.motion.data, j));
-    const BeamDashpots<double> dashpot = {s * c[k], s * c[m + k], s * c[2 * m + k], s * c[3 * m + k]};
-    const BeamLoads<double> loads = dashpot_loads(ends_of(all.pose.data, beams, k).branch, {b.v - a.v, a.w, b.w},
-                                                  dashpots.share(k), dashpot);
+    const BeamLoads<double> loads = loads_of_dashpot(all, beams, dashpots, k);
     // both the sums of all forces and those of dashpots alone have them
     double *const tables[2] = {postponed.kept.data, dashpots.sums.data + 8 * postponed.first_row};
     for (double *sums : tables) {
-        take_off(sums + 8 * i, -1.0, loads.force, 1.0, loads.on_i);
-        take_off(sums + 8 * j, 1.0, loads.force, 1.0, loads.on_j);
+        take_off_end(sums + 8 * beams.i(k), true, loads);
+        take_off_end(sums + 8 * beams.j(k), false, loads);
     }
 }
 

@@ -3,7 +3,7 @@
 // Bonds fail at the end of a step. Their two elements close it with the whole force, and open the next without it, so
 // that the energy of a bond is released between two steps, and the balance of energy is as exact as the scheme is.
 //
-// In the order of a step (stages of `bondem/solve/parts/part.py`):
+// In the order of a step (stages of `bondem/dynamics/parts/part.py`):
 //
 //     loads    The pass of forces compares a size of the load of each bond with its bound, and `mark`s those that reach
 //              it, block by block. Nearly all bonds do not.
@@ -136,12 +136,14 @@ template <class On> inline void for_each_event(const EventLog &log, On on) {
     for (Index event = log.written(1); event < log.written(0); event++) on(Index(log.event(event, 2)), event);
 }
 
-inline void log_event(const Clock &clock, const EventLog &log, Index k, Index mode, const Removal &removal) {
-    double *const row = &log.event(log.written(0), 0);
+inline void write_event(const Clock &clock, const EventLog &log, Index event, Index k, Index mode, const Removal &removal) {
+    double *const row = &log.event(event, 0);
     const Vector x = removal.place;
     const double all[9] = {clock.time, double(clock.step), double(k), double(mode), removal.gap, removal.energy, x.x, x.y, x.z};
     for (Index c = 0; c < 9; c++) row[c] = all[c];
-    log.written(0)++;
+}
+inline void log_event(const Clock &clock, const EventLog &log, Index k, Index mode, const Removal &removal) {
+    write_event(clock, log, log.written(0)++, k, mode, removal);
 }
 
 // Removes the bonds that fail in this step: apply(k) → Removal.

@@ -5,21 +5,10 @@
 // own. The stresses of the elements, which the next step takes, are then without the bond.
 #include "pair_failure.hpp"
 
-#include "../damage/pipeline.hpp"
+#include "pair_removal.hpp"
 #include "pair_verdict.hpp"
 
 namespace bondem {
-namespace {
-
-// Takes from the stress of an element, in its own frame, what ± a force does at a lever.
-void relieve(const double *pose, const LaggedStresses &stresses, Short p, Vector lever, Vector force, double sign) {
-    const Vector own = turned_by(inverse(orientation(gather(pose, p))), force);
-    const Stress<double> s = (sign * stresses.inverse(p)) * symmetric_product(lever, own);
-    const double all[6] = {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz};
-    for (Index c = 0; c < 6; c++) stresses.stress(p, c) -= all[c];
-}
-
-}  // namespace
 
 #if defined(BONDEM_LANES)
 
@@ -59,30 +48,19 @@ void judge_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &str
 
 void break_pairs(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                  const Candidates &candidates, const Postponed &postponed, const EventLog &log) {
-    const double *const pose = all.pose.data;
     remove(turn, candidates, log, [&](Index k) -> Removal {
-        const Short i = beams.i(k), j = beams.j(k);
-        const Vector force = output_at(bonds, force_column, k);
-        take_off(&postponed.kept(i, 0), 1.0, force, 1.0, output_at(bonds, on_i_column, k));
-        take_off(&postponed.kept(j, 0), -1.0, force, -1.0, output_at(bonds, on_j_column, k));
-        const PairPose<double> now = pair_pose(pose, beams, bonds, k);
-        const SpringEnergy<double> energy = spring_energy(now, pair_stiffness<double>(bonds, k));
-        const Vector centre = {pose[8 * i], pose[8 * i + 1], pose[8 * i + 2]};
-        return {beams.integrity(k) * (energy.normal + energy.shear), dot(now.gap, now.normal),
-                plus(centre + now.lever_i, 0.5, now.gap)};
+        take_off_pair(&postponed.kept(beams.i(k), 0), true, bonds, k);
+        take_off_pair(&postponed.kept(beams.j(k), 0), false, bonds, k);
+        return removal_of_pair(all, beams, bonds, k);
     });
 }
 
 void relieve_pairs(const Turn &, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                    const LaggedStresses &stresses, const BeamIntegrity &state, const Candidates &candidates) {
-    const double *const pose = all.pose.data;
     for_each_failing(candidates, [&](Index k, Index) {
-        const Vector force = output_at(bonds, force_column, k);
-        const PairShape<double> shape = pair_shape<double>(bonds, k);
-        relieve(pose, stresses, beams.i(k), shape.lever_i, force, 1.0);
-        relieve(pose, stresses, beams.j(k), shape.lever_j, force, -1.0);
-        for (Index c = 0; c < bonds.output.size(); c++) bonds.output(c, k) = 0.0;
-        state.integrity(k) = 0.0;
+        relieve(all, stresses, beams.i(k), true, bonds, k);
+        relieve(all, stresses, beams.j(k), false, bonds, k);
+        end_pair(bonds, state, k);
     });
 }
 

@@ -1,0 +1,180 @@
+"""Boundary conditions: elements that are fixed, driven or loaded."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import instance, vector
+from bondem._types import Floats, Ints
+from bondem.boundary.balanced_forces import balanced_forces
+from bondem.boundary.loads import (
+    Absorbing,
+    BodyForce,
+    Eigenstrain,
+    Pressure,
+    facet_numbers,
+    facets_on,
+    is_face,
+    on_nodes,
+)
+from bondem.boundary.schedules import Constant, Schedule, as_schedule
+from bondem.errors import InputError
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Region, as_region
+
+_AXES = {"x": 0, "y": 1, "z": 2}
+
+
+def _components(owner: str, axes: str) -> tuple[int, ...]:
+    instance(owner, "translation= or rotation", axes, str, "axes as text: a subset of 'xyz', or '' for none")
+    if any(axis not in _AXES for axis in axes):
+        raise InputError(f"{owner}: '{axes}' has letters that are no axes; give a subset of 'xyz', or '' for none")
+    return tuple(sorted({_AXES[axis] for axis in axes}))
+
+
+@dataclass(frozen=True)
+class Fix:
+    """Constraint that keeps elements at their positions and orientations.
+
+    Attributes:
+        region: constrained elements.
+        translation: axes along which the centres are constrained, a part of "xyz".
+        rotation: axes about which the orientations are constrained, a part of "xyz".
+    """
+
+    region: Region
+    translation: str = "xyz"
+    rotation: str = "xyz"
+
+    def __post_init__(self) -> None:
+        as_region("Fix", self.region)
+        if not self.components:
+            raise InputError("Fix: no degree of freedom is held; name axes in translation= or rotation=")
+
+    @property
+    def components(self) -> tuple[int, ...]:
+        """Degrees of freedom that are held: 0, 1, 2 for translations and 3, 4, 5 for rotations."""
+        turns = tuple(3 + axis for axis in _components("Fix", self.rotation))
+        return _components("Fix", self.translation) + turns
+
+
+@dataclass(frozen=True, init=False)
+class Drive:
+    """Prescribe the motion of elements; components that are not named stay free.
+
+    `Drive(Face("x_max"), x=Ramp(0, 1e-4, 1e-3))` moves the face along x. Numbers are constant schedules.
+    Displacements and rotations are measured from the reference configuration, in static and explicit solutions. A
+    static solution uses the final values of the schedules. An explicit run cannot jump: its schedules must begin at
+    the current displacement of the elements, which is 0 at rest.
+
+    Attributes:
+        region: elements to move.
+        motion: triples of degree of freedom, schedule, and True for a velocity.
+
+    Args:
+        x, y, z: displacements [m].
+        vx, vy, vz: velocities [m/s].
+        rx, ry, rz: rotations of each element [rad].
+        wx, wy, wz: angular velocities [rad/s].
+    """
+
+    region: Region
+    motion: tuple[tuple[int, Schedule, bool], ...]
+
+    def __init__(self, region: Region, **components: float | Schedule) -> None:
+        as_region("Drive", region)
+        names = {}
+        for k, axis in enumerate("xyz"):
+            names |= {axis: (k, False), "v" + axis: (k, True), "r" + axis: (3 + k, False), "w" + axis: (3 + k, True)}
+        unknown = sorted(set(components) - set(names))
+        if unknown:
+            raise InputError(f"Drive: unknown component '{unknown[0]}'; choose from {', '.join(names)}")
+        if not components:
+            raise InputError("Drive: no component is prescribed; name one, such as x= or vx=")
+        motion = tuple(
+            (names[key][0], as_schedule("Drive", key, value), names[key][1]) for key, value in components.items()
+        )
+        if len({dof for dof, _, _ in motion}) < len(motion):
+            raise InputError("Drive: give the displacement or the velocity of a component, not both")
+        object.__setattr__(self, "region", region)
+        object.__setattr__(self, "motion", motion)
+
+
+@dataclass(frozen=True)
+class Load:
+    """A total force and moment on a region, distributed over its elements.
+
+    Among all nodal forces with the given resultant and moment, those with the least sum of squares are applied. The
+    resultant is `force` through the anchor of the region, which is the centre of a face, else the centroid. The
+    moment about the anchor is `moment`. Where forces on the elements cannot produce the moment (one element, or a
+    row), torques supply the rest. On a face of a body of cells the load consists of the smallest tractions on the
+    facets of the face.
+
+    Forces and moments keep their direction. If the region rotates, the forces that make up its moment rotate with it,
+    in explicit runs and at large rotations (`solve_static(nonlinear=True)`, `solve_relaxed`).
+
+    Attributes:
+        region: elements to load.
+        force: total force [N], (3,).
+        moment: total moment [N·m], (3,).
+        schedule: factor over time [-], or a number for a constant factor; 1 from t = 0 by default.
+    """
+
+    region: Region
+    force: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    moment: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    schedule: Schedule = Constant(1.0)
+
+    def __post_init__(self) -> None:
+        as_region("Load", self.region)
+        for name in ("force", "moment"):
+            object.__setattr__(self, name, vector("Load", name, getattr(self, name)))
+        object.__setattr__(self, "schedule", as_schedule("Load", "schedule", self.schedule))
+
+    def nodal(self, lattice: Lattice) -> tuple[Ints, Floats]:
+        """Return elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
+        if lattice.cells is not None and is_face(self.region):
+            return self._tractions(lattice)
+        chosen = self.region.select(lattice)
+        arms = lattice.centre[chosen] - self.region.anchor(lattice)
+        values = np.zeros((len(chosen), 6))
+        values[:, :3] = balanced_forces(arms, np.array(self.force), np.array(self.moment))
+        rest = np.array(self.moment) - np.cross(arms, values[:, :3]).sum(axis=0)
+        values[:, 3:] = rest / len(chosen)
+        return chosen, values
+
+    def points(self, lattice: Lattice) -> tuple[Ints, Floats, Floats]:
+        """Return the points of application of the load.
+
+        Returns:
+            The element of each point (k,), the arm from its centre [m], (k, 3), and its share of the load [-], (k,).
+        """
+        if lattice.cells is None or not is_face(self.region):
+            chosen = self.region.select(lattice)
+            return chosen, np.zeros((len(chosen), 3)), np.full(len(chosen), 1.0 / len(chosen))
+        chosen, owner, centre, area = facets_on(self.region, lattice)
+        size = np.linalg.norm(area, axis=1)
+        return chosen[owner], centre - lattice.centre[chosen[owner]], size / size.sum()
+
+    def on_facets(self, body: Lattice) -> tuple[Ints, Floats]:
+        """Return the loaded facets of a body (indices into `cells.free`) and the forces at full load [N], (p, 3)."""
+        _, _, centre, area = facets_on(self.region, body)
+        arms = centre - self.region.anchor(body)
+        size = np.linalg.norm(area, axis=1)
+        return facet_numbers(self.region, body), balanced_forces(
+            arms, np.array(self.force), np.array(self.moment), size
+        )
+
+    def _tractions(self, body: Lattice) -> tuple[Ints, Floats]:
+        """Return the nodal forces of tractions on the facets that cells have on a face, in the form of `nodal`."""
+        chosen, owner, centre, area = facets_on(self.region, body)
+        size = np.linalg.norm(area, axis=1)
+        arms = centre - self.region.anchor(body)
+        _, force = self.on_facets(body)
+        values = on_nodes(body, chosen, owner, centre, force)
+        rest = np.array(self.moment) - np.cross(arms, force).sum(axis=0)
+        values[:, 3:] += rest * (np.bincount(owner, weights=size) / size.sum())[:, None]
+        return chosen, values
+
+
+BoundaryCondition = Fix | Drive | Load | Pressure | BodyForce | Absorbing | Eigenstrain

@@ -1,0 +1,105 @@
+"""Moments of loads on regions, carried by forces that rotate with the regions."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._types import Floats, Ints, PerElement6
+from bondem.boundary.balanced_forces import balanced_forces
+from bondem.geometry.rotations import turned_vectors
+
+
+class CoupleTable(NamedTuple):
+    """Moments of loads on points of elements, c of them."""
+
+    start: np.ndarray  #: where the points of each begin, (c + 1,)
+    schedule: np.ndarray  #: (c,)
+    moment: np.ndarray  #: [N·m], (c, 3)
+    element: np.ndarray  #: of each point
+    row: np.ndarray  #: of the boundary, that the element owns
+    arm: np.ndarray  #: from its centre [m], (…, 3)
+    share: np.ndarray  #: of the moment's forces [-]
+
+
+@dataclass(frozen=True, eq=False)
+class Couple:
+    """A moment on k points of elements; it keeps its direction, and its forces rotate with the points.
+
+    Attributes:
+        element: internal element of each point, shape (k,).
+        centre: centre of that element, in the reference [m], shape (k, 3).
+        arm: arm from its centre to the point, in the reference [m], shape (k, 3).
+        share: share of each point, of sum 1, shape (k,).
+        moment: moment at full load [N·m], shape (3,).
+        schedule: number of its schedule.
+    """
+
+    element: Ints
+    centre: Floats
+    arm: Floats
+    share: Floats
+    moment: Floats
+    schedule: int
+
+    def places(self, pose: Floats | None) -> tuple[Floats, Floats]:
+        """Return arms in a pose, or in the reference, and the points relative to their centroid [m], (k, 3) each."""
+        arm, centre = self.arm, self.centre
+        if pose is not None:
+            arm, centre = turned_vectors(pose[self.element, 4:], self.arm), pose[self.element, :3]
+        place = centre - centre.mean(axis=0) + arm
+        return arm, place - self.share @ place
+
+    def forces(self, pose: Floats | None) -> tuple[Floats, Floats, Floats]:
+        """Return force on each point [N], torque about it [N·m], and present arms [m], at full load, (k, 3) each."""
+        arm, place = self.places(pose)
+        force = balanced_forces(place, np.zeros(3), self.moment, self.share)
+        rest = self.moment - np.cross(place, force).sum(axis=0)
+        return force, self.share[:, None] * rest, arm
+
+    def add_to(self, load: PerElement6, pose: Floats | None, amplitude: float) -> None:
+        """Add forces and torques of the moment to those on all elements, internal order, (n, 6)."""
+        force, torque, arm = self.forces(pose)
+        np.add.at(load, self.element, amplitude * np.hstack([force, torque + np.cross(arm, force)]))
+
+    def turning(self, pose: Floats) -> tuple[Floats, Floats]:
+        """Return the change of the forces as they follow a region, considered rigid, at full load.
+
+        Returns:
+            Forces and torques on the elements by the rotation of the region, (k, 6, 3), and the rotation by their
+            motion, (3, k, 6).
+        """
+        force, _, arm = self.forces(pose)
+        _, place = self.places(pose)
+        inertia = np.einsum("k,ka,kb->ab", self.share, place, place)
+        inverse = np.linalg.pinv(np.trace(inertia) * np.eye(3) - inertia, rcond=1e-9, hermitian=True)
+        share, a = self.share[:, None, None], _cross(arm)
+        # f_p = w (J⁻¹ M) × s: it turns with the region, while M stays
+        by_moment = -share * _cross(place) @ inverse
+        moved = by_moment @ _cross(self.moment[None])[0] - _cross(force)
+        lost = _cross(force) @ a
+        given = np.concatenate([moved, lost + a @ moved], axis=1)
+        seen = share * inverse @ _cross(place)
+        return given, np.concatenate([seen, -seen @ a], axis=2).transpose(1, 0, 2)
+
+
+def couple_table(couples: Sequence[Couple], row_of: Ints) -> CoupleTable:
+    """Return couples as the core takes them."""
+    element = np.concatenate([np.zeros(0, dtype=np.int64), *(one.element for one in couples)])
+    return CoupleTable(
+        start=np.cumsum([0, *(len(one.element) for one in couples)]).astype(np.int64),
+        schedule=np.array([one.schedule for one in couples], dtype=np.int64),
+        moment=np.array([one.moment for one in couples], dtype=float).reshape(-1, 3),
+        element=element, row=row_of[element].astype(np.int64),
+        arm=np.concatenate([np.zeros((0, 3)), *(one.arm for one in couples)]),
+        share=np.concatenate([np.zeros(0), *(one.share for one in couples)]),
+    )  # fmt: skip
+
+
+def _cross(vectors: Floats) -> Floats:
+    """Return the matrices of v × …, (k, 3, 3)."""
+    matrix = np.zeros((len(vectors), 3, 3))
+    for row, column, axis in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        matrix[:, row, column], matrix[:, column, row] = -vectors[:, axis], vectors[:, axis]
+    return matrix

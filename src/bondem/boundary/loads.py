@@ -1,0 +1,337 @@
+"""Loads on faces, volumes and bonds: body forces, pressure, absorbing boundaries and stress-free strain."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import cast
+
+import numpy as np
+from scipy.spatial import KDTree
+
+from bondem._checks import array, instance, number, possible, shown, vector
+from bondem._types import Floats, Ints, PerBond, PerElement, PerElement3
+from bondem.boundary.balanced_forces import balanced_forces
+from bondem.boundary.schedules import Constant, Schedule, as_schedule
+from bondem.errors import InputError
+from bondem.geometry.face_patches import face_patches
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Difference, Everything, Face, Intersection, Region, as_region
+
+# Size of the patches of a face, over the mean radius.
+_PATCH = 0.25
+
+
+@dataclass(frozen=True)
+class BodyForce:
+    """A force on every element in proportion to its mass, such as weight.
+
+    In explicit runs it also acts on loose elements of the region; a static solution has no loose elements. A force
+    that varies in space, such as that of a spinning body, keeps its value in the reference configuration for each
+    element.
+
+    Attributes:
+        acceleration: force over mass [m/s²]. Give (3,) for a uniform field, or (n, 3), one row per element in the
+            user's order, where rows outside the region have no effect. Or give a function of the reference centres
+            [m], (n, 3), that returns (n, 3). A run file cannot store a function; give its values instead.
+        region: elements to load.
+        schedule: factor over time [-].
+
+    Raises:
+        InputError: An array has another shape or a value that is not finite. A function is checked when the model is
+            made.
+    """
+
+    acceleration: tuple[float, float, float] | Sequence[Sequence[float]] | Callable[[PerElement3], PerElement3]
+    region: Region = Everything()
+    schedule: Schedule = Constant(1.0)
+
+    def __post_init__(self) -> None:
+        if not callable(self.acceleration):
+            object.__setattr__(self, "acceleration", _accelerations(self.acceleration))
+        as_region("BodyForce", self.region)
+        object.__setattr__(self, "schedule", as_schedule("BodyForce", "schedule", self.schedule))
+
+    def parts(self, lattice: Lattice) -> list[tuple[PerElement, tuple[float, float, float]]]:
+        """Return pairs of factors per element [-], (n,), and a uniform acceleration [m/s²].
+
+        The acceleration of an element is the sum of factor times acceleration over all pairs, at a schedule of 1.
+        Elements are in the user's order.
+
+        Raises:
+            InputError: The acceleration, or the value of the function, has another number of elements.
+        """
+        inside, n = self.region.mask(lattice).astype(float), len(lattice.particles)
+        given = self.acceleration
+        if not callable(given) and np.ndim(given[0]) == 0:
+            return [(inside, cast(tuple[float, float, float], given))]
+        values = np.asarray(given(lattice.centre.copy()) if callable(given) else given, dtype=float)
+        if values.shape != (n, 3) or not possible(values):
+            raise InputError(
+                f"BodyForce: acceleration = {shown(given)}: its values have shape {values.shape} or are not finite;"
+                f" give ({n}, 3) [m/s²], a row per element, or a function of (n, 3) centres that does"
+            )
+        axes = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+        return [(inside * values[:, d], axis) for d, axis in enumerate(axes) if values[:, d].any()]
+
+
+def _accelerations(given: object) -> tuple[float, float, float] | tuple[tuple[float, float, float], ...]:
+    """Return three components, or one row per element."""
+    values = array("BodyForce", "acceleration", given, wanted="(3,), or (n, 3) [m/s²], or a function of centres")
+    if values.ndim < 2:
+        return vector("BodyForce", "acceleration", given, unit="m/s²")
+    if values.ndim > 2 or values.shape[1] != 3 or not possible(values):
+        raise InputError(
+            f"BodyForce: acceleration has shape {values.shape} or values that are not finite; give (3,), (n, 3)"
+            " [m/s²], or a function of centres"
+        )
+    return tuple((x, y, z) for x, y, z in values.tolist())
+
+
+@dataclass(frozen=True)
+class Pressure:
+    """A pressure on a face, against its outward normal: the force is -∫ p n dA.
+
+    The face is cut into patches of a quarter of the mean radius. Each patch passes its force to the nearest element
+    of the face. The resultant and the moment are those of the patches: the smallest correcting forces remove the
+    moment that arises when the forces move to the centres of the elements. In a body of cells the pressure acts on
+    the facets. The normals are those of the reference, or rotate with the cells like those of a membrane, also around
+    detached pieces. Static solutions are linear and use the normals of the reference.
+
+    Attributes:
+        region: a face, or part of one: `Face("side") & Within(...)`, `Face("x_max") - Index(...)`.
+        pressure: pressure [Pa]; negative for tension.
+        schedule: factor over time [-].
+        follows: True if the normals rotate with the cells; only for bodies of cells.
+    """
+
+    region: Region
+    pressure: float
+    schedule: Schedule = Constant(1.0)
+    follows: bool = False
+
+    def __post_init__(self) -> None:
+        face_of("Pressure", self.region)
+        object.__setattr__(self, "pressure", number("Pressure", "pressure", self.pressure, unit="Pa"))
+        object.__setattr__(self, "schedule", as_schedule("Pressure", "schedule", self.schedule))
+        instance("Pressure", "follows", self.follows, bool, "True or False")
+
+    def on_facets(self, body: Lattice) -> tuple[Ints, Floats]:
+        """Return the loaded facets of a body (indices into `cells.free`) and the forces at full load [N], (p, 3)."""
+        _, _, _, area = facets_on(self.region, body)
+        return facet_numbers(self.region, body), -self.pressure * area
+
+    def nodal(self, lattice: Lattice) -> tuple[Ints, Floats]:
+        """Return elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
+        chosen, owner, centre, area = _shared("Pressure", self.region, lattice)
+        force = -self.pressure * area
+        if lattice.cells is not None:
+            return chosen, on_nodes(lattice, chosen, owner, centre, force)
+        values = np.zeros((len(chosen), 6))
+        for d in range(3):
+            values[:, d] = np.bincount(owner, weights=force[:, d], minlength=len(chosen))
+        position = lattice.centre[chosen]
+        missing = np.cross(centre - position[owner], force).sum(axis=0)
+        arms = position - position.mean(axis=0)
+        turning = balanced_forces(arms, np.zeros(3), missing)
+        values[:, :3] += turning
+        values[:, 3:] = (missing - np.cross(arms, turning).sum(axis=0)) / len(chosen)
+        return chosen, values
+
+
+@dataclass(frozen=True)
+class Absorbing:
+    """A boundary that absorbs waves by dashpots, ρ cp A along the normal and ρ cs A across.
+
+    Waves at normal incidence are absorbed entirely, oblique waves in part. Static solutions ignore the boundary.
+
+    Attributes:
+        region: a face, or part of one, as for `Pressure`; its area is divided in the same way.
+        density: density of the specimen, mass over volume [kg/m³]; not that of the elements.
+        E: Young's modulus of the specimen [Pa].
+        nu: Poisson's ratio of the specimen [-].
+        c: speed of the waves along the normal [m/s], such as √(E/ρ) in a thin bar; None for that of plane waves.
+
+    Reference: Lysmer and Kuhlemeyer, J. Eng. Mech. Div. ASCE 95 (1969) 859–877.
+    """
+
+    region: Region
+    density: float
+    E: float
+    nu: float
+    c: float | None = None
+
+    def __post_init__(self) -> None:
+        face_of("Absorbing", self.region)
+        for name, unit in (("density", "kg/m³"), ("E", "Pa")):
+            object.__setattr__(self, name, number("Absorbing", name, getattr(self, name), unit=unit, above=0.0))
+        nu = number("Absorbing", "nu", self.nu, above=-1.0, below=0.5, advice="Poisson's ratio in (-1, 0.5)")
+        object.__setattr__(self, "nu", nu)
+        if self.c is not None:
+            number("Absorbing", "c", self.c, unit="m/s", above=0.0, advice="a positive celerity, or None")
+
+    @property
+    def celerities(self) -> tuple[float, float]:
+        """Speeds of the absorbed waves along the normal and across [m/s]."""
+        E, nu = self.E, self.nu
+        plane = math.sqrt(E * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu)) / self.density)
+        return self.c if self.c is not None else plane, math.sqrt(0.5 * E / (1.0 + nu) / self.density)
+
+    def dashpots(self, lattice: Lattice) -> tuple[Ints, Floats]:
+        """Return elements (k,) and their dashpot coefficients xx, yy, zz, xy, xz, yz [N·s/m], (k, 6)."""
+        chosen, owner, _, area = _shared("Absorbing", self.region, lattice)
+        along, across = (self.density * c for c in self.celerities)
+        size = np.linalg.norm(area, axis=1)
+        normal = area / size[:, None]
+        values = np.zeros((len(chosen), 6))
+        for d, (a, b) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))):
+            part = size * ((along - across) * normal[:, a] * normal[:, b] + (across if a == b else 0.0))
+            values[:, d] = np.bincount(owner, weights=part, minlength=len(chosen))
+        return chosen, values
+
+
+@dataclass(frozen=True)
+class Eigenstrain:
+    """A stress-free strain of the bonds: heat, shrinkage, swelling or initial stress.
+
+    Rest lengths become L (1 + ε*(t)). Each bond gets the mean of the strains of its two elements, because half of its
+    length lies inside each; outside the region the strain is 0. A free specimen grows by a uniform ε* without stress;
+    a specimen held between two walls carries -E ε*. Strains on the same bond add up. For a
+    field whose pattern changes with time, give several strains, each with its own schedule.
+
+    Attributes:
+        strain: ε* at factor 1 [-], such as α ΔT: a number, the same everywhere; or (n,), one per element in the
+            user's order, where elements outside the region are ignored; or a function of the reference centres [m],
+            (n, 3), that returns (n,). A run file cannot store a function; give its values instead.
+        region: elements that are strained.
+        schedule: factor over time [-].
+
+    Raises:
+        InputError: another shape, or values that are not finite or reach -1; of a function, when a model is made.
+    """
+
+    strain: float | Sequence[float] | Callable[[PerElement3], PerElement]
+    region: Region = Everything()
+    schedule: Schedule = Constant(1.0)
+
+    def __post_init__(self) -> None:
+        as_region("Eigenstrain", self.region)
+        object.__setattr__(self, "schedule", as_schedule("Eigenstrain", "schedule", self.schedule))
+        if callable(self.strain):
+            return
+        values = array("Eigenstrain", "strain", self.strain, wanted="one strain, or (n,), or a function of centres")
+        if values.ndim > 1:
+            raise InputError(f"Eigenstrain: strain has shape {values.shape}; give a number, (n,), or a function")
+        self._check_size(values)
+        object.__setattr__(self, "strain", float(values) if values.ndim == 0 else tuple(values.tolist()))
+
+    def _check_size(self, values: Floats) -> None:
+        if not possible(values):
+            raise InputError("Eigenstrain: strain holds values that are not finite; give finite ones above -1")
+        ends = np.outer([values.min(initial=0.0), values.max(initial=0.0)], self.schedule.table[1])
+        if not (1.0 + ends > 0.0).all():
+            raise InputError(
+                f"Eigenstrain: strain = {shown(self.strain)} times its schedule reaches {ends.min():.4g}; give values"
+                " that stay above -1"
+            )
+
+    def parts(self, lattice: Lattice) -> PerBond:
+        """Return the strain of each bond at factor 1 [-], user's order, (m,).
+
+        Raises:
+            InputError: an array or a result of the function of another length, or values at or below -1.
+        """
+        inside, given = np.zeros(len(lattice.particles)), self.strain
+        inside[self.region.select(lattice)] = 1.0
+        values = np.asarray(given(lattice.centre.copy()) if callable(given) else given, dtype=float)
+        if values.shape not in ((), inside.shape):
+            raise InputError(
+                f"Eigenstrain: strain = {shown(given)}: its values have shape {values.shape}; give a number,"
+                f" ({len(inside)},), one value per element, or a function of centres ({len(inside)}, 3) that does"
+            )
+        self._check_size(values)
+        return (values * inside)[lattice.pairs].mean(axis=1)
+
+
+def is_face(region: Region) -> bool:
+    """Return True if a region is a face or part of one."""
+    match region:
+        case Face():
+            return True
+        case Difference(first=first):
+            return is_face(first)
+        case Intersection(first=first, second=second):
+            return is_face(first) or is_face(second)
+        case _:
+            return False
+
+
+def face_of(owner: str, region: Region) -> Face:
+    """Return the face that a region is, or is part of.
+
+    Raises:
+        InputError: The region is not on a face.
+    """
+    match region:
+        case Face():
+            return region
+        case Difference(first=first):
+            return face_of(owner, first)
+        case Intersection(first=first, second=second):
+            return face_of(owner, first if isinstance(first, Face | Difference | Intersection) else second)
+        case _:
+            as_region(owner, region)
+    raise InputError(
+        f'{owner}: {region} is not a face; give bd.Face("x_min") or a part of one, and one {owner} for each face'
+    )
+
+
+def facet_numbers(region: Region, body: Lattice) -> Ints:
+    """Return the facets of a face, or of a part of one, as indices into `cells.free`."""
+    face = face_of("facet_numbers", region)
+    chosen = np.zeros(len(body.particles), dtype=bool)
+    chosen[region.select(body)] = True
+    assert body.cells is not None
+    found = body.on_face(face.name)
+    return found[chosen[body.cells.free.cell[found]]]
+
+
+def facets_on(region: Region, body: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
+    """Return the cells of a region and their facets on a face.
+
+    Returns:
+        The cells, and for each facet the position of its cell among them, its centroid [m], and its area times
+        normal [m²].
+    """
+    chosen, found = region.select(body), facet_numbers(region, body)
+    place = np.full(len(body.particles), -1)
+    place[chosen] = np.arange(len(chosen))
+    assert body.cells is not None
+    free = body.cells.free
+    return chosen, place[free.cell[found]], free.centroid[found], free.area[found, None] * free.normal[found]
+
+
+def on_nodes(body: Lattice, chosen: Ints, owner: Ints, centre: Floats, force: Floats) -> Floats:
+    """Return force and torque on chosen cells [N, N·m], (k, 6), of forces (p, 3) at points (p, 3) of those cells."""
+    torque = np.cross(centre - body.centre[chosen][owner], force)
+    columns = np.hstack([force, torque]).T
+    parts = [np.bincount(owner, weights=column, minlength=len(chosen)) for column in columns]
+    return np.stack(parts, axis=1).astype(float)
+
+
+def _shared(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
+    """Return the elements of a face and its patches, as `facets_on` does for facets.
+
+    The patches of a body are its facets on the face.
+    """
+    face, particles = face_of(owner, region), lattice.particles
+    if lattice.cells is not None:
+        return facets_on(region, lattice)
+    whole, chosen = face.select(lattice), region.select(lattice)
+    centre, area = face_patches(particles.envelope, face.name, _PATCH * particles.mean_radius)
+    nearest = whole[KDTree(particles.position[whole]).query(centre)[1]]
+    place = np.full(len(particles), -1)
+    place[chosen] = np.arange(len(chosen))
+    mine = place[nearest] >= 0
+    if not mine.any():
+        raise InputError(f"{owner}: no patch is nearest to an element of {region}; select a larger part of the face")
+    return chosen, place[nearest[mine]], centre[mine], area[mine]

@@ -1,0 +1,247 @@
+"""Facets of cells that a wall holds, where a body of cells is clamped, driven or pressed between platens.
+
+A condition on a face holds the surface, not the centres of the cells behind it, which are half a cell away. The wall
+is joined to each of its facets by the half facet of the cell, in the prescribed directions. In the other directions
+the facet stays free.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._types import Floats, Ints, Mask, PerElement, PerElement3, PerElement6
+from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
+from bondem.boundary.loads import facet_numbers, is_face
+from bondem.boundary.schedules import Schedule
+from bondem.geometry.rotations import turned_vectors
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
+
+#: Columns of where walls come from, `State.grips`: offset [m], 3, and the orientation of the cell there, w x y z.
+BASE = 7
+
+
+@dataclass(frozen=True, eq=False)
+class Holds:
+    """Held free facets of a body, with the held axes and the motion of their walls.
+
+    Attributes:
+        facet: indices into `cells.free`, ascending, shape (g,).
+        axes: mask of held axes x, y, z of each facet, shape (g, 3).
+        drives: schedules of walls that move.
+        drive: schedule that each facet follows along x, y, z, or -1, shape (g, 3).
+        rate: mask of the schedules that are velocities.
+    """
+
+    facet: Ints
+    axes: Mask
+    drives: tuple[Schedule, ...]
+    drive: Ints
+    rate: tuple[bool, ...]
+
+    @classmethod
+    def of(cls, body: Lattice, boundary: Sequence[BoundaryCondition]) -> "Holds":
+        """Return the facets held by the conditions on faces."""
+        assert body.cells is not None
+        count = len(body.cells.free.cell)
+        axes, drive = np.zeros((count, 3), dtype=bool), np.full((count, 3), -1)
+        drives: list[Schedule] = []
+        rate: list[bool] = []
+        for condition in boundary:
+            if not isinstance(condition, Fix | Drive) or not holds_wall(condition):
+                continue
+            found = facet_numbers(condition.region, body)
+            if isinstance(condition, Fix):
+                for axis in condition.components:
+                    if axis < 3:
+                        axes[found, axis] = True
+                continue
+            for axis, schedule, is_rate in condition.motion:
+                if axis < 3:
+                    axes[found, axis], drive[found, axis] = True, len(drives)
+                    drives.append(schedule)
+                    rate.append(is_rate)
+        facet = np.flatnonzero(axes.any(axis=1))
+        return cls(facet, axes[facet], tuple(drives), drive[facet], tuple(rate))
+
+    def same(self, other: "Holds") -> bool:
+        """Return True if the same facets are held and moved in the same way."""
+        arrays = ((self.facet, other.facet), (self.axes, other.axes), (self.drive, other.drive))
+        moved = self.drives == other.drives and self.rate == other.rate
+        return moved and all(np.array_equal(*each) for each in arrays)
+
+    def final_motion(self) -> Floats:
+        """Return displacements of the walls at the end of all schedules [m], shape (g, 3)."""
+        last = np.array([schedule.final for schedule in self.drives] + [0.0])
+        return np.where(self.axes, last[self.drive], 0.0)
+
+
+def holds_wall(condition: Fix | Drive) -> bool:
+    """Return True if a condition holds a wall: one on a face that prescribes translations."""
+    first = condition.components if isinstance(condition, Fix) else [dof for dof, *_ in condition.motion]
+    return is_face(condition.region) and min(first) < 3
+
+
+class WallConstraints(NamedTuple):
+    """Facets on the surface that walls hold, g of them, each by the half facet of its cell."""
+
+    cell: Ints  #: (g,)
+    row: Ints  #: row of the boundary that the cell owns, (g,)
+    k: Floats  #: 2 G A / d [N/m], (g,)
+    lever: Floats  #: from the centre of the cell to the facet in the reference [m], (g, 3)
+    arm: Floats  #: the same with stress-free and plastic strains of the cell [m], (g, 3)
+    share: Floats  #: A M⁻¹n along the held axes [m²], (g, 3)
+    H: Floats  #: resistance to rotation, xx, yy, zz, xy, xz, yz [N·m], (g, 6)
+    base: Floats  #: origin of the motion of the wall [m], and the quaternion of the cell there, (g, 7)
+    axes: Floats  #: 1 where held, along x, y, z, (g, 3)
+    drive: Ints  #: schedule that moves the wall along x, y, z, or -1, (g, 3)
+    rate: np.ndarray  #: 1 for schedules of velocities, uint8
+    times: Floats  #: schedules, one after the other
+    values: Floats
+    start: Ints
+    place: int  #: of the walls in the list of works
+    wall: Floats  #: displacement of the wall now [m], (g, 3)
+    came: Floats  #: its increment in this step [m], (g, 3)
+    load: Floats  #: force and torque on the cell [N, N·m], (g, 6)
+
+
+@dataclass(frozen=True, eq=False)
+class Grips:
+    """The half facets between cells and the walls that hold them, g of them; elements in the user's order.
+
+    Attributes:
+        cell: cell of each, shape (g,).
+        k: 2 G A / d [N/m], shape (g,).
+        lever: lever from the centre of mass of the cell to the centroid of the facet [m], shape (g, 3).
+        arm: lever without stress, longer for cells with a stress-free strain [m], shape (g, 3).
+        share: A M⁻¹n along the held axes: V θ of the cell is Σ share·δ [m²], shape (g, 3).
+        H: resistance to rotation if the normal is held [N·m], shape (g, 3, 3).
+        axes: 1 for held and 0 for free axes x, y, z, shape (g, 3).
+        motion: displacement of the wall at the end of all schedules [m], shape (g, 3).
+        holds: motion of the walls.
+        area: areas of the facets [m²], shape (g,).
+        normal: normals of the facets [-], shape (g, 3).
+        way: M⁻¹n [-], shape (g, 3).
+        bend: H if the whole normal is held [N·m], shape (g, 3, 3).
+    """
+
+    cell: Ints
+    k: Floats
+    lever: Floats
+    arm: Floats
+    share: Floats
+    H: Floats
+    axes: Floats
+    motion: Floats
+    holds: Holds
+    area: Floats
+    normal: Floats
+    way: Floats
+    bend: Floats
+
+    def flatness(self, orientation: Floats) -> Floats:
+        """Return the held share of the normal of each facet, 0 … 1, with cells of these quaternions (g, 4), (g,)."""
+        return ((self.axes * turned_vectors(orientation, self.normal)) ** 2).sum(axis=1)
+
+    def taken(self, base: Floats) -> "Grips":
+        """Return these grips with rotated shares and H, for walls that took over cells at poses `base`, (g, 7)."""
+        other = (base[:, 4:] != 0.0).any(axis=1)
+        if not other.any():
+            return self
+        q, share, H = base[other, 3:], self.share.copy(), self.H.copy()
+        share[other] = self.area[other, None] * self.axes[other] * turned_vectors(q, self.way[other])
+        R = np.stack([turned_vectors(q, np.tile(axis, (len(q), 1))) for axis in np.eye(3)], axis=2)
+        held = self.flatness(base[:, 3:])[other, None, None]
+        H[other] = held * (R @ self.bend[other] @ np.swapaxes(R, 1, 2))
+        return replace(self, share=share, H=H)
+
+    def grown(self, strain: PerElement) -> "Grips":
+        """Return the grips of cells with a stress-free strain [-], user's order, (n,)."""
+        return replace(self, arm=self.lever * (1.0 + strain[self.cell, None]))
+
+    def gap(self, displacement: PerElement3, rotation: PerElement3, wall: Floats | None = None) -> Floats:
+        """Return the gaps between walls and their facets along the held axes, for small motions [m], shape (g, 3).
+
+        Args:
+            displacement, rotation: motions of the elements [m, rad], (n, 3).
+            wall: displacement of the walls [m], (g, 3); None for none.
+        """
+        moved = displacement[self.cell] + np.cross(rotation[self.cell], self.lever)
+        return self.axes * ((0.0 if wall is None else wall) - moved)
+
+    def nodal(self, gap: Floats, turn: PerElement3, stress: Floats) -> PerElement6:
+        """Return force and torque of the walls on their cells [N, N·m], shape (g, 6).
+
+        Args:
+            gap: gaps [m], (g, 3).
+            turn: rotations of the elements [rad], (n, 3).
+            stress: λ θ of all cells [Pa], (n,).
+        """
+        force = self.k[:, None] * gap + stress[self.cell, None] * self.share
+        moment = -np.einsum("gab,gb->ga", self.H, turn[self.cell])
+        return np.hstack([force, np.cross(self.lever, force) + moment])
+
+    def constraint(self, motion: Floats) -> Floats:
+        """Return the constrained motions for motions (n, 6, k) of the elements [m], (6 g, k).
+
+        These are the motion of the held points along the held axes, and √(H/k) θ: a wall that holds the normal of a
+        facet holds a plane, which resists a rotation even if no other facet is held.
+        """
+        own = motion[self.cell]
+        moved = own[:, :3] + np.cross(own[:, 3:], self.lever[:, :, None], axis=1)
+        size, axis = np.linalg.eigh(self.H / self.k[:, None, None])
+        arm = np.sqrt(np.where(size > 1e-9 * size[:, -1:], size, 0.0))
+        turned = arm[:, :, None] * (np.swapaxes(axis, 1, 2) @ own[:, 3:])
+        held = self.axes[:, :, None] * moved
+        return np.concatenate([held, turned]).reshape(-1, motion.shape[-1])
+
+    def blocks(self, lever: Floats | None = None) -> tuple[Floats, Floats]:
+        """Return contributions of grips to diagonal blocks [N/m, N, N·m], (g, 6, 6), and to V θ of cells, (g, 6).
+
+        Args:
+            lever: levers as rotated by the cells [m], (g, 3); None for those of the reference.
+        """
+        b, P = self.lever if lever is None else lever, self.axes[:, :, None] * np.eye(3)
+        cross = np.zeros((len(b), 3, 3))
+        for r, c, axis in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+            cross[:, r, c], cross[:, c, r] = -b[:, axis], b[:, axis]
+        moved = np.concatenate([P, -P @ cross], axis=2)  # P (u + θ × b)
+        own = self.k[:, None, None] * np.swapaxes(moved, 1, 2) @ moved
+        own[:, 3:, 3:] += self.H
+        return own, -np.hstack([self.share, np.cross(b, self.share)])
+
+    def table(self, layout: Layout, row_of: Ints, place: int, base: Floats | None = None) -> WallConstraints:
+        """Return the held facets as the core takes them; arrays that change are those of the table.
+
+        Args:
+            layout: order of the elements.
+            row_of: row of the boundary of each element, internal order.
+            place: place of the walls in the list of works.
+            base: initial places of the walls, (g, 7); the reference if None, or of another number of facets.
+        """
+        if base is not None and len(base) == len(self.cell):
+            return self.taken(base)._table(layout, row_of, place, base)
+        return self._table(layout, row_of, place, reference_base(len(self.cell)))
+
+    def _table(self, layout: Layout, row_of: Ints, place: int, base: Floats) -> WallConstraints:
+        cell, count, holds = layout.rank[self.cell], len(self.cell), self.holds
+        tables = [schedule.table for schedule in holds.drives]
+        return WallConstraints(
+            cell=cell, row=row_of[cell], k=self.k, lever=self.lever, arm=self.arm.copy(),
+            share=self.share,
+            H=np.ascontiguousarray(self.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]]), base=base,
+            axes=self.axes, drive=holds.drive,
+            rate=np.array(holds.rate, dtype=np.uint8), times=np.concatenate([np.zeros(0), *(t for t, _ in tables)]),
+            values=np.concatenate([np.zeros(0), *(values for _, values in tables)]),
+            start=np.cumsum([0, *(len(t) for t, _ in tables)]).astype(np.int64), place=place,
+            wall=base[:, :3].copy(), came=np.zeros((count, 3)), load=np.zeros((count, 6)),
+        )  # fmt: skip
+
+
+def reference_base(count: int) -> Floats:
+    """Return the initial places of walls that are measured from the reference, (g, 7)."""
+    base = np.zeros((count, BASE))
+    base[:, 3] = 1.0
+    return base

@@ -1,0 +1,54 @@
+// What the removal of a facet changes: its own energy, and the weight, the stress and the energy of its cells.
+//
+// With poses at rest the energy of dilatation of a cell depends on which of its own facets are left, so the energy that a
+// facet releases follows from its cells alone, given the facets that are removed before it. `left(k)` is the integrity of
+// facet k at such an instant.
+#pragma once
+#include "facet_neighbours.hpp"
+#include "facet_verdicts.hpp"
+#include "walls.hpp"
+
+namespace bondem {
+
+// λ / V of a cell with the facets that it has left: those that failed open until they have no traction.
+template <class Left> inline double weight_left(const FacetRelease &release, Index p, Left left) {
+    double inward = 0.0, outward = 0.0;
+    for (Index k = release.in_start(p); k < release.in_start(p + 1); k++) inward += (1.0 - left(k)) * release.slack_j(k);
+    for (Index e = release.out_start(p); e < release.out_start(p + 1); e++)
+        outward += (1.0 - left(release.out_bond(e))) * release.slack_i(release.out_bond(e));
+    return release.whole(p) / (release.whole(p) * (inward + outward) + 1.0);
+}
+
+// Stress of a cell [Pa], and its energy of dilatation [J].
+struct Dilated {
+    double stress, energy;
+};
+template <class Left>
+inline Dilated dilated(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                       const FacetRelease &release, Index p, double weight, Left left) {
+    const FacetColumns columns(facets);
+    double grown = release.given(p);
+    for_each_wall_of(release, p, [&](Index g) { grown += dilatation_of_hold(all.pose, all.rest, walls, g); });
+    for_each_facet_of(release, p, [&](Index k) {
+        const double s = left(k);
+        if (s <= 0.0) return;
+        const OfCells<double> both = dilatation(ends_of(all.pose.data, facets, k), columns.shape<double>(k));
+        grown += s * (facets.i(k) == Short(p) ? both.i : both.j);
+    });
+    return {weight * grown, 0.5 * weight * grown * grown};
+}
+
+// The removal of facet k, without what dilatation releases.
+inline Removal removal_of_facet(const Moving &all, const ElasticFacets &facets, Index k) {
+    const FacetColumns columns(facets);
+    const Index i = facets.i(k);
+    const Ends<double> ends = ends_of(all.pose.data, facets, k);
+    const FacetShape<double> shape = columns.shape<double>(k);
+    const OpenFacet<double> open = opened(ends, shape);
+    const Vector normal = normal_of(facets, k), centre = {all.pose(i, 0), all.pose(i, 1), all.pose(i, 2)};
+    const FacetEnergy<double> parts = facet_energy(ends, shape, normal, columns.stiffness(k, 1.0));
+    const double energy = facets.integrity(k) * (parts.normal + parts.shear + parts.bending + parts.twisting);
+    return {energy, dot(open.gap, present_normal(ends, normal)), centre + open.arm_i};
+}
+
+}  // namespace bondem

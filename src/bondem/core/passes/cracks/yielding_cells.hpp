@@ -1,0 +1,117 @@
+// Cells that yield under their mean stress, and what their plastic deformation stretches: one cell, facet or wall at a time.
+#pragma once
+#include "../../laws/plasticity.hpp"
+#include "../../laws/stress.hpp"
+#include "single_cracks.hpp"
+#include "stress_state.hpp"
+
+namespace bondem {
+
+// Columns of a cell in `YieldingCells::plastic`.
+namespace plastic_column {
+enum : Index { deformation = 0, gamma = 9, increment = 10, heat = 16 };
+}
+
+// The plastic strain of the last increment, in space [-].
+inline Symmetric3<double> strain_of(const YieldingCells &cells, Index p) {
+    const double *e = &cells.plastic(p, plastic_column::increment);
+    return {e[0], e[1], e[2], e[3], e[4], e[5]};
+}
+inline const PlasticDeformation<double> &deformation_of(const YieldingCells &cells, Index p) {
+    return *reinterpret_cast<const PlasticDeformation<double> *>(&cells.plastic(p, plastic_column::deformation));
+}
+inline bool has_yielded(const YieldingCells &cells, Index p) { return cells.plastic(p, plastic_column::gamma) != 0.0; }
+// Whether the plastic deformation of cell p grows in this step.
+inline bool grows(const YieldingCells &cells, Index p) {
+    return has_yielded(cells, p) && work_of(strain_of(cells, p), strain_of(cells, p)) > 0.0;
+}
+
+// ---- flow
+
+// Adds what the last increment dissipated, by the mean of the stresses before and after it, and returns which share of the cohesion is left.
+inline double close_increment(const StressesOfCells &stresses, const YieldingCells &cells, Index p) {
+    using namespace plastic_column;
+    if (!(cells.plastic(p, gamma) > 0.0)) return 1.0;
+    cells.plastic(p, heat) += 0.5 * stresses.volume(p) * work_of(tensor_of(stresses, p), strain_of(cells, p));
+    for (Index d = 0; d < 6; d++) cells.plastic(p, increment + d) = 0.0;
+    return positive(1.0 - cells.fade(p) * cells.plastic(p, gamma));
+}
+// Closes the last increment of cell p, and calls on(strength) where the cell may be beyond its yield surface.
+template <class On>
+inline void where_yields(const StressesOfCells &stresses, const YieldingCells &cells, const CrackOnset &onset, Index p, On on) {
+    // No stress σ is beyond Mohr and Coulomb's planes or a cone by more than √2 |σ| less their strength; the square, and
+    // something for rounding.
+    constexpr double reach = 2.01;
+    const double size = stresses.tensor(p, 7), whole = cells.cohesion(p);
+    const bool flowed = cells.plastic(p, plastic_column::gamma) > 0.0;
+    if (!flowed && reach * size * size < whole * whole) return;
+    const double kept = close_increment(stresses, cells, p);
+    const YieldStrength<double> by = {kept * whole, cells.slope(p), cells.dilation(p), cells.stiffness(p)};
+    if (flowed && kept == 0.0) onset.judged(p) = 2;
+    if (yield_bound(invariants(tensor_of(stresses, p)), by, cells.cone != 0) > 0.0) on(by);
+}
+
+// Δγ and Δε in space.
+template <class T> struct PlasticFlow {
+    T gamma;
+    Symmetric3<T> strain;
+};
+template <class T> BONDEM_INLINE PlasticFlow<T> flow_under(const Symmetric3<T> &s, const YieldStrength<T> &by, bool cone) {
+    const PrincipalStress<T> found = principal(s);
+    const PlasticStep<T> step = cone ? cone_step(found, invariants(s), by) : slip_step(found, by);
+    return {step.gamma, plastic_strain(found, step)};
+}
+// Cell p flows.
+inline void flow(const Moving &all, const StressesOfCells &stresses, const YieldingCells &cells, Index p,
+                 const PlasticFlow<double> &by) {
+    using namespace plastic_column;
+    double *const row = &cells.plastic(p, 0);
+    auto &P = *reinterpret_cast<PlasticDeformation<double> *>(row + deformation);
+    const Symmetric3<double> &e = by.strain;
+    P = deformed(P, turned_by(inverse(orientation(gather(all.pose.data, Short(p)))), e));
+    const double parts[6] = {e.xx, e.yy, e.zz, e.xy, e.xz, e.yz};
+    for (Index d = 0; d < 6; d++) row[increment + d] += parts[d];
+    row[gamma] += by.gamma;
+    row[heat] += 0.5 * stresses.volume(p) * work_of(tensor_of(stresses, p), strain_of(cells, p));
+}
+
+// ---- levers
+
+// Lever k of a table, from the one without plastic strain.
+inline void stretch_lever(const Array<int32_t, 2> &lever, const Array<int32_t, 2> &base,
+                          const Array<const double, 1> &pitch, const PlasticDeformation<double> &P, Index k) {
+    const Vector b = {pitch(0) * double(base(0, k)), pitch(1) * double(base(1, k)), pitch(2) * double(base(2, k))};
+    const Vector to = stretched(P, b);
+    for (Index d = 0; d < 3; d++) lever(d, k) = int32_t(nearest(to[d] / pitch(d)));
+}
+// Levers of cell p.
+inline void stretch_cell(const ElasticFacets &facets, const FacetsOfCells &of_cells, const YieldingCells &cells, Index p) {
+    const PlasticDeformation<double> &P = deformation_of(cells, p);
+    for (Index k = of_cells.in_start(p); k < of_cells.in_start(p + 1); k++)
+        stretch_lever(facets.lever_j, cells.base_j, facets.pitch, P, k);
+    for (Index e = of_cells.out_start(p); e < of_cells.out_start(p + 1); e++)
+        stretch_lever(facets.lever_i, cells.base_i, facets.pitch, P, of_cells.in_start(0) + Index(of_cells.out_bond(e)));
+}
+// Lever of wall g.
+inline void stretch_yielding_wall(const WallConstraints &walls, const YieldingCells &cells, Index g) {
+    walls.arm.row<Vector>(g) = stretched(deformation_of(cells, walls.cell(g)), cells.base_wall.row<const Vector>(g));
+}
+// The same, where strains have set the lever without plastic strain anew.
+inline void stretch_from_present(const WallConstraints &walls, const YieldingCells &cells, Index g) {
+    cells.base_wall.row<Vector>(g) = walls.arm.row<Vector>(g);
+    stretch_yielding_wall(walls, cells, g);
+}
+// Levers that a crack has of its facet, where one of its cells grows.
+inline void stretch_crack(const ElasticFacets &facets, const YieldingCells &cells, const CohesiveCracks &cracks, Index k) {
+    if (grows(cells, facets.i(k)) || grows(cells, facets.j(k))) write_levers(facets, cracks, k);
+}
+
+// ---- work
+
+// Power of load l on free facets as cell p deforms, at full load [J].
+inline double yielding_work(const StressesOfCells &stresses, const YieldingCells &cells, Index l, Index p) {
+    const double *m = &stresses.pressed(l, p, 0);
+    return work_of({m[0], m[1], m[2], m[3], m[4], m[5]}, strain_of(cells, p));
+}
+
+}  // namespace bondem

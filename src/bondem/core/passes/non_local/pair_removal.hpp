@@ -1,0 +1,38 @@
+// What the removal of a bond of the non-local law changes: the loads on its ends, its event, and the stresses of its ends.
+#pragma once
+#include "../damage/pipeline.hpp"
+#include "bond_columns.hpp"
+
+namespace bondem {
+
+// Takes the loads of a bond off the kept sum of its end i, or of its end j.
+inline void take_off_pair(double *row, bool is_i, const NonLocalBonds &bonds, Index k) {
+    const double sign = is_i ? 1.0 : -1.0;
+    take_off(row, sign, output_at(bonds, force_column, k), sign, output_at(bonds, is_i ? on_i_column : on_j_column, k));
+}
+inline Removal removal_of_pair(const Moving &all, const Beams &beams, const NonLocalBonds &bonds, Index k) {
+    const double *const pose = all.pose.data;
+    const Short i = beams.i(k);
+    const PairPose<double> now = pair_pose(pose, beams, bonds, k);
+    const SpringEnergy<double> energy = spring_energy(now, pair_stiffness<double>(bonds, k));
+    const Vector centre = {pose[8 * i], pose[8 * i + 1], pose[8 * i + 2]};
+    return {beams.integrity(k) * (energy.normal + energy.shear), dot(now.gap, now.normal),
+            plus(centre + now.lever_i, 0.5, now.gap)};
+}
+// Takes from the stress of an element, in its own frame, what the force of a bond does at its lever.
+inline void relieve(const Moving &all, const LaggedStresses &stresses, Short p, bool is_i, const NonLocalBonds &bonds,
+                    Index k) {
+    const PairShape<double> shape = pair_shape<double>(bonds, k);
+    const Vector force = output_at(bonds, force_column, k);
+    const Vector own = turned_by(inverse(orientation(gather(all.pose.data, p))), force);
+    const double sign = is_i ? 1.0 : -1.0;
+    const Stress<double> s = (sign * stresses.inverse(p)) * symmetric_product(is_i ? shape.lever_i : shape.lever_j, own);
+    const double all_of[6] = {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz};
+    for (Index c = 0; c < 6; c++) stresses.stress(p, c) -= all_of[c];
+}
+inline void end_pair(const NonLocalBonds &bonds, const BeamIntegrity &state, Index k) {
+    for (Index c = 0; c < bonds.output.size(); c++) bonds.output(c, k) = 0.0;
+    state.integrity(k) = 0.0;
+}
+
+}  // namespace bondem

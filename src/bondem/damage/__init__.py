@@ -1,0 +1,1 @@
+"""Damage: criteria, strengths and their scatter, softening, and the events of breakage."""

@@ -1,0 +1,1 @@
+"""Failure criteria, one file each."""

@@ -1,0 +1,137 @@
+"""Assignment of failure criteria to bonds and cells: one for all, or criteria by region."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import instance
+from bondem._types import Ints
+from bondem.damage.criteria.criterion import BondCriterion, Criterion
+from bondem.errors import InputError
+from bondem.interactions.beams.assignment import ends_of
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Region
+
+FailureAssignment = Criterion | Mapping[Region | tuple[Region, Region], Criterion]
+
+_WANTED = "a criterion such as bd.PeripheralStress(...), or None"
+
+
+@dataclass(frozen=True, eq=False)
+class FailurePart:
+    """A criterion with its bonds and elements.
+
+    Attributes:
+        criterion: criterion of the same kind as those of the other parts.
+        bonds: bonds or facets that it applies to, user's order.
+        elements: elements that yield by it, user's order.
+        plane: True if the facets form a material plane, evaluated by their own traction, not by the stress of cells.
+    """
+
+    criterion: Criterion
+    bonds: Ints
+    elements: Ints
+    plane: bool = False
+
+
+def criteria_of(failure: object) -> tuple[Criterion, ...]:
+    """Return the criteria of an assignment, in its order.
+
+    Raises:
+        InputError: There is no criterion, or the criteria cannot be combined.
+    """
+    if not isinstance(failure, Mapping):
+        return (instance("Model", "failure", failure, Criterion, f"{_WANTED}, or {{region: criterion}}"),)
+    found = tuple(instance("Model", "failure", one, Criterion, _WANTED) for one in failure.values())
+    if not found:
+        raise InputError("failure = {} has no region; give {region: criterion}, one criterion, or None")
+    _check_alike(found)
+    return found
+
+
+def _check_alike(found: tuple[Criterion, ...]) -> None:
+    """Reject criteria of different kinds, because a run evaluates all of its bonds by one function.
+
+    Raises:
+        InputError: The criteria cannot be combined.
+    """
+    first, *others = found
+    if not others:
+        return
+    names = ", ".join(dict.fromkeys(type(one).__name__ for one in found))
+    advice = "give criteria of one kind, which may differ in their strengths and energies"
+    if len({isinstance(one, BondCriterion) and one.softening is None for one in found}) > 1:
+        raise InputError(f"failure= has {names}, some on single bonds and some on the stress of cells; {advice}")
+    soft = [one.softening for one in found if one.softening is not None]
+    if not soft:
+        if len({type(one) for one in found}) > 1:
+            raise InputError(f"failure= combines {names}; {advice}")
+        if len({one.energies is None for one in found if isinstance(one, BondCriterion)}) > 1:
+            raise InputError("failure= combines bonds that soften with brittle ones; give all a fracture_energy")
+        return
+    if any(one.surface is not None for one in soft):
+        if any(one != first for one in others):
+            raise InputError(
+                f"failure= has {names} by region; only bd.Rankine and bd.MohrCoulomb may differ between regions"
+            )
+        return
+    if len({one.curve for one in soft}) > 1:
+        raise InputError("failure= combines cracks with different softening curves; give all regions the same curve=")
+    if len({one.fracture_energy > 0.0 for one in soft}) > 1:
+        raise InputError("failure= combines cracks that soften with brittle ones; give all of them a fracture_energy")
+
+
+def failure_parts(lattice: Lattice, failure: FailureAssignment) -> tuple[FailurePart, ...]:
+    """Return the parts of a lattice, with one criterion each.
+
+    With a mapping, the bonds within a region follow its criterion, and bonds between two regions follow that of the
+    pair. Cells follow the criterion of their region. Later entries override earlier ones.
+
+    Raises:
+        InputError: The criteria cannot be combined, or some bonds have none.
+        EmptyRegionError: A region has no elements.
+    """
+    found = criteria_of(failure)
+    i, j = lattice.pairs.T
+    if not isinstance(failure, Mapping):
+        whole = np.arange(len(i)), np.arange(len(lattice.particles))
+        return (FailurePart(found[0], *whole, plane=_is_plane(found[0], between=False)),)
+    of_bond, of_element = np.full(len(i), -1), np.full(len(lattice.particles), -1)
+    for number, where in enumerate(failure):
+        first, second = ends_of("failure=", where)
+        a, b = np.zeros((2, len(of_element)), dtype=bool)
+        a[first.select(lattice)] = True
+        b[second.select(lattice)] = True
+        of_bond[(a[i] & b[j]) | (b[i] & a[j])] = number
+        if not isinstance(where, tuple):
+            of_element[a] = number
+    bare = np.flatnonzero((of_bond < 0) & lattice.connected[i])
+    if bare.size:
+        raise InputError(
+            f"{bare.size} bonds have no strength, the first between elements {i[bare[0]]} and {j[bare[0]]}; add an"
+            " entry for bd.Everything() before the others, or (region, region): criterion for bonds between regions"
+        )
+    return tuple(
+        FailurePart(
+            one, np.flatnonzero(of_bond == number), np.flatnonzero(of_element == number),
+            plane=_is_plane(one, between=isinstance(where, tuple)),
+        )
+        for number, (one, where) in enumerate(zip(found, failure, strict=True))
+    )  # fmt: skip
+
+
+def _is_plane(criterion: Criterion, *, between: bool) -> bool:
+    """Return True if facets of a criterion are evaluated by their own traction.
+
+    By default this is so `between` two regions. Functions of the stress cannot be evaluated by a traction.
+    """
+    softening = criterion.softening
+    if softening is None or softening.surface is not None:
+        if criterion.on is not None:
+            raise InputError(
+                f"{type(criterion).__name__}: on = {criterion.on!r} applies to bd.Rankine and bd.MohrCoulomb with a"
+                " fracture energy; leave out on="
+            )
+        return False
+    return between if criterion.on is None else criterion.on == "traction"

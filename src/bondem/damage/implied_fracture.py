@@ -1,0 +1,156 @@
+"""Fracture energy and toughness implied by strengths, stiffnesses and the size of elements."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, PerBond, PerElement
+from bondem.damage.criteria.criterion import BondCriterion, Criterion, Joint
+from bondem.damage.criteria.elliptic import Elliptic
+from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
+from bondem.damage.failure_assignment import FailurePart
+from bondem.interactions.beams.bond_law import BondStiffness
+from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.interactions.non_local.non_local_constants import NonLocalConstants
+from bondem.specimen.lattice import Lattice
+
+
+@dataclass(frozen=True)
+class ImpliedFracture:
+    """Fracture properties of a lattice, as medians over its bonds or facets.
+
+    Cells with a fracture energy have the G_c that was given, and K_Ic = √(E G_c). Brittle facets of cells have
+    K_Ic = f_t √L (bars with a slit: 0.75 to 0.84 of it) and so G_c = K_Ic² / E = f_t² L / E. This is twice the
+    energy f_t² L / 2E that a facet releases per area of its own; both grow with the size of the elements. Bonds of
+    `NonLocal` are treated as such facets.
+
+    Brittle beams release, per area of a plane crack, the energy stored in tension by the bonds through it:
+    (1/2V) Σ U L with U = N_t² / 2 k_n. For beams that soften, U = G_f A is the energy that they absorb. E is then the
+    affine estimate, an upper bound.
+
+    Attributes:
+        softens: True if a fracture energy was given.
+        strength: f_t, tensile strength; for a beam its largest axial force over its section [Pa].
+        weakest: smallest of the median strengths of the parts that have one criterion each [Pa].
+        E: Young's modulus [Pa].
+        density: density of the specimen, including voids [kg/m³].
+        length: L, length of bonds, or distance of cells across their facet [m].
+        bond_energy: energy stored in tension by one bond or facet when it breaks, over its own area [J/m²].
+        fracture_energy: G_c [J/m²].
+        extent: longest edge of the specimen [m].
+    """
+
+    softens: bool
+    strength: float
+    weakest: float
+    E: float
+    density: float
+    length: float
+    bond_energy: float
+    fracture_energy: float
+    extent: float
+
+    @property
+    def toughness(self) -> float:
+        """Fracture toughness K_Ic [Pa √m]."""
+        return math.sqrt(self.E * self.fracture_energy)
+
+    @property
+    def irwin(self) -> float:
+        """Irwin's length E G_c / f_t² [m], about the size of the process zone."""
+        return self.E * self.fracture_energy / (self.strength * self.strength)
+
+
+@np.errstate(all="ignore")
+def implied_fracture(
+    lattice: Lattice,
+    parts: tuple[FailurePart, ...],
+    stiffness: BondStiffness,
+    cells: CellConstants | None,
+    non_local: NonLocalConstants | None,
+    mass: PerElement,
+) -> ImpliedFracture | None:
+    """Return the fracture properties that criteria imply for a lattice, or None without bonds.
+
+    Args:
+        lattice: bonds or facets.
+        parts: criteria with their bonds.
+        stiffness: stiffnesses of the bonds.
+        cells: constants of a body, user's order; None for other lattices.
+        non_local: constants of the non-local law, user's order; None for other laws.
+        mass: masses of the elements [kg], shape (n,).
+    """
+    if not len(lattice.pairs):
+        return None
+    volume = lattice.particles.envelope.volume
+    lower, upper = lattice.particles.envelope.bounds
+    if cells is not None and lattice.facets is not None:
+        area, length, place = lattice.facets.area, lattice.facets.span, lattice.facets.centroid
+        E = float(np.median(cells.G * (3.0 * cells.lame + 2.0 * cells.G) / (cells.lame + cells.G)))
+        held = None
+    elif non_local is not None:
+        area, length, held = non_local.area, lattice.length, None
+        place = lattice.centre[lattice.pairs[:, 0]] + non_local.lever_i
+        E = float(np.median(non_local.kn * length / area))
+    else:
+        area, length, held = np.pi * stiffness.radius**2, lattice.length, stiffness
+        place = lattice.centre[lattice.pairs[:, 0]] + 0.5 * lattice.branch
+        E = _affine_modulus(length, stiffness, volume)
+    joint = Joint(area, length, area * length, place, held)
+    pull, given = np.zeros((2, len(area)))
+    for part in parts:
+        pull[part.bonds] = _tensile_force(part, joint, lattice.particles.period, non_local=non_local is not None)
+        given[part.bonds] = _given_energy(part.criterion, cells=held is None)
+    stored = 0.5 * pull**2 * (length / (E * area) if held is None else 1.0 / stiffness.kn)
+    strength, L = float(np.median(pull / area)), float(np.median(length))
+    softens = bool(given.any())
+    if softens and held is not None:
+        energy = float((given * area * length).sum() / (2.0 * volume))
+    elif softens:
+        energy = float(np.median(given))
+    elif held is None:
+        energy = strength * strength * L / E
+    else:
+        energy = float((stored * length).sum() / (2.0 * volume))
+    weakest = min(float(np.median((pull / area)[part.bonds])) for part in parts if len(part.bonds))
+    return ImpliedFracture(
+        softens=softens, strength=strength, weakest=weakest, E=E, density=float(mass.sum()) / volume, length=L,
+        bond_energy=float(np.median(stored / area)), fracture_energy=energy,
+        extent=float(np.max(np.subtract(upper, lower))),
+    )  # fmt: skip
+
+
+def _given_energy(failure: Criterion, *, cells: bool) -> float:
+    """Return the fracture energy in tension of a criterion [J/m²], 0 for brittle bonds or facets."""
+    if cells:
+        return 0.0 if failure.softening is None else failure.softening.fracture_energy
+    energies = failure.energies if isinstance(failure, BondCriterion) else None
+    return 0.0 if energies is None else energies[0]
+
+
+def _tensile_force(part: FailurePart, joint: Joint, period: Floats | None, *, non_local: bool) -> PerBond:
+    """Return the tensile force that breaks each bond of a part in pure tension [N], (c,)."""
+    failure = part.criterion
+    factor = failure.factors(joint.volume, joint.place, period)[part.bonds]
+    joint = joint.take(part.bonds)
+    if non_local:
+        assert failure.principal is not None
+        return joint.area * factor / max(failure.principal[:2])
+    if failure.softening is not None and joint.stiffness is None:
+        return joint.area * failure.softening.tension * factor
+    assert isinstance(failure, BondCriterion)
+    each = failure.coefficients(joint, factor).T
+    if isinstance(failure, Elliptic):
+        return joint.beam.kn * joint.length / each[0]
+    if isinstance(failure, MohrCoulomb):  # where tension is beyond the tip of the cone, it is the tip
+        return 1.0 / np.maximum(each[0], each[1] * each[2])
+    return 1.0 / each[0]
+
+
+def _affine_modulus(length: PerBond, stiffness: BondStiffness, volume: float) -> float:
+    """Return E of an isotropic lattice whose elements all move with a uniform strain [Pa]."""
+    normal = float((length**2 * stiffness.kn).sum()) / volume
+    across = float((length**2 * stiffness.ks).sum()) / volume
+    bulk, shear = normal / 9.0, normal / 15.0 + across / 10.0
+    return 9.0 * bulk * shear / (3.0 * bulk + shear)

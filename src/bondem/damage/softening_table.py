@@ -1,0 +1,187 @@
+"""Tables of softening facets and yielding cells, internal order."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Ints, Mask, PerBond, PerElement
+from bondem.damage.cohesive_softening import SNAP, Softening, StressIndex
+from bondem.damage.failure_assignment import FailurePart
+from bondem.errors import InputError
+from bondem.interactions.cells.cell_constants import CellConstants, body_of
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
+
+# Share of its strength at which the facets of a cell are evaluated: the stress of a pair of cells agrees with the
+# traction of their facet, which may be above that of both (`core/laws/agreed_stress.hpp`).
+_MARGIN = 0.7
+# The same of other criteria, and of the size of a stress at which they are reached, found in a few directions.
+_WIDER, _NEARER = 0.5, 0.7
+
+
+@dataclass(frozen=True, eq=False)
+class SlipTable:
+    """Yielding of cells (`bondem.damage.cohesive_softening.Slip`), internal order; (n,) each.
+
+    Attributes:
+        cone: True for Drucker–Prager, False for Mohr–Coulomb.
+        strength: c cos φ, or k of the cone [Pa]; inf for cells that do not yield.
+        slope: sin φ, or α [-].
+        dilation: sin ψ, or β [-].
+        fade: share of its cohesion that a cell loses by a slip of 1.
+    """
+
+    cone: bool
+    strength: PerElement
+    slope: PerElement
+    dilation: PerElement
+    fade: PerElement
+
+    @classmethod
+    def of(cls, parts: tuple[FailurePart, ...], volume: PerElement, rank: Ints) -> "SlipTable | None":
+        """Return the table of a body, or None if no cell can yield.
+
+        Args:
+            parts: criteria with their cells.
+            volume: volumes of the cells [m³], internal order, (n,).
+            rank: place of each cell in that order, (n,).
+        """
+        n, cone, yields = len(volume), False, False
+        strength, slope, dilation, fade = np.full(n, np.inf), np.zeros(n), np.zeros(n), np.zeros(n)
+        for part in parts:
+            slip = None if part.criterion.softening is None else part.criterion.softening.slip
+            if slip is None:
+                continue
+            own, yields, cone = rank[part.elements], True, slip.cone
+            strength[own], slope[own], dilation[own] = slip.strength, slip.slope, slip.dilation
+            if math.isfinite(slip.fracture_energy):
+                fade[own] = np.cbrt(volume[own]) * slip.cohesion / (2.0 * slip.fracture_energy)
+        return cls(cone, strength, slope, dilation, fade) if yields else None
+
+
+@dataclass(frozen=True, eq=False)
+class SofteningTable:
+    """Facets that soften and cells that yield; internal order.
+
+    Attributes:
+        strength: f_t of each facet [Pa], (m,).
+        last: k u / A at the last opening [Pa], 0 for brittle facets, (m,).
+        kink, steep: parameters of the softening curve (`core/laws/softening.hpp`) [-].
+        area: areas [m²], (m,).
+        part: part of cell i in the compliance of a facet [-], (m,).
+        hot: largest principal stress of a cell from which its facets are evaluated [Pa]; for another criterion its
+            value in uniaxial tension.
+        judge: another criterion, or None for the largest principal stress.
+        least: smallest size √(σ:σ) of a stress that reaches another criterion [Pa].
+        tension: f_t of another criterion without scatter [Pa].
+        friction: μ of each facet [-], (m,).
+        plane: mask of facets of material planes, evaluated by their own traction, (m,).
+        cohesion: cohesion of such facets [Pa], inf for those that do not slip and for all others, (m,).
+        last_slip: k u / A of such facets at the slip that exhausts the cohesion [Pa], (m,).
+        slip: yielding of cells, or None.
+    """
+
+    strength: PerBond
+    last: PerBond
+    kink: float
+    steep: float
+    area: PerBond
+    part: PerBond
+    hot: float
+    judge: StressIndex | None
+    least: float
+    tension: float
+    friction: PerBond
+    plane: Mask
+    cohesion: PerBond
+    last_slip: PerBond
+    slip: SlipTable | None
+
+    @classmethod
+    def of(
+        cls, body: Lattice, layout: Layout, cells: CellConstants, parts: tuple[FailurePart, ...]
+    ) -> "SofteningTable | None":
+        """Return the table of a body, or None if facets break one by one.
+
+        Args:
+            body: facets and cells.
+            layout: order of the bonds.
+            cells: constants of the law, in that order.
+            parts: criteria with their facets and cells.
+
+        Raises:
+            InputError: Elements are too long for the fracture energy.
+        """
+        materials = [one.criterion.softening for one in parts if one.criterion.softening is not None]
+        if not materials:
+            return None
+        softening = materials[0]
+        facets, _ = body_of(body)
+        order, surface = layout.bond_order, softening.surface
+        area = facets.area[order]
+        strength, last, friction = np.full(len(area), np.inf), np.zeros(len(area)), np.zeros(len(area))
+        plane = np.zeros(len(area), dtype=bool)
+        cohesion, last_slip = np.full(len(area), np.inf), np.full(len(area), np.inf)
+        back = np.empty_like(order)
+        back[order] = np.arange(len(order))
+        for part in parts:
+            soft, own = part.criterion.softening, back[part.bonds]
+            assert soft is not None
+            factor = part.criterion.factors(facets.area * facets.span, facets.centroid, body.particles.period)
+            factor = factor[part.bonds]
+            strength[own], friction[own] = soft.tension * factor, soft.friction
+            plane[own] = part.plane
+            if part.plane and soft.slip is not None:
+                cohesion[own] = soft.slip.cohesion * factor
+                last_slip[own] = _last_slip(cells.k[own] / area[own], cohesion[own], soft.slip.fracture_energy)
+            if soft.fracture_energy > 0.0:
+                _check_length(facets.span[part.bonds], cells, layout.i[own], soft)
+                # the last opening, as the traction that it takes from a whole facet
+                end = cells.k[own] / area[own] * soft.last * soft.fracture_energy / strength[own]
+                last[own] = np.maximum(end, SNAP * strength[own] / soft.steep)
+        depth = np.where(layout.flipped, facets.depth_j[order], facets.depth_i[order])
+        other = np.where(layout.flipped, facets.depth_i[order], facets.depth_j[order])
+        soft_i, soft_j = depth / cells.G[layout.i], other / cells.G[layout.j]
+        least = float(strength[~plane].min(initial=max(soft.tension for soft in materials)))
+        return cls(
+            strength=strength, last=last, kink=softening.kink, steep=softening.steep, area=area,
+            part=soft_i / (soft_i + soft_j), hot=(_MARGIN if surface is None else _WIDER) * least,
+            judge=surface,
+            least=0.0 if surface is None else _NEARER * surface.nearest(), tension=softening.tension,
+            friction=friction, plane=plane, cohesion=cohesion, last_slip=last_slip,
+            slip=SlipTable.of(parts, cells.volume, layout.rank),
+        )  # fmt: skip
+
+
+def _last_slip(stiffness: PerBond, cohesion: PerBond, energy: float) -> PerBond:
+    """Return k u / A of facets at the slip that exhausts the cohesion [Pa], (c,).
+
+    Args:
+        stiffness: k / A [Pa/m], (c,).
+        cohesion: cohesion [Pa], (c,).
+        energy: G_II [J/m²]; inf for a constant cohesion.
+    """
+    return np.maximum(stiffness * 2.0 * energy / cohesion, SNAP * cohesion)
+
+
+def _check_length(span: PerBond, cells: CellConstants, i: Ints, softening: Softening) -> None:
+    """Reject elements that snap back, because they stretch more at their strength than the first line opens.
+
+    Args:
+        span: lengths across the facets of a material [m], (c,).
+        cells: constants of the body.
+        i: cells of the facets, (c,).
+        softening: softening of the material.
+    """
+    if not len(span):
+        return
+    E = cells.G[i] * (3.0 * cells.lame[i] + 2.0 * cells.G[i]) / (cells.lame[i] + cells.G[i])
+    steepest = softening.steep * softening.last
+    longest = steepest * E * softening.fracture_energy / softening.tension**2
+    if np.median(span / longest) > 1.0:
+        raise InputError(
+            f"elements {np.median(span):.3g} m long release more energy than fracture_energy="
+            f"{softening.fracture_energy:g} J/m² absorbs: they snap back above {steepest:.3g} E G_f / f_t² ="
+            f" {np.median(longest):.3g} m; use smaller elements, or fracture_energy=None for brittle facets"
+        )

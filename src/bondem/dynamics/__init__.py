@@ -1,0 +1,1 @@
+"""Explicit dynamics: the step as lists of passes, schemes, damping, time step, events and history."""

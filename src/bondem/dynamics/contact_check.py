@@ -1,0 +1,143 @@
+"""Checks of the contacts of a run against the range of their law and of the time step."""
+
+import warnings
+from typing import NamedTuple
+
+import numpy as np
+from scipy.spatial import KDTree
+
+from bondem._names import users_line
+from bondem._types import Floats, Ints
+from bondem.boundary.wall_columns import WALL_RATE
+from bondem.damage.crack_columns import FACET, PARTED, STATUS
+from bondem.errors import ContactWarning
+from bondem.interactions.contact.contact_model import ContactModel
+from bondem.model.model import Model
+from bondem.model.state import State
+
+# Relative displacement per step over the smaller radius from which a contact is not resolved.
+_FAST = 0.1
+# Distance of centres over the sum of radii below which elements that nothing joins are inside each other, and over
+# the distance at rest where a bond or facet joined them.
+_SUNK, _SUNK_PAIR = 0.6, 0.75
+
+
+class ListedContacts(NamedTuple):
+    """Contacts of a list, as far as checks need them."""
+
+    first: np.ndarray  #: elements of each pair, (c,)
+    second: np.ndarray
+    bond: Ints  #: the bond of each pair, or -1, (c,)
+    joined: Floats  #: above 0 of bonds that join their elements
+    element: Ints  #: element of each contact with a wall, (b,)
+    wall: np.ndarray  #: its wall, (b,)
+    walls: Floats  #: the walls, as `State.walls`, (w, 14)
+    deepest: float  #: deepest overlap so far over the smaller radius [-]
+
+
+class ContactCheck:
+    """Check that warns once of overlaps beyond the law, and once of motion beyond the step.
+
+    It is made when the list of contacts is renewed, every few steps for fast elements, and at the end of each
+    compiled call.
+    """
+
+    def __init__(self, contacts: ContactModel, dt: float) -> None:
+        self._radius, self._dt = contacts.radius, dt
+        self._deepest = contacts.law.deepest
+        self._law = type(contacts.law).__name__
+        self._deep = self._fast = False
+
+    def look(self, c: ListedContacts, motion: Floats, time: float) -> None:
+        """Check the contacts of a list.
+
+        Args:
+            c: list of contacts.
+            motion: motion of the elements, velocities in the first three columns.
+            time: present time [s].
+
+        Warns:
+            ContactWarning: An overlap is beyond the law, or a motion beyond the step; each once.
+        """
+        if not self._deep and c.deepest > self._deepest:
+            self._deep = True
+            warnings.warn(
+                f"a contact overlaps by {c.deepest:.2g} of the smaller radius at t = {time:.6g} s, beyond the"
+                f" {self._deepest:.2g} up to which {self._law} describes it; use a stiffer law, a lower speed"
+                " or load, or a smaller dt",
+                ContactWarning, stacklevel=users_line(),
+            )  # fmt: skip
+        if not self._fast:
+            share = self._dt * self._fastest(c, motion[:, :3])
+            if share > _FAST:
+                self._fast = True
+                warnings.warn(
+                    f"an element moves by {share:.2g} of its radius per step against others at t = {time:.6g} s, and"
+                    f" may pass through them; give dt= at most {_FAST / share * self._dt:.2g} s",
+                    ContactWarning, stacklevel=users_line(),
+                )  # fmt: skip
+
+    def _fastest(self, c: ListedContacts, velocity: Floats) -> float:
+        """Return the largest relative velocity over the smaller radius [1/s].
+
+        It covers listed pairs, elements and their walls, and each element against the mean of all.
+        """
+        speed = [np.linalg.norm(velocity - velocity.mean(axis=0), axis=1) / self._radius]
+        free = (c.bond < 0) | (c.joined[np.maximum(c.bond, 0)] <= 0.0) if len(c.joined) else c.bond < 0
+        a, b = c.first[free], c.second[free]
+        speed.append(np.linalg.norm(velocity[b] - velocity[a], axis=1) / np.minimum(self._radius[a], self._radius[b]))
+        p = c.element
+        of_wall = c.walls[c.wall, WALL_RATE : WALL_RATE + 3]
+        speed.append(np.linalg.norm(velocity[p] - of_wall, axis=1) / self._radius[p])
+        return max(float(values.max(initial=0.0)) for values in speed)
+
+
+class SinkingCheck:
+    """Check that warns once if separated elements overlap because the model has no contact law.
+
+    Only elements with a broken bond, or a facet whose faces have separated, are checked.
+    """
+
+    def __init__(self, model: Model) -> None:
+        self._model, self._warned = model, False
+        self._radius = model.contact_radius[model.layout.order]
+
+    def look(self, state: State) -> None:
+        """Check a state.
+
+        Warns:
+            ContactWarning: Elements overlap; given once.
+        """
+        if self._warned:
+            return
+        layout, n = self._model.layout, len(self._radius)
+        parted = state.integrity <= 0.0
+        facing = state.cracks[state.cracks[:, STATUS] != PARTED, FACET].astype(np.int64)
+        parted[facing] = False
+        if not parted.any():
+            return
+        some = np.unique(np.concatenate([layout.i[parted], layout.j[parted]])).astype(np.int64)
+        position, period = state.pose[some, :3], self._model.lattice.particles.period
+        if not np.isfinite(position).all():
+            return
+        reach = 2.0 * _SUNK * float(self._radius[some].max())
+        tree = KDTree(position) if period is None else KDTree(position % period, boxsize=period)
+        pairs = tree.query_pairs(reach, output_type="ndarray")
+        low, high = np.sort(some[pairs], axis=1).T
+        apart = state.pose[high, :3] - state.pose[low, :3]
+        if period is not None:
+            apart -= period * np.rint(apart / period)
+        limit = _SUNK * (self._radius[low] + self._radius[high])
+        key = np.minimum(layout.i, layout.j).astype(np.int64) * n + np.maximum(layout.i, layout.j)
+        order = np.argsort(key)
+        place = order[np.minimum(np.searchsorted(key, low * n + high, sorter=order), len(key) - 1)]
+        bonded = key[place] == low * n + high
+        limit = np.where(bonded, _SUNK_PAIR * np.minimum(self._model.bonds.length[place], limit / _SUNK), limit)
+        sunk = np.linalg.norm(apart, axis=1) < np.where(bonded & ~parted[place], 0.0, limit)
+        if sunk.any():
+            self._warned = True
+            warnings.warn(
+                f"separated elements overlap at t = {state.time:.6g} s ({int(sunk.sum())} pairs),"
+                " because the model has no contact law; pass contact=bd.LinearContact(...) to bd.Model",
+                ContactWarning, stacklevel=users_line(),
+            )  # fmt: skip

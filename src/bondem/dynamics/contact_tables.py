@@ -1,0 +1,100 @@
+"""Tables of contacts and walls, as `core/tables/contact_tables.hpp` declares them with types and shapes.
+
+Those of the search are in `bondem.interactions.contact.contact_search`.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._types import Floats, Ints, PerElement
+
+
+class ContactConstants(NamedTuple):
+    """The law of all contacts, and the radii of the elements."""
+
+    modulus: float  #: [Pa]
+    soft: float  #: ks / kn [-]
+    friction: float  #: μ of pairs [-]
+    damping: float  #: β [-]
+    hertzian: bool  #: whether it is that of Hertz and Mindlin
+    radius: PerElement  #: [m], (n,)
+
+
+class ContactPairs(NamedTuple):
+    """Pairs that may touch before their list is renewed, c of them."""
+
+    first: np.ndarray  #: uint32, (c,)
+    second: np.ndarray  #: uint32, (c,)
+    start: Ints  #: start of the pairs of each later element, (n + 1,)
+    reach: Floats  #: distance of the centres at which a pair touches [m], (c,)
+    own: Floats  #: kn of a pair that does not have that of the law, or 0 [N/m], (c,)
+    memory: Floats  #: tangential stretch [m] and force of the dashpots [N], in six of (c, 8)
+    touch: np.ndarray  #: uint8, (c,)
+    bond: Ints  #: the bond of each pair, or -1, (c,)
+    joined: Floats  #: above 0 of bonds that join their elements, which then do not touch, (m,)
+    of_bond: Ints  #: the pair of each bond, or -1, (m,)
+    period: Floats  #: edges of the periodic cell and their inverses, (6,)
+
+
+class NearPairs(NamedTuple):
+    """Pairs that every step examines, until distances are measured again."""
+
+    near: np.ndarray  #: pairs that may touch, uint32, (c + 1,)
+    close: np.ndarray  #: pairs that touch or have just parted, uint32, (c + 1,)
+    output: Floats  #: force on the later element, damped [J], torque over the radius, rubbed [J], (c, 8)
+    counts: Ints  #: of near and of close pairs of each portion of elements, (portions, 2)
+    width: float  #: motion of an element after which distances are measured again [m]
+
+
+class Travel(NamedTuple):
+    """Motion of the elements since their distances were measured, and since the list was made."""
+
+    listed: Floats  #: centres when the list was made [m], (n, 3)
+    measured: Floats  #: centres when distances were measured [m], (n, 3)
+    portion: Floats  #: squares of both largest distances [m²], and the deepest overlap [-], (portions, 3)
+    far: Floats  #: both largest distances; the second is below 0 before the first measurement [m], (2,)
+    reach: float  #: motion of an element or a wall for which the list is made [m]
+
+
+class ContactSums(NamedTuple):
+    """Forces and losses of contacts of elements, zero between steps."""
+
+    sums: Floats  #: force [N], lost to dashpots [J], torque [N·m], lost to friction [J], (n, 8)
+
+
+class ContactEnergies(NamedTuple):
+    """Elastic energy of the contacts of each portion of elements."""
+
+    energy: Floats  #: [J], (portions,)
+
+
+class WallContacts(NamedTuple):
+    """Contacts of elements with walls, b of them."""
+
+    start: Ints  #: start of the contacts of each element, (n + 1,)
+    element: np.ndarray  #: uint32, (b,)
+    wall: np.ndarray  #: uint32, (b,)
+    gap: Floats  #: gap from which the overlap counts [m], (b,)
+    memory: Floats  #: (b, 6)
+    touch: np.ndarray  #: uint8, (b,)
+    output: Floats  #: force on the wall, and its component along the normal [N], (b, 4)
+
+
+class WallMotions(NamedTuple):
+    """Prescribed motions of walls, servos, and free walls."""
+
+    times: Floats  #: schedules, as those of `Timeline`
+    values: Floats
+    start: Ints
+    drive_wall: Ints
+    drive_component: Ints
+    drive_schedule: Ints
+    drive_rate: np.ndarray  #: 1 for a velocity, 0 for a displacement, uint8
+    servo_wall: Ints
+    servo_schedule: Ints
+    servo_speed: Floats  #: largest speed [m/s]
+    servo_mass: Floats  #: [kg]
+    free_wall: Ints
+    free_mass: Floats  #: [kg]
+    free_force: Floats  #: on each beside that of elements [N], (f, 3)

@@ -1,0 +1,141 @@
+"""The loop of the CPU by the core: a step is a list of passes, which the core walks on its own threads."""
+
+import numpy as np
+
+from bondem._core import Pass
+from bondem._core_steps import Composer
+from bondem._threads import current_threads
+from bondem.dynamics.damping import DampingTerms
+from bondem.dynamics.gauge_tables import gauge_tables
+from bondem.dynamics.history import CONTACT, FIXED_COLUMNS, TRANSLATION
+from bondem.dynamics.parts.part import FORCES, STAGES, composed
+from bondem.dynamics.parts.parts_of_model import parts_of
+from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Plan
+from bondem.dynamics.step_tables import HistoryRows, Portions, StepPasses, StepScheme, StepSpan
+from bondem.model.domain_blocks import Blocks, StepCut
+from bondem.model.model import Model
+from bondem.model.state import State
+
+# Number of bonds, with elements in contact, below which threads cost more than they gain, and those of a domain.
+SERIAL_BONDS = 2000
+_DOMAIN = SERIAL_BONDS // 4
+
+# Elements of a block: they stay in the L2 cache from their bonds to their motion.
+BLOCK = 4000
+# Elements that move by this share of their radius a step have an energy below which no guard acts.
+_STILL = 1e-6
+
+_take_steps = Pass("take_steps", StepPasses, StepCut, StepScheme, StepSpan, Portions)
+_ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
+
+
+class CoreLoop:
+    """The lists of passes of one run, and the calls that go on with it."""
+
+    def __init__(self, model: Model, plan: Plan, state: State, dt: float) -> None:
+        self.state = state
+        self._every = int(plan.every)
+        self._width = FIXED_COLUMNS + 3 * len(plan.gauges)
+        self._origin = state.time - state.step * dt
+        self._n, self._m = len(state.pose), len(model.layout.i)
+        terms = DampingTerms.of(plan.damping)
+        self._scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, self._origin)
+        busy = self._m if model.contacts is None else self._m + self._n
+        self._threads = current_threads() if busy >= SERIAL_BONDS else 1
+        domains = min(self._threads, max(busy // _DOMAIN, 1))
+        # elements that a failure delays keep their sums in rows of their own
+        kept = 0 if model.breaking is None else self._n
+        cut = Blocks.of(model.layout, BLOCK, domains, model.constraints.row_of >= 0).table(kept)
+        self._tables, self._parts = parts_of(model, terms, state, cut, gauge_tables(model, plan), dt)
+        self._still = noticeable(model, dt)
+        # tables of all parts whose lists are not renewed
+        self._lasting = Composer()
+        self._lasting(composed([part for part in self._parts if part.renewed is None], *STAGES))
+        self._make_lists()
+        self._begin()
+
+    def _make_lists(self) -> None:
+        """Compose the lists of passes of the present parts."""
+        self._compose = Composer(self._lasting)
+        self._lists = StepPasses(
+            present=self._list("present"),
+            opening=self._list("opening"),
+            travel=self._list("travel"),
+            forces=self._list(*FORCES),
+            resume=self._list("resume"),
+            reopening=self._list("reopening"),
+            guard=self._list("guard"),
+            record=self._compose([]),
+        )
+
+    def _begin(self) -> None:
+        """Call the passes that begin a run, at the time of the state."""
+        first = composed(self._parts, "begin")
+        if not first:
+            return
+        nothing = self._compose([])
+        lists = StepPasses(*[nothing] * len(StepPasses._fields))
+        lists = lists._replace(present=self._compose([*composed(self._parts, "present"), *first]))
+        done = np.zeros(4, dtype=np.int64)
+        span = StepSpan(self.state.step, 0, 0, True, False, False, self._n, self._m, done)
+        _take_steps(lists, self._tables.cut, self._scheme, span, self._tables.portions, threads=self._threads)
+
+    def _list(self, *stages: str) -> np.ndarray:
+        return self._compose(composed(self._parts, *stages))
+
+    def _renew(self) -> bool:
+        """Renew lists of contacts that are out of date; return False if a number is not finite."""
+        parts = [part if part.renewed is None else part.renewed() for part in self._parts]
+        self._parts = [part for part in parts if part is not None]
+        self._make_lists()
+        return None not in parts
+
+    def _take(
+        self, steps: int, records: np.ndarray, *, looks: bool = False, moved: bool = False
+    ) -> tuple[str, list[int]]:
+        """Take steps, or record the present; return the ending and counts of what was done."""
+        state, t, done = self.state, self._tables, np.zeros(4, dtype=np.int64)
+        stale = looks and state.stale
+        span = StepSpan(state.step, steps, self._every, looks, stale, moved, self._n, self._m, done)
+        compose, history = Composer(self._compose), HistoryRows(records)  # live as long as this call
+        lists = self._lists._replace(record=compose(one for part in self._parts for one in part.record(history)))
+        ending = _take_steps(lists, t.cut, self._scheme, span, t.portions, threads=self._threads)
+        if done[0]:
+            state.step += int(done[0])
+            state.time = self._origin + state.step * self._scheme.dt
+        for part in self._parts:
+            part.keep()
+        return ending, done.tolist()
+
+    def look(self) -> np.ndarray:
+        """Bring the acceleration up to date and record the present."""
+        state, budget = self.state, self._tables.portions.budget
+        begins = state.stale or budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
+        records = np.zeros((1, self._width))
+        self._take(0, records, looks=True)
+        state.stale = False
+        if begins:
+            budget[0] = max(budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
+        return records
+
+    def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
+        """Take steps; return the records, bonds turned wide, bonds lost, and whether the run is sound."""
+        if self.state.stale:
+            self.look()
+        records = np.zeros((steps // self._every + 1 if self._every else 0, self._width))
+        done, written, wide, moved = 0, 0, 0, False
+        while True:
+            ending, (gone, new, turned, lost) = self._take(steps - done, records[written:], moved=moved)
+            done, written, wide = done + gone, written + new, max(wide, turned)
+            if ending != "out_of_date":
+                break
+            if not self._renew():
+                ending = "not_finite"
+                break
+            moved = True
+        return records[:written], wide, lost, _ENDINGS[ending]
+
+
+def noticeable(model: Model, dt: float) -> float:
+    """Return the kinetic energy below which no guard acts on a run [J]."""
+    return 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2

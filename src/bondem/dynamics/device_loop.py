@@ -1,0 +1,294 @@
+"""Explicit dynamics on a device, where the whole step stays.
+
+The parts of a step compose its lists of passes as for the CPU, and `bondem.dynamics.on_device` translates them.
+Records are formed on the device and copied once a call, together with the state. All launches between two pauses are
+the same for every step, because the number of the step is on the device: they are recorded once, as graphs of 1, 2,
+4 … 64 steps.
+"""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from bondem._device import Device, DeviceTables, Enqueue, HostCall, Launch, passes_of
+from bondem.dynamics.core_loop import noticeable
+from bondem.dynamics.damping import DampingTerms
+from bondem.dynamics.gauge_tables import gauge_tables
+from bondem.dynamics.history import CONTACT, FIXED_COLUMNS, TRANSLATION
+from bondem.dynamics.on_device.breakage_counterparts import Postponement, end, resuming
+from bondem.dynamics.on_device.contact_counterparts import deepest_overlaps, lists_of_contacts, walls_listed
+from bondem.dynamics.on_device.counterparts import FURTHER, launches_of
+from bondem.dynamics.on_device.device_tables import FURTHER_COLUMNS, SUM_COLUMNS, Tick
+from bondem.dynamics.on_device.translation import Translation, count_record, names_of, set_clock
+from bondem.dynamics.parts.part import FORCES, RESUME, Part, Passes, composed
+from bondem.dynamics.parts.parts_of_model import parts_of
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Plan
+from bondem.dynamics.step_tables import HistoryRows, StepScheme
+from bondem.model.domain_blocks import Blocks
+from bondem.model.model import Model
+from bondem.model.state import State
+
+# Steps between two guards of relative rotations, of numbers that are not finite, and of the energy.
+GUARD_INTERVAL = 100
+# Kinetic energy over all energy that was there or came in from which a run is unstable: the error of the scheme stays
+# below it at any stable step, and an unstable mode grows by orders of magnitude within an interval.
+BEYOND = 1000.0
+# Steps of a graph at most.
+_RECORDED = 64
+# Columns of a record, of those of the device.
+_COLUMNS = [(1, 0), (2, 1), (3, 4), (4, 5), (5, 6), (6, 7), (7, 13), (8, 11), (8, 17), (9, 2), (10, 3), (11, 14),
+            (12, 15), (13, 16)]  # fmt: skip
+_WIDE, _LOST, _SICK, _SUPPLIED = (SUM_COLUMNS.index(name) for name in ("wide", "lost", "not_finite", "supplied"))
+# Column of walls that is their work on the elements.
+_WALL_WORK = 12
+# Word of the clock that is the number of the step.
+_STEP = 5
+
+
+def _composed(model: Model, plan: Plan, state: State, dt: float) -> tuple[SharedTables, list[Part]]:
+    """Return the tables and the parts of a step that is one block."""
+    block = max(len(state.pose), 1)
+    kept = 0 if model.breaking is None else len(state.pose)
+    cut = Blocks.of(model.layout, block, 1, model.constraints.row_of >= 0).table(kept)
+    return parts_of(model, DampingTerms.of(plan.damping), state, cut, gauge_tables(model, plan), dt)
+
+
+def _postponement(passes: Passes) -> Postponement | None:
+    """Return bonds that fail in a step and elements that this postpones, or None where nothing fails."""
+    found = [(candidates, postponed) for one, *tables in passes if one.name == "postpone_elements"
+             for _, candidates, postponed in [tables]]  # fmt: skip
+    return found[0] if found else None
+
+
+class DeviceLoop:
+    """The steps of one run on a device; `integrate` uses it like the loop of the CPU."""
+
+    def __init__(self, model: Model, plan: Plan, state: State, dt: float, device: Device) -> None:
+        self.state = state
+        self._every = int(plan.every)
+        terms = DampingTerms.of(plan.damping)
+        self._scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, state.time - state.step * dt)
+        self._shared, self._parts = _composed(model, plan, state, dt)
+        late = _postponement(composed(self._parts, *FORCES))
+        names = names_of(composed(self._parts, *FORCES))
+        self._run = Translation(
+            model.layout, self._shared.cut, len(state.reaction), len(state.work),
+            np.zeros(0, dtype=np.uint8) if late is None else late[1].held, further=not FURTHER.isdisjoint(names),
+        )  # fmt: skip
+        self._tables = DeviceTables(device)
+        self._first_gauge = len(SUM_COLUMNS) + len(FURTHER_COLUMNS)
+        self._gauges = len(plan.gauges)
+        self._width = self._first_gauge + 3 * self._gauges
+        self._budget, self._still = np.zeros(2), noticeable(model, dt)
+        self._late, self._listed = late, model.contacts is not None
+        begins = self._launches("begin")
+        self._compose()
+        if begins:
+            self._set_clock()
+            _run(self._tables.prepared([self._tick(first=True), *self._launches("present"), *begins]))
+
+    def _compose(self) -> None:
+        """Prepare the launches of the present parts."""
+        run, late = self._run, self._late
+        self._graphs: dict[int, Callable[[], None]] = {}
+        present, forces = self._launches("present"), self._launches(*FORCES)
+        begin, look = [self._tick(first=True), *present], [self._tick(first=True, still=True), *forces]
+        opening, guard, travel = self._launches("opening"), self._launches("guard"), self._launches("travel")
+        guard += deepest_overlaps(run, composed(self._parts, "travel", *FORCES))
+        if late is not None:
+            forces += [*launches_of(composed(self._parts, *RESUME), run, resuming(late)), *end(run, late)]
+        pause = [self._tick(ahead=1), *present, *forces]
+        go_on = [self._tick(ahead=1, goes_on=True), *present, *forces]
+        written = self._recording(HistoryRows(np.zeros((1, self._width))))
+        self._tables.work_space(*run.work_spaces)
+        self._tables.device.compile(passes_of((*begin, *travel, *forces, *opening, *guard, *written)))
+        self._graphed = not any(isinstance(one, HostCall) for one, *_ in forces)
+        others = map(self._tables.prepared, (begin, look, opening, guard))
+        self._begin, self._look, self._open, self._guarding = others
+        halted = run.span.halted if self._listed else None
+        steps = [*travel, *go_on], [*travel, *pause], go_on, pause
+        self._go_on, self._pause, self._moved_on, self._moved_pause = (
+            self._tables.prepared(step, halted) for step in steps
+        )
+
+    def _launches(self, *stages: str) -> list[Launch]:
+        return launches_of(composed(self._parts, *stages), self._run)
+
+    def _recording(self, rows: HistoryRows) -> list[Launch]:
+        """Return the launches that write one of some rows of the history."""
+        passes = [one for part in self._parts for one in part.record(rows)]
+        return [*launches_of(passes, self._run), (count_record, 1, (self._run.span,))]
+
+    def _tick(self, *, ahead: int = 0, goes_on: bool = False, still: bool = False, first: bool = False) -> Launch:
+        return set_clock, 1, (self._run.span, self._scheme, Tick(ahead, goes_on, still, first))
+
+    def look(self) -> np.ndarray:
+        """Bring the acceleration up to date and record the present state."""
+        state, budget = self.state, self._budget
+        begins = state.stale or budget[0] == 0.0  # what a run gains as it goes on is no budget of its own
+        self._set_clock()
+        _run(self._begin)
+        if state.stale:
+            _run(self._look)
+            state.stale = False
+            self._fetch()
+        records = self._records(1)
+        _run(records.row)
+        found = records.finished([state.step])
+        if begins:
+            budget[0] = max(budget[0], self._still + found[0, TRANSLATION : CONTACT + 1].sum())
+        return found
+
+    def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
+        """Take steps; see `Loop`."""
+        if self.state.stale:
+            self.look()
+        state, every = self.state, self._every
+        first, last = state.step, state.step + steps
+        records = self._records(last // every - first // every if every else 0)
+        self._set_clock()
+        _run(self._begin)
+        taken: list[int] = []
+        now, wide, lost, sick = first, 0, 0, FINE
+        while now < last and not lost and sick == FINE:
+            _run(self._open)
+            goal = min(last, (now // GUARD_INTERVAL + 1) * GUARD_INTERVAL)
+            if every:
+                goal = min(goal, (now // every + 1) * every)
+            now, finite = self._advance(now, goal, records)
+            if not finite:
+                sick = NOT_FINITE
+                break
+            if now % GUARD_INTERVAL == 0 or now == last:
+                turned, lost, sick = self._guard()
+                wide = max(wide, turned)
+            if every and now % every == 0 and not lost and sick == FINE:
+                _run(records.row)
+                taken.append(now)
+        self._set_time(now)
+        self._fetch()
+        return records.finished(taken), wide, lost, sick
+
+    def _advance(self, now: int, goal: int, records: "_Records") -> tuple[int, bool]:
+        """Take steps up to a pause; return the number of the last one, and whether all numbers are finite."""
+        while now < goal:
+            taken = self._enqueue(goal - now)
+            stopped = self._stopped() if self._listed else None
+            if stopped is None:
+                now += taken
+                continue
+            now = stopped
+            if not self._renew(now):
+                return now, False
+            records.prepare()
+            _run(self._moved_on if goal - now > 1 else self._moved_pause)
+            now += 1
+        return now, True
+
+    def _enqueue(self, steps: int) -> int:
+        """Enqueue some of the steps to a pause, as a graph where possible; return how many."""
+        if steps == 1 or not self._graphs:  # what is recorded must have been loaded
+            _run(self._pause if steps == 1 else self._go_on)
+            if self._graphed and not self._graphs:
+                self._graphs[1] = self._tables.device.recorded(self._go_on)
+            return 1
+        size = min(_RECORDED, 1 << ((steps - 1).bit_length() - 1))
+        if size not in self._graphs:
+            self._graphs[size] = self._tables.device.recorded(self._go_on * size)
+        self._graphs[size]()
+        return size
+
+    def _stopped(self) -> int | None:
+        """Return the step whose end an out-of-date list of contacts has reached, or None."""
+        span = self._run.span
+        self._tables.fetch(span.halted)
+        if span.halted[0] == 0:
+            return None
+        self._tables.fetch(span.clock)
+        span.halted[:] = 0
+        self._tables.send(span.halted)
+        return int(span.clock[_STEP])
+
+    def _renew(self, step: int) -> bool:
+        """Renew the lists of contacts at a step; return False if a number is not finite."""
+        self._set_time(step)
+        self._fetch()
+        before = lists_of_contacts(composed(self._parts, "travel", *FORCES))
+        parts = [part if part.renewed is None else part.renewed() for part in self._parts]
+        self._parts = [part for part in parts if part is not None]
+        self._tables.forget(*before, *self._run.dropped(before))
+        if None in parts:
+            return False
+        self._compose()
+        self._tables.send(*(log.written for log in self._run.logs), *walls_listed(composed(self._parts, "travel")))
+        return True
+
+    def _set_time(self, step: int) -> None:
+        self.state.step = step
+        self.state.time = self._scheme.origin + step * self._scheme.dt
+
+    def _guard(self) -> tuple[int, int, int]:
+        """Return bonds turned wide, bonds lost, and whether the run is sound, as `judge_energy` finds them."""
+        _run(self._guarding)
+        folded = self._run.folded.sums
+        self._tables.fetch(folded)
+        sums = folded.sum(axis=0)
+        wide, lost, kinetic, supplied = int(sums[_WIDE]), int(sums[_LOST]), sums[0] + sums[1], sums[_SUPPLIED]
+        if self._run.walls is not None:
+            self._tables.fetch(self._run.walls)
+            supplied += np.abs(self._run.walls[:, _WALL_WORK]).sum()
+        if sums[_SICK] > 0.0 or not (kinetic < np.inf and supplied < np.inf):
+            return wide, lost, NOT_FINITE
+        self._budget[1] = max(self._budget[1], supplied)
+        return wide, lost, RUNAWAY if kinetic > BEYOND * self._budget.sum() else FINE
+
+    def _set_clock(self) -> None:
+        """Set the clock of the device to the step of the state; records and events begin with the first row."""
+        clock = self._run.span.clock
+        clock[:] = 0
+        clock[_STEP] = self.state.step
+        self._tables.send(clock, *(log.written for log in self._run.logs))
+
+    def _records(self, rows: int) -> "_Records":
+        return _Records(self, HistoryRows(np.zeros((max(rows, 1), self._width))))
+
+    def _fetch(self) -> None:
+        """Copy what passes have written from the device, and with it the state."""
+        self._tables.fetch_written()
+        for log in self._run.logs:
+            self._tables.fetch(log.event[: log.written[0]])
+        for arranged in self._run.before_keeping:
+            arranged()
+        for part in self._parts:
+            part.keep()
+
+
+class _Records:
+    """Records of one call, and the launches that write one of them."""
+
+    def __init__(self, loop: DeviceLoop, rows: HistoryRows) -> None:
+        self._loop, self._rows = loop, rows
+        self.prepare()
+
+    def prepare(self) -> None:
+        """Prepare the launches of the present parts."""
+        self.row = self._loop._tables.prepared(self._loop._recording(self._rows))
+
+    def finished(self, steps: Sequence[int]) -> np.ndarray:
+        """Return the records of some steps in the form of the history, and free their memory."""
+        loop, found = self._loop, self._rows.record
+        whole = np.zeros((len(steps), FIXED_COLUMNS + 3 * loop._gauges))
+        if len(steps):
+            loop._tables.fetch(found)
+            whole[:, 0] = [loop._scheme.origin + step * loop._scheme.dt for step in steps]
+            for column, of_sums in _COLUMNS:
+                whole[:, column] += found[: len(steps), of_sums]
+            whole[:, FIXED_COLUMNS:] = found[: len(steps), loop._first_gauge :]
+        loop._tables.forget(self._rows)
+        return whole
+
+
+def _run(enqueued: Sequence[Enqueue]) -> None:
+    for enqueue in enqueued:
+        enqueue(None)

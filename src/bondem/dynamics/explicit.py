@@ -1,0 +1,178 @@
+"""Explicit dynamics: a plan, and the loop that carries it out."""
+
+import time
+from collections.abc import Callable
+from typing import cast
+
+import numpy as np
+
+from bondem.dynamics.contact_check import SinkingCheck
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.energy_check import EnergyCheck
+from bondem.dynamics.history import History
+from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Callback, ExplicitResult, Loop, Plan, Status, settled
+from bondem.dynamics.pulse import Pulse, heard, tell
+from bondem.dynamics.signals import Halt
+from bondem.dynamics.sink import Sink
+from bondem.errors import InputError
+from bondem.model.model import Model
+from bondem.model.state import State
+
+# Steps in one call of the core at most, so that progress and interrupts are not far away, and between copies of a
+# state that is good: copying costs about as much as two steps.
+_CHUNK = 5_000
+# Steps in which what ends a run comes up from rounding: a copy must be older than that to be given back.
+_RISE = 1_000
+# Wall time of one call, about [s], and the elements and bonds times steps that the first one takes.
+_PATIENCE, _WORK = 1.0, 20_000_000
+
+
+def integrate(
+    model: Model,
+    plan: Plan,
+    *,
+    state: State | None = None,
+    history: History | None = None,
+    sink: Sink | None = None,
+    progress: Callable[[float], None] | None = None,
+    loop_of: Callable[[Model, Plan, State, float], Loop] | None = None,
+    callback: Callback | None = None,
+    remark: str = "",
+    halt: Halt | None = None,
+) -> ExplicitResult:
+    """Carry out a plan, from rest or from the end of `state` and `history` of the same plan.
+
+    Args:
+        model: model to run; its geometry is the reference configuration.
+        plan: parameters of the run.
+        state: initial state; it is changed in place.
+        history: records so far.
+        sink: receiver of checkpoints and of the last state.
+        progress: function called repeatedly with the completed share, 0 … 1.
+        loop_of: function that makes the loop from model, plan, state and dt; that of the CPU by default.
+        callback: function called with the state and its record, a history of one, with each record. It must not
+            change the state, and ends the run by returning True.
+        remark: addition to the message of the result.
+        halt: function called repeatedly; the run stops, with a checkpoint, if it returns a signal.
+
+    A given dt is used without a check, which `settled` makes.
+    """
+    if callback is not None and not plan.every:
+        raise InputError("callback= is called with each record, but every = 0; give every= of at least 1")
+    if plan.dt is None:
+        plan = settled(model, plan)
+    dt = cast(float, plan.dt)
+    names = tuple(plan.gauges)
+    history = History.empty(names) if history is None else history
+    state = State(model) if state is None else state
+    loop = (CoreLoop if loop_of is None else loop_of)(model, plan, state, dt)
+    total = plan.steps
+    joined, beyond = ("bonds", _BEAMS) if model.cells is None else ("facets", _CELLS)
+    status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
+    kept = (state.copy(),)
+    begun = loop.look()  # whether it is kept or not: guards need its energy
+    fresh: list[np.ndarray] = []
+    if len(history) == 0 and plan.every:
+        fresh.append(begun)
+    stop = bool(fresh) and callback is not None and bool(callback(state, History(begun, names)))
+    warning = f"; {remark}" if remark else ""
+    turned = ""
+    if sink is not None and plan.snapshot_every and state.step == 0:
+        sink.checkpoint(state, history)  # a file that can be seen can be gone on from
+        sink.snapshot(state)
+    pulse, first = None, (history.records if len(history) else begun)[:1]
+    check = None
+    if plan.imbalance is not None and plan.scheme.conserves:
+        check = EnergyCheck(model, state, dt, plan.imbalance, first)
+    sinking = SinkingCheck(model) if model.failure is not None and model.contacts is None else None
+    missed = "" if check is None else check.examine(history.records[1:])
+    pace = max(_WORK // (len(state.pose) + len(state.integrity)), 1)
+    while state.step < total and not stop and not missed:
+        goal = min(total, kept[-1].step + _CHUNK, state.step + pace)
+        looked = plan.every if plan.events or callback is not None else 0
+        for interval in (plan.save_every, plan.snapshot_every if sink is not None else 0, looked):
+            if interval:
+                goal = min(goal, (state.step // interval + 1) * interval)
+        steps, began = goal - state.step, time.perf_counter()
+        records, wide, lost, sick = loop.run(steps)
+        taken = time.perf_counter() - began
+        pace = max(round(steps * _PATIENCE / max(taken, 1e-9)), 1)
+        fresh.append(records)
+        if lost or sick != FINE:
+            cause = _CAUSES.get(sick, f"{lost} unbroken {joined} are turned beyond 90 degrees")
+            good = kept[-1] if state.step - kept[-1].step >= _RISE else kept[0]
+            status = Status.UNSTABLE
+            message = (
+                f"stopped at step {state.step}: {cause}; the state is that of step {good.step}."
+                " Use a smaller dt, or load more gently"
+            )
+            state = good
+            break
+        if wide:
+            turned = f"; {wide} {joined} were turned so far (c < 0.7 or w² < 0.75) that {beyond}"
+        if sinking is not None:
+            sinking.look(state)
+        if check is not None:
+            missed = check.examine(records if plan.every else loop.look())
+            if missed:
+                break
+        if progress is not None:
+            progress(state.step / total)
+        if heard():
+            since = History(np.vstack([first, records]), names)
+            pulse = _pulse(pulse, state, total, steps / max(taken, 1e-9), since)
+            tell(pulse)
+        if plan.snapshot_every and state.step % plan.snapshot_every == 0 and sink is not None:
+            # before the checkpoint: a run that goes on from there does not take it again
+            sink.snapshot(state)
+        if plan.save_every and state.step % plan.save_every == 0 and sink is not None:
+            history = history.extended(*fresh)
+            fresh.clear()
+            sink.checkpoint(state, history)
+        if state.step - kept[-1].step >= _CHUNK:
+            kept = (kept[-1], state.copy())
+        if callback is not None and len(records) and callback(state, History(records, names)):
+            stop = True
+        elif any(event.happened(state) for event in plan.events):
+            status, message = Status.STOPPED, f"stopped by an event at t = {state.time:.6g} s"
+            break
+        if halt is not None and halt() is not None:
+            status, message = Status.STOPPED, f"interrupted at t = {state.time:.6g} s"
+            break
+    if stop:
+        status, message = Status.STOPPED, f"stopped by the callback at t = {state.time:.6g} s"
+    if missed:
+        status, message = Status.IMBALANCED, f"stopped at step {state.step}: {missed}"
+    elif check is not None and check.remark:
+        warning = f"; {check.remark}{warning}"
+    history = history.extended(*fresh)
+    if sink is not None and status is not Status.UNSTABLE:
+        sink.checkpoint(state, history)
+    return ExplicitResult(
+        status=status, iterations=state.step, residual=history.imbalance,
+        state=state, history=history, dt=dt, message=message + turned + warning,
+    )  # fmt: skip
+
+
+def _pulse(before: Pulse | None, state: State, total: int, rate: float, since: History) -> Pulse:
+    """Return the present moment. The rate is smoothed, and the worst error of the ledger counts.
+
+    `since` begins with the first record.
+    """
+    error = energy = 0.0
+    if before is not None:
+        error, energy = before.error, before.energy
+        rate = 0.7 * before.rate + 0.3 * rate
+    if len(since):
+        ledger = since.energy
+        error = max(error, float(np.abs(ledger.pop("balance")).max()))
+        energy = max(energy, *(float(np.abs(values).max()) for values in ledger.values()))
+    return Pulse(state.step, total, state.time, rate, len(state.broken), error, energy)
+
+
+_BEAMS = "the bond energy is no longer that of a beam: use shorter bonds or lower loads"
+_CELLS = "the strains of their cells are not small: use lower loads"
+_CAUSES = {
+    NOT_FINITE: "a number is not finite",
+    RUNAWAY: "the kinetic energy is a thousand times what was there and was put in",
+}

@@ -1,0 +1,113 @@
+"""Records of a run over time."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from bondem._extras import needed
+from bondem._types import Floats
+from bondem.errors import InputError
+
+# Columns of a record before the gauges.
+(
+    TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, CONTACT, WORK, LOSS, FRICTION, NON_LOCAL,
+    FRACTURE, PLASTIC, FIXED_COLUMNS,
+) = range(15)  # fmt: skip
+_STORED = ("translation", "rotation", "normal", "shear", "bending", "twisting", "contact")
+_ENERGIES = (*_STORED, "work", "loss", "friction", "non-local work", "fracture", "plastic")
+
+
+@dataclass(frozen=True, eq=False)
+class History:
+    """Records of a run over time; `history["name"]` returns the records of a gauge, (s, 3).
+
+    Attributes:
+        records: columns time [s], thirteen energies [J], three components per gauge, shape (s, 14 + 3 g).
+        gauges: names of the gauges, in the order of their columns.
+    """
+
+    records: Floats
+    gauges: tuple[str, ...] = ()
+
+    @classmethod
+    def empty(cls, gauges: tuple[str, ...]) -> "History":
+        """Return a history of the named gauges without records."""
+        return cls(np.zeros((0, FIXED_COLUMNS + 3 * len(gauges))), gauges)
+
+    def extended(self, *records: Floats) -> "History":
+        """Return a history with further records appended.
+
+        Args:
+            *records: rows with the columns of `records`, each argument of shape (s, 14 + 3 g).
+        """
+        return History(np.concatenate([self.records, *records]), self.gauges)
+
+    def __len__(self) -> int:
+        return len(self.records)
+
+    def __getitem__(self, name: str) -> Floats:
+        if name not in self.gauges:
+            raise InputError(f"no gauge '{name}' was recorded; choose from: {', '.join(self.gauges) or 'none'}")
+        first = FIXED_COLUMNS + 3 * self.gauges.index(name)
+        return self.records[:, first : first + 3]
+
+    @property
+    def time(self) -> Floats:
+        """Times of the records [s], shape (s,)."""
+        return self.records[:, 0]
+
+    @property
+    def energy(self) -> dict[str, Floats]:
+        """Energy ledger [J], a dict of arrays (s,).
+
+        Its entries are the kinetic energies "translation" and "rotation"; the elastic energies "normal", "shear",
+        "bending", "twisting" and that of "contact"; the "work" of loads, drives and walls; the "loss" to damping and
+        dashpots; the loss to "friction"; and four more:
+
+        - "non-local work": work of the extra forces of `NonLocal`, which have no potential;
+        - "fracture": energy that bonds and facets released as they broke or softened;
+        - "plastic": energy that cells dissipated as they yielded;
+        - "balance": kinetic + elastic + loss + friction + non-local work + fracture + plastic - work, less its value
+          in the first record. It should be zero.
+        """
+        ledger = {name: self.records[:, 1 + k] for k, name in enumerate(_ENERGIES)}
+        held = sum(ledger[name] for name in _STORED) - ledger["work"]
+        held = held + ledger["loss"] + ledger["friction"] + ledger["non-local work"] + ledger["fracture"]
+        held = held + ledger["plastic"]
+        return ledger | {"balance": held - held[:1]}
+
+    def to_pandas(self) -> Any:
+        """Return the records as a pandas.DataFrame over time [s].
+
+        Columns are the energies [J] by name, and the gauges as name_x, name_y, name_z.
+
+        Raises:
+            MissingDependencyError: pandas is not installed.
+        """
+        pandas = needed("pandas", "exchange")
+        gauges = {f"{name}_{end}": self[name][:, k] for name in self.gauges for k, end in enumerate("xyz")}
+        return pandas.DataFrame(self.energy | gauges, index=pandas.Index(self.time, name="time"))
+
+    def to_xarray(self) -> Any:
+        """Return the records as an xarray.Dataset over time [s].
+
+        It holds the energies [J], and gauges with the dimension "component".
+
+        Raises:
+            MissingDependencyError: xarray is not installed.
+        """
+        energies = {name: ("time", values) for name, values in self.energy.items()}
+        gauges = {name: (("time", "component"), self[name]) for name in self.gauges}
+        place = {"time": self.time, "component": list("xyz")}
+        return needed("xarray", "exchange").Dataset(energies | gauges, coords=place)
+
+    @property
+    def imbalance(self) -> float:
+        """Largest balance of the ledger over its largest entry [-]; NaN without records, 0 without any energy."""
+        if len(self) == 0:
+            return np.nan
+        ledger = self.energy
+        balance = float(np.abs(ledger.pop("balance")).max())
+        largest = max(float(np.abs(values).max()) for values in ledger.values())
+        return balance / largest if largest > 0.0 else 0.0

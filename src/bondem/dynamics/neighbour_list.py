@@ -1,0 +1,140 @@
+"""The list of contacts of a run, renewed whenever elements that it does not hold may have come near."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, Ints, PerBond
+from bondem.interactions.contact.contact_model import ContactModel, grid_of
+from bondem.interactions.contact.contact_search import (
+    TOUCHING,
+    FoundPairs,
+    FoundWalls,
+    PairSources,
+    Walls,
+    WallSources,
+    found_pairs,
+    found_walls,
+)
+from bondem.model.model import Model
+from bondem.model.state import State
+
+# Gap up to which pairs enter the list, over the mean radius: a longer list is made more seldom. Still elements
+# get the short one, and each list that does not last makes the next one longer.
+_SKIN_LEAST, _SKIN_MOST, _FACTOR = 0.1, 0.5, 1.4
+# Steps a list should last: making one costs about as much as ten steps.
+_LASTING = 100
+
+
+@dataclass(frozen=True, eq=False)
+class FoundContacts:
+    """Contacts that may form before the next search.
+
+    Attributes:
+        pairs: pairs of elements.
+        own: normal stiffness of the pairs of bonds, or 0 [N/m], (c,).
+        of_bond: the pair of each bond, or -1, (m,).
+        walls: contacts with walls.
+        wall_start: start of the wall contacts of each element, (n + 1,).
+        position: centres [m], (n, 3).
+        reach: motion of an element or a wall for which the list is made [m].
+    """
+
+    pairs: FoundPairs
+    own: Floats
+    of_bond: Ints
+    walls: FoundWalls
+    wall_start: Ints
+    position: Floats
+    reach: float
+
+
+class ContactSearch:
+    """Search for the contacts of a run, with a skin that grows where lists do not last."""
+
+    def __init__(self, model: Model, contacts: ContactModel, state: State, joints: tuple[PerBond, PerBond]) -> None:
+        """Prepare the first search.
+
+        Args:
+            model: model of the elements.
+            contacts: contacts of the model.
+            state: state with the pose of the elements.
+            joints: result of `bondem.dynamics.crack_joints.joints`; passes write both arrays.
+        """
+        self._contacts = contacts
+        self._state = state
+        self._period = model.lattice.particles.period
+        self._breaking = model.failure is not None
+        self._joined, self._apart = joints
+        self._skin = _SKIN_LEAST
+        self._made = state.step - _LASTING
+
+    def find(self, step: int) -> FoundContacts | None:
+        """Return the contacts of the present places of the elements; None if a centre is not a number."""
+        state, contacts, layout, radius = self._state, self._contacts, self._state.layout, self._contacts.radius
+        if not np.isfinite(state.pose[:, :3]).all():
+            return None
+        if step - self._made < _LASTING:
+            self._skin = min(_FACTOR * self._skin, _SKIN_MOST)
+        self._made = step
+        skin = self._skin * float(radius.mean())
+        position = state.pose[:, :3].copy()
+        n = len(position)
+        grid = grid_of(position, radius, self._period, skin)
+        pairs = found_pairs(grid, PairSources(
+            layout.in_start, layout.i, self._listed(position, skin),
+            contacts.pairs.start, contacts.pairs.partner, contacts.pairs.gap,
+            _starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32), state.stretch,
+        ))  # fmt: skip
+        own = np.zeros(len(pairs.first))
+        if contacts.law.parallel:
+            pairs.bond[:] = -1  # pairs as any others
+        bonded = np.flatnonzero(pairs.bond >= 0)
+        of_bond = np.full(len(layout.i), -1)
+        of_bond[pairs.bond[bonded]] = bonded
+        if contacts.own is not None:
+            own[bonded] = contacts.own[pairs.bond[bonded]]
+            pairs.gap[bonded] = self._apart[pairs.bond[bonded]] - (
+                radius[pairs.first[bonded]] + radius[pairs.second[bonded]]
+            )
+        rest, kept = contacts.at_walls, state.wall_touching
+        walls = Walls(contacts.walls.shape, state.walls, contacts.walls.friction, np.zeros((len(state.walls), 4)))
+        at_walls = WallSources(
+            radius, rest.start, rest.partner, rest.gap, _starts(kept[:, 0], n), kept[:, 1].astype(np.uint32),
+            state.wall_stretch, skin, np.empty(n + 1, dtype=np.int64),
+        )  # fmt: skip
+        found = found_walls(state.pose, walls, at_walls)
+        return FoundContacts(pairs, own, of_bond, found, at_walls.start, position, 0.5 * skin)
+
+    def _listed(self, position: Floats, skin: float) -> np.ndarray:
+        """Return a mask of the bonds whose pairs are listed, (m,): breakable ones, and broken ones with near ends.
+
+        If contacts act beside bonds, these are all bonds with near ends.
+        """
+        layout, radius = self._state.layout, self._contacts.radius
+        broken = (self._joined[: len(layout.i)] <= 0.0) | self._contacts.law.parallel
+        listed = ~broken if self._breaking else np.zeros(len(broken), dtype=bool)
+        e = np.flatnonzero(broken)
+        i, j = layout.i[e], layout.j[e]
+        apart = position[j] - position[i]
+        if self._period is not None:
+            apart -= self._period * np.rint(apart / self._period)
+        reach = np.maximum(radius[i] + radius[j], self._apart[e]) + skin
+        listed[e] = np.einsum("ek,ek->e", apart, apart) < reach**2
+        return listed.astype(np.uint8)
+
+    def keep(
+        self, first: Ints, second: Ints, touch: np.ndarray, memory: Floats, element: Ints, wall: Ints,
+        wall_touch: np.ndarray, wall_memory: Floats,
+    ) -> None:  # fmt: skip
+        """Write the memory of touching pairs, and of elements that touch walls, into the state."""
+        state = self._state
+        touching, at_wall = touch == TOUCHING, wall_touch == TOUCHING
+        state.touching = np.column_stack([first[touching], second[touching]]).astype(np.int64)
+        state.stretch = memory[touching, :6]
+        state.wall_touching = np.column_stack([element[at_wall], wall[at_wall]]).astype(np.int64)
+        state.wall_stretch = wall_memory[at_wall]
+
+
+def _starts(later: Ints, n: int) -> Ints:
+    return np.concatenate([[0], np.cumsum(np.bincount(later, minlength=n))]).astype(np.int64)

@@ -1,0 +1,197 @@
+"""Contacts and walls on a device."""
+
+from typing import Any
+
+import numpy as np
+
+from bondem._device import IndexPass, Launch
+from bondem.dynamics.contact_tables import (
+    ContactConstants,
+    ContactEnergies,
+    ContactPairs,
+    ContactSums,
+    NearPairs,
+    Travel,
+    WallContacts,
+    WallMotions,
+)
+from bondem.dynamics.damage_tables import EventLog, Postponed
+from bondem.dynamics.gauge_tables import Gauges
+from bondem.dynamics.on_device.device_tables import DeviceSpan, EarlierPairs, RowOrder
+from bondem.dynamics.on_device.translation import Counterpart, Translation
+from bondem.dynamics.parts.part import Passes
+from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
+from bondem.interactions.contact.contact_search import Walls
+from bondem.model.domain_blocks import StepCut
+
+_move_walls = IndexPass("move_all_walls", DeviceSpan, WallMotions, Walls)
+_check_element = IndexPass("check_travel_of_element", DeviceSpan, Moving, Travel)
+_check_wall = IndexPass("check_travel_of_wall", DeviceSpan, Travel, Walls)
+_press_pair = IndexPass("press_pair", DeviceSpan, Moving, ContactConstants, ContactPairs, NearPairs)
+_add_pairs = IndexPass(
+    "add_pairs_of_element", ContactConstants, ContactPairs, EarlierPairs, NearPairs, ContactSums
+)
+_press_walls = IndexPass(
+    "press_walls_on_element", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, ContactSums
+)
+_add_contact_load = IndexPass("add_contact_load", DeviceSpan, Moving, StepCut, ContactSums)
+_load_wall = IndexPass("load_wall", DeviceSpan, WallContacts, RowOrder, Walls)
+_kick_free_wall = IndexPass("kick_free_wall", DeviceSpan, WallMotions, Walls)
+_begin_contacts = IndexPass(
+    "begin_all_contacts", DeviceSpan, Moving, ContactConstants, ContactPairs, NearPairs, EventLog, Postponed
+)
+_measure_overlaps = IndexPass(
+    "measure_overlaps", DeviceSpan, Moving, ContactConstants, ContactPairs, WallContacts, Walls, Travel
+)
+_sum_pairs = IndexPass("sum_portion_of_pairs", DeviceSpan, Moving, ContactConstants, ContactPairs, ContactEnergies)
+_sum_at_walls = IndexPass(
+    "sum_portion_at_walls", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, ContactEnergies
+)
+_write_energy = IndexPass("write_energy_of_contacts", DeviceSpan, ContactEnergies, HistoryRows)
+_write_work = IndexPass("write_work_of_walls", DeviceSpan, Walls, HistoryRows)
+_write_gauge = IndexPass("write_gauge_of_wall", DeviceSpan, Walls, Gauges, HistoryRows)
+
+
+def earlier_pairs(run: Translation, pairs: ContactPairs) -> EarlierPairs:
+    """Return the pairs whose earlier element each element is."""
+
+    def make() -> EarlierPairs:
+        counts = np.bincount(pairs.first, minlength=run.span.n)
+        start = np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
+        return EarlierPairs(start, np.argsort(pairs.first, kind="stable").astype(np.uint32))
+
+    return run.once(pairs, make)
+
+
+def _move(run: Translation, motions: WallMotions, walls: Walls) -> list[Launch]:
+    return [(_move_walls, 1, (run.span, motions, walls))]
+
+
+def _check(run: Translation, travel: Travel, walls: Walls, _: Portions) -> list[Launch]:
+    return [(_check_wall, len(walls.body), (run.span, travel, walls))]
+
+
+def _measure(run: Translation, moving: Moving, travel: Travel) -> list[Launch]:
+    return [(_check_element, run.span.n, (run.span, moving, travel))]
+
+
+def _press(
+    run: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, near: NearPairs, _: Travel
+) -> list[Launch]:
+    return [(_press_pair, len(pairs.first), (run.span, moving, law, pairs, near))]
+
+
+def _add(
+    run: Translation, law: ContactConstants, pairs: ContactPairs, near: NearPairs, sums: ContactSums
+) -> list[Launch]:
+    if len(pairs.first) == 0:
+        return []
+    return [(_add_pairs, run.span.n, (law, pairs, earlier_pairs(run, pairs), near, sums))]
+
+
+def _press_at_walls(
+    run: Translation,
+    moving: Moving,
+    law: ContactConstants,
+    contacts: WallContacts,
+    walls: Walls,
+    sums: ContactSums,
+) -> list[Launch]:
+    count = run.span.n if len(contacts.wall) else 0
+    return [(_press_walls, count, (run.span, moving, law, contacts, walls, sums))]
+
+
+def _load(run: Translation, contacts: WallContacts, motions: WallMotions, walls: Walls) -> list[Launch]:
+    run.walls = walls.body
+    order = run.once(contacts, lambda: RowOrder.of(contacts.wall, len(walls.body)))
+    return [
+        (_load_wall, len(walls.body), (run.span, contacts, order, walls)),
+        (_kick_free_wall, len(motions.free_wall), (run.span, motions, walls)),
+    ]
+
+
+def _contact_loads(run: Translation, moving: Moving, cut: StepCut, sums: ContactSums) -> list[Launch]:
+    return [(_add_contact_load, run.span.n, (run.span, moving, cut, sums))]
+
+
+def _begin(run: Translation, *tables: Any) -> list[Launch]:
+    return [(_begin_contacts, 1, (run.span, *tables))]
+
+
+def _pair_energies(
+    run: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, energies: ContactEnergies
+) -> list[Launch]:
+    return [(_sum_pairs, len(energies.energy), (run.span, moving, law, pairs, energies))]
+
+
+def _wall_energies(
+    run: Translation,
+    moving: Moving,
+    law: ContactConstants,
+    contacts: WallContacts,
+    walls: Walls,
+    energies: ContactEnergies,
+) -> list[Launch]:
+    return [(_sum_at_walls, len(energies.energy), (run.span, moving, law, contacts, walls, energies))]
+
+
+def _energy(run: Translation, energies: ContactEnergies, history: HistoryRows) -> list[Launch]:
+    return [(_write_energy, 1, (run.span, energies, history))]
+
+
+def _walls(run: Translation, walls: Walls, gauges: Gauges, history: HistoryRows) -> list[Launch]:
+    return [
+        (_write_work, 1, (run.span, walls, history)),
+        (_write_gauge, len(gauges.quantity), (run.span, walls, gauges, history)),
+    ]
+
+
+COUNTERPARTS: dict[str, Counterpart] = {
+    "move_walls": _move,
+    "measure_travel": _measure,
+    "check_travel": _check,
+    "press_pairs": _press,
+    "add_pair_loads": _add,
+    "press_walls": _press_at_walls,
+    "measure_wall_overlaps": lambda *_: [],  # with the overlaps of pairs, at the guard
+    "keep_measures": lambda *_: [],
+    "load_walls": _load,
+    "add_contact_loads": _contact_loads,
+    "begin_contacts": _begin,
+    "sum_pair_energies": _pair_energies,
+    "sum_wall_energies": _wall_energies,
+    "write_contact_energy": _energy,
+    "write_walls": _walls,
+    "count_wall_work": lambda *_: [],  # the CPU adds it
+}
+
+
+def deepest_overlaps(run: Translation, passes: Passes) -> list[Launch]:
+    """Return the launches that measure the deepest overlap of each portion, of the passes of a step."""
+    named = {one.name: tables for one, *tables in passes}
+    if "press_pairs" not in named:
+        return []
+    moving, law, pairs, _, travel = named["press_pairs"]
+    _, walls, _ = named["check_travel"]
+    contacts = named["press_walls"][2] if "press_walls" in named else run.once(walls, lambda: _none(run.span.n))
+    return [(_measure_overlaps, len(travel.portion), (run.span, moving, law, pairs, contacts, walls, travel))]
+
+
+def _none(n: int) -> WallContacts:
+    """Return no contacts of n elements with walls."""
+    short = np.zeros(0, dtype=np.uint32)
+    return WallContacts(
+        np.zeros(n + 1, dtype=np.int64), short, short, np.zeros(0), np.zeros((0, 6)), np.zeros(0, dtype=np.uint8),
+        np.zeros((0, 4)),
+    )  # fmt: skip
+
+
+def lists_of_contacts(passes: Passes) -> list[Any]:
+    """Return the tables of the passes of a step that are made anew with a list of contacts."""
+    kinds = ContactPairs, NearPairs, Travel, WallContacts
+    return list({id(table): table for _, *tables in passes for table in tables if isinstance(table, kinds)}.values())
+
+
+def walls_listed(passes: Passes) -> list[np.ndarray]:
+    """Return the places of walls when the list was made, which change with it."""
+    return [tables[1].listed for one, *tables in passes if one.name == "check_travel"]

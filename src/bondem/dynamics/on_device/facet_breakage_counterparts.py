@@ -1,0 +1,72 @@
+"""Breakage of facets of cells on a device."""
+
+from bondem._device import IndexPass, Launch
+from bondem.damage.failure_passes import Strengths
+from bondem.dynamics.damage_tables import Candidates, EventLog, FailureBounds, Postponed
+from bondem.dynamics.on_device.breakage_counterparts import counted, marking, marks_of, ranked
+from bondem.dynamics.on_device.device_tables import BondMarks, DeviceSpan, LoadsOfBonds, RowOrder
+from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
+from bondem.dynamics.step_tables import Moving
+from bondem.interactions.cells.cell_tables import ElasticFacets, FacetRelease, WallConstraints
+from bondem.model.constraints import Rows
+
+_dilate_marked_facet = IndexPass("dilate_marked_facet", Moving, ElasticFacets, LoadsOfBonds, FailureBounds, BondMarks)
+_judge = IndexPass(
+    "judge_facet_by_mohr_coulomb", DeviceSpan, Moving, ElasticFacets, Strengths, BondMarks, Candidates, Postponed
+)
+_postpone_neighbour = IndexPass("postpone_neighbour", ElasticFacets, FacetRelease, Candidates, Postponed)
+_EXCHANGED = Moving, ElasticFacets, WallConstraints, FacetRelease, Candidates
+_withdraw_of_cell = IndexPass("withdraw_facets_of_cell", *_EXCHANGED, Postponed)
+_REMOVED = Moving, ElasticFacets, WallConstraints, FacetRelease, BondMarks, Candidates
+_write_failure = IndexPass("write_facet_failure", DeviceSpan, *_REMOVED, EventLog)
+_end_of_cell = IndexPass("end_facets_of_cell", *_REMOVED)
+_restore_of_cell = IndexPass("restore_facets_of_cell", *_EXCHANGED, Postponed)
+_renew_wall_row = IndexPass("renew_wall_row", WallConstraints, RowOrder, Rows, Candidates)
+
+
+def _judge_facets(
+    run: Translation,
+    moving: Moving,
+    facets: ElasticFacets,
+    release: FacetRelease,
+    strengths: Strengths,
+    candidates: Candidates,
+    postponed: Postponed,
+) -> list[Launch]:
+    tables = run.span, moving, facets, strengths, marks_of(run), candidates, postponed
+    return [
+        (_judge, run.span.m, tables),
+        (_postpone_neighbour, run.span.n, (facets, release, candidates, postponed)),
+        ranked(run, candidates),
+    ]
+
+
+def _break(
+    run: Translation,
+    moving: Moving,
+    facets: ElasticFacets,
+    walls: WallConstraints,
+    release: FacetRelease,
+    candidates: Candidates,
+    log: EventLog,
+) -> list[Launch]:
+    removed = moving, facets, walls, release, marks_of(run), candidates
+    return [
+        (_write_failure, run.span.m, (run.span, *removed, log)),
+        (_end_of_cell, run.span.n, removed),
+        counted(run, candidates, log),
+    ]
+
+
+def _renew(run: Translation, walls: WallConstraints, rows: Rows, candidates: Candidates) -> list[Launch]:
+    return [(_renew_wall_row, len(rows.force), (walls, run.order_of(walls.row), rows, candidates))]
+
+
+COUNTERPARTS: dict[str, Counterpart] = {
+    "accumulate_and_mark": marking(_dilate_marked_facet),
+    "judge_facets_by_mohr_coulomb": _judge_facets,
+    "withdraw_facets": over(_withdraw_of_cell, elements, spans=False),
+    "break_facets": _break,
+    "restore_facets": over(_restore_of_cell, elements, spans=False),
+    "renew_wall_rows": _renew,
+}

@@ -1,0 +1,75 @@
+"""Facets that begin to crack by a function of the stress, on a device; a function of a user is the CPU's."""
+
+import numpy as np
+
+from bondem._device import DeviceTables, HostCall, IndexPass, Launch
+from bondem.damage.stress_passes import StressCandidates, StressFunction, stress_indices
+from bondem.dynamics.cohesive_tables import CrackOnset, StressesOfCells
+from bondem.dynamics.on_device.device_tables import DeviceSpan
+from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
+from bondem.dynamics.step_tables import Moving
+from bondem.dynamics.stress_onset import CandidateFacets
+from bondem.interactions.cells.cell_tables import ElasticFacets, FacetForces
+
+_OF_CORE = "mean_stress", "cone"
+_judge_by = {
+    name: IndexPass(f"judge_cell_by_{name}", DeviceSpan, StressesOfCells, StressFunction, CandidateFacets, CrackOnset)
+    for name in _OF_CORE
+}
+_judge_by_size = IndexPass("judge_cell_by_size", DeviceSpan, StressesOfCells, CandidateFacets, CrackOnset)
+_FACETS = Moving, ElasticFacets, FacetForces, StressesOfCells, CrackOnset, CandidateFacets
+_clear = IndexPass("clear_candidates", CandidateFacets)
+_find = IndexPass("find_stress_candidate", DeviceSpan, *_FACETS)
+_index_by = {name: IndexPass(f"index_candidate_by_{name}", StressCandidates, StressFunction) for name in _OF_CORE}
+_mark = IndexPass("mark_failing_facet", *_FACETS)
+_find_strength = IndexPass("find_strength_along", CandidateFacets)
+
+
+def _find_candidates(
+    run: Translation,
+    moving: Moving,
+    facets: ElasticFacets,
+    kept: FacetForces,
+    stresses: StressesOfCells,
+    cracks: CrackOnset,
+    onset: CandidateFacets,
+) -> list[Launch]:
+    run.scratch += [onset.bond, onset.stress, onset.found]
+    tables = run.span, moving, facets, kept, stresses, cracks, onset
+    return [(_clear, 1, (onset,)), (_find, run.span.m, tables)]
+
+
+def _index(name: str) -> Counterpart:
+    def counterpart(_: Translation, candidates: StressCandidates, function: StressFunction) -> list[Launch]:
+        return [(_index_by[name], len(candidates.bond), (candidates, function))]
+
+    return counterpart
+
+
+def _call(_: Translation, candidates: StressCandidates, function: StressFunction) -> list[Launch]:
+    """Return the call of a function of the CPU for all candidates, in the order of the bonds."""
+
+    def work(tables: DeviceTables) -> None:
+        tables.fetch(candidates.number[:1])
+        count = int(candidates.number[0])
+        tables.fetch(candidates.bond[:count])
+        chosen = np.flatnonzero(candidates.bond[:count] >= 0)
+        if len(chosen) == 0:
+            return
+        tables.fetch(candidates.stress[:count])
+        chosen = chosen[np.argsort(candidates.bond[chosen])]
+        candidates.found[chosen] = stress_indices("function", candidates.stress[chosen], function)
+        tables.send(candidates.found[:count])
+
+    return [(HostCall(work), 1, ())]
+
+
+COUNTERPARTS: dict[str, Counterpart] = {
+    **{f"judge_cells_by_{name}": over(one, elements) for name, one in _judge_by.items()},
+    "judge_cells_by_size": over(_judge_by_size, elements),
+    "find_stress_candidates": _find_candidates,
+    **{f"index_candidates_by_{name}": _index(name) for name in _OF_CORE},
+    "index_candidates_by_function": _call,
+    "mark_failing_facets": lambda _, *tables: [(_mark, len(tables[-1].bond), tables)],
+    "find_strengths_along": lambda _, onset: [(_find_strength, len(onset.bond), (onset,))],
+}

@@ -1,0 +1,144 @@
+"""Translation of the passes of a step into launches: what all counterparts share."""
+
+from collections.abc import Callable, Iterable
+from typing import Any, TypeVar
+
+import numpy as np
+
+from bondem._device import IndexPass, Launch
+from bondem.dynamics.damage_tables import EventLog
+from bondem.dynamics.on_device.device_tables import (
+    GROUP,
+    SUM_COLUMNS,
+    WORKS,
+    BondsOfElements,
+    DeviceSpan,
+    FoldedPortions,
+    LoadsOfBonds,
+    RowOrder,
+    Tick,
+    WorkPortions,
+)
+from bondem.dynamics.step_tables import Portions, StepScheme
+from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
+from bondem.specimen.ordering import Layout
+
+_T = TypeVar("_T")
+
+set_clock = IndexPass("set_clock", DeviceSpan, StepScheme, Tick)
+count_record = IndexPass("count_record", DeviceSpan)
+_sum_portion_of_works = IndexPass("sum_portion_of_works", Rows, WorkPortions)
+_fold_portions = IndexPass("fold_portions", Portions, WorkPortions, FoldedPortions)
+
+
+class Translation:
+    """Tables of one run that counterparts share.
+
+    Args:
+        layout: elements and bonds.
+        cut: cut of a step into one block, whose list has the elements that own rows of the boundary last.
+        rows: number of rows of the boundary.
+        works: number of works.
+        postponed: elements that failures postpone, uint8, (n,), or (0,) where nothing fails.
+        further: whether loads act on elements beside those of their bonds; their sums are in memory then.
+
+    Attributes:
+        cut: cut of the step.
+        span: clock of the run, elements and bonds.
+        bonds: bonds of each element.
+        loads: loads of each bond on its ends.
+        dashed: loads of the dashpots of each bond.
+        further: whether loads act beside those of bonds.
+        held: number of elements that own rows.
+        walls: motion, forces and work of walls, (w, 14), or None.
+        logs: events of the run, whose rows are copied as far as they are filled.
+        scratch: arrays of zeros of counterparts that only the device reads.
+        before_keeping: functions that convert tables copied from the device to the form of the CPU.
+    """
+
+    def __init__(
+        self, layout: Layout, cut: StepCut, rows: int, works: int, postponed: np.ndarray, *, further: bool
+    ) -> None:
+        n, m = len(layout.order), len(layout.i)
+        self.cut, self.further = cut, further
+        self.held = n - int(cut.held[0])
+        self.span = DeviceSpan(np.zeros(9, dtype=np.int64), postponed, np.zeros(1, dtype=np.int64), n, m)
+        self.bonds = BondsOfElements(
+            layout.in_start.astype(np.int32), layout.out_start.astype(np.int32), np.ascontiguousarray(layout.out_bond)
+        )
+        self.loads, self.dashed = LoadsOfBonds(np.zeros((9, m))), LoadsOfBonds(np.zeros((9, m)))
+        self._works = WorkPortions(np.zeros((-(-works // WORKS), 2)))
+        most = max(-(-n // 1024), -(-m // 2048), len(self._works.works), 1)
+        self.folded = FoldedPortions(np.zeros((-(-most // GROUP), len(SUM_COLUMNS))))
+        self.logs: list[EventLog] = []
+        self.scratch: list[np.ndarray] = []
+        self.before_keeping: list[Callable[[], None]] = []
+        self.walls: np.ndarray | None = None
+        self._rows = rows
+        self._made: dict[int, tuple[Any, Any]] = {}
+
+    @property
+    def work_spaces(self) -> list[np.ndarray]:
+        """Arrays that only the device reads."""
+        return [self.loads.load, self.dashed.load, self.cut.sums, *self.scratch, *(log.event for log in self.logs)]
+
+    def keep_log(self, log: EventLog) -> None:
+        """Take note of a table of events."""
+        if not any(log is known for known in self.logs):
+            self.logs.append(log)
+
+    def once(self, of: Any, make: Callable[[], _T]) -> _T:
+        """Return what belongs to a table or an array, which is made once."""
+        if id(of) not in self._made:
+            self._made[id(of)] = of, make()
+        return self._made[id(of)][1]
+
+    def dropped(self, tables: Iterable[Any]) -> list[Any]:
+        """Return what was made of tables that are out of date, and forget it."""
+        return [self._made.pop(id(table))[1] for table in tables if id(table) in self._made]
+
+    def order_of(self, row: np.ndarray) -> RowOrder:
+        """Return the order of what acts on rows of the boundary."""
+        return self.once(row, lambda: RowOrder.of(row, self._rows))
+
+    def fold(self, rows: Rows, portions: Portions) -> list[Launch]:
+        """Return the launches that sum works, and all sums over portions."""
+        return [
+            (_sum_portion_of_works, len(self._works.works), (rows, self._works)),
+            (_fold_portions, self.folded.sums.size, (portions, self._works, self.folded)),
+        ]
+
+
+#: Launches that do what a pass does, of the tables of the pass.
+Counterpart = Callable[..., list[Launch]]
+
+
+def over(one: IndexPass, count: Callable[[Translation], int], *, spans: bool = True) -> Counterpart:
+    """Return the counterpart of a pass that is one launch with the tables of the pass.
+
+    Args:
+        one: pass over an index.
+        count: number of indices.
+        spans: whether its first table is that of the clock.
+    """
+
+    def counterpart(run: Translation, *tables: Any) -> list[Launch]:
+        return [(one, count(run), (run.span, *tables) if spans else tables)]
+
+    return counterpart
+
+
+def elements(run: Translation) -> int:
+    """Return the number of elements."""
+    return run.span.n
+
+
+def bonds(run: Translation) -> int:
+    """Return the number of bonds or facets."""
+    return run.span.m
+
+
+def names_of(passes: Iterable[tuple[Any, ...]]) -> set[str]:
+    """Return the names of passes."""
+    return {one.name for one, *_ in passes}

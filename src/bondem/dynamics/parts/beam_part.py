@@ -1,0 +1,101 @@
+"""Beams of the total formulation: forces, energies, the guard of large rotations, and strains that change."""
+
+from typing import Any
+
+import numpy as np
+
+from bondem._core_steps import StepPass
+from bondem.dynamics.damage_tables import Candidates, FailureBounds, SofteningBounds
+from bondem.dynamics.parts.breakage_part import breakage
+from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
+from bondem.dynamics.parts.part import Part, Passes
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.parts.softening_part import SofteningTables, softening
+from bondem.dynamics.step_tables import Dashpots, Moving, Portions, Strain, Timeline
+from bondem.interactions.beams.beam_tables import AlikeBeams, Beams, beam_tables
+from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
+from bondem.model.model import Model
+from bondem.model.state import State
+
+_follow_strains = StepPass("follow_strains", Timeline, Strain, Moving, Beams, Rows)
+_add_beam_loads = StepPass("add_beam_loads", Moving, Beams, StepCut)
+_add_alike_beam_loads = StepPass("add_alike_beam_loads", Moving, Beams, AlikeBeams, StepCut)
+_add_marked_beam_loads = StepPass("add_marked_beam_loads", Moving, Beams, StepCut, FailureBounds, Candidates)
+_add_marked_alike_beam_loads = StepPass(
+    "add_marked_alike_beam_loads", Moving, Beams, AlikeBeams, StepCut, FailureBounds, Candidates
+)
+_add_softening_beam_loads = StepPass(
+    "add_softening_beam_loads", Moving, Beams, StepCut, SofteningBounds, Candidates
+)
+_add_softening_alike_beam_loads = StepPass(
+    "add_softening_alike_beam_loads", Moving, Beams, AlikeBeams, StepCut, SofteningBounds, Candidates
+)
+_add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)
+_check_beams = StepPass("check_beams", Moving, Beams, Portions)
+_sum_beam_energies = StepPass("sum_beam_energies", Moving, Beams, Portions)
+
+
+def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> BondParts:
+    """Return the parts of beams, with dashpots beside them or without: their forces, and their breakage."""
+    moving, cut, portions = shared.moving, shared.cut, shared.portions
+    strain = _changing_strain(model, state)
+    bonds = model.bonds.stretched(state.eigenstrain)
+    if strain is not None:  # lengths change during the run
+        bonds = bonds.separate()
+    table, alike = beam_tables(bonds, model.layout, model.period, state.integrity, may_share=strain is None)
+    damage = damage_of(model, state, cut, len(table.i))
+    soft, failure = None, []
+    if damage is not None and model.beam_softening is not None:
+        soft = SofteningTables.of(model.beam_softening, damage, state, table, alike, handed=model.hands_over)
+        failure = [softening(soft, damage, state, shared, table)]
+    elif damage is not None:
+        failure = [breakage(damage, state, shared, table, alike, dashpots)]
+    present = [] if strain is None else [(_follow_strains, shared.timeline, strain, moving, table, shared.rows)]
+    loads: Passes = [_loads(moving, table, alike, cut, damage, soft)]
+    if dashpots is not None:
+        loads.append((_add_dashpot_loads, moving, table, dashpots, cut))
+    forces = Part(
+        {"present": present, "loads": loads, "guard": [(_check_beams, moving, table, portions)]},
+        record=lambda _: [(_sum_beam_energies, moving, table, portions)],
+    )
+    pressed = None if soft is None else soft.bounds
+    return BondParts([forces, *failure], Joints.of(model, state, table.integrity, damage, pressed))
+
+
+def _changing_strain(model: Model, state: State) -> Strain | None:
+    """Return the stress-free strains of the boundary conditions, added to those of the state, or None."""
+    held, plain = model.constraints, model.bonds
+    if not len(held.strain_part):
+        return None
+    bond = np.flatnonzero((held.strain_part != 0.0).any(axis=0))
+    return Strain(
+        schedule=held.strain_schedule,
+        bond=bond.astype(np.uint32),
+        part=np.ascontiguousarray(held.strain_part[:, bond]),
+        still=1.0 + (state.eigenstrain[bond] if state.eigenstrain.size else np.zeros(len(bond))),
+        length=plain.length[bond],
+        shear=plain.ks[bond],
+        lever=plain.lever[bond],
+        factor=np.zeros((4, len(held.strain_part))),
+        place=held.works[1],
+    )
+
+
+def _loads(
+    moving: Moving,
+    table: Beams,
+    alike: AlikeBeams | None,
+    cut: StepCut,
+    damage: DamageTables | None,
+    soft: SofteningTables | None,
+) -> tuple[Any, ...]:
+    """Return the pass of forces: of beams that share their constants or not, and that break, soften, or do not."""
+    common = (moving, table, cut) if alike is None else (moving, table, alike, cut)
+    if damage is None:
+        return _add_beam_loads if alike is None else _add_alike_beam_loads, *common
+    if soft is None:
+        loads = _add_marked_beam_loads if alike is None else _add_marked_alike_beam_loads
+        return loads, *common, damage.bounds, damage.candidates
+    loads = _add_softening_beam_loads if alike is None else _add_softening_alike_beam_loads
+    return loads, *common, soft.bounds, damage.candidates

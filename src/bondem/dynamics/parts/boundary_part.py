@@ -1,0 +1,42 @@
+"""Boundary conditions of elements: loads, couples and drives that follow schedules."""
+
+import numpy as np
+
+from bondem._core_steps import StepPass
+from bondem.boundary.couples import CoupleTable
+from bondem.dynamics.parts.part import Part, Passes
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.step_tables import Drives, Moving, RowLoads, Timeline
+from bondem.model.constraints import Rows, Schedules
+
+_clear_row_forces = StepPass("clear_row_forces", Rows)
+_follow_loads = StepPass("follow_loads", Timeline, RowLoads, Moving, Rows)
+_follow_couples = StepPass("follow_couples", Timeline, CoupleTable, Moving, Rows)
+_follow_drives = StepPass("follow_drives", Timeline, Drives, Rows)
+
+
+def boundary(shared: SharedTables) -> Part:
+    """Return the part that brings loads and prescribed velocities to the present time."""
+    moving, rows, timeline, schedules = shared.moving, shared.rows, shared.timeline, shared.schedules
+    present: Passes = []
+    loaded, turned = len(schedules.load_row) > 0, len(schedules.couples.schedule) > 0
+    if loaded or turned:
+        present.append((_clear_row_forces, rows))
+    if loaded:
+        present.append((_follow_loads, timeline, _row_loads(schedules), moving, rows))
+    if turned:
+        present.append((_follow_couples, timeline, schedules.couples, moving, rows))
+    if len(schedules.drive_row):
+        present.append((_follow_drives, timeline, _drives(schedules), rows))
+    return Part({"present": present})
+
+
+def _row_loads(schedules: Schedules) -> RowLoads:
+    turns = schedules.load_turns
+    if len(turns) == 0:
+        turns = np.full(len(schedules.load_row), -1, dtype=np.int64)
+    return RowLoads(schedules.load_row, schedules.load_schedule, schedules.load_value, turns)
+
+
+def _drives(schedules: Schedules) -> Drives:
+    return Drives(schedules.drive_row, schedules.drive_dof, schedules.drive_schedule, schedules.drive_rate)

@@ -1,0 +1,205 @@
+"""Bodies of cells: dilatation, forces of facets, walls that hold facets, tractions, and strains that change."""
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from bondem._core_steps import StepPass
+from bondem._types import Ints
+from bondem.dynamics.damage_tables import Candidates, FailureBounds
+from bondem.dynamics.parts.damage_part import DamageTables
+from bondem.dynamics.parts.part import Part, Passes
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.step_tables import Dashpots, Moving, Portions, Timeline
+from bondem.interactions.beams.beam_tables import Beams, beam_tables
+from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.interactions.cells.cell_tables import (
+    CellDilatation,
+    CellStrains,
+    DilatationEnergy,
+    ElasticFacets,
+    FacetForces,
+    FacetTractions,
+    WallConstraints,
+    cell_tables,
+)
+from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
+from bondem.model.model import Model
+from bondem.model.state import State
+
+_accumulate_dilatation = StepPass("accumulate_dilatation", Moving, ElasticFacets, CellDilatation)
+_accumulate_and_mark = StepPass(
+    "accumulate_and_mark", Moving, ElasticFacets, CellDilatation, FailureBounds, Candidates
+)
+_collect_dilatation = StepPass("collect_dilatation", StepCut, CellDilatation)
+_stress_cells = StepPass("stress_cells", Moving, CellDilatation)
+_add_facet_loads = StepPass("add_facet_loads", Moving, ElasticFacets, StepCut)
+_add_and_keep_facet_loads = StepPass("add_and_keep_facet_loads", Moving, ElasticFacets, FacetForces, StepCut)
+_collect_facet_moments = StepPass("collect_facet_moments", StepCut, FacetForces)
+_take_moments = StepPass("take_moments", FacetForces)
+_add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)
+_follow_walls = StepPass("follow_walls", Moving, WallConstraints, Rows)
+_add_wall_dilatation = StepPass("add_wall_dilatation", Moving, WallConstraints, CellDilatation)
+_apply_walls = StepPass("apply_walls", Moving, WallConstraints, Rows)
+_add_wall_loads = StepPass("add_wall_loads", Rows, StepCut)
+_follow_tractions = StepPass("follow_tractions", Timeline, FacetTractions, CellDilatation)
+_add_traction_work = StepPass("add_traction_work", Moving, FacetTractions, Rows)
+_follow_cell_strains = StepPass("follow_cell_strains", Timeline, CellStrains, ElasticFacets, WallConstraints)
+_begin_strain_work = StepPass("begin_strain_work", Moving, CellStrains, ElasticFacets, WallConstraints)
+_sum_strain_powers = StepPass("sum_strain_powers", Moving, CellStrains, ElasticFacets)
+_add_strain_work = StepPass("add_strain_work", Moving, CellStrains, WallConstraints, Rows)
+_check_facets = StepPass("check_facets", Moving, Beams, ElasticFacets, Portions)
+_sum_facet_energies = StepPass("sum_facet_energies", Moving, ElasticFacets, Portions)
+_sum_dilatation_energies = StepPass("sum_dilatation_energies", CellDilatation, DilatationEnergy)
+_add_cell_energies = StepPass("add_cell_energies", Moving, WallConstraints, DilatationEnergy, Portions)
+
+
+class BodyOfCells(NamedTuple):
+    """Tables of the facets, cells and walls of a run."""
+
+    beams: Beams  #: directions between the centres of cells, for the guard and dashpots
+    facets: ElasticFacets
+    cells: CellDilatation
+    walls: WallConstraints
+    tractions: FacetTractions | None
+    strains: CellStrains | None
+
+    @classmethod
+    def of(cls, model: Model, state: State, shared: SharedTables) -> "BodyOfCells":
+        """Return the tables of a run from a state, whose arrays they share."""
+        layout, constants = model.layout, constants_of(model, state)
+        bonds = model.bonds.stretched(state.eigenstrain)
+        beams, _ = beam_tables(bonds, layout, model.period, state.integrity, may_share=False)
+        to_i = _places(shared.cut, layout.i, len(layout.order))
+        facets, cells = cell_tables(constants, layout, model.period, state.integrity, to_i)
+        held = model.constraints
+        walls = constants.grips.table(layout, held.row_of, held.works[2], state.grips)
+        integrity = beams.integrity if model.softening is None else beams.integrity.copy()
+        return cls(
+            beams, facets._replace(integrity=integrity), cells, walls, _tractions(model),
+            _strains(model, state, shared.portions),
+        )  # fmt: skip
+
+
+def cells(
+    shared: SharedTables,
+    model: Model,
+    state: State,
+    body: BodyOfCells,
+    dashpots: Dashpots | None,
+    kept: FacetForces | None = None,
+    damage: DamageTables | None = None,
+    stretch: Sequence[tuple[Any, ...]] = (),
+    powers: Sequence[tuple[Any, ...]] = (),
+) -> Part:
+    """Return the part of a body of cells, with dashpots beside its facets or without.
+
+    Args:
+        shared: tables of the run.
+        model: model of the body.
+        state: state from which the run begins.
+        body: tables of the body.
+        dashpots: dashpots of the facets, or None.
+        kept: forces of facets and moments of cells where cracks need them, or None. Then the energies of dilatation
+            are those of another part, which knows the stresses of cells with cracks.
+        damage: tables of facets that break at once, or None.
+        stretch: passes that follow where stress-free strains have changed levers.
+        powers: passes that find the powers of these strains at cracks, where a run begins.
+    """
+    moving, cut, rows, portions = shared.moving, shared.cut, shared.rows, shared.portions
+    walls, held = body.walls, len(body.walls.cell) > 0
+    before: Passes = [(_add_wall_dilatation, moving, walls, body.cells)] if held else []
+    dilate: Passes = [(_accumulate_dilatation, moving, body.facets, body.cells)]
+    mark = dilate
+    if damage is not None:
+        mark = [(_accumulate_and_mark, moving, body.facets, body.cells, damage.bounds, damage.candidates)]
+    collect: Passes = [(_collect_dilatation, cut, body.cells)]
+    loads: Passes = [(_add_facet_loads, moving, body.facets, cut)]
+    gather: Passes = []
+    if kept is not None:
+        loads = [(_add_and_keep_facet_loads, moving, body.facets, kept, cut)]
+        gather = [(_collect_facet_moments, cut, kept), (_take_moments, kept)]
+    if dashpots is not None:
+        loads.append((_add_dashpot_loads, moving, body.beams, dashpots, cut))
+    present, beside, behind = _changing(shared, body, stretch, powers)
+    constrain: Passes = [*beside, (_apply_walls, moving, walls, rows)] if held else [*beside]
+    energy = DilatationEnergy(np.zeros(len(portions.elements)))
+    energies: Passes = [
+        *before, *dilate, *collect, (_sum_dilatation_energies, body.cells, energy),
+        (_sum_facet_energies, moving, body.facets, portions), (_add_cell_energies, moving, walls, energy, portions),
+    ]  # fmt: skip
+    return Part(
+        {
+            "present": present, "prepare": [*beside, *before, *mark, *collect, (_stress_cells, moving, body.cells)],
+            "constrain": [*constrain, *behind], "loads": loads, "gather": gather,
+            "add": [(_add_wall_loads, rows, cut)] if held else [],
+            "guard": [(_check_facets, moving, body.beams, body.facets, portions)],
+        },
+        record=lambda _: energies if kept is None else energies[-2:-1],
+    )  # fmt: skip
+
+
+def _changing(
+    shared: SharedTables, body: BodyOfCells, stretch: Sequence[tuple[Any, ...]], powers: Sequence[tuple[Any, ...]]
+) -> tuple[Passes, Passes, Passes]:
+    """Return passes of conditions that change: of the present, around the pass of stresses, and behind it."""
+    moving, timeline, rows, walls, strains = shared.moving, shared.timeline, shared.rows, body.walls, body.strains
+    present: Passes = []
+    beside: Passes = []
+    behind: Passes = []
+    if body.tractions is not None:
+        present.append((_follow_tractions, timeline, body.tractions, body.cells))
+        beside.append((_add_traction_work, moving, body.tractions, rows))
+    if strains is not None:
+        present += [(_follow_cell_strains, timeline, strains, body.facets, walls), *stretch]
+        behind.append((_sum_strain_powers, moving, strains, body.facets))
+        behind.append((_add_strain_work, moving, strains, walls, rows))
+    if len(walls.cell):
+        present.append((_follow_walls, moving, walls, rows))
+    if strains is not None:
+        present += [*powers, (_begin_strain_work, moving, strains, body.facets, walls)]
+    return present, beside, behind
+
+
+def constants_of(model: Model, state: State) -> CellConstants:
+    """Return the constants of a body with stress-free strains, and with the facets that are left."""
+    assert model.cells is not None
+    strained = model.cells.stretched(state.eigenstrain, model.layout)
+    if model.softening is not None:  # cracks that are not treated one by one count by their integrity
+        return strained
+    return strained.damaged(state.integrity, model.layout.i, model.layout.j)
+
+
+def _places(cut: StepCut, i: np.ndarray, n: int) -> np.ndarray:
+    """Return the place where each facet adds to V θ of its cell i, or one behind all n cells, uint32, (m,)."""
+    row = cut.row_i[: len(i)].astype(np.int64)
+    return np.where(row < cut.parts, i, n + row - cut.parts).astype(np.uint32)
+
+
+def _tractions(model: Model) -> FacetTractions | None:
+    """Return the tractions on free facets, or None."""
+    held = model.constraints
+    count = len(held.press_schedule)
+    if count == 0:
+        return None
+    schedule: Ints = held.press_schedule
+    return FacetTractions(held.press_value, schedule, held.works[2], np.zeros(count), np.zeros(count))
+
+
+def _strains(model: Model, state: State, portions: Portions) -> CellStrains | None:
+    """Return the stress-free strains of the boundary conditions, on top of those of the state, or None."""
+    held, cells, layout = model.constraints, model.cells, model.layout
+    if cells is None or not len(held.strain_part):
+        return None
+    count, still = len(held.strain_part), state.eigenstrain if state.eigenstrain.size else np.zeros(len(layout.i))
+    wall = cells.grips.cell
+    return CellStrains(
+        schedule=held.strain_schedule, base_i=np.ascontiguousarray(cells.lever_i.T),
+        base_j=np.ascontiguousarray(cells.lever_j.T), still=1.0 + still, part=held.strain_part,
+        wall_base=cells.grips.lever, wall_still=1.0 + layout.of_elements(still)[wall],
+        wall_part=np.array([layout.of_elements(part)[wall] for part in held.strain_part]),
+        place=held.works[1], factor=np.zeros((4, count)), power=np.zeros((len(portions.bonds), count)),
+        cracked=np.zeros(count), due=np.zeros(2, dtype=np.uint8),
+    )  # fmt: skip

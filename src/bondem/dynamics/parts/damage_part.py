@@ -1,0 +1,152 @@
+"""The damage pipeline of a run: what is the same for beams, facets of cells and pairs of the non-local law."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._core_steps import StepPass
+from bondem._types import PerBond
+from bondem.damage.event_columns import BROKEN_COLUMNS, SOFT_BOND
+from bondem.damage.failure_table import FailureTable
+from bondem.dynamics.cohesive_tables import CohesiveCracks, CrackLists
+from bondem.dynamics.crack_joints import joints
+from bondem.dynamics.damage_tables import Candidates, EventLog, FailureBounds, Postponed, SofteningBounds
+from bondem.dynamics.parts.part import Part, Passes
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.step_tables import Dashpots, HistoryRows
+from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
+from bondem.model.model import Model
+from bondem.model.non_local_tables import LaggedStresses
+from bondem.model.state import State
+
+_postpone_elements = StepPass("postpone_elements", StepCut, Candidates, Postponed)
+_keep_sums = StepPass("keep_sums", StepCut, Postponed)
+_keep_dashpots = StepPass("keep_dashpots", Dashpots, Postponed)
+_list_postponed = StepPass("list_postponed", Rows, Candidates, Postponed)
+write_released = StepPass("write_released", EventLog, HistoryRows)
+
+
+@dataclass(frozen=True, eq=False)
+class DamageTables:
+    """Tables of the damage pipeline of a run: of beams, facets or pairs alike.
+
+    Attributes:
+        table: criteria of the bonds.
+        bounds: bounds of the bonds.
+        candidates: bonds that are near to failure, and those that fail.
+        postponed: elements that a failure delays.
+        log: events.
+    """
+
+    table: FailureTable
+    bounds: FailureBounds
+    candidates: Candidates
+    postponed: Postponed
+    log: EventLog
+
+    @classmethod
+    def of(cls, table: FailureTable, state: State, cut: StepCut, filled: int) -> "DamageTables":
+        """Return the tables of a run from a state.
+
+        Args:
+            table: criteria of the bonds.
+            state: state with the bonds that have failed before.
+            cut: cut of a step, with one more row of sums per element.
+            filled: bonds with those that fill a group of lanes.
+        """
+        n, m = len(state.pose), len(state.integrity)
+        limit = np.full(filled, np.inf, dtype=np.float32)
+        limit[:m] = table.limit
+        limit[state.softened[:, SOFT_BOND].astype(np.int64)] = np.inf
+        first = len(cut.sums) - n
+        return cls(
+            table=table,
+            bounds=FailureBounds(limit, table.of_force, table.of_moment),
+            candidates=Candidates(
+                begin=cut.bond, marked=np.empty(m, dtype=np.int64), mode=np.empty(m, dtype=np.int64),
+                count=np.zeros(len(cut.bond) - 1, dtype=np.int64), any=np.zeros(1, dtype=np.int64),
+            ),
+            postponed=Postponed(
+                held=np.zeros(n, dtype=np.uint8), element=np.empty(n, dtype=np.uint32),
+                row=np.empty(n, dtype=np.uint32), first_row=first, kept=cut.sums[first:],
+            ),
+            log=EventLog(np.empty((m, BROKEN_COLUMNS)), np.zeros(2, dtype=np.int64), state.released),
+        )  # fmt: skip
+
+    def part(self, shared: SharedTables, judge: Passes, remove: Passes, dashpots: Dashpots | None) -> Part:
+        """Return the part of the pipeline that does not depend on what fails.
+
+        Args:
+            shared: tables of the run.
+            judge: passes that find the bonds that fail.
+            remove: passes that remove them.
+            dashpots: dashpots of the bonds, or None.
+        """
+        keep: Passes = [(_keep_sums, shared.cut, self.postponed)]
+        if dashpots is not None:
+            keep.append((_keep_dashpots, dashpots, self.postponed))
+        return Part(
+            {
+                "judge": [*judge, (_postpone_elements, shared.cut, self.candidates, self.postponed)],
+                "keep": keep,
+                "apply": remove,
+                "resume": [(_list_postponed, shared.rows, self.candidates, self.postponed)],
+            },
+            record=lambda history: [(write_released, self.log, history)],
+        )
+
+    def keep(self, integrity: np.ndarray, state: State) -> None:
+        """Write bonds that have failed since the last call into a state."""
+        count = int(self.log.written[0])
+        if count:
+            state.broken = np.concatenate([state.broken, self.log.event[:count]])
+            state.integrity[:] = integrity[: len(state.integrity)]
+            self.log.written[:] = 0
+
+
+@dataclass(frozen=True, eq=False)
+class Joints:
+    """Bonds that join elements, which do not touch as long as they are joined.
+
+    Attributes:
+        integrity: above 0 of bonds that join their elements, (m,) or longer; the passes write it.
+        apart: distance of the centres at which the elements of a bond touch without it [m], (m,).
+        damage: tables of the damage pipeline, or None if bonds do not fail.
+        pressed: pressure on beams that soften, or None if none do.
+        cracks: cracked facets whose faces may part, and their lists, or None.
+    """
+
+    integrity: PerBond
+    apart: PerBond
+    damage: DamageTables | None
+    pressed: SofteningBounds | None = None
+    cracks: tuple[CohesiveCracks, CrackLists] | None = None
+
+    @classmethod
+    def of(
+        cls, model: Model, state: State, integrity: PerBond, damage: DamageTables | None,
+        pressed: SofteningBounds | None = None,
+    ) -> "Joints":  # fmt: skip
+        """Return those of a run, given the integrity in the form of the loop over the bonds."""
+        return cls(*joints(model, state, integrity), damage, pressed)
+
+
+@dataclass(frozen=True, eq=False)
+class BondParts:
+    """Parts of the bonds of a run.
+
+    Attributes:
+        parts: parts of a step.
+        joints: the bonds as joints of their elements.
+        stresses: stresses of elements that contacts are a part of, or None for laws without.
+    """
+
+    parts: list[Part]
+    joints: Joints
+    stresses: LaggedStresses | None = None
+
+
+def damage_of(model: Model, state: State, cut: StepCut, filled: int) -> DamageTables | None:
+    """Return the tables of the damage pipeline of a run, or None if its bonds do not fail."""
+    return None if model.breaking is None else DamageTables.of(model.breaking, state, cut, filled)

@@ -1,0 +1,65 @@
+"""Breakage of facets of cells by the damage pipeline of the core."""
+
+from bondem._core_steps import StepPass
+from bondem.damage.failure_passes import CRITERION_NAMES, Strengths, strengths_of
+from bondem.dynamics.damage_tables import Candidates, EventLog, Postponed
+from bondem.dynamics.parts.cell_part import BodyOfCells, cells
+from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
+from bondem.dynamics.parts.part import Part, Passes
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.step_tables import Dashpots, Moving
+from bondem.interactions.beams.beam_tables import Beams
+from bondem.interactions.cells.cell_tables import ElasticFacets, FacetRelease, WallConstraints, facet_release
+from bondem.model.constraints import Rows
+from bondem.model.model import Model
+from bondem.model.state import State
+
+_judge_facets = [
+    StepPass(f"judge_facets_by_{name}", Moving, ElasticFacets, FacetRelease, Strengths, Candidates, Postponed)
+    for name in CRITERION_NAMES
+]
+_EXCHANGED = Moving, ElasticFacets, WallConstraints, FacetRelease, Candidates
+_withdraw_facets = StepPass("withdraw_facets", *_EXCHANGED, Postponed)
+_break_facets = StepPass("break_facets", *_EXCHANGED, EventLog)
+_restore_facets = StepPass("restore_facets", *_EXCHANGED, Postponed)
+_renew_wall_rows = StepPass("renew_wall_rows", WallConstraints, Rows, Candidates)
+_withdraw_dashpots = StepPass("withdraw_dashpots", Moving, Beams, Dashpots, Candidates, Postponed)
+
+
+def body_of_cells(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> BondParts:
+    """Return the parts of a body of cells whose facets are elastic or break at once."""
+    body = BodyOfCells.of(model, state, shared)
+    damage = damage_of(model, state, shared.cut, len(body.facets.i))
+    forces = cells(shared, model, state, body, dashpots, damage=damage)
+    parts = [forces] if damage is None else [forces, _breakage(model, damage, state, shared, body, dashpots)]
+    return BondParts(parts, Joints.of(model, state, body.facets.integrity, damage))
+
+
+def _breakage(
+    model: Model,
+    damage: DamageTables,
+    state: State,
+    shared: SharedTables,
+    body: BodyOfCells,
+    dashpots: Dashpots | None,
+) -> Part:
+    """Return the part of facets that break."""
+    assert model.cells is not None
+    moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
+    release = facet_release(model.cells, model.layout, body.facets, body.cells, body.walls)
+    strengths = strengths_of(damage.table)
+    judge = (_judge_facets[damage.table.kind], moving, body.facets, release, strengths, candidates, postponed)
+    exchanged = moving, body.facets, body.walls, release, candidates
+    remove: Passes = []
+    if dashpots is not None:
+        remove.append((_withdraw_dashpots, moving, body.beams, dashpots, candidates, postponed))
+    remove += [
+        (_withdraw_facets, *exchanged, postponed),
+        (_break_facets, *exchanged, damage.log),
+        (_restore_facets, *exchanged, postponed),
+    ]
+    if len(body.walls.cell):
+        remove.append((_renew_wall_rows, body.walls, shared.rows, candidates))
+    part = damage.part(shared, [], remove, dashpots)
+    stages = {**part.stages, "constrain": [judge]}  # before any cell moves, as stresses change those of neighbours
+    return Part(stages, part.record, lambda: damage.keep(body.facets.integrity, state))

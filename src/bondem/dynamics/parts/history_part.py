@@ -1,0 +1,26 @@
+"""Rows of the history: the energies of a run and its gauges, and the guard of its energy."""
+
+from bondem._core_steps import StepPass
+from bondem.dynamics.gauge_tables import Gauges
+from bondem.dynamics.parts.part import Part, Passes
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
+from bondem.model.constraints import Rows
+
+_sum_element_energies = StepPass("sum_element_energies", Moving, Portions)
+_judge_energy = StepPass("judge_energy", Rows, Portions)
+_write_ledger = StepPass("write_ledger", Rows, Portions, HistoryRows)
+_read_gauges = StepPass("read_gauges", Moving, Rows, Gauges, HistoryRows)
+
+
+def history(shared: SharedTables, gauges: Gauges) -> Part:
+    """Return the part that checks the energy, and writes it and the gauges; it comes after all others."""
+    moving, rows, portions = shared.moving, shared.rows, shared.portions
+
+    def record(to: HistoryRows) -> Passes:
+        passes: Passes = [(_sum_element_energies, moving, portions), (_write_ledger, rows, portions, to)]
+        if len(gauges.quantity):
+            passes.append((_read_gauges, moving, rows, gauges, to))
+        return passes
+
+    return Part({"guard": [(_sum_element_energies, moving, portions), (_judge_energy, rows, portions)]}, record)

@@ -1,0 +1,105 @@
+"""Bonds of the non-local law: stresses of elements that lag a step behind, and forces that follow from them."""
+
+import numpy as np
+
+from bondem._core_steps import StepPass
+from bondem.damage.failure_passes import Strengths, strengths_of
+from bondem.dynamics.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
+from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
+from bondem.dynamics.parts.part import Part, Passes
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.step_tables import Dashpots, HistoryRows, Moving, Portions
+from bondem.interactions.beams.beam_tables import Beams
+from bondem.model.domain_blocks import StepCut
+from bondem.model.model import Model
+from bondem.model.non_local_tables import (
+    LaggedStresses,
+    NonLocalBonds,
+    NonLocalWork,
+    lagged_stresses,
+    non_local_tables,
+)
+from bondem.model.state import State
+
+_turn_stresses = StepPass("turn_stresses", Moving, LaggedStresses)
+_find_non_local_forces = StepPass("find_non_local_forces", Moving, Beams, NonLocalBonds, LaggedStresses)
+_collect_moments = StepPass("collect_moments", StepCut, LaggedStresses)
+_find_stresses = StepPass("find_stresses", Moving, LaggedStresses)
+_add_non_local_loads = StepPass("add_non_local_loads", NonLocalBonds, StepCut)
+_add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)
+_check_beams = StepPass("check_beams", Moving, Beams, Portions)
+_sum_non_local_energies = StepPass("sum_non_local_energies", Moving, Beams, NonLocalBonds, Portions, NonLocalWork)
+_mark_pairs = StepPass("mark_pairs", Beams, LaggedStresses, Strengths, Candidates)
+_judge_pairs = StepPass("judge_pairs", Beams, LaggedStresses, Strengths, Candidates, Postponed)
+_withdraw_dashpots = StepPass("withdraw_dashpots", Moving, Beams, Dashpots, Candidates, Postponed)
+_break_pairs = StepPass("break_pairs", Moving, Beams, NonLocalBonds, Candidates, Postponed, EventLog)
+_relieve_pairs = StepPass("relieve_pairs", Moving, Beams, NonLocalBonds, LaggedStresses, BeamIntegrity, Candidates)
+_write_non_local_work = StepPass("write_non_local_work", NonLocalWork, HistoryRows)
+
+
+def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> BondParts:
+    """Return the parts of bonds of the non-local law, with dashpots beside them or without."""
+    moving, cut, portions = shared.moving, shared.cut, shared.portions
+    beams, bonds = non_local_tables(model, state)
+    stresses = lagged_stresses(model, state, _rows_of_moments(model, cut), int(cut.part[-1]))
+    work = NonLocalWork(np.zeros(len(portions.bonds)))
+    prepare: Passes = [
+        (_turn_stresses, moving, stresses),
+        (_find_non_local_forces, moving, beams, bonds, stresses),
+        (_collect_moments, cut, stresses),
+    ]
+    loads: Passes = [(_add_non_local_loads, bonds, cut)]
+    if dashpots is not None:
+        loads.append((_add_dashpot_loads, moving, beams, dashpots, cut))
+
+    def keep() -> None:
+        if bonds.history is not state.history:
+            state.history[:] = bonds.history[:, : state.history.shape[1]]
+
+    def record(history: HistoryRows) -> Passes:
+        return [
+            (_sum_non_local_energies, moving, beams, bonds, portions, work), (_write_non_local_work, work, history)
+        ]  # fmt: skip
+
+    guard: Passes = [(_check_beams, moving, beams, portions)]
+    find: Passes = [(_find_stresses, moving, stresses)]
+    parts = [Part({"prepare": prepare, "stress": find, "loads": loads, "guard": guard}, record, keep)]
+    damage = damage_of(model, state, cut, len(beams.i))
+    if damage is not None:
+        parts.append(_breakage(damage, state, shared, beams, bonds, stresses, dashpots))
+    return BondParts(parts, Joints.of(model, state, beams.integrity, damage), stresses)
+
+
+def _breakage(
+    damage: DamageTables,
+    state: State,
+    shared: SharedTables,
+    beams: Beams,
+    bonds: NonLocalBonds,
+    stresses: LaggedStresses,
+    dashpots: Dashpots | None,
+) -> Part:
+    """Return the part of bonds that break."""
+    moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
+    strengths, integrity = strengths_of(damage.table), BeamIntegrity(beams.integrity, np.zeros(0))
+    judge: Passes = [(_judge_pairs, beams, stresses, strengths, candidates, postponed)]
+    remove: Passes = []
+    if dashpots is not None:
+        remove.append((_withdraw_dashpots, moving, beams, dashpots, candidates, postponed))
+    remove += [
+        (_break_pairs, moving, beams, bonds, candidates, postponed, damage.log),
+        (_relieve_pairs, moving, beams, bonds, stresses, integrity, candidates),
+    ]
+    part = damage.part(shared, judge, remove, dashpots)
+    stages = {**part.stages, "loads": [(_mark_pairs, beams, stresses, strengths, candidates)]}
+    return Part(stages, part.record, lambda: damage.keep(beams.integrity, state))
+
+
+def _rows_of_moments(model: Model, cut: StepCut) -> np.ndarray:
+    """Return the row of the moment that each bond adds to for its element i, uint32, (m,).
+
+    Rows behind those of the n elements are contributions of bonds between domains, in the order of `cut.part`.
+    """
+    i = model.layout.i
+    row = cut.row_i[: len(i)].astype(np.int64)
+    return np.where(row < cut.parts, i, len(model.layout.order) + row - cut.parts).astype(np.uint32)

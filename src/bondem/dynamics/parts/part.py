@@ -1,0 +1,73 @@
+"""A part of a step: the passes of one subject, in the stages of a step.
+
+A step is composed of parts. Each part gives passes for some stages, and the list of a stage is that of all parts in
+their order. A subject that a model lacks is a part that its run does not have.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from bondem.dynamics.step_tables import HistoryRows
+
+#: Pairs of a pass and its tables, in the order in which the core calls them.
+Passes = list[tuple[Any, ...]]
+
+#: Stages of forces and motion, in the order of a step.
+FORCES = (
+    "contacts",  # forces of contacts and walls
+    "prepare",  # quantities of elements that bonds need
+    "stress",  # stresses of elements, from all that "prepare" has added
+    "constrain",  # walls and conditions that depend on these
+    "loads",  # forces of bonds; marks bonds near to failure
+    "judge",  # finds which marked bonds fail
+    "gather",  # sums of the elements that domains share
+    "add",  # further forces on elements
+    "keep",  # sums of the elements that a failure delays
+    "move",  # closes the step of elements, and opens the next one
+    "settle",  # works and losses of the motion
+    "apply",  # failure of bonds, after the motion
+    "hand_over",  # contact where bonds have failed
+)
+#: Stages of elements that a failure has delayed: they find their acceleration, and open the next step.
+RESUME = ("resume", "reopening")
+#: Other stages: the beginning of a run, boundary conditions at the present time, opening of a step after a pause,
+#: what moves with the elements and may put lists of contacts out of date, guard.
+STAGES = ("begin", "present", "opening", "travel", *FORCES, *RESUME, "guard")
+
+
+def _nothing(_: HistoryRows) -> Passes:
+    return []
+
+
+def _keep_nothing() -> None:
+    pass
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """The passes of one subject.
+
+    Attributes:
+        stages: passes by stage.
+        record: function that returns the passes of a record, for rows of the history.
+        keep: function that writes data of the passes into the state, after each call of the core.
+        renewed: function that returns the part with a new list of contacts, or None if a number is not finite; None
+            for a part that has no such list.
+    """
+
+    stages: Mapping[str, Passes]
+    record: Callable[[HistoryRows], Passes] = field(default=_nothing)
+    keep: Callable[[], None] = field(default=_keep_nothing)
+    renewed: "Callable[[], Part | None] | None" = None
+
+    def __post_init__(self) -> None:
+        unknown = set(self.stages) - set(STAGES)
+        if unknown:
+            raise ValueError(f"stages {sorted(unknown)} do not exist")
+
+
+def composed(parts: Iterable[Part], *stages: str) -> Passes:
+    """Return the passes of stages, each stage in the order of the parts."""
+    parts = list(parts)
+    return [one for stage in stages for part in parts for one in part.stages.get(stage, [])]

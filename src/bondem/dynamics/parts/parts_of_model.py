@@ -1,0 +1,65 @@
+"""Parts of the step of a model."""
+
+from bondem.dynamics.crack_joints import joints
+from bondem.dynamics.damping import DampingTerms
+from bondem.dynamics.gauge_tables import Gauges
+from bondem.dynamics.parts.beam_part import beams
+from bondem.dynamics.parts.body_force_part import body_forces
+from bondem.dynamics.parts.boundary_part import boundary
+from bondem.dynamics.parts.contact_part import ContactTables
+from bondem.dynamics.parts.crack_part import CrackingBody
+from bondem.dynamics.parts.damage_part import BondParts, Joints
+from bondem.dynamics.parts.facet_breakage_part import body_of_cells
+from bondem.dynamics.parts.history_part import history
+from bondem.dynamics.parts.motion_part import dashpots_of, motion, resistance_of
+from bondem.dynamics.parts.non_local_part import non_local
+from bondem.dynamics.parts.part import Part
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.parts.stored_beam_part import stored_beams
+from bondem.dynamics.step_tables import Dashpots
+from bondem.model.domain_blocks import StepCut
+from bondem.model.model import Model
+from bondem.model.state import State
+
+
+def parts_of(
+    model: Model, terms: DampingTerms, state: State, cut: StepCut, gauges: Gauges, dt: float
+) -> tuple[SharedTables, list[Part]]:
+    """Return the tables and the parts of a run from a state, whose arrays they share."""
+    shared = SharedTables.of(model, state, cut)
+    dashpots = dashpots_of(model, terms, cut)
+    bonds = _bonds(model, state, shared, dashpots, dt)
+    contacts, moments = [], []
+    if model.contacts is not None:
+        touching = ContactTables(model, model.contacts, state, shared, gauges, bonds.joints, dt)
+        contacts = [touching.part()]
+        moments = [] if bonds.stresses is None else [touching.moments(bonds.stresses)]
+    parts = [
+        boundary(shared),
+        *contacts,
+        *bonds.parts,
+        *moments,
+        motion(shared, dashpots, resistance_of(model, terms, dashpots)),
+    ]
+    pulled = body_forces(model, state, shared)
+    if pulled is not None:
+        parts.append(pulled)  # its work is that at the velocities after the kick
+    return shared, [*parts, history(shared, gauges)]
+
+
+def _bonds(
+    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
+) -> BondParts:
+    """Return the parts of the bonds."""
+    if model.softening is not None:
+        body = CrackingBody(model, state, shared, dt)
+        joined, apart = joints(model, state, state.integrity)
+        return BondParts(body.parts(model, dashpots), Joints(joined, apart, None, cracks=(body.cracks, body.lists)))
+    if model.cells is not None:
+        return body_of_cells(model, state, shared, dashpots)
+    if model.non_local is not None:
+        return non_local(model, state, shared, dashpots)
+    if model.formulation == "incremental":
+        parts = [stored_beams(model, state, shared, dashpots)]
+        return BondParts(parts, Joints.of(model, state, state.integrity, None))
+    return beams(model, state, shared, dashpots)

@@ -1,0 +1,47 @@
+"""Tables of a run that several parts of a step take."""
+
+from dataclasses import dataclass
+
+from bondem.dynamics.step_tables import Moving, Portions, Timeline
+from bondem.model.constraints import Rows, Schedules
+from bondem.model.domain_blocks import StepCut
+from bondem.model.model import Model
+from bondem.model.state import State
+
+
+@dataclass(frozen=True, eq=False)
+class SharedTables:
+    """Tables of a run from a state, whose arrays they share.
+
+    Attributes:
+        moving: motion of the elements.
+        rows: rows of the boundary.
+        cut: cut of a step into domains and blocks, and sums of forces.
+        portions: sums over portions of elements and bonds.
+        schedules: schedules of the boundary.
+        timeline: the functions of time of these schedules.
+        owned: whether elements own rows of the boundary.
+    """
+
+    moving: Moving
+    rows: Rows
+    cut: StepCut
+    portions: Portions
+    schedules: Schedules
+    timeline: Timeline
+    owned: bool
+
+    @classmethod
+    def of(cls, model: Model, state: State, cut: StepCut) -> "SharedTables":
+        """Return the tables of a run."""
+        held = model.constraints
+        times = held.schedules
+        return cls(
+            moving=Moving(state.pose, state.motion, state.acceleration, state.loss, state.rest),
+            rows=held.rows(state.reaction, state.work),
+            cut=cut,
+            portions=Portions.of(len(state.pose), len(model.layout.i)),
+            schedules=times,
+            timeline=Timeline(times.times, times.values, times.start),
+            owned=len(held.element) > 0,
+        )

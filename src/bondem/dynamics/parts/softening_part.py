@@ -1,0 +1,109 @@
+"""Beams that soften: their integrity, the pressure on them, and their events in the state."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._core_steps import StepPass
+from bondem.damage.beam_softening import BeamSoftening
+from bondem.damage.event_columns import SOFT_BOND, SOFT_COLUMNS
+from bondem.damage.failure_passes import CRITERION_NAMES, Strengths, strengths_of
+from bondem.dynamics.damage_tables import (
+    BeamIntegrity,
+    Candidates,
+    EventLog,
+    SofteningBeams,
+    SofteningBounds,
+)
+from bondem.dynamics.parts.damage_part import DamageTables, write_released
+from bondem.dynamics.parts.part import Part
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.step_tables import BONDS_OF_PORTION, Moving, Portions
+from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
+from bondem.model.state import State
+
+# Criteria with a fracture energy.
+_FIND = {
+    name: StepPass(f"find_softening_by_{name}", Moving, Beams, Strengths, Candidates, SofteningBeams)
+    for name in CRITERION_NAMES[:2]
+}
+_soften_beams = StepPass("soften_beams", Moving, Beams, BeamIntegrity, SofteningBounds, SofteningBeams)
+_log_softened_beams = StepPass("log_softened_beams", Moving, Beams, SofteningBeams, EventLog)
+_begin_softening = StepPass("begin_softening", Candidates, SofteningBounds, SofteningBeams)
+_sum_pressed_energies = StepPass("sum_pressed_energies", Moving, Beams, SofteningBounds, Portions)
+
+
+@dataclass(frozen=True, eq=False)
+class SofteningTables:
+    """Tables of the beams of a run that soften.
+
+    Attributes:
+        bounds: bounds of the beams, and what presses on them.
+        soft: beams that soften.
+        integrity: integrity of the beams.
+    """
+
+    bounds: SofteningBounds
+    soft: SofteningBeams
+    integrity: BeamIntegrity
+
+    @classmethod
+    def of(
+        cls, energies: BeamSoftening, damage: DamageTables, state: State, beams: Beams, alike: AlikeBeams | None,
+        *, handed: bool,
+    ) -> "SofteningTables":  # fmt: skip
+        """Return the tables of a run from a state with the beams that have begun to soften.
+
+        Contacts carry the pressure on beams that have broken if it is `handed` to them.
+        """
+        m, begun = len(state.integrity), len(state.softened)
+        row = np.zeros((m, SOFT_COLUMNS))
+        row[:begun] = state.softened
+        bond = state.softened[:, SOFT_BOND].astype(np.int64)
+        press = np.zeros(len(beams.i))
+        press[bond] = (1.0 - state.integrity[bond]) * beams.kn[bond]
+        if handed:
+            press[bond[state.integrity[bond] <= 0.0]] = 0.0
+        portions = -(-m // BONDS_OF_PORTION)
+        listed, count = np.zeros(m, dtype=np.int64), np.zeros(portions, dtype=np.int64)
+        for c in np.flatnonzero(state.integrity[bond] > 0.0):
+            q = bond[c] // BONDS_OF_PORTION
+            listed[q * BONDS_OF_PORTION + count[q]] = c
+            count[q] += 1
+        return cls(
+            bounds=SofteningBounds(*damage.bounds, press),
+            soft=SofteningBeams(
+                tear=energies.tear, slide=energies.shear, onset=np.zeros((m, 2)), row=row,
+                begun=np.array([begun], dtype=np.int64), listed=listed, number=count,
+                parted=np.zeros(portions, dtype=np.int64), lost=np.zeros(portions),
+            ),
+            integrity=BeamIntegrity(beams.integrity, np.zeros(0) if alike is None else alike.hold),
+        )  # fmt: skip
+
+
+def softening(
+    tables: SofteningTables, damage: DamageTables, state: State, shared: SharedTables, beams: Beams
+) -> Part:
+    """Return the part of beams that soften."""
+    moving, bounds, soft, candidates = shared.moving, tables.bounds, tables.soft, damage.candidates
+    find = _FIND[CRITERION_NAMES[damage.table.kind]]
+
+    def keep() -> None:
+        state.softened = soft.row[: soft.begun[0]].copy()
+        state.integrity[:] = beams.integrity[: len(state.integrity)]
+        damage.keep(beams.integrity, state)
+
+    return Part(
+        {
+            "prepare": [
+                (_soften_beams, moving, beams, tables.integrity, bounds, soft),
+                (_log_softened_beams, moving, beams, soft, damage.log),
+            ],
+            "judge": [(find, moving, beams, strengths_of(damage.table), candidates, soft)],
+            "apply": [(_begin_softening, candidates, bounds, soft)],
+        },
+        record=lambda history: [
+            (_sum_pressed_energies, moving, beams, bounds, shared.portions), (write_released, damage.log, history)
+        ],
+        keep=keep,
+    )  # fmt: skip

@@ -1,0 +1,185 @@
+"""The plan of an explicit run, and its result."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Protocol
+
+import numpy as np
+
+from bondem._checks import count, instance, number, several, shown
+from bondem._drawing import Plotted
+from bondem.boundary.gauges import AnyGauge, Gauge, WallGauge
+from bondem.dynamics.damping import AnyDamping, DampingTerms
+from bondem.dynamics.events import Event
+from bondem.dynamics.history import History
+from bondem.dynamics.schemes import Scheme, VelocityVerlet
+from bondem.dynamics.timestep import choose_step
+from bondem.errors import InputError
+from bondem.model.model import Model
+from bondem.model.solution import Solution, Status
+from bondem.model.state import State
+from bondem.observables.breakage import BrokenBonds
+
+# A function called with the state and the record of each output; it ends the run by returning True.
+Callback = Callable[[State, History], bool | None]
+
+__all__ = ["Callback", "ExplicitResult", "Loop", "Plan", "Status", "settled"]
+
+# More steps than these take weeks on two elements: a duration in other units.
+_MOST = 10**12
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plan:
+    """Parameters of an explicit run.
+
+    Attributes:
+        duration: physical time [s]; the run takes round(duration / dt) steps.
+        dt: time step [s]; None for `safety` times the critical step.
+        scheme: time integration scheme.
+        damping: damping of elements or bonds, one kind or several in a tuple, or None.
+        gauges: quantities to record, by name.
+        every: steps between records; 0 for none.
+        save_every: steps between checkpoints; 0 for the last one only.
+        snapshot_every: steps between snapshots for ParaView; 0 for none.
+        until: one event or several that end the run.
+        safety: share of the critical time step to use if dt is None [-].
+        imbalance: limits of the error of the energy ledger that give a warning and stop the run, as shares of the
+            largest energy so far [-]; None for no check.
+    """
+
+    duration: float
+    dt: float | None = None
+    scheme: Scheme = field(default_factory=VelocityVerlet)
+    damping: AnyDamping | tuple[AnyDamping, ...] | None = None
+    gauges: Mapping[str, AnyGauge] = field(default_factory=dict)
+    every: int = 100
+    save_every: int = 0
+    snapshot_every: int = 0
+    until: Event | Sequence[Event] = ()
+    safety: float = 0.9
+    imbalance: tuple[float, float] | None = (0.01, 0.10)
+
+    def __post_init__(self) -> None:
+        number("", "duration", self.duration, unit="s", least=0.0, advice="a time of zero or more")
+        if self.dt is not None:
+            number("", "dt", self.dt, unit="s", advice="a time step, or None for the best stable one")
+        share = number("", "safety", self.safety, above=0.0, advice="a share of the critical step in (0, 1]")
+        if share > 1.0:
+            raise InputError(f"safety = {self.safety}; give a share of the critical step in (0, 1]")
+        for name in ("every", "save_every", "snapshot_every"):
+            whole = count("", name, getattr(self, name), advice="a whole number of steps, 0 for never")
+            object.__setattr__(self, name, whole)
+        object.__setattr__(self, "imbalance", _limits(self.imbalance))
+        instance("", "scheme", self.scheme, Scheme, "a scheme such as bd.VelocityVerlet()")
+        instance("", "gauges", self.gauges, Mapping, 'gauges by name, {"end": bd.Gauge(region, "displacement")}')
+        for name, gauge in self.gauges.items():
+            instance("gauges", "a name", name, str, "text")
+            instance("gauges", name, gauge, (Gauge, WallGauge), "bd.Gauge(...) or bd.WallGauge(...)")
+        object.__setattr__(self, "gauges", dict(self.gauges))
+        until = several("", "until", self.until, Event, "bd.AtRest(...), or several events")
+        object.__setattr__(self, "until", until)
+        if self.until and not self.every:
+            raise InputError("until= is evaluated with each record, but every = 0; give every= of at least 1")
+        DampingTerms.of(self.damping)
+
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """Events that end the run."""
+        return (self.until,) if isinstance(self.until, Event) else tuple(self.until)
+
+    @property
+    def steps(self) -> int:
+        """Number of steps, round(duration / dt); requires a time step.
+
+        Raises:
+            InputError: The number of steps is excessive.
+        """
+        assert self.dt is not None
+        if not self.duration <= _MOST * self.dt:
+            raise InputError(
+                f"duration = {self.duration:.3g} s takes {self.duration / self.dt:.3g} steps of {self.dt:.3g} s;"
+                " check its units (seconds), or give dt="
+            )
+        return round(self.duration / self.dt)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ExplicitResult(Solution, Plotted):
+    """Result of an explicit run.
+
+    `iterations` is the number of steps since the start of the run. `residual` is the largest error of the energy
+    ledger over its largest entry (NaN without records).
+
+    Attributes:
+        state: final state; after an unstable run, the last good state, at most 10 000 steps earlier.
+        history: records of the run.
+        dt: time step [s].
+        message: one line about the end of the run.
+    """
+
+    state: State
+    history: History
+    dt: float
+    message: str
+
+    @property
+    def events(self) -> BrokenBonds:
+        """Broken bonds or facets in the order of breakage."""
+        return BrokenBonds.of(self.state)
+
+    @property
+    def steps(self) -> int:
+        """Number of steps since the start of the run."""
+        return self.iterations
+
+
+# What a loop finds of a run.
+FINE, NOT_FINITE, RUNAWAY = range(3)
+
+
+class Loop(Protocol):
+    """A loop over the steps of a run, on the CPU or another device."""
+
+    state: State
+
+    def look(self) -> np.ndarray:
+        """Bring the acceleration up to date and record the present state."""
+        ...
+
+    def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
+        """Carry out steps.
+
+        Returns:
+            The records, the numbers of bonds turned wide and lost, and FINE, NOT_FINITE or RUNAWAY.
+        """
+        ...
+
+
+def _limits(given: tuple[float, float] | None) -> tuple[float, float] | None:
+    """Return both limits of the imbalance, checked.
+
+    Raises:
+        InputError: The value is not a pair of positive shares in ascending order.
+    """
+    if given is None:
+        return None
+    advice = "(warning, stop) as shares of the largest energy, such as (0.01, 0.10), or None for no check"
+    if not isinstance(given, tuple | list) or len(given) != 2:
+        raise InputError(f"imbalance = {shown(given)}; give {advice}")
+    for share in given:
+        if isinstance(share, bool) or not isinstance(share, int | float | np.number) or not share > 0.0:
+            raise InputError(f"imbalance = {shown(given)}; give {advice}")
+    if given[0] > given[1]:
+        raise InputError(f"imbalance = {shown(given)}: the run would stop before it warns; give {advice}")
+    return float(given[0]), float(given[1])
+
+
+def settled(model: Model, plan: Plan) -> Plan:
+    """Return the same plan with a time step: chosen, or checked if given.
+
+    Raises:
+        UnstableStepError: dt exceeds the critical step of the lattice.
+    """
+    step = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
+    return replace(plan, dt=step.dt)

@@ -1,0 +1,159 @@
+"""The start of a run from a state, and the meaning of its schedules there."""
+
+import warnings
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from bondem._checks import shown
+from bondem._names import users_line
+from bondem._types import Floats
+from bondem.boundary.conditions import Drive, Load
+from bondem.boundary.gauges import Gauge
+from bondem.boundary.loads import BodyForce, Eigenstrain, Pressure
+from bondem.boundary.schedules import Schedule
+from bondem.boundary.wall_constraints import Grips, holds_wall
+from bondem.boundary.walls import Driven, Servo
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.taken_walls import goes_on, taken_walls
+from bondem.errors import InputError, StageWarning
+from bondem.geometry.rotations import rotation_vector
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.model.state_check import check_arrays
+from bondem.model.state_compatibility import Origin
+
+# What a prescribed displacement may differ from where the element is: rounding of many steps, as a share of the
+# displacement and, where anything has moved, of the extent of the specimen or of one radian.
+_SHARE, _ROUNDING = 1e-6, 1e-10
+
+_DOF = ("x", "y", "z", "rx", "ry", "rz")
+_WALL = ("x", "y", "z", "growth")
+
+
+def begin(model: Model, state: State | None) -> State:
+    """Return a state to run `model` from: a new one at rest, or a copy of `state`, whose time continues.
+
+    Raises:
+        InputError: The state belongs to a model with other elements, masses or bonds or has an array that does not
+            fit them, or displacements would jump.
+
+    Warns:
+        StageWarning: A schedule began before the time of the state, and was not in the run that made the state.
+    """
+    if state is not None:
+        check_arrays(state)
+    own = State(model) if state is None else state.copy()
+    before = None if state is None or state.time == 0.0 else state.model
+    if state is not None:
+        own.begin(model)
+        own.grips = taken_walls(model, state)
+    _refuse_jumps(model, own, () if before is None else (*before.boundary, *before.walls))
+    if model.cells is not None:
+        at_rest = state is None or (before is None and goes_on(model, state))
+        _refuse_wall_jumps(model.cells.grips, own, at_rest=at_rest)
+    if before is not None:
+        _warn_of_lost_time(model, before, own.time)
+    return own
+
+
+def check_gauges(model: Model, plan: Plan) -> None:
+    """Reject gauges that could only read zero.
+
+    Raises:
+        InputError: A force gauge has a region where nothing is held, driven or loaded.
+    """
+    row_of = model.constraints.row_of
+    for name, gauge in plan.gauges.items():
+        if not isinstance(gauge, Gauge) or gauge.quantity != "force":
+            continue
+        if (row_of[model.layout.rank[gauge.region.select(model.lattice)]] < 0).all():
+            raise InputError(
+                f"gauge '{name}' reads forces of loads and supports, and {shown(gauge.region)} has none; use a"
+                " region that is fixed, driven or loaded"
+            )
+
+
+def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
+    """Reject prescribed displacements that do not begin at their elements, unless they continue from `before`."""
+    position = state.pose[:, :3] - state.rest
+    shift = np.concatenate([position, rotation_vector(state.pose[:, 4:])], axis=1)
+    slack = np.where(shift.any(axis=0), _ROUNDING, 0.0)
+    slack[:3] *= float(np.ptp(state.rest, axis=0).max()) + model.lattice.particles.mean_radius
+    held, s = model.constraints, -1
+    for condition in model.boundary:
+        if isinstance(condition, Load | Pressure | BodyForce | Eigenstrain):
+            s += 1  # schedules are numbered in the order of the conditions
+        if not isinstance(condition, Drive):
+            continue
+        if model.cells is not None and holds_wall(condition):
+            continue
+        for dof, schedule, rate in condition.motion:
+            s += 1
+            if rate or condition in before:
+                continue
+            elements = held.element[held.drive_row[held.drive_schedule == s]]
+            _refuse_jump(f"Drive({_DOF[dof]}=)", schedule, state.time, shift[elements, dof], float(slack[dof]))
+    for k, wall in enumerate(model.walls):
+        if not isinstance(wall.motion, Driven) or wall in before:
+            continue
+        for component, schedule, rate in wall.motion.motion:
+            if not rate:
+                where = state.walls[k, component : component + 1]
+                rounding = _ROUNDING * model.lattice.particles.mean_radius if where.any() else 0.0
+                _refuse_jump(f"Driven({_WALL[component]}=)", schedule, state.time, where, rounding)
+
+
+def _refuse_wall_jumps(grips: Grips, state: State, *, at_rest: bool) -> None:
+    """Reject jumps of walls that hold cells; in a state `at_rest` the walls are in the reference."""
+    extent = float(np.ptp(state.rest, axis=0).max()) if state.time > 0.0 else 0.0
+    for s, (schedule, rate) in enumerate(zip(grips.holds.drives, grips.holds.rate, strict=True)):
+        moved = grips.holds.drive == s
+        if not rate and moved.any():
+            where = state.grips[:, :3][moved] + schedule.at(state.time)
+            dof = int(np.flatnonzero(moved.any(axis=0))[0])
+            _refuse_jump(
+                f"Drive({_DOF[dof]}=)", schedule, state.time, np.zeros(1) if at_rest else where, _ROUNDING * extent
+            )
+
+
+def _refuse_jump(owner: str, schedule: Schedule, time: float, where: Floats, slack: float) -> None:
+    value = schedule.at(time)
+    worst = where[np.abs(where - value).argmax()]
+    if abs(worst - value) > _SHARE * max(abs(worst), abs(value)) + slack:
+        raise InputError(
+            f"{owner} begins at {value:.6g}, but is at {worst:.6g} when the run begins (t = {time:.6g} s), and an"
+            f" explicit run cannot jump: begin there, as by bd.Ramp({worst:.6g}, {schedule.final:.6g}, duration),"
+            " or give a velocity"
+        )
+
+
+def _warn_of_lost_time(model: Model, before: Origin, time: float) -> None:
+    known = [schedule for _, schedule in _schedules(before)]
+    for owner, schedule in _schedules(model):
+        value, first = schedule.at(time), float(schedule.table[1][0])
+        if value != first and schedule not in known:
+            over = "over" if schedule.table[0][-1] <= time else "under way"
+            warnings.warn(
+                f"{owner}: {shown(schedule)} is {over} when this run begins, because the time continues from that of"
+                f" its initial state (t = {time:.6g} s): its first value is {value:.6g}, not {first:.6g}; give later"
+                f" times, such as begin={time:.6g}",
+                StageWarning,
+                stacklevel=users_line(),
+            )
+
+
+def _schedules(model: Origin) -> Iterator[tuple[str, Schedule]]:
+    for condition in model.boundary:
+        owner = type(condition).__name__
+        if isinstance(condition, Drive):
+            for _, schedule, _ in condition.motion:
+                yield owner, schedule
+        elif isinstance(condition, Load | Pressure | BodyForce | Eigenstrain):
+            yield owner, condition.schedule
+    for wall in model.walls:
+        if isinstance(wall.motion, Driven):
+            for _, schedule, _ in wall.motion.motion:
+                yield "Driven", schedule
+        elif isinstance(wall.motion, Servo):
+            yield "Servo", wall.motion.force

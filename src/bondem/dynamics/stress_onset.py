@@ -1,0 +1,96 @@
+"""Tables of facets that crack by a function of the stress, as `core/tables/stress_onset_tables.hpp` declares them."""
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from bondem._core_steps import StepPass
+from bondem._types import Floats, Ints
+from bondem.damage.criteria.drucker_prager import cone_index
+from bondem.damage.criteria.hydrostatic import mean_index
+from bondem.damage.stress_passes import StressCandidates, StressFunction, StressPasses
+from bondem.dynamics.cohesive_tables import CrackOnset, FacetStrengths, StressesOfCells
+from bondem.dynamics.step_tables import Moving
+from bondem.interactions.beams.bond_table import with_twins
+from bondem.interactions.cells.cell_tables import ElasticFacets, FacetForces
+from bondem.model.model import Model
+
+
+class CandidateFacets(NamedTuple):
+    """Facets that begin to crack by a function of the stress."""
+
+    scale: Floats  #: f_t without scatter over f_t of each facet, 0 of material planes [-], (m,)
+    area: Floats  #: [m²], (m,)
+    tension: float  #: f_t without scatter [Pa]
+    least: float  #: size √(σ:σ) below which no stress reaches the criterion [Pa]
+    hot: float  #: f_t below which the facets of a cell are not evaluated [Pa]
+    along: Floats  #: largest principal stress at which a facet began to crack, else its f_t [Pa], (m,)
+    bond: Ints  #: arrays of `StressCandidates`
+    stress: Floats
+    found: Floats
+    number: Ints
+    total: Ints
+
+
+_OF_CORE: dict[Any, str] = {mean_index: "mean_stress", cone_index: "cone"}
+_judge_cells = {
+    name: StepPass(f"judge_cells_by_{name}", StressesOfCells, StressFunction, CandidateFacets, CrackOnset)
+    for name in _OF_CORE.values()
+}
+_judge_cells_by_size = StepPass("judge_cells_by_size", StressesOfCells, CandidateFacets, CrackOnset)
+_FACETS = Moving, ElasticFacets, FacetForces, StressesOfCells, CrackOnset, CandidateFacets
+_find_stress_candidates = StepPass("find_stress_candidates", *_FACETS)
+_mark_failing_facets = StepPass("mark_failing_facets", *_FACETS)
+_find_strengths_along = StepPass("find_strengths_along", CandidateFacets)
+
+
+@dataclass(frozen=True, eq=False)
+class OnsetByStress:
+    """Passes of facets that begin to crack by a function of the stress.
+
+    Attributes:
+        passes: the function.
+        candidates: facets of which it is evaluated in a step.
+        onset: tables of the facets.
+        strengths: strengths of the facets, those of cracking ones in the direction in which they crack.
+    """
+
+    passes: StressPasses
+    candidates: StressCandidates
+    onset: CandidateFacets
+    strengths: FacetStrengths
+
+    @classmethod
+    def of(cls, model: Model, strengths: FacetStrengths, portions: int) -> "OnsetByStress | None":
+        """Return the passes of a model, or None if the largest principal stress is its criterion."""
+        table = model.softening
+        if table is None or table.judge is None:
+            return None
+        function, values = table.judge.function, table.judge.values
+        name = _OF_CORE.get(function)
+        passes = StressPasses.of_core(name, values) if name else StressPasses.of_function(function, values)
+        m = len(strengths.strength)
+        candidates = StressCandidates.of(m)._replace(number=np.zeros(portions, dtype=np.int64))
+        scale = with_twins(np.where(table.plane, 0.0, table.tension / table.strength))
+        along = strengths.strength.copy()
+        onset = CandidateFacets(scale, strengths.area, table.tension, table.least, table.hot, along, *candidates)
+        return cls(passes, candidates, onset, strengths._replace(strength=along))
+
+    def judge(self, stresses: StressesOfCells, cracks: CrackOnset) -> tuple[Any, ...]:
+        """Return the pass that finds the cells whose facets are evaluated."""
+        if self.passes.name == "function":
+            return _judge_cells_by_size, stresses, self.onset, cracks
+        return _judge_cells[self.passes.name], stresses, self.passes.table, self.onset, cracks
+
+    def mark(
+        self, moving: Moving, facets: ElasticFacets, kept: FacetForces, stresses: StressesOfCells, cracks: CrackOnset
+    ) -> list[tuple[Any, ...]]:
+        """Return the passes that mark facets that begin to crack, and find their strengths."""
+        tables = moving, facets, kept, stresses, cracks, self.onset
+        evaluate = self.passes.step_pass(self.candidates)
+        return [
+            (_find_stress_candidates, *tables), evaluate,
+            (_mark_failing_facets, *tables), evaluate,
+            (_find_strengths_along, self.onset),
+        ]  # fmt: skip

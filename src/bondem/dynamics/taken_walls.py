@@ -1,0 +1,122 @@
+"""Walls that hold facets of cells, as a stage takes them over from its initial state."""
+
+from typing import cast
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.boundary.wall_constraints import Grips, reference_base
+from bondem.geometry.rotations import rotation_vector, turned_vectors
+from bondem.interactions.cells.cell_constants import body_of
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.observables.cell_forces import CellForces, held_arms, wall_places
+from bondem.observables.facet_loads import loads_on_facets
+
+
+def goes_on(model: Model, state: State) -> bool:
+    """Return True if the walls of a model are those of the model of a state, and move in the same way."""
+    if model.cells is None or state.model.cells is None:
+        return model.cells is None
+    return model.cell_constants.grips.holds.same(state.model.cell_constants.grips.holds)
+
+
+def taken_walls(model: Model, state: State) -> Floats:
+    """Return the initial places of walls that hold facets of cells (`State.grips`), shape (g, 7).
+
+    A wall that held a facet along an axis continues from its place, even if another condition moves it now. A wall
+    that did not begins at the facet. The facet then initially carries the loads on it that have been removed, or
+    nothing. A cell whose wall holds more of the normal of its facet than before keeps the moment.
+
+    Args:
+        model: model of the new stage.
+        state: initial state, with the model that made it.
+    """
+    if model.cells is None:
+        return reference_base(0)
+    grips = model.cell_constants.grips
+    base = reference_base(len(grips.cell))
+    rest = wall_places(model, state, base)  # of schedules that count from the reference
+    base[:, 3:] = state.orientation[grips.cell]
+    if state.model.cells is None:
+        base[:, :3] = grips.axes * (_of_facets(model, state, grips.axes) - rest)
+        return base
+    if goes_on(model, state):
+        return state.grips.copy()
+    before = state.model.cell_constants.grips
+    mine, theirs = _both(grips, before)
+    base[mine, 3:] = _origins(grips, before, mine, theirs, state)
+    held = before.axes[theirs] > 0.0
+    fresh = grips.axes.copy()
+    fresh[mine] *= ~held
+    start = _of_facets(model, state, fresh)
+    start[mine] = np.where(held, wall_places(cast(Model, state.model), state)[theirs], start[mine])
+    base[:, :3] = grips.axes * (start - rest)
+    same = held & _same_motion(grips, before, mine, theirs)
+    base[mine, :3] = np.where(same, state.grips[theirs, :3], base[mine, :3])
+    return base
+
+
+def _both(grips: Grips, before: Grips) -> tuple[np.ndarray, np.ndarray]:
+    """Return the places in both tables of the facets that both hold."""
+    _, mine, theirs = np.intersect1d(grips.holds.facet, before.holds.facet, return_indices=True)
+    return mine, theirs
+
+
+def _same_motion(grips: Grips, before: Grips, mine: np.ndarray, theirs: np.ndarray) -> np.ndarray:
+    """Return a mask of facets that move as before along each axis, shape (k, 3)."""
+    def motions(one: Grips) -> list[object]:
+        return [*zip(one.holds.drives, one.holds.rate, strict=True), None]  # -1 is the last: at rest
+
+    known = motions(before)
+    match = np.array([[motion == other for other in known] for motion in motions(grips)])
+    return match[grips.holds.drive[mine], before.holds.drive[theirs]]
+
+
+def _origins(grips: Grips, before: Grips, mine: np.ndarray, theirs: np.ndarray, state: State) -> Floats:
+    """Return the reference orientations for rotations of cells, of facets that both hold, (k, 4)."""
+    now, origin = state.orientation[grips.cell[mine]], state.grips[theirs, 3:]
+    was = before.flatness(state.grips[:, 3:])[theirs]
+    more = grips.flatness(state.orientation[grips.cell])[mine]
+    share = np.where(more > was, was / np.maximum(more, 1e-300), 1.0)[:, None]
+    turn = share * rotation_vector(_product(now, _conjugate(origin)))
+    half = 0.5 * np.linalg.norm(turn, axis=1, keepdims=True)
+    back = np.hstack([np.cos(half), -0.5 * turn * np.sinc(half / np.pi)])
+    return np.where(share == 1.0, origin, _product(back, now))
+
+
+def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
+    """Return displacements of facets that were free, (g, 3): that of the rigid cell, and the opening by its stress.
+
+    `fresh` is 1 along the axes along which walls begin to hold them, (g, 3). Loads that continue there act on the
+    cell itself from now on, and do not open the facet: its stress becomes that without these loads. A facet that a
+    smooth platen held opened by the shares of that platen, which have no part along it.
+    """
+    grips, constants, q = model.cell_constants.grips, model.cell_constants, state.orientation
+    shares = grips.way
+    facet, area = grips.holds.facet, body_of(model.lattice)[1].free.area[:, None]
+    rigid = state.displacement[grips.cell] + held_arms(model, state) - grips.lever
+    going_on = loads_on_facets(model, state.time, q)
+    force, stress = -going_on, np.zeros(len(q))
+    if state.model.cells is not None:
+        mine, theirs = _both(grips, state.model.cell_constants.grips)
+        shares = shares.copy()
+        shares[mine] = state.model.cell_constants.grips.way[theirs]
+    soft, way = constants.softness[facet, None], turned_vectors(q[grips.cell], shares)
+    if state.model.cells is not None:
+        before = cast(Model, state.model)
+        force += loads_on_facets(before, state.time, q)
+        opened = (fresh * soft * way * going_on[facet]).sum(axis=1)
+        stress = CellForces.of(before, state).stress
+        stress -= before.cell_constants.weight * np.bincount(grips.cell, weights=opened, minlength=len(q))
+    return rigid + soft * ((force / area)[facet] - stress[grips.cell, None] * way)
+
+
+def _conjugate(q: Floats) -> Floats:
+    return q * np.array([1.0, -1.0, -1.0, -1.0])
+
+
+def _product(p: Floats, q: Floats) -> Floats:
+    """Return products of quaternions, (k, 4)."""
+    w = p[:, :1] * q[:, :1] - (p[:, 1:] * q[:, 1:]).sum(axis=1, keepdims=True)
+    return np.hstack([w, p[:, :1] * q[:, 1:] + q[:, :1] * p[:, 1:] + np.cross(p[:, 1:], q[:, 1:])])

@@ -1,0 +1,283 @@
+"""The stable time step, from the highest frequency of the assembled lattice."""
+
+import math
+import warnings
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.sparse import diags_array
+from scipy.sparse.linalg import eigsh
+
+from bondem._names import users_line
+from bondem._types import PerBond
+from bondem.dynamics.damping import AnyDamping, DampingTerms
+from bondem.dynamics.dashpot_rate import fastest_decay
+from bondem.dynamics.non_local_timestep import SHARES, stable_share
+from bondem.dynamics.schemes import Scheme
+from bondem.errors import StepWarning, UnstableStepError
+from bondem.interactions.non_local.local_stiffness import local_stiffness
+from bondem.interactions.non_local.non_local_law import NonLocal
+from bondem.model.highest_frequency import highest_frequency
+from bondem.model.long_slip import long_slips
+from bondem.model.model import Model
+
+# Relative error of the largest eigenvalue of contacts, from below; the answer is raised by as much twice.
+_TOLERANCE = 1e-3
+# A given step above this share of the critical one is warned of: what a run does to bonds may raise ω_max.
+_WARNED = 0.9
+# How much dashpots lower the default step before a message says so, and before a warning does.
+_DAMPED, _MUCH = 2.0, 10.0
+# Steps in which a collision of free elements is resolved: the ledger then closes to a few parts in a thousand.
+_PER_CONTACT = 20
+
+
+def critical_step(
+    model: Model,
+    scheme: Scheme,
+    damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
+    *,
+    integrity: PerBond | None = None,
+) -> float:
+    """Return the largest stable time step of a scheme on a model [s]; infinite without bonds and contacts.
+
+    It also holds for contacts before they appear, because each is counted with the largest number that can touch at
+    once. Local damping multiplies a decelerating force by 1 + γ, and with it the effective stiffness and dashpots.
+    Dashpots lower the limit by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and absorbing
+    boundaries do not. For the non-local law it is the largest stable share by its own steps
+    (`bondem.dynamics.non_local_timestep`).
+
+    Args:
+        model: model that will move.
+        scheme: time integration scheme.
+        damping: damping of elements and bonds.
+        integrity: present integrity of the bonds (`State.integrity`), (m,); None for intact bonds.
+    """
+    return _limits(model, scheme, DampingTerms.of(damping), integrity)[0]
+
+
+def _limits(
+    model: Model, scheme: Scheme, terms: DampingTerms, integrity: PerBond | None = None
+) -> tuple[float, float]:
+    """Return `critical_step`, and its value without dashpots beside the bonds [s]."""
+    raised = math.sqrt(1.0 + terms.gamma)
+    bonds, decay = highest_frequency(model, integrity=integrity), 0.0
+    for slip in long_slips(model):
+        bonds = max(bonds, highest_frequency(model, integrity=integrity, slip=slip))
+    if model.non_local is not None:
+        limit = free = _lagged_step(model, scheme, terms, bonds)
+        if terms.eta > 0.0 or terms.beta > 0.0:
+            free = _lagged_step(model, scheme, replace(terms, eta=0.0, beta=0.0), bonds)
+        return limit, free
+    damped = terms.beta * bonds**2
+    if terms.eta > 0.0:
+        damped += fastest_decay(model, replace(terms, beta=0.0))
+    if model.failure is not None:
+        bonds, decay = _with_broken(model, bonds)
+    motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
+    if model.contacts is not None:
+        motions += model.contacts.law.stiffest(
+            model.contact_radius, model.mass, model.contacts.walls.platens
+        )
+    limit = free = math.inf
+    for frequency, delay in motions:
+        omega = raised * math.hypot(bonds, frequency)
+        if omega > 0.0:
+            lost = raised**2 * (decay + delay * frequency**2)
+            limit = min(limit, _damped_limit(scheme, omega, lost + raised**2 * damped))
+            free = min(free, _damped_limit(scheme, omega, lost))
+    return limit, free
+
+
+def _damped_limit(scheme: Scheme, omega: float, decay: float) -> float:
+    """Return the critical step of motions of at most the frequency ω [rad/s] and the decay λ of M⁻¹ C [1/s]."""
+    zeta = 0.5 * decay / omega
+    return scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta)
+
+
+def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: float) -> float:
+    """Return the critical step of the non-local law [s].
+
+    It is the smaller of two: that of springs and contacts with the dashpots of contacts, and the largest share of
+    that of springs and contacts at which lagged steps are stable, with dashpots of bonds in these trials. Dashpots of
+    contacts are bounded by M⁻¹ C, and not by the largest c / k, which the smallest facet would determine.
+
+    Args:
+        model: model that will move.
+        scheme: time integration scheme.
+        terms: terms of damping.
+        springs: ω_max of all bonds [rad/s].
+    """
+    raised, decay = math.sqrt(1.0 + terms.gamma), 0.0
+    contacts, motions = model.contacts, ((0.0, 0.0),)
+    if contacts is not None:
+        motions += contacts.law.stiffest(model.contact_radius, model.mass, contacts.walls.platens)
+        if model.failure is not None and contacts.own is not None and isinstance(model.bond, NonLocal):
+            _, soft, friction, beta, _ = contacts.law.parameters
+            soft = soft if friction > 0.0 else 0.0
+            springs *= math.sqrt(max(1.0, soft * model.bond.E / model.bond.G))
+            decay = _fastest_decay(model, contacts.own, beta, soft)
+    fastest = raised * max(math.hypot(springs, frequency) for frequency, _ in motions)
+    if fastest == 0.0:
+        return math.inf
+    limit = math.inf
+    for frequency, delay in motions:
+        omega = raised * math.hypot(springs, frequency)
+        zeta = 0.5 * raised**2 * (decay + delay * frequency**2) / omega if omega > 0.0 else 0.0
+        if omega > 0.0:
+            limit = min(limit, scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
+    if springs == 0.0:
+        return limit
+    share = stable_share(model, scheme.critical / fastest, terms)
+    if share == 0.0:
+        warnings.warn(
+            "the lagged stress of the non-local law is unstable at any time step; give damping=, or lower nu=",
+            StepWarning, stacklevel=users_line(),
+        )  # fmt: skip
+    return min((share or SHARES[-1]) * scheme.critical / fastest, limit)
+
+
+def _with_broken(model: Model, highest: float) -> tuple[float, float]:
+    """Return ω_max, and an upper bound of M⁻¹ C of contacts [1/s], whichever bonds are broken and touch.
+
+    A contact of what was bonded is at most as stiff along the normal; across, the stiffer of both counts. Its lever
+    arms are assumed to be those of the bond.
+    """
+    contacts = model.contacts
+    if contacts is None or contacts.own is None or not len(contacts.own):
+        return highest, 0.0
+    _, soft, friction, beta, _ = contacts.law.parameters
+    soft = soft if friction > 0.0 else 0.0
+    decay = _decay_bound(model, contacts.own, beta, soft)
+    if friction == 0.0:
+        return highest, decay
+    if model.cells is not None:  # the spring of a facet is as stiff across as along
+        return highest * math.sqrt(max(1.0, soft)), decay
+    sheared = highest_frequency(model, table=model.bonds.sheared(soft * contacts.own))
+    return max(highest, sheared), decay
+
+
+def _decay_bound(model: Model, kn: PerBond, beta: float, soft: float) -> float:
+    """Return a bound of M⁻¹ C [1/s], if all bonds were contacts with dashpots instead.
+
+    The square of the velocity of one end against the other at a contact is at most 2 Σ (1/m + b²/I) (m v² + I ω²)
+    over both ends, with their levers b. The sum of 2 c (1/m + b²/I) over the contacts of an element is therefore a
+    bound: no motion loses more over twice its energy. The smallest facet would determine the largest c / k.
+    """
+    layout, radius = model.layout, model.contact_radius[model.layout.order]
+    mass, inertia = model.mass[layout.order], model.inertia[layout.order]
+    i, j = layout.i, layout.j
+    c = 2.0 * beta * np.sqrt(kn * max(1.0, soft) * mass[i] * mass[j] / (mass[i] + mass[j]))
+    arm = model.bonds.length / (radius[i] + radius[j])
+    lost = np.zeros(len(mass))
+    for end in (i, j):
+        across = (arm * radius[end]) ** 2 / inertia[end] if soft > 0.0 else 0.0
+        lost += np.bincount(end, weights=2.0 * c * (1.0 / mass[end] + across), minlength=len(mass))
+    return float(lost.max())
+
+
+def _fastest_decay(model: Model, kn: PerBond, beta: float, soft: float) -> float:
+    """Return an upper bound of the largest eigenvalue of M⁻¹ C [1/s], if all bonds were contacts with dashpots."""
+    constants, layout = model.non_local, model.layout
+    if constants is None or beta == 0.0:
+        return 0.0
+    order = layout.order
+    mass, inertia = model.mass[order], model.inertia[order]
+    pair = mass[layout.i] * mass[layout.j] / (mass[layout.i] + mass[layout.j])
+    along = 2.0 * beta * np.sqrt(kn * pair)
+    matrix = local_stiffness(replace(constants, kn=along, kt=math.sqrt(soft) * along), layout)
+    root = diags_array(1.0 / np.sqrt(np.repeat(np.column_stack([mass, inertia]), 3, axis=1).ravel()))
+    start = np.random.default_rng(0).standard_normal(6 * len(mass))
+    options = {"tol": _TOLERANCE, "v0": start, "return_eigenvectors": False}
+    found = np.asarray(eigsh(root @ matrix @ root, k=1, which="LA", **options))
+    return (1.0 + 2.0 * _TOLERANCE) * float(found[0])
+
+
+@dataclass(frozen=True)
+class Step:
+    """A time step that was chosen or checked.
+
+    Attributes:
+        dt: time step [s].
+        remark: remark about it; empty if it is well below the limit.
+    """
+
+    dt: float
+    remark: str = ""
+
+
+def choose_step(
+    model: Model,
+    scheme: Scheme,
+    dt: float | None,
+    *,
+    safety: float,
+    damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
+) -> Step:
+    """Return the time step to use: the given one if it is stable, else `safety` times the critical one.
+
+    Raises:
+        UnstableStepError: dt is not positive or exceeds the critical step.
+
+    Warns:
+        StepWarning: The given dt is above 0.9 of the critical step, or dashpots of bonds make the default step more
+            than ten times smaller.
+    """
+    critical, free = _limits(model, scheme, DampingTerms.of(damping))
+    if dt is None:
+        if math.isinf(critical):
+            raise UnstableStepError("the lattice has no stiffness to derive a time step from; pass dt= in seconds")
+        return _default_step(model, critical, free, safety)
+    if not (math.isfinite(dt) and dt > 0.0):
+        raise UnstableStepError(f"dt = {dt} s; pass a positive time step, or dt=None for the best stable one")
+    if dt > critical:
+        raise UnstableStepError(
+            f"dt = {dt:.4g} s exceeds the critical {critical:.4g} s of this lattice; pass dt=None or a smaller dt"
+        )
+    if dt <= _WARNED * critical:
+        return Step(dt)
+    remark = (
+        f"dt = {dt:.4g} s is {dt / critical:.3f} of the critical {critical:.4g} s, which large strains may lower;"
+        f" pass dt=None or at most {_WARNED * critical:.4g} s"
+    )
+    warnings.warn(remark, StepWarning, stacklevel=users_line())
+    return Step(dt, remark)
+
+
+def _default_step(model: Model, critical: float, free: float, safety: float) -> Step:
+    """Return the step of a run without dt=, and a remark if it is not governed by the stiffness.
+
+    Args:
+        model: model that will move.
+        critical: critical step [s].
+        free: critical step without dashpots of bonds [s].
+        safety: share of it [-].
+    """
+    step, remark = safety * critical, ""
+    if free > _DAMPED * critical:
+        remark = (
+            f"dashpots of bonds lower the time step to {step:.4g} s from {safety * free:.4g} s;"
+            " BondDamping with a smaller eta= or beta= allows a longer one"
+        )
+        if free > _MUCH * critical:
+            warnings.warn(remark, StepWarning, stacklevel=users_line())
+    shortest = _shortest_contact(model)
+    if shortest < _PER_CONTACT * step:
+        step = shortest / _PER_CONTACT
+        remark = (
+            f"the time step {step:.4g} s resolves the shortest contact of free elements with {_PER_CONTACT} steps;"
+            f" stability alone allows {safety * critical:.4g} s, as dt="
+        )
+    return Step(step, remark)
+
+
+def _shortest_contact(model: Model) -> float:
+    """Return the least duration of a collision of elements that no bond holds [s]; infinite without any."""
+    contacts, layout = model.contacts, model.layout
+    if contacts is None:
+        return math.inf
+    bonded = np.bincount(layout.i, minlength=len(layout.order)) + np.bincount(layout.j, minlength=len(layout.order))
+    free = layout.order[bonded == 0]
+    if not len(free):
+        return math.inf
+    walled = len(contacts.walls.friction) > 0
+    return contacts.law.shortest(model.contact_radius[free], model.mass[free], contacts.walls.platens, walled=walled)

@@ -1,0 +1,1 @@
+"""Shapes of specimens: their surface, walls and moments."""

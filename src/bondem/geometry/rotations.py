@@ -1,0 +1,55 @@
+"""Rotations: vectors that turn with their elements, rotation vectors, and moments of forces about centres."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._core import Pass
+from bondem._types import Floats, Ints
+
+
+class TurnedVectors(NamedTuple):
+    """Vectors, k of them, and the same rotated by unit quaternions."""
+
+    quaternion: Floats  #: w x y z, (k, 4)
+    vector: Floats  #: (k, 3)
+    turned: Floats  #: (k, 3)
+
+
+class MomentsOfForces(NamedTuple):
+    """Forces on elements, k of them, and V σ of the elements."""
+
+    moment: Floats  #: xx, yy, zz, xy, yz, zx [J], (n, 6)
+    owner: Ints  #: element that each force acts on, (k,)
+    arm: Floats  #: from its centre [m], (k, 3)
+    force: Floats  #: [N], (k, 3)
+    sign: float
+
+
+_turn_vectors = Pass("turn_vectors", TurnedVectors)
+_add_moments = Pass("add_moments", MomentsOfForces)
+
+
+def turned_vectors(quaternion: Floats, vectors: Floats) -> Floats:
+    """Return vectors (k, 3), each rotated by its unit quaternion (w, x, y, z), (k, 4)."""
+    turned = np.empty((len(vectors), 3))
+    _turn_vectors(TurnedVectors(_contiguous(quaternion), _contiguous(vectors), turned))
+    return turned
+
+
+def add_force_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats, sign: float) -> None:
+    """Add sign · sym b⊗f of forces to the moments of their owners: xx, yy, zz, xy, yz, zx, (n, 6)."""
+    own = np.ascontiguousarray(owner, dtype=np.int64)
+    _add_moments(MomentsOfForces(moment, own, _contiguous(arm), _contiguous(force), sign))
+
+
+def rotation_vector(quaternion: Floats) -> Floats:
+    """Return rotation vectors of at most π of unit quaternions (n, 4), shape (n, 3)."""
+    q = np.where(quaternion[:, :1] < 0.0, -quaternion, quaternion)
+    sine = np.linalg.norm(q[:, 1:], axis=1, keepdims=True)
+    ratio = np.divide(2.0 * np.arctan2(sine, q[:, :1]), sine, out=np.full_like(sine, 2.0), where=sine > 1e-150)
+    return q[:, 1:] * ratio
+
+
+def _contiguous(values: Floats) -> Floats:
+    return np.ascontiguousarray(values, dtype=float)

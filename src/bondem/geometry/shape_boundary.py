@@ -1,0 +1,104 @@
+"""Walls of a shape: distances of points from its faces, and the quantities that follow from them."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+
+import numpy as np
+
+from bondem._checks import array, shown
+from bondem._types import PerElement, PerElement3, Vector
+from bondem.errors import InputError
+from bondem.geometry.planes import Planes
+
+BOX_FACES = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")
+
+
+class Walled(ABC):
+    """A region of space with named faces.
+
+    `face_depth(name, points)` is the distance of points from a named face, measured inwards [m]. Containment, packing
+    walls and face regions follow from it. The gradient of a depth never exceeds 1, also for combined shapes; volumes
+    and packing walls rely on this.
+    """
+
+    @property
+    @abstractmethod
+    def bounds(self) -> tuple[Vector, Vector]:
+        """Lower and upper corner of a box around the shape [m], each (3,)."""
+
+    @property
+    @abstractmethod
+    def volume(self) -> float:
+        """Volume of the shape [m³]."""
+
+    @property
+    @abstractmethod
+    def area(self) -> float:
+        """Area of all walls [m²]; 0 for a periodic cell."""
+
+    @property
+    @abstractmethod
+    def faces(self) -> tuple[str, ...]:
+        """Names of the faces."""
+
+    @abstractmethod
+    def face_depth(self, face: str, points: PerElement3) -> PerElement:
+        """Return the distance of `points` (n, 3) from a face, positive inside [m], shape (n,)."""
+
+    @abstractmethod
+    def section(self) -> float:
+        """Return the area of the cross-section normal to x at mid-length [m²]."""
+
+    @property
+    def period(self) -> Vector | None:
+        """Edge lengths of the periodic cell [m], (3,); None for other shapes."""
+        return None
+
+    @property
+    def extent(self) -> float:
+        """Extent of the shape along x [m]."""
+        lower, upper = self.bounds
+        return float(upper[0] - lower[0])
+
+    def face_centre(self, face: str) -> Vector:
+        """Return the centroid of a face [m], (3,). A load on the face acts through this point."""
+        lower, upper = self.bounds
+        centre = 0.5 * (lower + upper)
+        if face in BOX_FACES:
+            axis = "xyz".index(face[0])
+            centre[axis] = upper[axis] if face.endswith("max") else lower[axis]
+        return centre
+
+    @property
+    def planes(self) -> Planes:
+        """Point [m] and outward normal of each plane face with the whole shape on one side, by face."""
+        return {}
+
+    def depth(self, points: PerElement3) -> PerElement:
+        """Return the distance to the nearest wall [m], (n,): positive inside, negative outside, inf without walls."""
+        return self.depth_of(self.faces, points)
+
+    def depth_of(self, faces: Sequence[str], points: PerElement3) -> PerElement:
+        """Return the depth of points (n, 3) [m] below the faces named in `faces` [m], (n,).
+
+        A shape that is not the intersection of its faces uses all its faces.
+        """
+        points = np.atleast_2d(points)
+        if not faces:
+            return np.full(len(points), np.inf)
+        depths = np.array([self.face_depth(face, points) for face in faces])
+        # Where faces meet at right angles, what lies beyond several is nearest to their edge or corner.
+        beyond = np.sqrt((np.minimum(depths, 0.0) ** 2).sum(axis=0))
+        return np.where(beyond > 0.0, -beyond, depths.min(axis=0))
+
+    def contains(self, points: PerElement3) -> np.ndarray:
+        """Return a mask of the points that lie inside the shape or on its wall, shape (n,)."""
+        at = np.atleast_2d(array("contains", "points", points, wanted="points as an array of shape (n, 3) [m]"))
+        if at.shape[1:] != (3,):
+            raise InputError(f"contains: points has shape {at.shape}; give points as an array of shape (n, 3) [m]")
+        return self.depth(at) >= 0.0
+
+    def _check_face(self, face: str) -> None:
+        if not isinstance(face, str) or face not in self.faces:
+            known = ", ".join(self.faces) or "none (it is periodic)"
+            raise InputError(f"{type(self).__name__} has no face {shown(face)}; its faces are: {known}")

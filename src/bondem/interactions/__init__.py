@@ -1,0 +1,1 @@
+"""Laws of bonds, cells, non-local springs and contacts, with their constants and tables."""

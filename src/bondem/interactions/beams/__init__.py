@@ -1,0 +1,1 @@
+"""Bonds as beams: one file for each law, and the constants and tables of all."""

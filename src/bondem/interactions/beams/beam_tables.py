@@ -1,0 +1,137 @@
+"""Beams as the core takes them, and its passes over beams in any poses.
+
+`core/tables/step_tables.hpp` declares types and shapes.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._cache_lines import lines
+from bondem._core import Pass
+from bondem._types import Floats, Ints, PerBond
+from bondem.interactions.beams.bond_table import BondTable, with_twins, with_zeros
+from bondem.specimen.ordering import Layout
+
+
+class Beams(NamedTuple):
+    """Beams, m of them, and a few without force behind them where they are fewer than a group."""
+
+    i: np.ndarray  #: uint32
+    j: np.ndarray
+    X0: Floats  #: reference direction i→j [-]
+    Y0: Floats
+    Z0: Floats
+    length: Floats  #: at rest, L (1 + ε*) [m]
+    kn: Floats  #: [N/m]
+    A: Floats  #: constants of the energy [N·m]
+    B: Floats
+    C: Floats
+    kt: Floats  #: [N·m]
+    ks: Floats  #: [N/m]
+    lever: Floats  #: of the contact point from i [m]
+    integrity: Floats  #: 1 intact … 0 broken [-]
+    period: Floats  #: edges of the periodic cell and their inverses, (6,)
+
+
+class AlikeBeams(NamedTuple):
+    """Constants that all beams share that differ in length only."""
+
+    hold: Floats  #: integrity over rest length [1/m], (m,)
+    knL: float  #: kn L [N]
+    AL: float  #: A L = C L [N·m²]
+    BL: float
+    ktL: float
+
+
+class Poses(NamedTuple):
+    """Places and orientations of elements."""
+
+    pose: Floats  #: (n, 8)
+
+
+class BeamSums(NamedTuple):
+    """Sums that beams add the forces on their two ends to."""
+
+    row_i: np.ndarray  #: uint32, (m,)
+    row_j: np.ndarray
+    sums: Floats  #: force, 0, torque, 0 [N, N·m], (rows, 8)
+
+
+class BeamEnergies(NamedTuple):
+    """Energies of all beams."""
+
+    energy: Floats  #: normal, shear, bending, twisting [J], (4,)
+
+
+class BeamTurns(NamedTuple):
+    """Unbroken beams turned wide and lost, and 1 where a number is not finite."""
+
+    found: Ints  #: (3,)
+
+
+_load_beams = Pass("load_beams", Poses, Beams, BeamSums)
+_load_alike_beams = Pass("load_alike_beams", Poses, Beams, AlikeBeams, BeamSums)
+_measure_beam_energies = Pass("measure_beam_energies", Poses, Beams, BeamEnergies)
+_count_turned_beams = Pass("count_turned_beams", Poses, Beams, BeamTurns)
+
+
+def beam_tables(
+    bonds: BondTable, layout: Layout, period: Floats, integrity: PerBond, *, may_share: bool = True
+) -> tuple[Beams, AlikeBeams | None]:
+    """Return beams as the core takes them, and what they share, or None.
+
+    Args:
+        bonds: constants of the beams.
+        layout: elements of the beams.
+        period: edges of the periodic cell and their inverses, (6,).
+        integrity: integrity of each beam [-], (m,).
+        may_share: whether what they share may be used; False where their lengths change.
+    """
+    same = bonds.alike if may_share else None
+    X0, Y0, Z0 = bonds.direction
+    hold = integrity / bonds.length if same is not None else np.zeros(0)
+    beams = Beams(
+        i=with_twins(layout.i), j=with_twins(layout.j), X0=with_twins(X0), Y0=with_twins(Y0), Z0=with_twins(Z0),
+        length=with_twins(bonds.length), kn=with_zeros(bonds.kn), A=with_zeros(bonds.A), B=with_zeros(bonds.B),
+        C=with_zeros(bonds.C), kt=with_zeros(bonds.kt), ks=with_zeros(bonds.ks), lever=with_zeros(bonds.lever),
+        integrity=with_zeros(integrity), period=period,
+    )  # fmt: skip
+    return beams, None if same is None else AlikeBeams(with_zeros(hold), *same)
+
+
+def load_beams(pose: Floats, beams: Beams, alike: AlikeBeams | None, sums: BeamSums) -> None:
+    """Add force and torques of all beams to the sums of their ends."""
+    if alike is None:
+        _load_beams(Poses(pose), beams, sums)
+    else:
+        _load_alike_beams(Poses(pose), beams, alike, sums)
+
+
+def loads_of_each(pose: Floats, beams: Beams, m: int) -> tuple[Floats, Floats]:
+    """Return force, 0, torque, 0 of each of the first m beams on i and on j [N, N·m], (m, 8) each."""
+    sums = lines(2 * m)  # every beam adds to two rows of its own
+    own = np.arange(m, dtype=np.uint32)
+    load_beams(pose, beams, None, BeamSums(with_twins(own), with_twins(own + np.uint32(m)), sums))
+    return sums[:m], sums[m:]
+
+
+def count_turned(pose: Floats, beams: Beams) -> tuple[int, int, bool]:
+    """Count unbroken beams turned beyond the valid range of their energy, and beyond its end.
+
+    Returns:
+        Beams with c1 or c2 < 0.7 or w² < 0.75, beams with c1 or c2 <= 0 or w² <= 0.25, and whether a number is not
+        finite.
+    """
+    found = np.empty(3, dtype=np.int64)
+    _count_turned_beams(Poses(pose), beams, BeamTurns(found))
+    wide, lost, sick = found.tolist()
+    return wide, lost, bool(sick)
+
+
+def beam_energies(pose: Floats, beams: Beams) -> tuple[float, float, float, float]:
+    """Return normal, shear, bending and twisting energy of all beams [J]."""
+    found = np.empty(4)
+    _measure_beam_energies(Poses(pose), beams, BeamEnergies(found))
+    normal, shear, bending, twisting = found.tolist()
+    return normal, shear, bending, twisting

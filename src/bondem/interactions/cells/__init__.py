@@ -1,0 +1,1 @@
+"""The cell law: facets and cells of a tessellation under one potential."""

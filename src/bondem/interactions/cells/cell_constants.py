@@ -1,0 +1,323 @@
+"""Constants of the cell law on a body, for its facets and cells."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bondem._checks import shown
+from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement
+from bondem.boundary.wall_constraints import Grips, Holds
+from bondem.errors import InputError
+from bondem.interactions.beams.bond_law import BondStiffness
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.cell_plausibility import layer_axes
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
+from bondem.specimen.regions import Region, as_region
+from bondem.specimen.tessellation.facets import Cells, Facets
+from bondem.specimen.tessellation.raster import LEVER_BITS, on_raster, pitch
+
+CellAssignment = CellBond | Mapping[Region, CellBond]
+
+
+@dataclass(frozen=True, eq=False)
+class CellConstants:
+    """Constants of the energy of `CellBond`.
+
+    The levers begin at the centre of mass of a cell, which is the place of the element; all other lengths refer to
+    the centres of the tessellation. Nothing else differs, because the gap of a facet is that of its two faces.
+
+    Shares and H are numbers of single precision and levers multiples of `pitch`: results from them are exact, and
+    passes read half as much.
+
+    Attributes:
+        k: 2 G A / L, of halves in series between different materials [N/m], shape (m,).
+        lever_i, lever_j: levers from the centres of mass to the centroid of the facet [m], shape (m, 3).
+        H: resistance to relative rotation [N·m], shape (m, 3, 3).
+        share_i, share_j: A w_p M_p⁻¹ n: V θ of each side is Σ share·δ [m²], shape (m, 3).
+        volume: V [m³], shape (n,).
+        weight: λ_p / V_p, the factor from V_p θ_p to the stress λ_p θ_p [Pa/m³], shape (n,).
+        normal: normals of the facets, from i to j [-], shape (m, 3).
+        slack_i, slack_j: increase of 1 / weight of each side if the facet breaks, A d |M⁻¹n|² / 2G [m³/Pa], (m,).
+        G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
+        grips: facets that walls hold; their cells in the user's order.
+        softness: d / 2 G of each free facet, the opening per traction [m/Pa], shape (k,).
+        way: M⁻¹n along its free axes: the stress of the cell opens it by -softness · stress · way [-], shape (k, 3).
+        free_cell: cell of each free facet, user's order, shape (k,).
+        pressed: contribution of tractions on its free facets to V θ of each cell [m³], shape (n,).
+        pitch: levers are whole multiples of it along x, y, z [m], shape (3,).
+    """
+
+    k: PerBond
+    lever_i: PerBond3
+    lever_j: PerBond3
+    H: Floats
+    share_i: PerBond3
+    share_j: PerBond3
+    volume: PerElement
+    weight: PerElement
+    normal: PerBond3
+    slack_i: PerBond
+    slack_j: PerBond
+    G: PerElement
+    lame: PerElement
+    grips: Grips
+    softness: Floats
+    way: Floats
+    free_cell: Ints
+    pressed: PerElement
+    pitch: Floats
+
+    @classmethod
+    def of(cls, body: Lattice, bond: CellAssignment, holds: Holds) -> "CellConstants":
+        """Return the constants of a body.
+
+        Args:
+            body: a lattice with facets and cells.
+            bond: law of its material.
+            holds: free facets that walls hold.
+
+        Raises:
+            InputError: The lattice has no cells, or cells are covered by no law.
+        """
+        facets, cells = body_of(body)
+        G, lame, rotation = _materials(body, bond)
+        layer = layer_axes(body) if rotation == "bending" else np.zeros((len(body.particles), 3))
+        i, j = body.pairs.T
+        normal, area = facets.normal, facets.area
+        # compliance of each half over the area, and its share of the opening
+        half_i, half_j = facets.depth_i / (2.0 * G[i]), facets.depth_j / (2.0 * G[j])
+        k = area / (half_i + half_j)
+        w_i, w_j = half_i / (half_i + half_j), half_j / (half_i + half_j)
+        inverse = _corrections(body, facets, cells)
+        n_i = np.einsum("mab,mb->ma", inverse[i], normal)
+        n_j = np.einsum("mab,mb->ma", inverse[j], normal)
+        free = cells.free
+        n_free = _at_platens(np.einsum("kab,kb->ka", inverse[free.cell], free.normal), free.normal, holds)
+        open_axes = np.ones((len(free.cell), 3))
+        open_axes[holds.facet] -= holds.axes
+        soft = free.area * free.depth * (open_axes * n_free**2).sum(axis=1)
+        slack = 1.0 + np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume * lame / (2.0 * G)
+        arm = facets.centroid - cells.centroid[i]
+        other = arm - body.branch
+        grid = pitch(float(max(np.abs(arm).max(), np.abs(other).max())), body.particles.period, LEVER_BITS)
+        arm = on_raster(arm, grid)
+        return cls(
+            k=k,
+            lever_i=arm,
+            lever_j=arm - body.branch,
+            H=_single(
+                _resistance(facets.moment, normal, k / area, rotation)
+                + _layer_twist(facets.moment, normal, k / area, layer[i], layer[j])
+            ),
+            share_i=_single((area * w_i)[:, None] * n_i),
+            share_j=_single((area * w_j)[:, None] * n_j),
+            volume=cells.volume,
+            weight=lame / slack / cells.volume,
+            normal=normal,
+            slack_i=area * half_i * (n_i**2).sum(axis=1),
+            slack_j=area * half_j * (n_j**2).sum(axis=1),
+            G=G,
+            lame=lame,
+            grips=_grips(cells, holds, G, n_free, rotation, layer),
+            softness=free.depth / (2.0 * G[free.cell]),
+            way=open_axes * n_free,
+            free_cell=free.cell,
+            pressed=np.zeros(len(cells.volume)),
+            pitch=grid,
+        )
+
+    def pressed_by(self, force: Floats) -> PerElement:
+        """Return Σ (d / 2 G) F·M⁻¹n, the contribution of forces F on free facets [N], (k, 3), to V θ [m³], (n,)."""
+        opened = self.softness * (self.way * force).sum(axis=1)
+        return np.bincount(self.free_cell, weights=opened, minlength=len(self.pressed)).astype(float)
+
+    def ordered(self, layout: Layout) -> "CellConstants":
+        """Return the constants in internal order."""
+        bond, element, back = layout.bond_order, layout.order, layout.flipped[:, None]
+        lever_i, lever_j = self.lever_i[bond], self.lever_j[bond]
+        share_i, share_j = self.share_i[bond], self.share_j[bond]
+        return CellConstants(
+            k=self.k[bond],
+            lever_i=np.where(back, lever_j, lever_i),
+            lever_j=np.where(back, lever_i, lever_j),
+            H=self.H[bond],
+            share_i=np.where(back, -share_j, share_i),
+            share_j=np.where(back, -share_i, share_j),
+            volume=self.volume[element],
+            weight=self.weight[element],
+            normal=np.where(back, -self.normal[bond], self.normal[bond]),
+            slack_i=np.where(layout.flipped, self.slack_j[bond], self.slack_i[bond]),
+            slack_j=np.where(layout.flipped, self.slack_i[bond], self.slack_j[bond]),
+            G=self.G[element],
+            lame=self.lame[element],
+            grips=self.grips,
+            softness=self.softness,
+            way=self.way,
+            free_cell=self.free_cell,
+            pressed=self.pressed[element],
+            pitch=self.pitch,
+        )
+
+    def stretched(self, strain: PerBond, layout: Layout) -> "CellConstants":
+        """Return the constants with cells that are larger without stress, by the ε* of their facets.
+
+        Cells at walls grow towards them by the mean of their facets.
+
+        Args:
+            strain: ε* [-], internal order, as these constants are in, shape (m,), or (0,) for none.
+            layout: order of elements and bonds.
+        """
+        if strain.size == 0:
+            return self
+        stretch, grips = 1.0 + strain[:, None], self.grips.grown(layout.of_elements(strain))
+        return replace(self, lever_i=self.lever_i * stretch, lever_j=self.lever_j * stretch, grips=grips)
+
+    def damaged(self, integrity: PerBond, i: Ints, j: Ints) -> "CellConstants":
+        """Return the constants with facets of integrity s; the missing part 1 - s acts as free facets of both cells.
+
+        Args:
+            integrity: integrity of the facets, shape (m,); their cells are i and j.
+            i, j: cells of the facets, (m,).
+        """
+        if (integrity == 1.0).all():
+            return self
+        n, open_share = len(self.weight), 1.0 - integrity
+        slack = np.bincount(j, open_share * self.slack_j, n) + np.bincount(i, open_share * self.slack_i, n)
+        return replace(self, weight=self.weight / (1.0 + self.weight * slack))
+
+    def as_bonds(self, body: Lattice) -> BondStiffness:
+        """Return stiffnesses of beams that are about as stiff, for approximate uses: dashpots, magnitudes."""
+        facets, _ = body_of(body)
+        bend = np.einsum("mii->m", self.H) * 0.5
+        return BondStiffness(
+            kn=self.k, ks=self.k, kb=bend, kt=0.5 * bend, lever=facets.depth_i / facets.span * body.length,
+            radius=np.sqrt(facets.area / np.pi),
+        )  # fmt: skip
+
+
+def body_of(lattice: Lattice) -> tuple[Facets, Cells]:
+    """Return the facets and cells of a body.
+
+    Raises:
+        InputError: The lattice has no cells.
+    """
+    if lattice.facets is None or lattice.cells is None:
+        raise InputError(
+            "CellBond needs a body cut into cells; connect particles with bd.connect(particles, method='laguerre')"
+        )
+    return lattice.facets, lattice.cells
+
+
+def _single(values: Floats) -> Floats:
+    """Return the nearest numbers of single precision."""
+    return values.astype(np.float32).astype(float)
+
+
+def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str]:
+    """Return G and λ of each cell [Pa], (n,), and the part of a relative rotation that counts."""
+    n = len(body.particles)
+    if isinstance(bond, CellBond):
+        return np.full(n, bond.G), np.full(n, bond.lame), bond.facet_rotation
+    G, lame = np.full(n, np.nan), np.full(n, np.nan)
+    for where, law in bond.items():
+        if not isinstance(where, Region):
+            raise InputError("CellBond applies to cells; give {region: law}, not laws between two regions")
+        if not isinstance(law, CellBond):
+            raise InputError(f"bond= has {shown(law)} in a part of the cells; give bd.CellBond(...) for all cells")
+        chosen = as_region("bond=", where).select(body)
+        G[chosen], lame[chosen] = law.G, law.lame
+    bare = int(np.isnan(G).sum())
+    if bare:
+        raise InputError(f"{bare} cells follow no law; add an entry for bd.Everything() before the others")
+    rotations = {law.facet_rotation for law in bond.values()}
+    if len(rotations) > 1:
+        raise InputError("bond= has laws with different facet_rotation=; give all laws of a body the same")
+    return G, lame, rotations.pop()
+
+
+def _corrections(body: Lattice, facets: Facets, cells: Cells) -> Floats:
+    """Return M⁻¹ of each cell [-], (n, 3, 3): M = (1/V) Σ A d n⊗n over all its facets, 1 on average."""
+    n = len(cells.volume)
+    M = np.zeros((n, 3, 3))
+    free = cells.free
+    for cell, weight, normal in (
+        (body.pairs[:, 0], facets.area * facets.depth_i, facets.normal),
+        (body.pairs[:, 1], facets.area * facets.depth_j, facets.normal),
+        (free.cell, free.area * free.depth, free.normal),
+    ):
+        for a in range(3):
+            for b in range(a, 3):
+                M[:, a, b] += np.bincount(cell, weights=weight * normal[:, a] * normal[:, b], minlength=n)
+    M = np.triu(M) + np.swapaxes(np.triu(M, 1), 1, 2)
+    return np.asarray(np.linalg.inv(M / cells.volume[:, None, None]), dtype=float)
+
+
+def _at_platens(way: Floats, normal: Floats, holds: Holds) -> Floats:
+    """Return M⁻¹n of free facets, (k, 3), along n alone where a smooth platen holds them: normal, but free to slide.
+
+    Such a facet has no traction along the platen, so that no uniform strain opens it that way. The rest of M⁻¹n would
+    let it slide under the pressure of its cell. This would soften a body between platens, more so the nearer ν is to
+    ½.
+    """
+    flat = ((holds.axes * normal[holds.facet]) ** 2).sum(axis=1)
+    smooth = holds.facet[(flat > 0.5) & ~holds.axes.all(axis=1)]
+    way = way.copy()
+    way[smooth] = normal[smooth] * (normal[smooth] * way[smooth]).sum(axis=1, keepdims=True)
+    return way
+
+
+def _resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> Floats:
+    """Return H [N·m], (m, 3, 3), of facets with second moments S and `stiffness` 2 G / L [Pa/m]."""
+    if rotation == "none":
+        return np.zeros_like(S)
+    unit = np.eye(3)
+    if rotation == "bending":
+        unit = unit - normal[:, :, None] * normal[:, None, :]
+    return stiffness[:, None, None] * (np.einsum("mii->m", S)[:, None, None] * unit - S)
+
+
+def _layer_twist(S: Floats, normal: Floats, stiffness: Floats, one: Floats, other: Floats) -> Floats:
+    """Return the addition to H about the normal of facets within a layer one cell thick [N·m], (m, 3, 3).
+
+    Where a layer bends, a facet oblique to the direction of bending turns about its normal. With the second moment of
+    the facet across the layer, the sum over the facets is the energy E t³ / 12 (1 + ν) |∇∇w|² / 2 of a plate,
+    whatever their directions; without it an uneven layer bends 40 % too much.
+
+    Args:
+        S: second moments of the facets [m⁴], (m, 3, 3).
+        normal: normals of the facets, (m, 3).
+        stiffness: 2 G / L [Pa/m], (m,).
+        one, other: directions across the layer of both cells, zero outside layers, (m, 3).
+    """
+    across = 0.5 * sum(np.einsum("ma,mab,mb->m", axis, S, axis) for axis in (one, other))
+    within = (one * one).sum(axis=1) * (other * other).sum(axis=1) > 0.5
+    return (stiffness * across * within)[:, None, None] * normal[:, :, None] * normal[:, None, :]
+
+
+def _grips(
+    cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: str, layer: Floats
+) -> Grips:
+    """Return the half facets between cells and walls."""
+    free, facet = cells.free, holds.facet
+    cell, normal, axes = free.cell[facet], free.normal[facet], holds.axes.astype(float)
+    stiffness = 2.0 * G[cell] / free.depth[facet]
+    # a wall that holds the normal keeps the facet plane
+    flat = ((axes * normal) ** 2).sum(axis=1)
+    H = _resistance(free.moment[facet], normal, stiffness * flat, rotation)
+    whole = _resistance(free.moment[facet], normal, stiffness, rotation)
+    if rotation == "full":  # a wall that only keeps the facet plane lets it turn in its plane
+        bent = _resistance(free.moment[facet], normal, stiffness * flat, "bending")
+        every = np.all(axes, axis=1, keepdims=True)[:, :, None]
+        H = np.where(every, H, bent)
+        whole = np.where(every, whole, _resistance(free.moment[facet], normal, stiffness, "bending"))
+    clamped = stiffness * np.all(axes, axis=1)
+    twist = _layer_twist(free.moment[facet], normal, clamped, layer[cell], layer[cell])
+    H, whole = H + twist, whole + twist
+    lever = free.centroid[facet] - cells.centroid[cell]
+    return Grips(
+        cell=cell, k=stiffness * free.area[facet], lever=lever, arm=lever,
+        share=axes * free.area[facet, None] * n_free[facet], H=H, axes=axes, motion=holds.final_motion(),
+        holds=holds, area=free.area[facet], normal=normal, way=n_free[facet], bend=whole,
+    )  # fmt: skip

@@ -1,0 +1,105 @@
+"""Deformation of facets and cells by small motions of the elements: gaps, relative rotations, dilatation."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, PerElement, PerElement3, PerElement6
+from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.specimen.lattice import Lattice
+
+
+@dataclass(frozen=True, eq=False)
+class CellStrain:
+    """Small deformation of every facet and cell from the reference, user's order.
+
+    Attributes:
+        gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i, gap between the faces of each facet [m], (m, 3).
+        turn: θ_j - θ_i [rad], (m, 3).
+        held: gaps at the facets that walls hold, along the held axes [m], (g, 3).
+        rotation: rotations of the elements [rad], (n, 3).
+        swelling: V θ of each cell, without the opening of free facets by its own stress [m³], (n,).
+    """
+
+    gap: Floats
+    turn: Floats
+    held: Floats
+    rotation: PerElement3
+    swelling: PerElement
+
+    @classmethod
+    def of(
+        cls,
+        body: Lattice,
+        constants: CellConstants,
+        displacement: PerElement3,
+        rotation: PerElement3,
+        *,
+        slip: Floats | None = None,
+        wall: Floats | None = None,
+        pressed: PerElement | None = None,
+    ) -> "CellStrain":
+        """Return the deformation under displacements [m] and rotations [rad], (n, 3) each.
+
+        Args:
+            body: the body that deforms.
+            constants: constants of its law, user's order.
+            displacement, rotation: displacements and rotations of the elements.
+            slip: additional opening of every facet [m], (m, 3): that of a macroscopic strain in a periodic cell, or
+                minus the stress-free opening.
+            wall: displacement of walls that hold facets [m], (g, 3); None for none.
+            pressed: contribution of tractions on free facets to V θ [m³], (n,); None for none.
+        """
+        i, j = body.pairs.T
+        gap = (
+            displacement[j] + np.cross(rotation[j], constants.lever_j)
+            - displacement[i] - np.cross(rotation[i], constants.lever_i)
+        )  # fmt: skip
+        if slip is not None:
+            gap = gap + slip
+        n = len(body.particles)
+        swelling = np.zeros(n) if pressed is None else pressed.copy()
+        swelling += np.bincount(i, weights=(constants.share_i * gap).sum(axis=1), minlength=n)
+        swelling += np.bincount(j, weights=(constants.share_j * gap).sum(axis=1), minlength=n)
+        grips = constants.grips
+        held = grips.gap(displacement, rotation, wall)
+        swelling += np.bincount(grips.cell, weights=(grips.share * held).sum(axis=1), minlength=n)
+        return cls(gap, rotation[j] - rotation[i], held, rotation, swelling)
+
+    def stress(self, constants: CellConstants) -> PerElement:
+        """Return λ_p θ_p of each cell [Pa], (n,)."""
+        return constants.weight * self.swelling
+
+    def forces(self, body: Lattice, constants: CellConstants) -> Floats:
+        """Return the force of each facet on its element i, tension pointing to j [N], (m, 3)."""
+        i, j = body.pairs.T
+        stress = self.stress(constants)[:, None]
+        return constants.k[:, None] * self.gap + stress[i] * constants.share_i + stress[j] * constants.share_j
+
+    def nodal(self, body: Lattice, constants: CellConstants) -> PerElement6:
+        """Return forces and torques of the facets on the elements [N, N·m], (n, 6)."""
+        i, j = body.pairs.T
+        force = self.forces(body, constants)
+        moment = np.einsum("mab,mb->ma", constants.H, self.turn)
+        load = np.zeros((len(body.particles), 6))
+        for end, lever, sign in ((i, constants.lever_i, 1.0), (j, constants.lever_j, -1.0)):
+            both = sign * np.hstack([force, np.cross(lever, force) + moment])
+            for d in range(6):
+                load[:, d] += np.bincount(end, weights=both[:, d], minlength=len(load))
+        return load + self.of_walls(len(load), constants)
+
+    def of_walls(self, n: int, constants: CellConstants) -> PerElement6:
+        """Return forces and torques of the walls on the elements that they hold [N, N·m], (n, 6)."""
+        grips = constants.grips
+        values = grips.nodal(self.held, self.rotation, self.stress(constants))
+        parts = [np.bincount(grips.cell, weights=column, minlength=n) for column in values.T]
+        return np.stack(parts, axis=1).astype(float)
+
+    def work(self, other: "CellStrain", constants: CellConstants) -> float:
+        """Return the work of the stresses of one deformation on another [J]; for equal ones twice the energy."""
+        grips = constants.grips
+        bent = np.einsum("ma,mab,mb->", self.turn, constants.H, other.turn)
+        bent += np.einsum("ga,gab,gb->", self.rotation[grips.cell], grips.H, other.rotation[grips.cell])
+        opened = (constants.k[:, None] * self.gap * other.gap).sum()
+        opened += (grips.k[:, None] * self.held * other.held).sum()
+        return float(opened + bent + (constants.weight * self.swelling * other.swelling).sum())

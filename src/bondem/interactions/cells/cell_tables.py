@@ -1,0 +1,219 @@
+"""Facets and cells as the core takes them, and its passes over a body in any poses.
+
+`core/tables/cell_tables.hpp` declares types and shapes.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._core import Pass
+from bondem._types import Floats, Ints, PerBond
+from bondem.boundary.wall_constraints import WallConstraints
+from bondem.interactions.beams.beam_tables import BeamSums, Poses
+from bondem.interactions.beams.bond_table import with_twins, with_zeros
+from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.specimen.ordering import Layout
+
+#: Column of a pose that holds the stress λ θ of a cell [Pa].
+STRESS = 3
+
+
+class ElasticFacets(NamedTuple):
+    """Bonded facets, m of them, and a few without force behind them where they are fewer than a group."""
+
+    i: np.ndarray  #: uint32
+    j: np.ndarray
+    integrity: Floats  #: 1 intact … 0 broken [-]
+    k: Floats  #: 2 G A / L [N/m]
+    pitch: Floats  #: unit of the levers along x, y, z [m], (3,)
+    lever_i: np.ndarray  #: from the centres of mass to the facet [pitch], int32, (3, m)
+    lever_j: np.ndarray
+    share_i: np.ndarray  #: A w M⁻¹n [m²], float32, (3, m)
+    share_j: np.ndarray
+    H: np.ndarray  #: resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], float32, (6, m)
+    normal: Floats  #: from i to j in the reference [-], (3, m)
+    period: Floats  #: edges of the periodic cell and their inverses, (6,)
+
+
+class CellDilatation(NamedTuple):
+    """Cells, n of them, and the dilatation that their facets add up."""
+
+    weight: Floats  #: λ / V [Pa/m³], (n,)
+    given: Floats  #: part of V θ from tractions on free facets [m³], (n,)
+    swelling: Floats  #: the rest of V θ [m³], zero between passes: of n cells, then of shared cells by domains
+    to_i: np.ndarray  #: place in `swelling` where a facet adds to its cell i, uint32, (m,)
+
+
+class DilatationEnergy(NamedTuple):
+    """Energy of dilatation in portions of cells."""
+
+    energy: Floats  #: [J]
+
+
+class CellEnergies(NamedTuple):
+    """Energies of all facets, cells and walls."""
+
+    energy: Floats  #: normal, shear, bending, twisting [J], (4,)
+
+
+class CellPoses(NamedTuple):
+    """Poses of cells, whose stresses passes write."""
+
+    pose: Floats  #: (n, 8)
+    rest: Floats  #: centres in the reference [m], (n, 3)
+
+
+class FacetForces(NamedTuple):
+    """Forces of facets and moments of cells, which criteria of cracks and yielding need."""
+
+    bends: Floats  #: 4 k / A², by which bending is a traction [1/(N m³)], (m,)
+    force: Floats  #: of each facet on its cell i in the last step [N], (3, m)
+    moment: Floats  #: V σ of each cell, xx, yy, zz, xy, xz, yz [J], and the square of its bending [Pa²], (n, 7)
+    sums: Floats  #: sums of them in rows as `StepCut.sums`, (rows, 8)
+
+
+class FacetsOfCells(NamedTuple):
+    """Facets of each cell: first those of which it is j, then those of which it is i."""
+
+    in_start: Ints  #: facets in_start[p] … in_start[p + 1] have j = p, (n + 1,)
+    out_start: Ints  #: those with i = p are out_bond[out_start[p]] …, (n + 1,)
+    out_bond: np.ndarray  #: uint32
+
+
+class FacetRelease(NamedTuple):
+    """Effect of failing facets on their cells, n of them; a failed facet is a free facet of both cells."""
+
+    whole: Floats  #: λ / V of each cell with all its facets [Pa/m³], (n,)
+    weight: Floats  #: with those it has left: the array of `CellDilatation`
+    given: Floats  #: that of `CellDilatation` too
+    slack_i: Floats  #: gain of 1 / weight of each side where a facet fails [m³/Pa], (bonds,)
+    slack_j: Floats
+    in_start: Ints  #: facets of each cell, as in `FacetsOfCells`
+    out_start: Ints
+    out_bond: np.ndarray  #: uint32
+    wall_start: Ints  #: walls wall[wall_start[p] …] hold cell p, (n + 1,)
+    wall: Ints  #: (g,)
+    changed: np.ndarray  #: cells of the facets that fail in a step, then their neighbours, uint32, (n,)
+    changes: Ints  #: their number, (1,)
+
+
+class FacetTractions(NamedTuple):
+    """Tractions on free facets, l of them, which change the dilatation of their cells."""
+
+    value: Floats  #: contribution of each to V θ at full load [m³], (l, n)
+    schedule: Ints  #: (l,)
+    place: int  #: in the list of works
+    factor: Floats  #: present factors, (l,)
+    came: Floats  #: their increments in this step, (l,)
+
+
+class CellStrains(NamedTuple):
+    """Stress-free strains of cells that change in time, g of them."""
+
+    schedule: Ints  #: (g,)
+    base_i: Floats  #: levers of the reference [m], (3, facets)
+    base_j: Floats
+    still: Floats  #: 1 + ε* of the state, (facets,)
+    part: Floats  #: strain of each facet at factor 1, (g, facets)
+    wall_base: Floats  #: levers of walls [m], (w, 3)
+    wall_still: Floats  #: (w,)
+    wall_part: Floats  #: (g, w)
+    place: int  #: of their work in the list of works
+    factor: Floats  #: of each strain: now, its increment, ∂U/∂factor before and now [J], (4, g)
+    power: Floats  #: ∂U/∂factor of portions of facets [J], (portions, g)
+    cracked: Floats  #: ∂U/∂factor of cracks, where there are any [J], (g,)
+    due: np.ndarray  #: 1 where ∂U/∂factor is needed, and where levers have changed, uint8, (2,)
+
+
+class WallTime(NamedTuple):
+    """Time that walls are placed at."""
+
+    time: float  #: [s]
+
+
+_load_body = Pass("load_body", CellPoses, ElasticFacets, CellDilatation, WallConstraints, BeamSums)
+_load_facets = Pass("load_facets", Poses, ElasticFacets, BeamSums)
+_measure = Pass("measure_cell_energies", CellPoses, ElasticFacets, CellDilatation, WallConstraints, CellEnergies)
+_weigh_cells = Pass("weigh_cells", ElasticFacets, FacetRelease)
+_place_walls = Pass("place_walls", WallConstraints, WallTime)
+
+
+def cell_tables(
+    cells: CellConstants, layout: Layout, period: Floats, integrity: PerBond, to_i: np.ndarray
+) -> tuple[ElasticFacets, CellDilatation]:
+    """Return facets and cells as the core takes them.
+
+    Args:
+        cells: constants in the order of the layout.
+        layout: cells of the facets.
+        period: edges of the periodic cell and their inverses, (6,).
+        integrity: integrity of the facets [-], (m,).
+        to_i: place where each facet adds to V θ of its cell i, uint32, (m,).
+    """
+
+    def rows(each: Floats, kind: type) -> np.ndarray:
+        return np.ascontiguousarray(with_zeros(each.T.astype(kind)))
+
+    def whole(lever: Floats) -> np.ndarray:
+        return rows(np.rint(lever / cells.pitch), np.int32)
+
+    facets = ElasticFacets(
+        i=with_twins(layout.i), j=with_twins(layout.j), integrity=with_zeros(integrity), k=with_zeros(cells.k),
+        pitch=cells.pitch, lever_i=whole(cells.lever_i), lever_j=whole(cells.lever_j),
+        share_i=rows(cells.share_i, np.float32), share_j=rows(cells.share_j, np.float32),
+        H=rows(cells.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]], np.float32), normal=rows(cells.normal, np.float64),
+        period=period,
+    )  # fmt: skip
+    count = max(len(cells.weight), int(to_i.max(initial=0)) + 1)
+    return facets, CellDilatation(cells.weight.copy(), cells.pressed.copy(), np.zeros(count), with_twins(to_i))
+
+
+def facet_release(
+    constants: CellConstants, layout: Layout, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints
+) -> FacetRelease:
+    """Return the effect of failing facets on their cells, and weigh the cells by the facets that they have left.
+
+    Args:
+        constants: constants of the whole body in the order of the layout.
+        layout: cells of the facets.
+        facets: facets with their integrity.
+        cells: cells, whose weights are set.
+        walls: walls that hold facets of the cells.
+    """
+    n = len(constants.weight)
+    wall_start = np.concatenate([[0], np.cumsum(np.bincount(walls.cell, minlength=n))]).astype(np.int64)
+    release = FacetRelease(
+        constants.weight, cells.weight, cells.given, constants.slack_i, constants.slack_j, layout.in_start,
+        layout.out_start, layout.out_bond, wall_start, np.argsort(walls.cell, kind="stable").astype(np.int64),
+        np.zeros(n, dtype=np.uint32), np.zeros(1, dtype=np.int64),
+    )  # fmt: skip
+    _weigh_cells(facets, release)
+    return release
+
+
+def load_body(
+    all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints, sums: Floats
+) -> None:
+    """Set the stresses of the cells in the poses, and add the loads of facets and walls to the sums, (n, 8)."""
+    _load_body(all_cells, facets, cells, walls, BeamSums(facets.i, facets.j, sums))
+
+
+def load_all_facets(pose: Floats, facets: ElasticFacets, sums: BeamSums) -> None:
+    """Add force and torque of all facets to rows of the sums, at the stresses in the poses."""
+    _load_facets(Poses(pose), facets, sums)
+
+
+def body_energies(
+    all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints
+) -> tuple[float, float, float, float]:
+    """Return normal (with dilatation), shear, bending and twisting energy of facets, cells and walls [J]."""
+    found = np.empty(4)
+    _measure(all_cells, facets, cells, walls, CellEnergies(found))
+    normal, shear, bending, twisting = found.tolist()
+    return normal, shear, bending, twisting
+
+
+def place_held_walls(walls: WallConstraints, time: float) -> None:
+    """Bring walls to a time [s]."""
+    _place_walls(walls, WallTime(time))

@@ -1,0 +1,1 @@
+"""Contacts of elements with each other and with walls."""

@@ -1,0 +1,198 @@
+"""Contact of spheres with each other and with walls: springs and dashpots, Coulomb friction.
+
+    F_n = max(kn u + cn u', 0)        |F_t| <= μ F_n,  F_t = ks ξ + cs ξ' while it sticks
+
+with u the overlap and ξ the stretch of the tangential spring, which turns with the pair and slides where Coulomb's
+limit holds it. Stiffness of the linear law follows from an effective modulus, kn = E A / L with A = π min(Ri, Rj)²
+and L = Ri + Rj (at a wall A = π R², L = R), as that of a bond does; that of `HertzMindlin` grows with the overlap.
+Repulsion only. A pair whose bond is broken carries compression as the bond did: from its rest length on, with its kn
+(docs/decisions/0020-contact-after-breakage.md). References: Cundall and Strack, Géotechnique 29 (1979) 47–65; Luding,
+Granular Matter 10 (2008) 235–246, for the turning of the spring.
+"""
+
+import math
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import instance, number
+from bondem._types import Floats
+
+# Contacts a sphere can have with spheres of its size: the kissing number bounds the stiffness around it.
+KISSING = 12
+# Overlap over the smaller radius from which spheres of a linear law are no bodies that touch any more.
+_DEEPEST = 0.5
+# A Hertzian dashpot over a linear one of the same stiffness dF/du: both lose the same share of a collision.
+HERTZIAN_DASHPOT = math.sqrt(5.0 / 6.0)
+
+
+class ContactLaw(ABC):
+    """Forces between elements, and between elements and walls, where they touch."""
+
+    friction: float
+    stress_free: bool
+    parallel: bool = False
+
+    @property
+    @abstractmethod
+    def parameters(self) -> Floats:
+        """Parameters of the law that the compiled core reads, (5,).
+
+        They are the modulus [Pa], ks / kn, μ and β, and 1 for a Hertzian law or 0 for a linear one.
+        """
+
+    @abstractmethod
+    def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
+        """Return bounds of the fastest motions of spheres in contact, for the time step.
+
+        Args:
+            radius: radii of the spheres [m], (n,).
+            mass: masses of the spheres [kg], (n,).
+            platens: masses of the walls that a force moves [kg], (s,).
+
+        Returns:
+            For motion along the normal, and for rolling if there is friction: the angular frequency [rad/s]
+            and the ratio c / k of dashpot to spring [s].
+        """
+
+    @property
+    @abstractmethod
+    def deepest(self) -> float:
+        """Overlap over the smaller radius up to which the law describes a contact [-]."""
+
+    @abstractmethod
+    def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
+        """Return the duration of the shortest elastic collision of two free spheres, or of one with a wall [s].
+
+        Args:
+            radius: radii of the spheres [m], (n,).
+            mass: masses of the spheres [kg], (n,).
+            platens: masses of the walls that a force moves [kg], (s,).
+            walled: True if there are walls.
+        """
+
+
+def rebound(beta: float) -> float:
+    """Return the restitution e of a collision with the share β of the critical damping [-].
+
+    The collision ends where the force vanishes. The formula holds for a linear spring and dashpot. It also holds for
+    a Hertzian one, whose overlap to the power 5/4 oscillates as a linear one does (Antypov and Elliott, EPL 94,
+    2011). The force vanishes before the overlap does (Schwager and Pöschel, Granular Matter 9, 2007).
+    """
+    if beta < 1.0:
+        omega = math.sqrt(1.0 - beta * beta)
+        # atan2 takes both of their branches, below and above β = 1/√2
+        return math.exp(-beta / omega * (math.pi - math.atan2(2.0 * beta * omega, 1.0 - 2.0 * beta * beta)))
+    if beta == 1.0:
+        return math.exp(-2.0)
+    omega = math.sqrt(beta * beta - 1.0)
+    return math.exp(-2.0 * beta / omega * math.asinh(omega))
+
+
+def fastest(
+    kn: Floats, kappa: float, delay: float, mass: Floats, platens: Floats, *, rough: bool
+) -> tuple[tuple[float, float], ...]:
+    """Return the result of `ContactLaw.stiffest` for spheres whose contacts have the stiffness kn.
+
+    Every contact has a twelfth of the masses that it joins, because at most twelve spheres of equal size touch
+    another. Two such masses against each other have ω² = 2 · 12 kn / m, and rolling on each other ω² = 7 · 12 ks / m.
+    A platen may have to carry all spheres.
+
+    Args:
+        kn: normal stiffness [N/m], (n,).
+        kappa: kn / ks [-].
+        delay: largest c / kn [s].
+        mass: masses of the spheres [kg], (n,).
+        platens: masses of the walls that a force moves [kg], (s,).
+        rough: True if there is friction.
+    """
+    light = mass / (1.0 + len(mass) * mass / KISSING / platens.min()) if len(platens) else mass
+    along = math.sqrt(float((2.0 * KISSING * kn / light).max())), delay
+    if not rough:
+        return (along,)
+    rolling = math.sqrt(float((7.0 * KISSING * kn / kappa / light).max()))
+    return along, (rolling, delay * math.sqrt(kappa))
+
+
+def slowest_root(pair: Floats, wall: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
+    """Return the least √(m̄ / k) of two equal spheres, and of a sphere at a wall [s].
+
+    Args:
+        pair: stiffness of two spheres of each size [N/m], (n,).
+        wall: stiffness of a sphere of each size and a wall [N/m], (n,).
+        mass: masses of the spheres [kg], (n,).
+        platens: masses of the walls that a force moves [kg], (s,).
+        walled: True if there are walls.
+    """
+    least = float((0.5 * mass / pair).min())
+    if walled:
+        meets = mass if not len(platens) else mass * platens.min() / (mass + platens.min())
+        least = min(least, float((meets / wall).min()))
+    return math.sqrt(least)
+
+
+@dataclass(frozen=True)
+class LinearContact(ContactLaw):
+    """Linear contact with Coulomb friction between elements without an intact bond, and at walls.
+
+    With `parallel=True` bonded elements touch like any others. This is the unbonded component of PFC's linear
+    parallel bond model (Potyondy and Cundall 2004). It acts beside the bond from the start and continues when the
+    bond is broken.
+
+    Attributes:
+        E: effective modulus [Pa] in kn = E A / L; a pair whose bond is broken has the kn of that bond.
+        friction: Coulomb's coefficient μ [-]; 0 for no tangential force at all.
+        kappa: kn / ks [-].
+        damping: share β of the critical damping of a pair, in [0, 1) [-]: cn = 2 β √(kn m̄), cs = 2 β √(ks m̄).
+        stress_free: True if overlaps of the reference configuration carry no force, so that a packing is at rest.
+            Gaps are then measured from min(0, reference gap). The gap of a pair whose bond is broken is measured from
+            the rest length of the bond. False to measure all gaps from the spheres, with kn of this law.
+        parallel: True if the contact also acts beside intact bonds, with kn of this law before and after they break;
+            gaps of bonded pairs are then those of any pair. For beams only.
+    """
+
+    E: float
+    friction: float = 0.0
+    kappa: float = 2.0
+    damping: float = 0.0
+    stress_free: bool = True
+    parallel: bool = False
+
+    def __post_init__(self) -> None:
+        law = "LinearContact"
+        number(law, "E", self.E, unit="Pa", above=0.0, advice="a positive effective modulus in Pa")
+        number(law, "friction", self.friction, least=0.0, advice="a coefficient of zero or more")
+        number(law, "kappa", self.kappa, above=0.0, advice="a positive ratio kn / ks")
+        number(law, "damping", self.damping, least=0.0, below=1.0, advice="a share of critical damping in [0, 1)")
+        instance(law, "stress_free", self.stress_free, bool, "True or False")
+        instance(law, "parallel", self.parallel, bool, "True or False")
+
+    @property
+    def restitution(self) -> float:
+        """Coefficient of normal restitution e of two spheres that collide without friction [-] (`rebound`)."""
+        return rebound(self.damping)
+
+    @property
+    def parameters(self) -> Floats:
+        """Parameters of the law that the compiled core reads: E [Pa], ks / kn, μ, β and 0 for "linear", (5,)."""
+        return np.array([self.E, 1.0 / self.kappa, self.friction, self.damping, 0.0])
+
+    def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
+        """Return bounds of the fastest motions of spheres in contact; arguments as for `ContactLaw.stiffest`."""
+        kn = 0.5 * math.pi * self.E * radius
+        delay = 2.0 * self.damping * float(np.sqrt(0.5 * mass / kn).max())
+        return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0)
+
+    @property
+    def deepest(self) -> float:
+        """Overlap over the smaller radius up to which the law describes a contact [-]."""
+        return _DEEPEST
+
+    def shortest(self, radius: Floats, mass: Floats, platens: Floats, *, walled: bool) -> float:
+        """Return the duration of the shortest elastic collision [s]; arguments as for `ContactLaw.shortest`.
+
+        It is π √(m / k) at every speed.
+        """
+        kn = 0.5 * math.pi * self.E * radius
+        return math.pi * slowest_root(kn, 2.0 * kn, mass, platens, walled=walled)

@@ -1,0 +1,123 @@
+"""Contacts of a model in the reference configuration: the law, the walls, and gaps that count as closed."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._cache_lines import lines
+from bondem._threads import current_threads
+from bondem._types import Floats, Ints, PerBond, PerElement
+from bondem.boundary.wall_columns import WALL_COLUMNS
+from bondem.boundary.walls import WallTable
+from bondem.geometry.neighbours import SphereGrid, neighbours, sphere_grid
+from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.interactions.contact.contact_search import Walls, WallSources, found_walls
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.local_origin import local_rest
+from bondem.specimen.ordering import Layout
+
+
+@dataclass(frozen=True, eq=False)
+class RestGaps:
+    """Overlaps of the reference configuration, which carry no force; sorted by the later element, internal order.
+
+    Attributes:
+        start: start of the entries of each element, (n + 1,).
+        partner: earlier element, or wall, uint32, (c,).
+        gap: gap, at most 0 [m], (c,).
+    """
+
+    start: Ints
+    partner: np.ndarray
+    gap: Floats
+
+    @classmethod
+    def none(cls, n: int) -> "RestGaps":
+        """Return no overlaps."""
+        return cls(np.zeros(n + 1, dtype=np.int64), np.zeros(0, dtype=np.uint32), np.zeros(0))
+
+
+@dataclass(frozen=True, eq=False)
+class ContactModel:
+    """Contacts of a model.
+
+    Attributes:
+        law: contact law.
+        radius: radii of the elements in contact [m], internal order, (n,).
+        walls: walls of the model.
+        pairs: initial overlaps of elements.
+        at_walls: initial overlaps with walls.
+        own: normal stiffness of the pairs of bonds that break [N/m], internal order, (m,); such pairs touch at the
+            rest length of the bond. None if they are treated like other pairs.
+    """
+
+    law: ContactLaw
+    radius: PerElement
+    walls: WallTable
+    pairs: RestGaps
+    at_walls: RestGaps
+    own: PerBond | None
+
+    @classmethod
+    def of(
+        cls, lattice: Lattice, layout: Layout, law: ContactLaw, walls: WallTable, own: PerBond | None,
+        radius: PerElement,
+    ) -> "ContactModel":
+        """Find initial overlaps.
+
+        Args:
+            lattice: elements.
+            layout: order of the elements.
+            law: law of their contacts.
+            walls: walls that they touch.
+            own: see `own`.
+            radius: radii of the elements in contact, user's order, (n,).
+        """
+        n, radius = len(lattice.particles), np.ascontiguousarray(radius[layout.order])
+        if not law.stress_free:
+            return cls(law, radius, walls, RestGaps.none(n), RestGaps.none(n), own)
+        position = np.ascontiguousarray(local_rest(lattice)[layout.order])
+        start, partner = near(position, radius, lattice.particles.period, 0.0)
+        later = np.repeat(np.arange(n), np.diff(start))
+        kept = partner < later
+        later, earlier = later[kept], partner[kept]
+        order = np.lexsort((earlier, later))
+        later, earlier = later[order], earlier[order]
+        user = layout.order
+        distance = np.linalg.norm(lattice.particles.separation(user[earlier], user[later]), axis=1)
+        pairs = RestGaps(
+            _starts(later, n), earlier.astype(np.uint32), np.minimum(distance - radius[earlier] - radius[later], 0.0)
+        )
+        # one place for the geometry of walls: the core, asked for walls within reach of a sphere at rest
+        count = len(walls.friction)
+        still = Walls(walls.shape, np.zeros((count, WALL_COLUMNS)), walls.friction, np.zeros((count, 4)))
+        pose = lines(n)
+        pose[:, :3] = position
+        sources = WallSources.without_memory(radius, 0.0)
+        touching = found_walls(pose, still, sources)
+        return cls(law, radius, walls, pairs, RestGaps(sources.start, touching.wall, touching.now), own)
+
+
+def near(position: Floats, radius: Floats, period: Floats | None, skin: float) -> tuple[Ints, np.ndarray]:
+    """Return neighbours with gaps up to `skin` [m], in the form of `specimen.neighbours.neighbours`."""
+    return neighbours(*_boxed(position, radius, period), skin, threads=current_threads())
+
+
+def grid_of(position: Floats, radius: Floats, period: Floats | None, skin: float) -> SphereGrid:
+    """Return elements sorted for the search of neighbours with gaps up to `skin` [m]."""
+    return sphere_grid(*_boxed(position, radius, period), skin)
+
+
+def _boxed(position: Floats, radius: Floats, period: Floats | None) -> tuple[Floats, Floats, Floats, Floats]:
+    """Return spheres, the corners of a box around their centres, and its periodic edges, 0 without any."""
+    sphere = np.column_stack([position, radius])
+    if period is None:
+        lower, upper = sphere[:, :3].min(axis=0), sphere[:, :3].max(axis=0)
+        margin = 1e-9 * max(float((upper - lower).max()), float(radius.max()))
+        return sphere, lower - margin, upper + margin, np.zeros(3)
+    sphere[:, :3] %= period
+    return sphere, np.zeros(3), period, period
+
+
+def _starts(later: Ints, n: int) -> Ints:
+    return np.concatenate([[0], np.cumsum(np.bincount(later, minlength=n))]).astype(np.int64)

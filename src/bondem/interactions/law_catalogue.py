@@ -1,0 +1,37 @@
+"""Catalogue of the bond laws of bondem. The class of a law states its title and the parameter it varies."""
+
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.interactions.beams.contact_bond import ContactBond
+from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
+from bondem.interactions.beams.free_parameter import RADIUS_RATIO, FreeParameter
+from bondem.interactions.beams.obermayr import Obermayr
+from bondem.interactions.beams.parallel_bond import ParallelBond
+from bondem.interactions.beams.timoshenko import Timoshenko
+from bondem.interactions.cells.cell_bond import CellBond
+
+# In the order in which they are recommended: Euler–Bernoulli bonds are those of the paper that bondem follows, with
+# one parameter beside E_μ that is a length one can see; those of Obermayr and parallel bonds reach the widest range
+# of ν by a factor on the shear stiffness alone; those of Timoshenko barely change ν at all; contact bonds let
+# elements roll.
+_LAWS: tuple[type[BondLaw], ...] = (EulerBernoulli, Obermayr, ParallelBond, Timoshenko, ContactBond)
+
+#: Every law by the name of its class.
+LAWS: dict[str, type[BondLaw]] = {law.__name__: law for law in _LAWS}
+
+#: Those with which packings are calibrated and tested: elements that may roll have no static solution.
+CALIBRATED: dict[str, type[BondLaw]] = {name: law for name, law in LAWS.items() if law.moments}
+
+#: Those of bodies cut into cells, by the name of the class: they have the material's own E and ν, and no calibration.
+CELL_LAWS: dict[str, type[CellBond]] = {law.__name__: law for law in (CellBond,)}
+
+#: The law of the paper (André et al. 2012), which studies take unless told otherwise.
+DEFAULT: type[BondLaw] = EulerBernoulli
+
+#: r̃ and every parameter beside it that a law varies, by name.
+PARAMETERS: dict[str, FreeParameter] = {one.name: one for one in (RADIUS_RATIO, *(law.free for law in _LAWS))}
+
+
+def named(law: str) -> str:
+    """Return the common name of a law, given the name of its class: EulerBernoulli becomes Euler–Bernoulli."""
+    known = LAWS | CELL_LAWS
+    return known[law].title if law in known else law

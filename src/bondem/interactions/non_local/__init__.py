@@ -1,0 +1,1 @@
+"""The non-local law of Celigueta et al. (2020)."""

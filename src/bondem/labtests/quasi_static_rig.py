@@ -1,0 +1,264 @@
+"""Slow loading of a body of cells between two sides to failure: common parts of all tests to failure."""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import instance, number
+from bondem._drawing import Plotted
+from bondem._types import Floats
+from bondem.boundary.conditions import BoundaryCondition
+from bondem.boundary.gauges import Gauge
+from bondem.damage.cohesive_softening import Softening
+from bondem.damage.criteria.criterion import Criterion
+from bondem.damage.failure_assignment import FailureAssignment, failure_parts
+from bondem.dynamics.damping import MassDamping
+from bondem.dynamics.history import History
+from bondem.dynamics.plan import ExplicitResult
+from bondem.dynamics.schemes import VelocityVerlet
+from bondem.dynamics.timestep import choose_step
+from bondem.errors import InputError, UnstableRunError
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.labtests.arguments import check
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.run import solve_explicit
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Region
+
+# Share of critical damping of the first axial vibration; brings broken parts to rest.
+_DAMPING = 0.05
+# Records of a test, of which the slope of its curve and its peak are read.
+_RECORDS = 400
+#: The density of a test where none is given [kg/m³]. Nothing depends on it, as speeds are shares of that of sound.
+DENSITY = 2000.0
+# Between these shares of the peak a curve is straight.
+_STRAIGHT = (0.1, 0.5)
+# Share of the time until the expected peak in which the speed of the walls grows.
+_BEGIN = 0.2
+
+
+@dataclass(frozen=True, eq=False)
+class StrengthTest(Plotted):
+    """Result of a test to failure.
+
+    Attributes:
+        peak: largest stress [Pa], positive in tension and in compression; the test defines its section.
+        E: slope of the curve between a tenth and half of the peak [Pa], or the modulus that the test derives from it.
+        curve: strain [-] and stress [Pa] of each record, positive along the load, shape (k, 2).
+        work: work of the platens until the end, per area of the broken section [J/m²].
+        asymmetry: largest difference of the forces on both platens over the peak [-], 0 for quasi-static loading.
+        kinetic: largest kinetic energy up to the peak over the elastic energy at the peak [-].
+        residual: error of the energy balance over its largest term [-].
+        run: result of the explicit run.
+    """
+
+    peak: float
+    E: float
+    curve: Floats
+    work: float
+    asymmetry: float
+    kinetic: float
+    residual: float
+    run: ExplicitResult
+
+    @property
+    def state(self) -> State:
+        """State of the broken specimen."""
+        return self.run.state
+
+
+@dataclass(frozen=True, eq=False)
+class Rig:
+    """Loading of a specimen between two sides, with the evaluation of forces and motions and the end of the test.
+
+    Attributes:
+        axis: axis of the load, 0, 1 or 2.
+        sign: 1 if the sides move apart, -1 if they approach.
+        near, far: both sides; the far one moves along the axis relative to the near one.
+        section: area over which the force is a stress [m²].
+        torn: area of the broken section, for the work [m²].
+        length: length over which the motion is a strain [m].
+        size: length of one pass of sound [m].
+        expected: expected stress at the peak [Pa].
+        way: elastic motion at the expected peak [m].
+        reach: limit of the motion [m].
+        ending: share of the peak at which the test ends [-].
+        traverses: number of passes of sound before the expected peak [-].
+        boundary: function of the signed speed of the far side [m/s] and its rise time [s] that returns the
+            conditions.
+        gauge: function of the state that returns the strain for the slope E [-]; None for the motion over `length`.
+    """
+
+    axis: int
+    sign: float
+    near: Region
+    far: Region
+    section: float
+    torn: float
+    length: float
+    size: float
+    expected: float
+    way: float
+    reach: float
+    ending: float
+    traverses: float
+    boundary: Callable[[float, float], list[BoundaryCondition]]
+    gauge: Callable[[State], float] | None = None
+
+    def stress(self, history: History) -> Floats:
+        """Mean stress of both sides, positive in tension [Pa]."""
+        return 0.5 * (history["far"][:, self.axis] - history["near"][:, self.axis]) / self.section
+
+
+def softening_of(test: str, failure: object, wanted: str) -> Softening:
+    """Softening of a material; for criteria by region that of the first one, the matrix.
+
+    Raises:
+        InputError: no criterion, or one without a required fracture energy.
+    """
+    found = instance(f"labtests.{test}", "failure", _first(failure), Criterion, wanted).softening
+    if found is None:
+        raise InputError(
+            f"labtests.{test}: failure has no softening law, so that strengths are unknown; give {wanted}"
+        )
+    return found
+
+
+def softenings_of(test: str, body: Lattice, failure: FailureAssignment, wanted: str) -> tuple[Softening, ...]:
+    """Softening of all materials of a body, the matrix first.
+
+    Raises:
+        InputError: no criterion, or one without a required fracture energy.
+    """
+    softening_of(test, failure, wanted)
+    there = [part.criterion for part in failure_parts(body, failure) if len(part.bonds) or len(part.elements)]
+    return tuple(softening_of(test, one, wanted) for one in there)
+
+
+@dataclass(frozen=True)
+class Moduli:
+    """Averages of Young's modulus over the cells of a body, weighted by volume.
+
+    Attributes:
+        stiff: arithmetic mean [Pa], an upper bound of the modulus of the specimen and thus a lower bound of its
+            strain.
+        soft: harmonic mean [Pa], a lower bound of the modulus of the specimen.
+        sound: (mean of E^-1/2)^-2 [Pa]; √(sound / ρ) is the speed of sound through all cells in series.
+    """
+
+    stiff: float
+    soft: float
+    sound: float
+
+    @classmethod
+    def of(cls, test: str, body: Lattice, law: CellAssignment, density: float | None) -> "Moduli":
+        """Compute the averages of a body; `require_cells` lists the errors."""
+        matrix = require_cells(test, body, law, density)
+        if not isinstance(law, Mapping):
+            return cls(matrix.E, matrix.E, matrix.E)
+        cells = Model(body, law, DENSITY).cell_constants
+        E = cells.G * (3.0 * cells.lame + 2.0 * cells.G) / (cells.lame + cells.G)
+        if len(set(E.tolist())) == 1:  # one material, by other names: no digit is to differ
+            return cls(matrix.E, matrix.E, matrix.E)
+        share = cells.volume / cells.volume.sum()
+        return cls(float(share @ E), float(1.0 / (share @ (1.0 / E))), float((share @ E**-0.5) ** -2.0))
+
+
+def require_cells(test: str, body: Lattice, law: object, density: float | None) -> CellBond:
+    """Check a body of cells, its law and a density.
+
+    Returns:
+        The cell law; for laws by region the first one, of the matrix.
+
+    Raises:
+        InputError: a lattice without cells, another law, or a density that is not positive.
+    """
+    check(test, body, density=DENSITY if density is None else density)
+    matrix = _first(law)
+    if not isinstance(matrix, CellBond) or body.cells is None:
+        raise InputError(
+            f"labtests.{test}: the lattice or its law is not of cells; connect with method='laguerre' and give"
+            " bd.CellBond"
+        )
+    return matrix
+
+
+def _first(given: object) -> object:
+    """First value of a mapping by region, or the argument itself if it is not a mapping."""
+    return next(iter(given.values()), None) if isinstance(given, Mapping) else given
+
+
+def check_traverses(test: str, traverses: float) -> None:
+    """Raise InputError for less than one pass of sound."""
+    number(f"labtests.{test}", "traverses", traverses, least=1.0, advice="a number of at least 1")
+
+
+def run_to_failure(
+    test: str,
+    body: Lattice,
+    law: CellAssignment,
+    failure: FailureAssignment,
+    rig: Rig,
+    *,
+    density: float | None,
+    progress: Callable[[float], None] | None,
+) -> StrengthTest:
+    """Load a specimen slowly until it has failed.
+
+    Raises:
+        UnstableRunError: the run became unstable.
+    """
+    rho = DENSITY if density is None else density
+    sound = math.sqrt(Moduli.of(test, body, law, density).sound / rho)
+    rise = rig.traverses * rig.size / sound  # time until the expected peak
+    speed = rig.sign * rig.way / rise
+    begin = _BEGIN * rise
+    model = Model(body, law, rho, failure=failure, boundary=rig.boundary(speed, begin))
+    duration = rig.reach / abs(speed) + 0.5 * begin
+    damping = MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / rig.size)
+    dt = choose_step(model, VelocityVerlet(), None, safety=0.9, damping=damping).dt
+    every = max(1, round(duration / _RECORDS / dt))
+    peak, strains = [0.0], list[float]()
+
+    def ended(state: State, record: History) -> bool:
+        if rig.gauge is not None:
+            strains.append(rig.gauge(state))
+        now = rig.sign * float(rig.stress(record)[-1])
+        peak[0] = max(peak[0], now)
+        return peak[0] > 0.5 * rig.expected and now < rig.ending * peak[0]
+
+    run = solve_explicit(
+        model, duration=duration, dt=dt, every=every, damping=damping, callback=ended, progress=progress,
+        gauges={"near": Gauge(rig.near, "force"), "far": Gauge(rig.far, "force")},
+    )  # fmt: skip
+    if run.status.failed:
+        raise UnstableRunError(f"labtests.{test}: {run.message}")
+    return _read(run, rig, speed, begin, strains)
+
+
+def _read(run: ExplicitResult, rig: Rig, speed: float, begin: float, strains: list[float]) -> StrengthTest:
+    history = run.history
+    t = history.time
+    moved = np.where(t < begin, 0.5 * t**2 / begin, t - 0.5 * begin) * abs(speed)
+    stress = rig.sign * rig.stress(history)
+    top = int(np.argmax(stress))
+    peak = float(stress[top])
+    low, high = (share * peak for share in _STRAIGHT)
+    rising = np.arange(len(stress)) < top
+    straight = rising & (stress > low) & (stress < high)
+    strain = np.array(strains) if strains else moved / rig.length
+    straight = np.flatnonzero(straight[: len(strain)])
+    E = np.polyfit(strain[straight], stress[straight], 1)[0] if len(straight) > 2 else math.nan
+    energy = history.energy
+    kinetic = energy["translation"] + energy["rotation"]
+    elastic = energy["normal"] + energy["shear"] + energy["bending"] + energy["twisting"]
+    both = np.abs(history["far"][:, rig.axis] + history["near"][:, rig.axis])[: top + 1] / rig.section
+    return StrengthTest(
+        peak=peak, E=float(E), curve=np.column_stack([moved / rig.length, stress]),
+        work=float(energy["work"][-1]) / rig.torn, asymmetry=float(both.max() / peak),
+        kinetic=float(kinetic[: top + 1].max() / elastic[top]), residual=run.residual, run=run,
+    )  # fmt: skip

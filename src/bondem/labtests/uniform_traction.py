@@ -1,0 +1,150 @@
+"""Uniform stress on a body of any shape: E and ν of bodies, such as brackets, that have no tension test."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import KDTree
+
+from bondem._checks import choice
+from bondem._progress import staged
+from bondem._types import Floats, PerElement6
+from bondem.boundary.balanced_forces import balanced_forces
+from bondem.errors import InputError
+from bondem.geometry.face_patches import face_patches
+from bondem.labtests.arguments import AnyLaw, check
+from bondem.labtests.gauge_length import AffineField
+from bondem.labtests.isotropic import Isotropic
+from bondem.model.model import Model
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Face
+from bondem.statics.static import Statics
+
+# Voigt order xx, yy, zz, yz, xz, xy.
+_VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
+
+# Size of the patches of the surface, over the mean radius.
+_PATCH = 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class UniformStress:
+    """Elastic moduli of a body of any shape.
+
+    Attributes:
+        compliance: symmetric part of the matrix of mean strains (rows, engineering shear) under unit stresses xx, yy,
+            zz, yz, xz, xy [1/Pa], (6, 6).
+        asymmetry: largest difference of compliance and its transpose, over the largest entry [-]. It is 0 for a
+            uniform material.
+    """
+
+    compliance: Floats
+    asymmetry: float
+
+    @property
+    def stiffness(self) -> Floats:
+        """Stiffness matrix, inverse of the compliance [Pa], (6, 6)."""
+        return np.asarray(np.linalg.inv(self.compliance), dtype=float)
+
+    @property
+    def isotropic(self) -> Isotropic:
+        """Isotropic (Voigt) average of the stiffness."""
+        return Isotropic.average(self.stiffness)
+
+    @property
+    def K(self) -> float:
+        """Bulk modulus of the isotropic average [Pa]."""
+        return self.isotropic.K
+
+    @property
+    def G(self) -> float:
+        """Shear modulus of the isotropic average [Pa]."""
+        return self.isotropic.G
+
+    @property
+    def E(self) -> float:
+        """Young's modulus of the isotropic average [Pa]."""
+        return self.isotropic.E
+
+    @property
+    def nu(self) -> float:
+        """Poisson's ratio of the isotropic average [-]."""
+        return self.isotropic.nu
+
+    def along(self, axis: str) -> tuple[float, float]:
+        """Return Young's modulus [Pa] and Poisson's ratio [-] in uniaxial tension along "x", "y" or "z"."""
+        k = "xyz".index(choice("along", "axis", axis, ("x", "y", "z")))
+        S = self.compliance
+        return 1.0 / S[k, k], -0.5 * (S[:3, k].sum() - S[k, k]) / S[k, k]
+
+
+@staged("uniform stress")
+def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> UniformStress:
+    """Apply six unit stress states to the whole surface and measure the mean strain of the body.
+
+    Each unit stress σ acts as the traction σ·n on all faces. The faces are divided into patches of half a mean
+    radius, or into the facets of cells. The force of a patch acts on the nearest element of its face, with the moment
+    about the element's centre. Residual forces from rounding and curved patches are balanced by the smallest
+    additional forces. The mean strain is that of the affine field closest to the displacements of all connected
+    elements, so that neither gauges nor ends enter.
+
+    Uniform tractions load the skin of a packing, which is softer than its interior, as much as the interior. The
+    moduli are therefore a lower bound of the bulk moduli and approach them from below as elements become smaller
+    (Huet, J. Mech. Phys. Solids 38, 1990); docs/studies.md has numbers.
+
+    Args:
+        lattice: the specimen, of any shape with walls.
+        law: bond law, cell law or non-local law of the specimen.
+        depth: depth of the loaded face regions, in mean radii [-].
+
+    Raises:
+        InputError: a periodic cell, or a shape whose faces cannot be divided into patches.
+        EmptyRegionError: a face has no connected element.
+    """
+    check("uniform_stress", lattice, depth=depth)
+    if not lattice.particles.envelope.faces:
+        raise InputError("uniform_stress: a periodic cell has no surface to load; use bd.bulk_moduli")
+    statics = Statics(Model(lattice, law, 1.0))  # statics do not depend on the density
+    owner, centre, area = _surface(lattice, depth)
+    moving = np.flatnonzero(lattice.connected)
+    position = lattice.centre
+    strain = np.empty((6, 6))
+    for column, (a, b) in enumerate(_VOIGT):
+        stress = np.zeros((3, 3))
+        stress[a, b] = stress[b, a] = 1.0
+        load = _nodal(lattice, owner, centre, area @ stress)
+        facets = area @ stress if statics.model.cells is not None else None
+        moved = statics.response(load, facets=facets)[moving, :3]
+        mean = AffineField.fit(position[moving], moved).strain
+        strain[:, column] = [mean[i, j] * (1.0 if i == j else 2.0) for i, j in _VOIGT]
+    asymmetry = np.abs(strain - strain.T).max() / np.abs(strain).max()
+    return UniformStress(0.5 * (strain + strain.T), float(asymmetry))
+
+
+def _surface(lattice: Lattice, depth: float) -> tuple[np.ndarray, Floats, Floats]:
+    """Patches of the surface: the element of each, centres [m] and areas times outward normals [m²]."""
+    if lattice.cells is not None:
+        free = lattice.cells.free
+        return free.cell, free.centroid, free.area[:, None] * free.normal
+    particles = lattice.particles
+    owners, centres, areas = [], [], []
+    for name in particles.envelope.faces:
+        centre, area = face_patches(particles.envelope, name, _PATCH * particles.mean_radius)
+        chosen = Face(name, depth).select(lattice)
+        owners.append(chosen[KDTree(particles.position[chosen]).query(centre)[1]])
+        centres.append(centre)
+        areas.append(area)
+    return np.concatenate(owners), np.concatenate(centres), np.concatenate(areas)
+
+
+def _nodal(lattice: Lattice, owner: np.ndarray, centre: Floats, force: Floats) -> PerElement6:
+    """Balanced forces and moments on the elements from the forces on patches [N, N·m], (n, 6)."""
+    position = lattice.centre
+    values = np.hstack([force, np.cross(centre - position[owner], force)])
+    load = np.zeros((len(position), 6))
+    np.add.at(load, owner, values)
+    touched = np.unique(owner)
+    arms = position[touched] - position[touched].mean(axis=0)
+    excess = load[touched].sum(axis=0)
+    excess[3:] += np.cross(arms, load[touched, :3]).sum(axis=0)
+    load[touched, :3] -= balanced_forces(arms, excess[:3], excess[3:])
+    return load

@@ -1,1 +1,0 @@
-"""Physics of one bond: parameters as frozen data; `core/laws/` has the functions of the passes."""

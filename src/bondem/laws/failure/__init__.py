@@ -1,1 +1,0 @@
-"""Failure criteria, one per file: parameters, coefficients of each bond, and bounds."""

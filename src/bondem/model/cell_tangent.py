@@ -1,0 +1,124 @@
+"""Forces of a body of cells in any pose, and their derivative, for Newton's method."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import bsr_array
+
+from bondem._cache_lines import lines
+from bondem._types import Floats, PerBond
+from bondem.geometry.rotations import turned_vectors
+from bondem.interactions.beams.beam_tables import BeamSums
+from bondem.interactions.beams.bond_table import with_twins
+from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.interactions.cells.cell_tables import (
+    STRESS,
+    CellDilatation,
+    CellPoses,
+    ElasticFacets,
+    WallConstraints,
+    cell_tables,
+    load_all_facets,
+    load_body,
+)
+from bondem.model.model import Model
+from bondem.specimen.local_origin import local_rest
+
+
+@dataclass(frozen=True, eq=False)
+class BodyTables:
+    """Facets, cells and walls of a body as the core takes them.
+
+    Tractions on facets are those of the constants and do not change.
+
+    Attributes:
+        facets: facets of the body.
+        cells: cells of the body.
+        walls: facets that walls hold.
+    """
+
+    facets: ElasticFacets
+    cells: CellDilatation
+    walls: WallConstraints
+
+    @classmethod
+    def of(cls, model: Model, integrity: PerBond) -> "BodyTables":
+        """Return the tables of a model with facets of some integrity [-], (m,); walls are at their final places."""
+        layout, constants = model.layout, _cells(model)
+        walls = constants.grips.table(layout, model.constraints.row_of, 0)
+        walls.wall[:] = constants.grips.motion
+        return cls(*cell_tables(constants, layout, model.period, integrity, layout.i), walls)
+
+    def load(self, pose: Floats, rest: Floats, sums: Floats) -> None:
+        """Add force and torque of facets and walls on all cells to `sums`, (n, 8); store stresses in the poses."""
+        load_body(CellPoses(pose, rest), self.facets, self.cells, self.walls, sums)
+
+
+def _cells(model: Model) -> CellConstants:
+    assert model.cells is not None
+    return model.cells
+
+
+def cell_forces(model: Model, pose: Floats) -> tuple[Floats, Floats]:
+    """Return the derivative of the energy by displacements and spins, and the wall loads [N, N·m], (n, 6) each.
+
+    The stresses of the cells are stored in the pose.
+    """
+    body = BodyTables.of(model, np.ones(len(model.layout.i)))
+    sums, walls = lines(len(pose)), np.zeros((len(pose), 6))
+    body.load(pose, local_rest(model.lattice)[model.layout.order], sums)
+    np.add.at(walls, body.walls.cell, body.walls.load)
+    return -sums[:, [0, 1, 2, 4, 5, 6]], walls
+
+
+def facet_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
+    """Return the derivative of the energy of facets by the motion of their ends, at the pose's stresses, (6, m)."""
+    m = len(i)
+    facets = BodyTables.of(model, np.ones(m)).facets._replace(i=with_twins(i), j=with_twins(j))
+    loads, own = lines(2 * m), np.arange(m, dtype=np.uint32)
+    load_all_facets(pose, facets, BeamSums(with_twins(own), with_twins(own + np.uint32(m)), loads))
+    columns = -loads[:, [0, 1, 2, 4, 5, 6]].T
+    return columns[:, :m], columns[:, m:]
+
+
+def current_forms(model: Model, pose: Floats, pattern: bsr_array) -> bsr_array:
+    """Return V θ of each cell under unit motions from the present pose [m², m³], 1×6 blocks, (n, 6 n)."""
+    layout, cells = model.layout, _cells(model)
+    i, j = layout.i.astype(np.int64), layout.j.astype(np.int64)
+    a, b = turned_vectors(pose[i, 4:], cells.lever_i), turned_vectors(pose[j, 4:], cells.lever_j)
+    gap = model.lattice.particles.nearest(pose[j, :3] - pose[i, :3]) + b - a
+    start, inward = pattern.indptr, np.diff(layout.in_start)
+    diagonal, place = start[:-1] + inward, np.arange(len(i))
+    forms = np.zeros((len(pattern.indices), 1, 6))
+    for end, lever, share, sign, other, far in (
+        (i, a, turned_vectors(pose[i, 4:], cells.share_i), -1.0, j, b),
+        (j, b, turned_vectors(pose[j, 4:], cells.share_j), 1.0, i, a),
+    ):
+        own = sign * np.hstack([share, np.cross(lever, share)])
+        own[:, 3:] += np.cross(share, gap)
+        np.add.at(forms[:, 0], diagonal[end], own)
+        towards = -sign * np.hstack([share, np.cross(far, share)])
+        if other is i:  # row j, column i
+            forms[start[j] + place - layout.in_start[j], 0] = towards
+        else:
+            leaving = layout.i[layout.out_bond]
+            forms[diagonal[leaving] + 1 + place - layout.out_start[leaving], 0] = towards[layout.out_bond]
+    grips = cells.grips
+    held = layout.rank[grips.cell]
+    lever = turned_vectors(pose[held, 4:], grips.arm)
+    np.add.at(forms[:, 0], diagonal[held], -np.hstack([grips.share, np.cross(lever, grips.share)]))
+    return bsr_array((forms, pattern.indices, start), shape=(len(pose), 6 * len(pose)))
+
+
+def grip_blocks(model: Model, pose: Floats) -> tuple[np.ndarray, Floats]:
+    """Return the cells that walls hold, (g,), and their parts of diagonal blocks in the present pose, (g, 6, 6)."""
+    order, grips = model.layout.order, _cells(model).grips
+    held = model.layout.rank[grips.cell]
+    arm = turned_vectors(pose[held, 4:], grips.arm)
+    moved = pose[held, :3] + arm - local_rest(model.lattice)[order][held] - grips.lever
+    force = grips.k[:, None] * grips.axes * (grips.motion - moved) + pose[held, STRESS, None] * grips.share
+    own, _ = grips.blocks(arm)
+    # the lever turns under the force
+    along = (arm * force).sum(axis=1)[:, None, None] * np.eye(3) - arm[:, :, None] * force[:, None, :]
+    own[:, 3:, 3:] += 0.5 * (along + np.swapaxes(along, 1, 2))
+    return held, own

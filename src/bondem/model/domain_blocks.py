@@ -1,0 +1,171 @@
+"""Division of a step into blocks that fit into the cache, and into domains for threads.
+
+Bonds are sorted by their farther element j, so a contiguous range of elements owns a contiguous range of bonds: those
+with j in it. A block computes its bonds and adds their forces to the sums of both ends. An element moves, while it is
+still in the cache, with the block that holds the last of its bonds. Domains are ranges of blocks. A bond between
+domains belongs to that of j, and its contribution to i has a row of its own: such elements i are shared, and move
+when all domains are done.
+
+Contributions to an element are added one by one in the order of its bonds, for any division into blocks and domains.
+The division, and with it the number of threads, therefore changes no bit.
+"""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._cache_lines import lines
+from bondem._types import Ints, Mask
+from bondem.interactions.beams.bond_table import GROUP, with_twins
+from bondem.specimen.ordering import Layout
+
+
+class StepCut(NamedTuple):
+    """Division of a step in the form of the core (attributes of `Blocks`), and the sums that it adds to."""
+
+    domain: np.ndarray
+    bond: np.ndarray
+    move: np.ndarray
+    held: np.ndarray
+    ready: np.ndarray
+    ready_row: np.ndarray
+    row_i: np.ndarray
+    row_j: np.ndarray
+    shared: np.ndarray
+    shared_row: np.ndarray
+    shared_held: int
+    part: np.ndarray
+    parts: int
+    sums: np.ndarray  #: force and torque of the bonds on each element [N, N·m], (rows, 8)
+
+
+@dataclass(frozen=True, eq=False)
+class Blocks:
+    """Division of a step.
+
+    The sum of an element has a row from the block that begins it to the block that moves the element. The row is then
+    reused, so that the rows of a domain stay in the cache.
+
+    Attributes:
+        domain: domain d has the blocks domain[d] … domain[d + 1], shape (domains + 1,).
+        bond: block b has the bonds bond[b] … bond[b + 1], shape (blocks + 1,).
+        move: block b moves the elements ready[move[b]] … ready[move[b + 1]], shape (blocks + 1,).
+        held: elements of block b from ready[held[b]] on own rows of the boundary, shape (blocks,).
+        ready: all elements that are not shared, in the order in which they move, uint32.
+        ready_row: rows of their sums, uint32.
+        row_i, row_j: rows that each bond adds to, uint32, shape (m,).
+        shared: elements with bonds computed by another domain, those that own rows last, uint32, shape (s,).
+        shared_held: number of shared elements that own no row.
+        shared_row: rows of their sums, uint32, shape (s,).
+        part: rows parts + part[e] … parts + part[e + 1] also belong to shared element e, shape (s + 1,).
+        parts: first of the rows that bonds between domains add to.
+    """
+
+    domain: Ints
+    bond: Ints
+    move: Ints
+    held: Ints
+    ready: np.ndarray
+    ready_row: np.ndarray
+    row_i: np.ndarray
+    row_j: np.ndarray
+    shared: np.ndarray
+    shared_row: np.ndarray
+    shared_held: int
+    part: Ints
+    parts: int
+
+    @classmethod
+    def of(cls, layout: Layout, size: int, domains: int, owns: Mask) -> "Blocks":
+        """Return blocks of about `size` elements, in `domains` of about as many bonds each.
+
+        Where there are fewer bonds than elements, domains have about as many bonds and elements each.
+
+        Args:
+            layout: elements and bonds.
+            size: number of elements per block.
+            domains: number of domains.
+            owns: mask of the elements that own a row of the boundary, internal order, shape (n,).
+        """
+        n, m = len(layout.order), len(layout.i)
+        i, j = layout.i.astype(np.int64), layout.j.astype(np.int64)
+        work = layout.in_start if m >= n else layout.in_start + np.arange(n + 1)
+        border = np.searchsorted(work, np.linspace(0, work[-1], domains + 1)[1:-1])
+        count = max(1, -(-n // size))
+        # a border between domains may cut a block in two, which costs nothing
+        edges = np.unique(np.concatenate([np.arange(count) * size, border, [n]]))
+        # a loop takes GROUP bonds at once, the last of them perhaps together with some before
+        before = layout.in_start[edges]
+        edges = edges[(before == 0) | (before >= GROUP) | (edges == n)]
+        domain = np.searchsorted(edges, np.concatenate([[0], border, [n]]))
+        owner = np.repeat(np.arange(domains), np.diff(edges[domain]))
+        block = np.repeat(np.arange(len(edges) - 1), np.diff(edges))
+        across = np.flatnonzero(owner[i] != owner[j])
+        across = across[np.lexsort((i[across], owns[i[across]]))]
+        parts = np.bincount(i[across], minlength=n)
+        shared = np.flatnonzero(parts)
+        shared = shared[np.argsort(owns[shared], kind="stable")]
+        parts = parts[shared]
+        last = block.copy()
+        np.maximum.at(last, i, block[j])
+        last[shared] = len(edges)  # beyond all blocks
+        ready = np.lexsort((owns, last))[: n - len(shared)]
+        move = np.searchsorted(last[ready], np.arange(len(edges)))
+        held = move[1:] - np.bincount(last[ready][owns[ready]], minlength=len(edges) - 1)
+        row, rows = _rows(edges, domain, ready, move)
+        row_i = row[i]
+        row_i[across] = rows + np.arange(len(across))
+        return cls(
+            domain=domain.astype(np.int64),
+            bond=np.append(layout.in_start[edges[:-1]], len(with_twins(layout.i))),
+            move=move.astype(np.int64),
+            held=held.astype(np.int64),
+            ready=ready.astype(np.uint32),
+            ready_row=row[ready].astype(np.uint32),
+            row_i=with_twins(row_i.astype(np.uint32)),
+            row_j=with_twins(row[j].astype(np.uint32)),
+            shared=shared.astype(np.uint32),
+            shared_row=row[shared].astype(np.uint32),
+            shared_held=len(shared) - int(owns[shared].sum()),
+            part=np.concatenate([[0], np.cumsum(parts)]).astype(np.int64),
+            parts=rows,
+        )
+
+    def table(self, more: int = 0) -> StepCut:
+        """Return the division in the form of the core, with sums at zero and `more` rows behind them."""
+        return StepCut(
+            domain=self.domain, bond=self.bond, move=self.move, held=self.held, ready=self.ready,
+            ready_row=self.ready_row, row_i=self.row_i, row_j=self.row_j, shared=self.shared,
+            shared_row=self.shared_row, shared_held=self.shared_held, part=self.part, parts=self.parts,
+            sums=lines(self.rows + more),
+        )  # fmt: skip
+
+    def own_places(self, layout: Layout) -> np.ndarray:
+        """Return the row where each bond adds to the own sum of its element i, or one behind all n, uint32, (m,).
+
+        Behind them are the contributions of bonds between domains, part[e] … part[e + 1] for shared element e.
+        """
+        row = self.row_i[: len(layout.i)].astype(np.int64)
+        return np.where(row < self.parts, layout.i, len(layout.order) + row - self.parts).astype(np.uint32)
+
+    @property
+    def rows(self) -> int:
+        """Total number of rows of sums."""
+        return self.parts + int(self.part[-1])
+
+
+def _rows(edges: Ints, domain: Ints, ready: Ints, move: Ints) -> tuple[Ints, int]:
+    """Return the row of each element's sum, (n,), and their number; each domain has its own, reused when free."""
+    row = np.empty(edges[-1], dtype=np.int64)
+    count = 0
+    for d in range(len(domain) - 1):
+        free = np.zeros(0, dtype=np.int64)
+        for b in range(domain[d], domain[d + 1]):
+            needed = edges[b + 1] - edges[b]
+            fresh = max(needed - len(free), 0)
+            free = np.concatenate([free, count + np.arange(fresh)])
+            count += fresh
+            row[edges[b] : edges[b + 1]] = free[:needed]
+            free = np.concatenate([np.sort(row[ready[move[b] : move[b + 1]]]), free[needed:]])
+    return row, count

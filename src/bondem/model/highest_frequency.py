@@ -1,0 +1,124 @@
+"""The highest frequency of a model at rest, by Lanczos iteration without a matrix."""
+
+import math
+from functools import partial
+
+import numpy as np
+from scipy.linalg import eigh_tridiagonal
+
+from bondem._blas import one_blas_thread
+from bondem._cache_lines import lines
+from bondem._types import Floats, PerBond, PerElement
+from bondem.interactions.beams.beam_tables import BeamSums, beam_tables, load_beams
+from bondem.interactions.beams.bond_table import BondTable
+from bondem.model.cell_tangent import BodyTables
+from bondem.model.long_slip import LongSlip
+from bondem.model.model import Model
+from bondem.model.stiffness_matrices import stiffness_matrix
+from bondem.specimen.local_origin import local_rest
+
+# Relative error of ω²_max that is left: Lanczos ends there, and its answer, from below, is raised by this much.
+_TOLERANCE = 1e-3
+_LEAST, _MOST, _EVERY = 24, 600, 4
+# Largest displacement over the shortest bond, and rotation, to which forces are found; so is the error of K u.
+_SMALL = 1e-5
+
+
+def highest_frequency(
+    model: Model, *, integrity: PerBond | None = None, table: BondTable | None = None, slip: LongSlip | None = None
+) -> float:
+    """Return ω_max of the unconstrained lattice at rest [rad/s], a bound for every set of supports.
+
+    Args:
+        model: model that will move.
+        integrity: present integrity of the bonds (`State.integrity`), internal order, (m,); None for intact bonds.
+            Broken bonds only lower ω_max.
+        table: the bonds, if not those of the model.
+        slip: slip on planes between regions, one of `long_slips`.
+    """
+    order = model.layout.order
+    mass, inertia = model.mass[order], model.inertia[order]
+    return math.sqrt(stiffest(model, mass, inertia, integrity=integrity, table=table, slip=slip))
+
+
+@one_blas_thread
+def stiffest(
+    model: Model,
+    mass: PerElement,
+    inertia: PerElement,
+    *,
+    integrity: PerBond | None = None,
+    table: BondTable | None = None,
+    slip: LongSlip | None = None,
+) -> float:
+    """Return an upper bound of the largest eigenvalue of K u = ω² M u [1/s²], for any masses in internal order.
+
+    It is found by Lanczos iteration without a matrix: K u is the response of the bonds to small displacements of the
+    lattice at rest. The iteration ends when the residual is below the tolerance, and the residual is added. It starts
+    from a fixed vector that is larger where an element is stiffer for its mass. The highest mode involves few
+    elements, and from another start one that is hardly above the others could stay hidden. `slip` is one of
+    `long_slips`.
+    """
+    layout, n, m = model.layout, len(model.layout.order), len(model.layout.i)
+    if m == 0:
+        return 0.0
+    intact = np.ones(m) if integrity is None else integrity
+    table = model.bonds if table is None else table
+    pose, sums = lines(n), lines(n)
+    rest = local_rest(model.lattice)[layout.order]
+    if model.cells is not None:
+        body = BodyTables.of(model, intact)
+        body.walls.wall[:] = 0.0
+        load = partial(body.load, pose, rest, sums)
+    else:
+        beams, alike = beam_tables(table, layout, model.period, intact)
+        load = partial(load_beams, pose, beams, alike, BeamSums(beams.i, beams.j, sums))
+    shortest = float(table.length.min())
+    root = 1.0 / np.sqrt(np.column_stack([mass, mass, mass, inertia, inertia, inertia]))
+
+    matrix = None if model.non_local is None else stiffness_matrix(model)
+
+    def answer(y: Floats) -> Floats:
+        motion = y * root
+        if matrix is not None:  # of the springs alone
+            return (matrix @ motion.ravel()).reshape(motion.shape) * root
+        size = max(np.abs(motion[:, :3]).max() / shortest, np.abs(motion[:, 3:]).max()) / _SMALL
+        motion /= size
+        pose[:, :3] = rest + motion[:, :3]
+        pose[:, 4] = 1.0
+        pose[:, 5:] = 0.5 * motion[:, 3:]
+        pose[:, 4:] /= np.sqrt(np.einsum("nk,nk->n", pose[:, 4:], pose[:, 4:]))[:, None]
+        load()
+        forces = sums[:, [0, 1, 2, 4, 5, 6]] * (-size * root)
+        sums[:] = 0.0
+        if slip is not None:
+            forces += slip.forces(motion) * (size * root)
+        return forces
+
+    held = np.zeros(n)
+    for end, arm in ((layout.i, table.lever), (layout.j, table.length - table.lever)):
+        held += np.bincount(end, weights=intact * (table.kn + table.ks), minlength=n) / mass
+        turned = intact * (table.ks * arm**2 + table.kb)
+        held += np.bincount(end, weights=turned, minlength=n) / inertia
+    if slip is not None:
+        held += slip.held(n) / inertia
+    start = np.random.default_rng(0).standard_normal((n, 6)) * (held / held.max())[:, None] ** 2
+    vector, last = start / np.linalg.norm(start), np.zeros((n, 6))
+    diagonal: list[float] = []
+    beside: list[float] = []
+    top = rest_of_it = 0.0
+    for k in range(1, min(_MOST, 6 * n) + 1):
+        image = answer(vector)
+        diagonal.append(float(np.vdot(vector, image)))
+        image -= diagonal[-1] * vector
+        if beside:
+            image -= beside[-1] * last
+        beside.append(float(np.linalg.norm(image)))
+        spent = beside[-1] <= 1e-9 * max(diagonal)
+        if spent or k == 6 * n or k == _MOST or (k >= _LEAST and k % _EVERY == 0):
+            value, weight = eigh_tridiagonal(diagonal, beside[:-1], select="i", select_range=(k - 1, k - 1))
+            top, rest_of_it = float(value[0]), beside[-1] * abs(float(weight[-1, 0]))
+            if spent or rest_of_it <= _TOLERANCE * top:
+                break
+        last, vector = vector, image / beside[-1]
+    return (1.0 + _TOLERANCE) * (top + rest_of_it)

@@ -1,0 +1,90 @@
+"""Interface of a state to its model, and the conditions under which a state may pass to another model."""
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+
+from bondem._types import PerElement
+from bondem.boundary.conditions import BoundaryCondition
+from bondem.boundary.walls import Wall
+from bondem.damage.beam_softening import BeamSoftening
+from bondem.damage.softening_table import SofteningTable
+from bondem.interactions.beams.bond_law import BondStiffness
+from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.interactions.non_local.non_local_constants import NonLocalConstants
+from bondem.model.constraints import Constraints
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
+from bondem.specimen.particles import Particles
+
+
+class Origin(Protocol):
+    """The properties of a model that a state needs."""
+
+    @property
+    def lattice(self) -> Lattice: ...
+    @cached_property
+    def layout(self) -> Layout: ...
+    @cached_property
+    def mass(self) -> PerElement: ...
+    @cached_property
+    def inertia(self) -> PerElement: ...
+    @property
+    def stiffness(self) -> BondStiffness: ...
+    @property
+    def formulation(self) -> str: ...
+    @cached_property
+    def cells(self) -> CellConstants | None: ...
+    @property
+    def cell_constants(self) -> CellConstants: ...
+    @cached_property
+    def non_local(self) -> NonLocalConstants | None: ...
+    @cached_property
+    def softening(self) -> SofteningTable | None: ...
+    @cached_property
+    def beam_softening(self) -> BeamSoftening | None: ...
+    @property
+    def boundary(self) -> Sequence[BoundaryCondition]: ...
+    @cached_property
+    def constraints(self) -> Constraints: ...
+    @property
+    def contact(self) -> ContactLaw | None: ...
+    @property
+    def walls(self) -> Sequence[Wall]: ...
+
+
+def difference(one: Origin, other: Origin) -> str:
+    """Describe the difference between two models that prevents the exchange of states; empty if there is none."""
+    if one is other:
+        return ""
+    a, b = one.lattice.particles, other.lattice.particles
+    if one.lattice is not other.lattice:
+        if not np.array_equal(a.position, b.position) or not np.array_equal(a.radius, b.radius):
+            same = len(a) == len(b) and a.position.any()
+            scale = float(np.abs(b.position).sum() / np.abs(a.position).sum()) if same else 1.0
+            hint = f": {scale:.4g} times as large" if not 0.9 < scale < 1.1 else ""
+            return f"lattice, of other elements{hint}"
+        if _edges(a) != _edges(b):
+            return "lattice, of another period"
+        if not np.array_equal(one.lattice.pairs, other.lattice.pairs):
+            return "lattice, of other bonds"
+    if one.formulation != other.formulation:
+        return f"formulation ('{one.formulation}', not '{other.formulation}')"
+    if (one.non_local is None) != (other.non_local is None):
+        return "bond law, which remembers other things"
+    if not np.array_equal(one.lattice.centre, other.lattice.centre):
+        return "law: elements of cells are not where spheres are"
+    if not np.array_equal(one.mass, other.mass):
+        return "density of the elements"
+    names = ("kn", "ks", "kb", "kt", "lever")
+    held = ((getattr(one.stiffness, name), getattr(other.stiffness, name)) for name in names)
+    if one.formulation == "incremental" and not all(np.array_equal(p, q) for p, q in held):
+        return "bond law, whose forces it has stored"
+    return ""
+
+
+def _edges(particles: Particles) -> list[float]:
+    return [] if particles.period is None else particles.period.tolist()

@@ -1,0 +1,111 @@
+"""Matrices of a model at rest: stiffness and mass, in internal order."""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.sparse import bsr_array
+
+from bondem._core import Pass
+from bondem._threads import current_threads
+from bondem._types import Floats, Ints, PerBond, PerBond3
+from bondem.interactions.non_local.local_stiffness import local_stiffness
+from bondem.model.model import Model
+from bondem.model.stiffness import Stiffness
+from bondem.specimen.ordering import Layout
+
+
+class BeamRows(NamedTuple):
+    """Beams at rest, m of them; `core/tables/stiffness_tables.hpp` declares types and shapes."""
+
+    i: np.ndarray  #: elements, i < j, uint32, (m,)
+    j: np.ndarray
+    direction: Floats  #: reference direction i→j [-], (3, m)
+    length: PerBond  #: at rest [m]
+    lever: PerBond  #: of the contact point from i [m]
+    kn: PerBond  #: [N/m]
+    ks: PerBond  #: [N/m]
+    kb: PerBond  #: [N·m]
+    kt: PerBond  #: [N·m]
+
+
+class FacetRows(NamedTuple):
+    """Constants of m facets, a row each; see `bondem.interactions.cells.cell_constants`."""
+
+    i: np.ndarray  #: cells, i < j, uint32, (m,)
+    j: np.ndarray
+    k: PerBond
+    lever_i: PerBond3
+    lever_j: PerBond3
+    H: Floats  #: (m, 3, 3)
+    share_i: PerBond3
+    share_j: PerBond3
+
+
+class BlockRows(NamedTuple):
+    """Block rows of a matrix, one per element: earlier neighbours, the diagonal, later neighbours."""
+
+    in_start: Ints  #: bonds in_start[p] … in_start[p + 1] - 1 end in p, (n + 1,)
+    out_start: Ints  #: those that begin in p are in …, (n + 1,)
+    out_bond: np.ndarray  #: … this, from out_start[p] to out_start[p + 1] - 1, uint32, (m,)
+    indptr: np.ndarray  #: where the blocks of each row begin, int32, (n + 1,)
+    indices: np.ndarray  #: column of each block, int32, (b,)
+    data: Floats  #: blocks of (u, θ) [N/m, N, N·m], (b, 6, 6)
+
+    @classmethod
+    def of(cls, layout: Layout) -> "BlockRows":
+        """Room for the rows of a layout."""
+        n = len(layout.out_start) - 1
+        indptr = (layout.in_start + layout.out_start + np.arange(n + 1)).astype(np.int32)
+        indices, data = np.empty(indptr[-1], np.int32), np.empty((indptr[-1], 6, 6))
+        return cls(layout.in_start, layout.out_start, layout.out_bond, indptr, indices, data)
+
+
+class DilatationRows(NamedTuple):
+    """Forms whose sum is the dilatation of each cell, in the same rows."""
+
+    forms: Floats  #: V θ under unit motions [m², m³], (b, 1, 6)
+
+
+_assemble_beams = Pass("assemble_beams", BeamRows, BlockRows)
+_assemble_facets = Pass("assemble_facets", FacetRows, BlockRows, DilatationRows)
+
+
+def stiffness_matrix(model: Model) -> Stiffness:
+    """Return the stiffness K of the unconstrained lattice: 6×6 blocks, (u, θ) per element, internal order.
+
+    It is the second derivative of the energy at rest; for bonds it is the same for both formulations. For the
+    non-local law it is that of its springs alone, without the lagged stresses.
+    """
+    layout = model.layout
+    size = 6 * len(layout.order)
+    if model.non_local is not None:
+        return Stiffness(local_stiffness(model.non_local, layout))
+    rows = BlockRows.of(layout)
+    if model.cells is None:
+        b = model.bonds
+        columns = b.direction, b.length, b.lever, b.kn, b.ks, b.kb, b.kt
+        beams = BeamRows(layout.i, layout.j, *map(np.ascontiguousarray, columns))
+        _assemble_beams(beams, rows, threads=current_threads())
+        return Stiffness(bsr_array((rows.data, rows.indices, rows.indptr), shape=(size, size)))
+    c = model.cells
+    columns = c.k, c.lever_i, c.lever_j, c.H, c.share_i, c.share_j
+    facets = FacetRows(layout.i, layout.j, *map(np.ascontiguousarray, columns))
+    forms = np.empty((len(rows.indices), 1, 6))
+    _assemble_facets(facets, rows, DilatationRows(forms), threads=current_threads())
+    indptr, indices, data = rows.indptr, rows.indices, rows.data
+    own, form = c.grips.blocks()
+    gripped = layout.rank[c.grips.cell]
+    diagonal = indptr[gripped] + (layout.in_start[gripped + 1] - layout.in_start[gripped])
+    np.add.at(data, diagonal, own)
+    np.add.at(forms, diagonal, form[:, None])
+    return Stiffness(
+        bsr_array((data, indices, indptr), shape=(size, size)),
+        bsr_array((forms, indices, indptr), shape=(size // 6, size)),
+        c.weight,
+    )
+
+
+def mass_diagonal(model: Model) -> Floats:
+    """Return the diagonal of the mass matrix: m, m, m, I, I, I per element [kg, kg·m²], internal order, (6 n,)."""
+    order = model.layout.order
+    return np.stack([model.mass[order]] * 3 + [model.inertia[order]] * 3, axis=1).ravel()

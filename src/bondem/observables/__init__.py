@@ -1,0 +1,1 @@
+"""Quantities evaluated for a model and its state, which they never change."""

@@ -1,0 +1,118 @@
+"""Broken bonds of a run, and the failure index of unbroken ones."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import instance
+from bondem._types import Floats, Ints, PerBond
+from bondem.damage.criteria.criterion import MODES
+from bondem.damage.event_columns import (
+    BROKEN_BOND,
+    BROKEN_ENERGY,
+    BROKEN_GAP,
+    BROKEN_MODE,
+    BROKEN_PLACE,
+    BROKEN_STEP,
+    BROKEN_TIME,
+    SOFT_BOND,
+)
+from bondem.damage.failure_passes import beam_indices, indices_of_facets
+from bondem.errors import InputError
+from bondem.interactions.beams.beam_tables import beam_tables
+from bondem.interactions.cells.cell_tables import STRESS, cell_tables
+from bondem.model.model import Model
+from bondem.model.non_local_tables import indices_of_pairs
+from bondem.model.state import State
+from bondem.model.state_compatibility import difference
+from bondem.observables.cell_forces import CellForces
+from bondem.observables.crack_index import crack_index
+
+
+@dataclass(frozen=True, eq=False)
+class BrokenBonds:
+    """Broken bonds or facets in the order of breakage; those of one step are in internal order.
+
+    In a second stage the state keeps earlier breakages; steps are counted within the stage.
+
+    Attributes:
+        time: time of breakage [s], shape (e,).
+        step: step of breakage, shape (e,).
+        bond: user's number of the bond, shape (e,).
+        mode: "tension", "shear", "bending" or "twisting", shape (e,).
+        gap: elongation of a bond from its rest length, or opening of a facet along its normal [m], (e,).
+        energy: energy released [J], shape (e,).
+        position: contact point of the bond, or middle of the facet [m], shape (e, 3).
+    """
+
+    time: Floats
+    step: Ints
+    bond: Ints
+    mode: np.ndarray
+    gap: Floats
+    energy: Floats
+    position: Floats
+
+    @classmethod
+    def of(cls, state: State) -> "BrokenBonds":
+        """Return the bonds that broke before a state."""
+        rows = state.broken
+        return cls(
+            time=rows[:, BROKEN_TIME].copy(),
+            step=rows[:, BROKEN_STEP].astype(np.int64),
+            bond=state.layout.bond_order[rows[:, BROKEN_BOND].astype(np.int64)],
+            mode=np.array(MODES)[rows[:, BROKEN_MODE].astype(np.int64)],
+            gap=rows[:, BROKEN_GAP].copy(),
+            energy=rows[:, BROKEN_ENERGY].copy(),
+            position=rows[:, BROKEN_PLACE : BROKEN_PLACE + 3] + state.origin,
+        )
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+
+def failure_index(model: Model, state: State) -> PerBond:
+    """Compute the index of the model's criterion for each bond: 1 at failure, 0 for broken bonds.
+
+    Beams that soften have 1. Criteria on the stress of the material (`bd.Rankine`, or with a fracture energy) have
+    the largest principal stress over the strength. This index is 0 for a facet without tension and 1 for one that
+    softens.
+
+    Args:
+        model: model with a failure criterion.
+        state: state of this model, at any rotation.
+
+    Returns:
+        Index [-], user's order, shape (m,).
+
+    Raises:
+        InputError: The model has no criterion, or the state belongs to another model.
+    """
+    instance("failure_index", "model", model, Model, "bd.Model(...)")
+    instance("failure_index", "state", state, State, "the state of a run, or model.state()")
+    other = difference(state.model, model)
+    if other:
+        raise InputError(f"failure_index: the state belongs to another {other}; give one of this model")
+    if model.softening is not None:
+        return crack_index(model, state)
+    table = model.breaking
+    if table is None:
+        raise InputError("failure_index: the model has no criterion; give it failure=bd.PeripheralStress(...)")
+    layout = model.layout
+    constants = model.bonds.stretched(state.rest_strain)
+    if model.non_local is not None:
+        found = indices_of_pairs(model, state, table)
+    elif model.cells is None:
+        beams, _ = beam_tables(constants, layout, model.period, state.integrity, may_share=False)
+        found = beam_indices(state.pose, beams, table)
+        begun = state.softened[:, SOFT_BOND].astype(np.int64)
+        found[begun] = state.integrity[begun] > 0.0
+    else:
+        pose = state.pose.copy()
+        pose[:, STRESS] = CellForces.of(model, state).stress[layout.order]
+        strained = model.cells.stretched(state.rest_strain, layout)
+        facets, _ = cell_tables(strained, layout, model.period, state.integrity, layout.i)
+        found = indices_of_facets(pose, facets, table)
+    own = np.empty_like(found)
+    own[layout.bond_order] = found
+    return own

@@ -1,0 +1,189 @@
+"""Forces on the facets of the cells of a body, and their arms, for small motions or in the pose of a state."""
+
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+import numpy as np
+
+from bondem._checks import shown
+from bondem._types import Floats, Ints, PerBond3, PerElement, PerElement3
+from bondem.errors import InputError
+from bondem.geometry.rotations import turned_vectors
+from bondem.interactions.cells.cell_constants import CellConstants, body_of
+from bondem.interactions.cells.cell_strain import CellStrain
+from bondem.interactions.cells.cell_tables import STRESS, place_held_walls
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.observables.energy import stress_free_gap, wall_motion
+from bondem.observables.facet_loads import loads_on_facets
+
+
+class SmallMotion(Protocol):
+    """A linear solution, such as a `StaticResult`."""
+
+    @property
+    def displacement(self) -> PerElement3:
+        """Displacements of the centres [m], (n, 3)."""
+        ...
+
+    @property
+    def rotation(self) -> PerElement3:
+        """Rotation vectors [rad], (n, 3)."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class CellForces:
+    """Forces on the cells of a body, user's order.
+
+    Arms begin at the centres of mass.
+
+    Attributes:
+        force: force of each facet on its cell i, tension pointing to j [N], shape (m, 3).
+        arm_i, arm_j: arms to the facet [m], shape (m, 3).
+        held: forces of walls on the facets that they hold [N], shape (g, 3).
+        held_arm: arms to these facets [m], shape (g, 3).
+        load: forces of loads on the facets on the surface [N], in the order of `cells.free`, shape (k, 3).
+        load_arm: arms to these facets [m], shape (k, 3).
+        stress: λ θ of each cell [Pa], shape (n,).
+    """
+
+    force: PerBond3
+    arm_i: PerBond3
+    arm_j: PerBond3
+    held: Floats
+    held_arm: Floats
+    load: Floats
+    load_arm: Floats
+    stress: PerElement
+
+    @classmethod
+    def of(cls, model: Model, result: SmallMotion | State) -> "CellForces":
+        """Return the forces in an equilibrium of small rotations, or in a state at any rotation.
+
+        Args:
+            model: the body of cells that the result belongs to.
+            result: a linear `StaticResult`, or a `State`.
+
+        Raises:
+            InputError: The model has another law, or the result belongs to another model.
+        """
+        if model.cells is None:
+            raise InputError("cell_stress: the model has no cells; give a body of cells and bond=bd.CellBond(...)")
+        moved = getattr(result, "displacement", None)
+        if moved is None:
+            raise InputError(f"cell_stress: result = {shown(result)}; give what bd.solve_static returned, or a state")
+        if len(moved) != len(model.lattice.particles):
+            raise InputError(f"cell_stress: the result has {len(moved)} elements; give one of this model")
+        return _turned(model, result) if isinstance(result, State) else _small(model, result)
+
+
+def _small(model: Model, result: SmallMotion) -> CellForces:
+    body, constants = model.lattice, model.cell_constants
+    strain = model.constraints.final_strain()
+    grips, slip, wall = constants.grips, stress_free_gap(model, strain), wall_motion(model, strain)
+    found = CellStrain.of(
+        body, constants, result.displacement, result.rotation, slip=slip, wall=wall, pressed=model.pressed
+    )
+    stress = found.stress(constants)
+    _, cells = body_of(body)
+    return CellForces(
+        force=found.forces(body, constants), arm_i=constants.lever_i, arm_j=constants.lever_j,
+        held=grips.nodal(found.held, result.rotation, stress)[:, :3], held_arm=grips.lever,
+        load=loads_on_facets(model), load_arm=cells.free.centroid - cells.centroid[cells.free.cell],
+        stress=stress,
+    )  # fmt: skip
+
+
+def _turned(model: Model, state: State) -> CellForces:
+    body, constants = model.lattice, model.cell_constants
+    _, cells = body_of(body)
+    i, j = body.pairs.T
+    if model.softening is not None and (len(state.cracks) or state.plastic.any()):
+        return _failing(model, state)
+    q, constants = state.orientation, _grown(model, state)
+    a, b = turned_vectors(q[i], constants.lever_i), turned_vectors(q[j], constants.lever_j)
+    gap = body.particles.nearest(state.local_position[j] - state.local_position[i]) + b - a
+    share_i, share_j = turned_vectors(q[i], constants.share_i), turned_vectors(q[j], constants.share_j)
+    grips, n = constants.grips, len(cells.volume)
+    arm = turned_vectors(q[grips.cell], grips.arm)
+    came = state.displacement[grips.cell] + arm - grips.lever
+    opened = grips.axes * (wall_places(model, state) - came)
+    whole = state.bond_integrity
+    constants = constants.damaged(whole, i, j)
+    swelling = constants.pressed_by(loads_on_facets(model, state.time))
+    swelling += np.bincount(i, weights=whole * (share_i * gap).sum(axis=1), minlength=n)
+    swelling += np.bincount(j, weights=whole * (share_j * gap).sum(axis=1), minlength=n)
+    swelling += np.bincount(grips.cell, weights=(grips.share * opened).sum(axis=1), minlength=n)
+    stress = constants.weight * swelling
+    force = constants.k[:, None] * gap + stress[i, None] * share_i + stress[j, None] * share_j
+    free = cells.free
+    outwards = free.centroid - cells.centroid[free.cell]
+    return CellForces(
+        force=whole[:, None] * force, arm_i=a, arm_j=b,
+        held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
+        load=loads_on_facets(model, state.time, q),
+        load_arm=turned_vectors(q[free.cell], outwards),
+        stress=stress,
+    )  # fmt: skip
+
+
+def _failing(model: Model, state: State) -> CellForces:
+    """Return the forces of the last step of a state with cracks or yielded cells, as stored by the run."""
+    if state.stale:
+        raise InputError("cell_stress: the state has cracks and was changed after its last step; run a step first")
+    body, constants, layout = model.lattice, _grown(model, state), model.layout
+    _, cells = body_of(body)
+    i, j = body.pairs.T
+    q, grips, free = state.orientation, constants.grips, cells.free
+    force = np.empty((len(i), 3))
+    force[layout.bond_order] = np.where(layout.flipped[:, None], -1.0, 1.0) * state.facet_force.T
+    arm = turned_vectors(q[grips.cell], _deformed(state, grips.cell, grips.arm))
+    opened = grips.axes * (wall_places(model, state) - (state.displacement[grips.cell] + arm - grips.lever))
+    stress = state.pose[layout.rank, STRESS]
+    return CellForces(
+        force=force,
+        arm_i=turned_vectors(q[i], _deformed(state, i, constants.lever_i)),
+        arm_j=turned_vectors(q[j], _deformed(state, j, constants.lever_j)),
+        held=grips.k[:, None] * opened + stress[grips.cell, None] * grips.share, held_arm=arm,
+        load=loads_on_facets(model, state.time, q),
+        load_arm=turned_vectors(q[free.cell], free.centroid - cells.centroid[free.cell]),
+        stress=stress,
+    )  # fmt: skip
+
+
+def _deformed(state: State, owner: Ints, arm: Floats) -> Floats:
+    """Return arms in cells that have yielded."""
+    if not state.plastic.any():
+        return arm
+    return np.einsum("mab,mb->ma", state.plastic_deformation[owner], arm)
+
+
+def _grown(model: Model, state: State) -> CellConstants:
+    """Return the constants with the stress-free strain of a state, user's order."""
+    constants, layout, strain = model.cell_constants, model.layout, state.rest_strain
+    if len(state.grips) == len(constants.grips.cell):
+        constants = replace(constants, grips=constants.grips.taken(state.grips))
+    if not strain.size:
+        return constants
+    stretch = np.empty((len(strain), 1))
+    stretch[layout.bond_order, 0] = 1.0 + strain
+    grips = constants.grips.grown(layout.of_elements(strain))
+    return replace(constants, lever_i=constants.lever_i * stretch, lever_j=constants.lever_j * stretch, grips=grips)
+
+
+def held_arms(model: Model, state: State) -> Floats:
+    """Return the arms from the centres of mass to the facets that walls hold, in a state [m], shape (g, 3)."""
+    grips = _grown(model, state).grips
+    return turned_vectors(state.orientation[grips.cell], _deformed(state, grips.cell, grips.arm))
+
+
+def wall_places(model: Model, state: State, base: Floats | None = None) -> Floats:
+    """Return the displacement of the walls that hold cells at the time of a state [m], (g, 3).
+
+    Their initial places are `base`, (g, 7), or those of the state.
+    """
+    base = state.grips if base is None else base
+    walls = model.cell_constants.grips.table(model.layout, model.constraints.row_of, 0, base)
+    place_held_walls(walls, state.time)
+    return walls.wall

@@ -1,0 +1,56 @@
+"""Mean stress and dilatation of the cells of a body."""
+
+import numpy as np
+
+from bondem._types import Floats, PerElement
+from bondem.geometry.rotations import add_force_moments
+from bondem.interactions.cells.cell_constants import body_of
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.observables.cell_forces import CellForces, SmallMotion
+from bondem.observables.element_stress import element_stress
+
+# Where the components of a tensor are in a row xx, yy, zz, xy, yz, zx.
+_OF_TENSOR = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2]])
+
+
+def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
+    """Compute the mean stress tensor of every cell, σ = sym Σ b⊗f / V over its facets [Pa], shape (n, 3, 3).
+
+    For spheres joined by beams it is the symmetric part of `bd.element_stress`, which computes their couples too.
+
+    f are the forces of neighbours, holding walls and surface loads on the facets. b are the arms to them from the
+    centre of mass of the cell. In equilibrium Σ V σ over all cells is exactly the moment of the forces on the
+    surface. Tension is positive; axes are global.
+
+    Args:
+        model: a body of cells under `CellBond`, or another model with bonds.
+        result: linear static solution, or a state of an explicit run at any rotation. Give a nonlinear static
+            solution as a state with its pose.
+
+    Raises:
+        InputError: The result belongs to another model.
+    """
+    if isinstance(model, Model) and model.cells is None:
+        return element_stress(model, result).symmetric
+    return mean_stress(model, CellForces.of(model, result))
+
+
+def mean_stress(model: Model, forces: CellForces) -> Floats:
+    """Compute the mean stress tensor of every cell from known forces [Pa], shape (n, 3, 3)."""
+    body, grips = model.lattice, model.cell_constants.grips
+    _, cells = body_of(body)
+    i, j = body.pairs.T
+    moment = np.zeros((len(cells.volume), 6))
+    for owner, arm, force, sign in (
+        (i, forces.arm_i, forces.force, 1.0), (j, forces.arm_j, forces.force, -1.0),
+        (grips.cell, forces.held_arm, forces.held, 1.0), (cells.free.cell, forces.load_arm, forces.load, 1.0),
+    ):  # fmt: skip
+        add_force_moments(moment, owner, arm, force, sign)
+    return (moment / cells.volume[:, None])[:, _OF_TENSOR]
+
+
+def dilatation(model: Model, stress: Floats) -> PerElement:
+    """Compute the dilatation of cells under these mean stresses, tr σ / 3K [-], shape (n,)."""
+    constants = model.cell_constants
+    return np.einsum("nii->n", stress) / (3.0 * constants.lame + 2.0 * constants.G)

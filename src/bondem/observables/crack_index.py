@@ -1,0 +1,108 @@
+"""Indices of crack initiation of facets and of yielding of cells, by the stress of the material."""
+
+import numpy as np
+
+from bondem._types import Ints, PerBond, PerBond3, PerElement
+from bondem.damage.opened_facets import Opened
+from bondem.damage.softening_table import SofteningTable
+from bondem.geometry.rotations import turned_vectors
+from bondem.interactions.cells.cell_constants import body_of
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.observables.cell_forces import CellForces
+from bondem.observables.cell_stress import mean_stress
+
+
+def crack_index(model: Model, state: State) -> PerBond:
+    """Compute the index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength).
+
+    It is 0 for broken facets and 1 for facets that soften. It is 0 for facets without tension, but for `bd.Rankine`
+    then the smaller of this index and that of the traction alone. For `bd.Rankine` it is at most the opening traction
+    along the present principal directions over the strength along them. Facets of material planes have the index of
+    their traction.
+
+    Returns:
+        Index [-], user's order, shape (m,).
+    """
+    table, body = _table(model), model.lattice
+    facets, _ = body_of(body)
+    i, j = body.pairs.T
+    forces = CellForces.of(model, state)
+    stress = mean_stress(model, forces)
+    mean = 0.5 * (stress[i] + stress[j])
+    n, t = turned_vectors(state.orientation[i], facets.normal), forces.force / facets.area[:, None]
+    bending, order = _bending(model, state), model.layout.bond_order
+    place = np.empty_like(order)
+    place[order] = np.arange(len(order))
+    opened = Opened.of(table, place, n, t, bending, mean).reached(np.ones(len(order)))
+    slip = _slip_index(table, place, n, t)
+    across, bent = (t * n).sum(axis=1), np.maximum(bending - np.maximum(-np.linalg.eigvalsh(mean)[:, 0], 0.0), 0.0)
+    pulled = np.where(bent > 0.0, bent + np.maximum(across, 0.0), across)
+    t, across = t + (pulled - across)[:, None] * n, pulled
+    off = t - np.einsum("mab,mb->ma", mean, n)
+    both = off[:, :, None] * n[:, None, :]
+    along = (off * n).sum(axis=1)[:, None, None]
+    agreed = mean + both + np.swapaxes(both, 1, 2) - along * n[:, :, None] * n[:, None, :]
+    strength = np.empty(len(i))
+    strength[model.layout.bond_order] = table.strength
+    if table.judge is None:
+        index = np.linalg.eigvalsh(agreed)[:, 2]
+        alone = 0.5 * across + np.sqrt(np.maximum((t * t).sum(axis=1) - 0.75 * across**2, 0.0))
+        index = np.where(across > 0.0, index, np.minimum(index, alone)) / strength
+        index = np.minimum(index, 1.0 / opened)
+    else:
+        scaled = agreed * (table.tension / strength)[:, None, None]
+        index = table.judge.indices(scaled)
+        index[across <= 0.0] = 0.0
+    index = np.maximum(index, 0.0)
+    index = np.where(table.plane[place], np.maximum(1.0 / opened, slip), index)
+    whole = state.bond_integrity
+    return np.where(whole == 1.0, index, np.where(whole > 0.0, 1.0, 0.0))
+
+
+def yield_index(model: Model, state: State) -> PerElement:
+    """Compute (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ over c cos φ of each cell, with the cohesion c after its slip.
+
+    For the cone of Drucker and Prager it is √J2 + α I1 over k, and 0 where the mean stress is tensile. Cells without
+    cohesion have 1. The index is zero if no cell can yield.
+
+    Returns:
+        Index [-], user's order, shape (n,).
+    """
+    table = _table(model)
+    slip = table.slip
+    if slip is None:
+        return np.zeros(len(model.lattice.particles))
+    principal = np.linalg.eigvalsh(mean_stress(model, CellForces.of(model, state)))
+    low, high, first = principal[:, 0], principal[:, 2], principal.sum(axis=1)
+    rank = model.layout.rank
+    left, slope = 1.0 - slip.fade[rank] * state.slipped, slip.slope[rank]
+    bears = slip.strength[rank] * np.maximum(left, 0.0)
+    if slip.cone:
+        shear = np.sqrt(0.5 * ((principal - first[:, None] / 3.0) ** 2).sum(axis=1))
+        load = np.where(first <= 0.0, shear + slope * first, 0.0)
+    else:
+        load = 0.5 * (high - low) + 0.5 * (high + low) * slope
+    return np.where(bears > 0.0, np.maximum(load, 0.0) / np.where(bears > 0.0, bears, 1.0), 1.0)
+
+
+def _table(model: Model) -> SofteningTable:
+    assert model.softening is not None
+    return model.softening
+
+
+def _slip_index(table: SofteningTable, place: Ints, n: PerBond3, t: PerBond3) -> PerBond:
+    """Return |t_s| + t_n tan φ over the cohesion for facets of planes, else 0; `place` in the table, (m,)."""
+    across = (t * n).sum(axis=1)
+    shear = np.sqrt(np.maximum((t * t).sum(axis=1) - across**2, 0.0)) + table.friction[place] * across
+    return np.maximum(shear, 0.0) / table.cohesion[place]
+
+
+def _bending(model: Model, state: State) -> PerBond:
+    """Return T_b of facets [Pa], user's order, (m,): T_b² = 4 k v·H v / A², v the vector part of q_i* q_j."""
+    facets, _ = body_of(model.lattice)
+    constants, turns = model.cell_constants, state.orientation[model.lattice.pairs]
+    p, q = turns[:, 0], turns[:, 1]
+    v = p[:, :1] * q[:, 1:] - q[:, :1] * p[:, 1:] - np.cross(p[:, 1:], q[:, 1:])
+    resisted = np.einsum("ma,mab,mb->m", v, constants.H, v)
+    return np.sqrt(np.maximum(4.0 * constants.k / facets.area**2 * resisted, 0.0))

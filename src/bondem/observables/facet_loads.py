@@ -1,0 +1,33 @@
+"""Forces of loads on the facets that cells have on the surface."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.boundary.conditions import Load
+from bondem.boundary.loads import Pressure, is_face
+from bondem.geometry.rotations import turned_vectors
+from bondem.interactions.cells.cell_constants import body_of
+from bondem.model.model import Model
+
+
+def loads_on_facets(model: Model, time: float | None = None, orientation: Floats | None = None) -> Floats:
+    """Return the forces of the loads of a model on the facets on the surface [N], (k, 3), at a time, or at the end.
+
+    With the quaternions of the cells, (n, 4), following pressures and the forces of moments rotate with their cells.
+    Without them these forces are in the axes of their cells.
+    """
+    _, cells = body_of(model.lattice)
+    force = np.zeros((len(cells.free.cell), 3))
+    for condition in model.boundary:
+        if isinstance(condition, Pressure) or (isinstance(condition, Load) and is_face(condition.region)):
+            numbers, values = condition.on_facets(model.lattice)
+            schedule = condition.schedule
+            if orientation is not None and isinstance(condition, Pressure) and condition.follows:
+                values = turned_vectors(orientation[cells.free.cell[numbers]], values)
+            if orientation is not None and isinstance(condition, Load) and any(condition.moment):
+                _, turning = replace(condition, force=(0.0, 0.0, 0.0)).on_facets(model.lattice)
+                values = values - turning + turned_vectors(orientation[cells.free.cell[numbers]], turning)
+            force[numbers] += (schedule.final if time is None else schedule.at(time)) * values
+    return force

@@ -1,0 +1,102 @@
+"""Deformation of bonds of the non-local law by small motions of the elements: gaps, forces, stresses."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, PerBond3, PerElement6
+from bondem.interactions.non_local.non_local_constants import NonLocalConstants
+from bondem.model.non_local_tables import lagged_extra_forces
+from bondem.observables.energy import EnergyParts
+from bondem.specimen.lattice import Lattice
+
+_SIX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+
+
+@dataclass(frozen=True, eq=False)
+class NonLocalStrain:
+    """Small deformation of every bond from the reference, user's order.
+
+    Attributes:
+        lattice: the elements and bonds.
+        constants: constants of the law, user's order.
+        gap: δ = u_j + θ_j × b_j - u_i - θ_i × b_i [m], (m, 3).
+        extra: extra force e of each bond [N], (m, 3).
+    """
+
+    lattice: Lattice
+    constants: NonLocalConstants
+    gap: PerBond3
+    extra: PerBond3
+
+    @classmethod
+    def none(cls, lattice: Lattice, constants: NonLocalConstants) -> "NonLocalStrain":
+        """Return the undeformed state."""
+        still = np.zeros((len(lattice.pairs), 3))
+        return cls(lattice, constants, still, still)
+
+    def moved(self, motion: PerElement6, slip: Floats | None = None) -> "NonLocalStrain":
+        """Return the same extra forces with the gaps of motions (u, θ) [m, rad], (n, 6).
+
+        Args:
+            motion: motion of the elements from the reference.
+            slip: additional opening of every bond [m], (m, 3): that of a macroscopic strain in a periodic cell.
+        """
+        i, j = self.lattice.pairs.T
+        c, u, turn = self.constants, motion[:, :3], motion[:, 3:]
+        gap = u[j] + np.cross(turn[j], c.lever_j) - u[i] - np.cross(turn[i], c.lever_i)
+        if slip is not None:
+            gap = gap + slip
+        return NonLocalStrain(self.lattice, c, gap, self.extra)
+
+    def lagged(self) -> "NonLocalStrain":
+        """Return the same gaps with the extra forces that follow from the present stresses and gaps."""
+        c = self.constants
+        extra = lagged_extra_forces(self.lattice.pairs, c, self.stress, self.gap)
+        return NonLocalStrain(self.lattice, c, self.gap, extra)
+
+    @property
+    def spring(self) -> PerBond3:
+        """Return kn δ_n n + kt δ_t, the spring force on the element i, tension pointing to j [N], (m, 3)."""
+        c = self.constants
+        along = (c.kn - c.kt) * (self.gap * c.normal).sum(axis=1)
+        return c.kt[:, None] * self.gap + along[:, None] * c.normal
+
+    @property
+    def force(self) -> PerBond3:
+        """Return the sum of spring force and extra force [N], (m, 3)."""
+        return self.spring + self.extra
+
+    @property
+    def stress(self) -> Floats:
+        """Return σ of each element by eq (1), its symmetric part xx, yy, zz, xy, xz, yz [Pa], (n, 6)."""
+        i, j = self.lattice.pairs.T
+        c, force, n = self.constants, self.force, len(self.lattice.particles)
+        found = np.zeros((n, 6))
+        for s, (a, b) in enumerate(_SIX):
+            for end, lever, half in ((i, c.lever_i, 0.5), (j, c.lever_j, -0.5)):
+                both = half * (lever[:, a] * force[:, b] + lever[:, b] * force[:, a])
+                found[:, s] += np.bincount(end, weights=both, minlength=n)
+        return found / c.volume[:, None]
+
+    @property
+    def energy(self) -> EnergyParts:
+        """Return the energy of the springs alone, because the energy of extra forces depends on the path."""
+        c = self.constants
+        along = (self.gap * c.normal).sum(axis=1) ** 2
+        across = (self.gap**2).sum(axis=1) - along
+        return EnergyParts(
+            normal=0.5 * float((c.kn * along).sum()), shear=0.5 * float((c.kt * across).sum()),
+            bending=0.0, twisting=0.0,
+        )  # fmt: skip
+
+    def nodal(self, force: PerBond3) -> PerElement6:
+        """Return forces and torques on the elements by forces of the bonds [N, N·m], (n, 6)."""
+        i, j = self.lattice.pairs.T
+        c = self.constants
+        load = np.zeros((len(self.lattice.particles), 6))
+        for end, lever, sign in ((i, c.lever_i, 1.0), (j, c.lever_j, -1.0)):
+            both = sign * np.hstack([force, np.cross(lever, force)])
+            for d in range(6):
+                load[:, d] += np.bincount(end, weights=both[:, d], minlength=len(load))
+        return load

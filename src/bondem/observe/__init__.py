@@ -1,1 +1,0 @@
-"""Quantities computed from a model or a state, which they never change."""

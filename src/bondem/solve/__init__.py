@@ -1,1 +1,0 @@
-"""Equilibrium, natural modes and motion of a model."""

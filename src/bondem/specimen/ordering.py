@@ -1,0 +1,90 @@
+"""The internal order of elements and bonds.
+
+Elements lie along a Morton curve, so that neighbours in space are neighbours in memory. Bonds are sorted by their
+farther element j > i, then by i. A pass over the bonds then streams along the elements j and reads elements i that it
+has just seen. The opposite order would read elements that are not yet in the cache, which takes twice the time at
+100 000 elements. All public data stay in the user's order.
+"""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._types import Ints, PerBond, PerElement
+from bondem.geometry.morton import morton_code
+from bondem.specimen.lattice import Lattice
+
+
+class Adjacency(NamedTuple):
+    """Bonds of each element."""
+
+    in_start: np.ndarray  #: bonds in_start[p] … in_start[p + 1] end in p, (n + 1,)
+    out_start: np.ndarray  #: those that begin in p are in …, (n + 1,)
+    out_bond: np.ndarray  #: … this, from out_start[p] to out_start[p + 1], uint32, (m,)
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """Permutations and adjacency.
+
+    Attributes:
+        order: user's number of internal element k, shape (n,).
+        rank: internal number of user's element, shape (n,).
+        bond_order: user's number of internal bond k, shape (m,).
+        flipped: mask of internal bonds that run against the user's direction, shape (m,).
+        i, j: internal elements of each bond, i < j, uint32, shape (m,).
+        in_start: bonds in_start[p] … in_start[p+1] have j = p, shape (n + 1,).
+        out_start, out_bond: out_bond[out_start[p] : out_start[p+1]] are the bonds with i = p, ascending.
+    """
+
+    order: Ints
+    rank: Ints
+    bond_order: Ints
+    flipped: np.ndarray
+    i: np.ndarray
+    j: np.ndarray
+    in_start: Ints
+    out_start: Ints
+    out_bond: np.ndarray
+
+    @classmethod
+    def of(cls, lattice: Lattice) -> "Layout":
+        """Return the layout of a lattice."""
+        n = len(lattice.particles)
+        order = np.argsort(morton_code(lattice.particles.position), kind="stable")
+        rank = np.empty(n, dtype=np.int64)
+        rank[order] = np.arange(n)
+        ends = rank[lattice.pairs]
+        flipped = ends[:, 0] > ends[:, 1]
+        i, j = ends.min(axis=1), ends.max(axis=1)
+        bond_order = np.lexsort((i, j))
+        i, j = i[bond_order], j[bond_order]
+        out_bond = np.argsort(i, kind="stable")
+        return cls(
+            order=order,
+            rank=rank,
+            bond_order=bond_order,
+            flipped=flipped[bond_order],
+            i=i.astype(np.uint32),
+            j=j.astype(np.uint32),
+            in_start=_starts(j, n),
+            out_start=_starts(i, n),
+            out_bond=out_bond.astype(np.uint32),
+        )
+
+    def of_elements(self, value: PerBond) -> PerElement:
+        """Return the mean over the bonds of each element of values (m,), user's order, (n,); 0 without bonds."""
+        n = len(self.order)
+        ends = np.concatenate([self.i, self.j]).astype(np.int64)
+        count = np.maximum(np.bincount(ends, minlength=n), 1)
+        return (np.bincount(ends, np.concatenate([value, value]), minlength=n) / count)[self.rank]
+
+    @property
+    def adjacency(self) -> Adjacency:
+        """Bonds of each element, in the form of the core."""
+        return Adjacency(self.in_start, self.out_start, self.out_bond)
+
+
+def _starts(ends: Ints, n: int) -> Ints:
+    return np.concatenate([[0], np.cumsum(np.bincount(ends, minlength=n))]).astype(np.int64)

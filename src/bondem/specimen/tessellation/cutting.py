@@ -1,0 +1,295 @@
+"""Tessellation of a shape into one cell per element: Laguerre cells of the spheres within the walls of the shape."""
+
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bondem._threads import current_threads
+from bondem._types import Floats, Ints, Mask, Pairs, PerElement, PerElement3
+from bondem.errors import InputError
+from bondem.geometry.elementary_shapes import BoundingBox, Box, Cell
+from bondem.geometry.shape import Shape
+from bondem.specimen.particles import Particles, freeze
+from bondem.specimen.tessellation.clip_to_shape import trimmed
+from bondem.specimen.tessellation.facet_tables import Polygons, facets, free_facets, together
+from bondem.specimen.tessellation.facets import Cells, Facets
+from bondem.specimen.tessellation.interfaces import patches
+from bondem.specimen.tessellation.laguerre import Bins, bins, plain_cells, usual_reach
+from bondem.specimen.tessellation.ownership import Owned, owned
+from bondem.specimen.tessellation.raster import CENTRE_BITS, on_raster, pitch
+from bondem.specimen.tessellation.shape_walls import WallTree, faceted, wall_tree, wall_triangles
+from bondem.specimen.tessellation.solids import LOCAL, Bulk, Solids, bulk, joined, polygon_measures
+
+# Cells that are made at once, in memory as well as between two words about the progress.
+_BATCH = 4096
+# Half the width of the boxes that cells begin as, over the usual distance of the farthest neighbour.
+_HALF = 0.67
+# Width of the flat pieces of curved walls, about half an element, over that distance.
+_FLAT = 0.25
+# How far walls must reach in to split a cell, over that distance; facets of less area are left out, over its square.
+_REACHED, _SLIVER = 3e-12, 1e-11
+# Volumes of combined shapes are known to about 1e-3; more than this share of it is a lost part.
+_LOST = 0.02
+# Centres may lie outside the walls by this much, over that distance: rounding.
+_OUTSIDE = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Tessellation:
+    """All cells, whole ones as tables and cut ones as pieces.
+
+    Attributes:
+        centres: the elements.
+        faces: polygons of the whole cells; those between elements from the lower number only.
+        whole: elements whose cells are whole, shape (w,).
+        whole_bulk: volumes and moments of these.
+        cut: pieces of all other cells, inside the shape.
+        is_cut: mask of the elements whose cells are cut by walls, shape (n,).
+        outlines: the whole cells as solids, if requested, else none.
+    """
+
+    centres: Bins
+    faces: Polygons
+    whole: Ints
+    whole_bulk: Bulk
+    cut: Owned
+    is_cut: Mask
+    outlines: Solids
+
+
+@dataclass(frozen=True, eq=False)
+class _Walls:
+    """Walls of a flat-walled shape, which cut the cells."""
+
+    shape: Shape
+    tree: WallTree
+    clear: PerElement  #: distance of each centre from the walls [m], shape (n,)
+
+
+@dataclass(frozen=True, eq=False)
+class _Batch:
+    """Result of one batch of cells.
+
+    Attributes:
+        again: elements whose boxes were too small.
+        ended: elements whose cells end at their boxes, but outside the shape only.
+    """
+
+    plain: Solids
+    faces: Polygons
+    whole: Ints
+    whole_bulk: Bulk
+    pieces: Solids
+    piece_bulk: Bulk
+    again: Ints
+    ended: Ints
+
+
+def _walls(particles: Particles, shape: Shape, reach: float) -> _Walls | None:
+    """Return the walls of a shape; none for a box, because its sides end all cells anyway.
+
+    Raises:
+        InputError: Centres lie outside the shape.
+    """
+    depth = shape.depth(particles.position)
+    outside = np.flatnonzero(depth < -_OUTSIDE * reach)
+    if outside.size:
+        worst = int(np.argmin(depth))
+        raise InputError(
+            f"{outside.size} centres lie outside the {type(shape).__name__} that is to be cut into cells, that of"
+            f" element {worst} by {-depth[worst]:.3g} m; remove these elements, or correct the shape"
+        )
+    if isinstance(shape, Box | BoundingBox | Cell):
+        return None
+    flat = faceted(shape, _FLAT * reach)
+    return _Walls(flat, wall_tree(wall_triangles(flat)), flat.depth(particles.position))
+
+
+def _kept_faces(plain: Solids, kept: np.ndarray, position: PerElement3) -> Polygons:
+    """Return the faces of whole cells on walls, and those to elements of higher number."""
+    of_face = plain.of_face
+    cell = plain.cell[of_face]
+    rows = np.flatnonzero(kept[of_face] & ((plain.tag < 0) | (plain.tag > cell)))
+    own = plain.cell[of_face[rows]]
+    area, centroid, moment = (values[rows] for values in polygon_measures(plain.corner, plain.vertex))
+    other = np.maximum(plain.tag[rows], -1)
+    return Polygons(own, other, area, plain.plane[rows, :3], centroid + position[own], moment)
+
+
+def _batch(centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats) -> _Batch:
+    """Compute some cells."""
+    plain = plain_cells(centres, chosen, half)
+    measures = bulk(plain)
+    local = np.bincount(plain.of_face, weights=plain.tag == LOCAL, minlength=len(chosen)) > 0
+    clear = np.ones(len(chosen), dtype=bool)
+    if walls is not None:
+        clear = measures.farthest < walls.clear[chosen]
+    kept = clear & ~local
+    again = chosen[clear & local]
+    pieces, piece_bulk = joined([]), bulk(joined([]))
+    if walls is not None and not clear.all():
+        tolerance = max(_REACHED * centres.reach, centres.tolerance)
+        pieces = trimmed(plain.chosen(np.flatnonzero(~clear)), centres.position, walls.tree, tolerance)
+        piece_bulk = bulk(pieces)
+        inside = walls.shape.depth(piece_bulk.middle + centres.position[pieces.cell]) >= 0.0
+        open_ended = np.bincount(pieces.of_face, weights=pieces.tag == LOCAL, minlength=pieces.number) > 0
+        redo = np.unique(pieces.cell[inside & open_ended])
+        again = np.concatenate([again, redo])
+        good = np.flatnonzero(inside & ~np.isin(pieces.cell, redo))
+        pieces, piece_bulk = pieces.chosen(good), piece_bulk.chosen(good)
+    rows = np.flatnonzero(kept)
+    return _Batch(
+        plain.chosen(rows), _kept_faces(plain, kept, centres.position), chosen[rows], measures.chosen(rows), pieces,
+        piece_bulk, again, np.setdiff1d(chosen[~clear & local], again),
+    )  # fmt: skip
+
+
+def _batches(
+    centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats, told: Callable[[float], None]
+) -> Iterator[_Batch]:
+    """Compute some cells, and repeat those that outgrow their boxes in larger ones; `half`, (n,), is then doubled."""
+    waiting, done = chosen, 0
+    with ThreadPoolExecutor(current_threads()) as pool:
+        while waiting.size:
+            some = [waiting[k : k + _BATCH] for k in range(0, len(waiting), _BATCH)]
+            again = []
+            for batch in pool.map(lambda part: _batch(centres, walls, part, half[part]), some):
+                again.append(batch.again)
+                done += len(batch.whole) + len(np.unique(batch.pieces.cell))
+                told(min(done / len(chosen), 1.0))
+                yield batch
+            waiting = np.concatenate(again)
+            half[waiting] *= 2.0
+
+
+def tessellation(
+    particles: Particles, progress: Callable[[float], None] | None = None, *, outlines: bool = False
+) -> Tessellation:
+    """Cut the shape of particles into cells; see `tessellate`. With `outlines` it keeps the whole cells as solids."""
+    shape, n = particles.envelope, len(particles)
+    reach = usual_reach(particles)
+    walls = _walls(particles, shape, reach)
+    centres = bins(particles, *(shape if walls is None else walls.shape).bounds, reach)
+    half = np.full(n, _HALF * centres.reach)
+    made = [
+        batch if outlines else replace(batch, plain=joined([]))
+        for batch in _batches(centres, walls, np.arange(n), half, progress or (lambda share: None))
+    ]
+    pieces = joined([batch.pieces for batch in made])
+    measures = _joined_bulk([batch.piece_bulk for batch in made])
+    ended = np.concatenate([batch.ended for batch in made])
+    sliver = _SLIVER * centres.reach**2
+    while True:
+        found = patches(pieces, centres.position, sliver)
+        early = np.intersect1d(found.expected, ended)
+        if not early.size:
+            break
+        half[early] *= 2.0
+        more = list(_batches(centres, walls, early, half, lambda share: None))
+        kept = np.flatnonzero(~np.isin(pieces.cell, early))
+        pieces = joined([pieces.chosen(kept), *(batch.pieces for batch in more)])
+        measures = _joined_bulk([measures.chosen(kept), *(batch.piece_bulk for batch in more)])
+        ended = np.concatenate([np.setdiff1d(ended, early), *(batch.ended for batch in more)])
+    sphere = np.column_stack([centres.position, centres.radius])
+    all_pieces = owned(pieces, measures, found, sphere, centres.reach, sliver)
+    is_cut = np.zeros(n, dtype=bool)
+    is_cut[pieces.cell] = True
+    faces = together([batch.faces for batch in made])
+    # facets between a whole cell and a cut one are those of the pieces of the latter
+    faces = faces.chosen(((faces.b < 0) | ~is_cut[np.maximum(faces.b, 0)]) & (faces.area > sliver))
+    return Tessellation(
+        centres, faces, np.concatenate([batch.whole for batch in made]),
+        _joined_bulk([batch.whole_bulk for batch in made]), all_pieces, is_cut,
+        joined([batch.plain for batch in made]),
+    )  # fmt: skip
+
+
+def _joined_bulk(parts: list[Bulk]) -> Bulk:
+    return Bulk(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+
+
+def tessellate(
+    particles: Particles, progress: Callable[[float], None] | None = None
+) -> tuple[Pairs, Facets, Cells]:
+    """Cut the shape of particles into Laguerre cells.
+
+    Args:
+        particles: spheres in a shape; without one, in the box around them.
+        progress: function called repeatedly with the completed share, 0 … 1.
+
+    Returns:
+        Pairs i < j of neighbours, sorted, shape (m, 2), the facets between them, and the cells. Curved walls become
+        flat pieces half an element wide, with the volume of the shape.
+
+    Raises:
+        InputError: Centres coincide or lie outside the shape, a cell has no volume, a periodic cell is too small, or
+            a part of the shape has no elements.
+    """
+    told = progress or (lambda share: None)
+    made = tessellation(particles, lambda share: told(0.9 * share))
+    found, owner = made.cut.found, made.cut.owner
+    a = owner[found.piece]
+    b = np.where(found.other >= 0, owner[found.other], found.element)
+    shared = Polygons(a, b, found.area, found.normal, found.centroid, found.moment)
+    every = together([made.faces, shared.chosen(a != b)])
+    pairs, between = facets(particles, every.chosen(every.b >= 0).facing())
+    _check_depths(pairs, between)
+    free = free_facets(particles.envelope, made.centres.position, made.centres.reach, every.chosen(every.b < 0))
+    volume, centroid, inertia = _solid_tables(made)
+    _check_volume(particles.envelope, float(volume.sum()))
+    told(1.0)
+    grid = pitch(made.centres.reach, particles.period, CENTRE_BITS)
+    return pairs, between, Cells(volume, freeze(on_raster(centroid, grid)), inertia, free)
+
+
+def cell_centroids(particles: Particles) -> PerElement3:
+    """Return the centroids of the cells alone [m], shape (n, 3); see `tessellate`."""
+    return _solid_tables(tessellation(particles))[1]
+
+
+def _check_depths(pairs: Pairs, between: Facets) -> None:
+    """Reject facets that do not lie between their centres, because their springs would have a negative length."""
+    bad = np.flatnonzero(~((between.depth_i > 0.0) & (between.depth_j > 0.0)))
+    if bad.size:
+        i, j = map(int, pairs[bad[0]])
+        raise InputError(
+            f"the facet of elements {i} and {j} does not lie between their centres ({bad.size} such facets): one"
+            " sphere holds most of the other; remove the smaller one, or make radii more alike"
+        )
+
+
+def _check_volume(shape: Shape, volume: float) -> None:
+    """Reject cells that leave a part of the shape empty, far from all elements, beyond a gap."""
+    whole = shape.volume
+    if abs(volume / whole - 1.0) > _LOST:
+        raise InputError(
+            f"the cells fill {volume:.4g} m³ of the {whole:.4g} m³ of the shape: a part of it contains no"
+            " element; add elements there, or remove that part"
+        )
+
+
+def _solid_tables(made: Tessellation) -> tuple[PerElement, PerElement3, Floats]:
+    """Return volumes [m³], (n,), centroids [m], (n, 3), and inertia about them at density 1 [m⁵], (n, 3, 3)."""
+    x, n = made.centres.position, len(made.centres.position)
+    volume, first, second = np.zeros(n), np.zeros((n, 3)), np.zeros((n, 3, 3))
+    volume[made.whole], first[made.whole] = made.whole_bulk.volume, made.whole_bulk.first
+    second[made.whole] = made.whole_bulk.second
+    part, owner = made.cut.measures, made.cut.owner
+    shift = x[made.cut.pieces.cell] - x[owner]
+    moved = part.volume[:, None] * shift
+    np.add.at(volume, owner, part.volume)
+    np.add.at(first, owner, part.first + moved)
+    cross = part.first[:, :, None] * shift[:, None, :]
+    np.add.at(second, owner, part.second + cross + cross.transpose(0, 2, 1) + moved[:, :, None] * shift[:, None, :])
+    empty = np.flatnonzero(volume <= 1e-12 * made.centres.reach**3)
+    if empty.size:
+        raise InputError(
+            f"the cell of element {empty[0]} has no volume ({empty.size} such cells): larger spheres enclose it, or"
+            " walls pass through its centre; remove it, or make radii more alike"
+        )
+    middle = first / volume[:, None]
+    second -= volume[:, None, None] * middle[:, :, None] * middle[:, None, :]
+    trace = np.trace(second, axis1=1, axis2=2)
+    return freeze(volume), freeze(x + middle), freeze(trace[:, None, None] * np.eye(3) - second)

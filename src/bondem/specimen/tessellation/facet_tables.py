@@ -1,0 +1,122 @@
+"""Conversion of polygons to tables: the polygons of a pair of elements, or of a wall of a cell, become one facet."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, Ints, Pairs, PerElement3
+from bondem.geometry.shape import Shape
+from bondem.specimen.particles import Particles, freeze
+from bondem.specimen.tessellation.facets import Facets, FreeFacets
+
+# Directions and places of free polygons that count as one wall: relative to 1 and to the width of a cell.
+_ALIKE = 1e-9
+# How far inside a wall it is tested which face of the shape it is, over the width of a cell.
+_INSIDE = 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class Polygons:
+    """Flat polygons of element `a`; on the other side is element `b`, or -1 on a wall.
+
+    Attributes:
+        a, b: elements, shape (p,).
+        area: areas [m²], shape (p,).
+        normal: normals away from a [-], shape (p, 3).
+        centroid: centroids in the image next to a [m], shape (p, 3).
+        moment: second moments about it [m⁴], shape (p, 3, 3).
+    """
+
+    a: Ints
+    b: Ints
+    area: Floats
+    normal: Floats
+    centroid: Floats
+    moment: Floats
+
+    def chosen(self, rows: np.ndarray) -> "Polygons":
+        """Return some of the polygons."""
+        return Polygons(*(values[rows] for values in vars(self).values()))
+
+    def facing(self) -> "Polygons":
+        """Return the polygons with a < b."""
+        turn = self.a > self.b
+        return Polygons(
+            np.minimum(self.a, self.b), np.maximum(self.a, self.b), self.area,
+            np.where(turn[:, None], -self.normal, self.normal), self.centroid, self.moment,
+        )  # fmt: skip
+
+
+def together(parts: list[Polygons]) -> Polygons:
+    """Return the polygons of several lists in one."""
+    return Polygons(*(np.concatenate(column) for column in zip(*(vars(p).values() for p in parts), strict=True)))
+
+
+def _merged(polygons: Polygons, key: Ints) -> Polygons:
+    """Merge each run of equal keys, (p,), of sorted polygons into one polygon; those of a run lie in one plane."""
+    start = np.flatnonzero(np.diff(key, prepend=key[:1] - 1))
+    if len(start) == len(key):
+        return polygons
+    run = np.repeat(np.arange(len(start)), np.diff(start, append=len(key)))
+    weight = polygons.area[:, None]
+    total = np.add.reduceat(polygons.area, start)
+    vector = np.add.reduceat(weight * polygons.normal, start)
+    size = np.linalg.norm(vector, axis=1)
+    normal = vector / np.where(size > 0.0, size, 1.0)[:, None]
+    centroid = np.add.reduceat(weight * polygons.centroid, start) / total[:, None]
+    off = polygons.centroid - centroid[run]
+    moment = polygons.moment + weight[:, :, None] * off[:, :, None] * off[:, None, :]
+    return Polygons(polygons.a[start], polygons.b[start], size, normal, centroid, np.add.reduceat(moment, start))
+
+
+def facets(particles: Particles, polygons: Polygons) -> tuple[Pairs, Facets]:
+    """Convert the polygons between elements to facets, one per pair."""
+    order = np.lexsort((polygons.b, polygons.a))
+    polygons = polygons.chosen(order)
+    one = _merged(polygons, polygons.a * len(particles) + polygons.b)
+    i, j = one.a, one.b
+    depth_i = ((one.centroid - particles.position[i]) * one.normal).sum(axis=1)
+    depth_j = (particles.separation(i, j) * one.normal).sum(axis=1) - depth_i
+    table = Facets(
+        freeze(one.area), freeze(one.normal), freeze(one.centroid), freeze(one.moment), freeze(depth_i),
+        freeze(depth_j),
+    )  # fmt: skip
+    return np.column_stack([i, j]), table
+
+
+def free_facets(shape: Shape, position: PerElement3, width: float, polygons: Polygons) -> FreeFacets:
+    """Convert the polygons on walls to free facets, one for each plane of each cell.
+
+    Args:
+        shape: shape that names the faces.
+        position: centres [m], shape (n, 3).
+        width: usual width of a cell [m].
+        polygons: polygons without a neighbour.
+    """
+    depth = ((polygons.centroid - position[polygons.a]) * polygons.normal).sum(axis=1)
+    plane = np.rint(np.column_stack([polygons.normal, depth / width]) / _ALIKE).astype(np.int64)
+    order = np.lexsort((*plane.T, polygons.a))
+    row = np.column_stack([polygons.a, plane])[order]
+    key = np.cumsum((np.diff(row, axis=0, prepend=row[:1]) != 0).any(axis=1))
+    one = _merged(polygons.chosen(order), key)
+    depth = ((one.centroid - position[one.a]) * one.normal).sum(axis=1)
+    face = _faces(shape, one.centroid, one.normal, _INSIDE * width)
+    return FreeFacets(*map(freeze, (one.a, one.area, one.normal, one.centroid, one.moment, depth, face)))
+
+
+def _faces(shape: Shape, centroid: Floats, normal: Floats, inside: float) -> Ints:
+    """Return the faces that points on walls lie on: near to them, with a depth that grows away from the wall.
+
+    Walls of a notch or of a re-entrant corner may belong to no face of the shape: they have -1.
+    """
+    # across a wall the depth of another face does not grow: that misses by `inside` at least
+    least, number = np.full(len(centroid), 0.9 * inside), np.full(len(centroid), -1)
+    if len(centroid):
+        for k, face in enumerate(shape.faces):
+            here = shape.face_depth(face, centroid)
+            there = shape.face_depth(face, centroid - inside * normal)
+            with np.errstate(invalid="ignore"):  # a part of joined shapes may know no depth here
+                miss = np.abs(here) + np.abs(there - here - inside)
+            nearer = np.where(np.isnan(miss), np.inf, miss) < least
+            least, number = np.where(nearer, miss, least), np.where(nearer, k, number)
+    return number

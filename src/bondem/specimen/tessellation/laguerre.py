@@ -1,0 +1,207 @@
+"""Plain Laguerre cells: the points nearer to one sphere than to all others, in the power x² - R².
+
+A cell begins as a box and is cut by the radical plane of one neighbour after another, in the order of their distance.
+Every face is a polygon of its own, cut by planes, without any record of connections. Degenerate cases are therefore
+harmless, and volumes and areas are exact to rounding. With ρ the distance of the farthest corner, a neighbour at
+distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ: there the search ends. It ends earlier where small spheres are
+far from large ones: no radius is above B + κ L, with B a bound around each element.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from scipy.spatial import KDTree
+
+from bondem._core import Pass
+from bondem._types import Floats, Ints, Vector
+from bondem.errors import InputError
+from bondem.specimen.particles import Particles
+from bondem.specimen.tessellation.polygon_buffer import MOST_CORNERS, TAG, Pile, new_pile, polygon_buffer
+from bondem.specimen.tessellation.solids import Solids
+
+# Most faces of one cell.
+_FACES = 400
+# Elements of a box among which neighbours are nearer than usual.
+_CROWD = 8.0
+# κ: slope at which bounds of the radii fall with the distance from large spheres.
+_SLOPE = 0.5
+# A plane that reaches less deep does not cut, over the spacing of the centres; rounding of coordinates, over extents.
+_SHALLOW, _ROUNDING = 1e-12, 4e-15
+
+
+class Bins(NamedTuple):
+    """Centres sorted into boxes, for the search of neighbours.
+
+    Attributes:
+        position: centres [m], shape (n, 3).
+        radius: radii [m], shape (n,).
+        lower, upper: the box around all cells [m], (3,).
+        period: edge lengths of the periodic cell, or 0 [m], (3,).
+        boxes: number of boxes along each axis, (3,).
+        start: start of the members of each box, (boxes + 1,).
+        member: elements, box by box, (n,).
+        bound: B of each element: no sphere at distance L has a radius above B + κ L [m], (n,).
+        first: initial search distance of neighbours, less in crowded boxes [m], (n,).
+        reach: usual distance of the farthest neighbour [m].
+        tolerance: depth to which planes do not cut [m].
+    """
+
+    position: Floats
+    radius: Floats
+    lower: Vector
+    upper: Vector
+    period: Vector
+    boxes: Ints
+    start: Ints
+    member: Ints
+    bound: Floats
+    first: Floats
+    reach: float
+    tolerance: float
+
+
+def usual_reach(particles: Particles) -> float:
+    """Return the distance within which most elements have all their neighbours [m], about twice that of two of these.
+
+    Raises:
+        InputError: Centres coincide.
+    """
+    x, n = particles.position, len(particles)
+    tree = KDTree(x, boxsize=particles.period)
+    some = np.linspace(0, n - 1, min(n, 500)).astype(int)
+    near = np.asarray(tree.query(x[some], k=min(n, 13))[0]).reshape(len(some), -1)
+    reach = 1.5 * float(np.median(near[:, -1]))
+    if n == 1:
+        reach = 4.0 * particles.mean_radius
+    pair = tree.query_pairs(1e-9 * reach, output_type="ndarray")
+    if reach <= 0.0 or len(pair):
+        name = f"elements {pair[0, 0]} and {pair[0, 1]}" if len(pair) else "elements"
+        raise InputError(f"centres of {name} coincide, so that no plane separates their cells; remove one of them")
+    return reach
+
+
+def bins(particles: Particles, lower: Vector, upper: Vector, reach: float) -> Bins:
+    """Sort the centres of particles that fill the box from `lower` to `upper` [m]; see `usual_reach`."""
+    x, n = particles.position, len(particles)
+    lower, upper = np.array(lower, dtype=float), np.array(upper, dtype=float)
+    extent = upper - lower
+    most = max(1, round(2.0 * n ** (1.0 / 3.0)) + 1)
+    count = np.clip((extent / (0.5 * reach)).astype(np.int64), 1, 4 * most)
+    while count.prod() > 8 * n + 8:
+        count = np.maximum(1, count // 2)
+    at = np.clip(((x - lower) / extent * count).astype(np.int64), 0, count - 1)
+    box = (at[:, 0] * count[1] + at[:, 1]) * count[2] + at[:, 2]
+    member = np.argsort(box, kind="stable")
+    start = np.concatenate([[0], np.cumsum(np.bincount(box, minlength=int(count.prod())))])
+    period = np.zeros(3) if particles.period is None else np.array(particles.period)
+    size = reach / 3.0
+    tolerance = max(_SHALLOW * size, _ROUNDING * float(np.abs([lower, upper]).max()))
+    first = reach * np.minimum(1.0, np.cbrt(_CROWD / np.diff(start)[box]))
+    bound = np.full(n, particles.radius.max())
+    if particles.period is None:
+        bound = np.minimum(bound, _bounds(particles.radius, box, count, extent / count))
+    return Bins(x, particles.radius, lower, upper, period, count, start, member, bound, first, reach, tolerance)
+
+
+def _bounds(radius: Floats, box: Ints, count: Ints, width: Vector) -> Floats:
+    """Return B of elements in boxes of some widths: the largest radius of near boxes, and less of far ones, (n,)."""
+    most = np.zeros(int(count.prod()))
+    np.maximum.at(most, box, radius)
+    most = most.reshape(tuple(count))
+    for axis in range(3):
+        most = np.moveaxis(most, axis, 0)
+        near = most.copy()
+        near[1:] = np.maximum(near[1:], most[:-1])
+        near[:-1] = np.maximum(near[:-1], most[1:])
+        # a distance is at least the mean of its parts along the axes, times √3
+        fall = _SLOPE / math.sqrt(3.0) * width[axis] * np.arange(len(near))[:, None, None]
+        up = np.maximum.accumulate(near + fall) - fall
+        down = np.maximum.accumulate((near - fall)[::-1])[::-1] + fall
+        most = np.moveaxis(np.maximum(up, down), 0, axis)
+    return most.ravel()[box]
+
+
+class CellRequest(NamedTuple):
+    """The required cells, and lists in which their neighbours are sorted."""
+
+    chosen: Ints  #: elements, (k,)
+    half: Floats  #: half the widths of the boxes that their cells begin as [m], (k,)
+    found: Ints  #: elements listed, (room,)
+    offset: Floats  #: from the centre to them, and distance [m], (room, 4)
+    order: Ints  #: the nearest first, (room,)
+    end: Ints  #: polygons up to the end of each cell, (k + 1,)
+    done: Ints  #: cells made; the element at which it ended, (2,)
+
+    @classmethod
+    def of(cls, chosen: Ints, half: Floats) -> "CellRequest":
+        """Return a request of which no cell is made yet."""
+        return cls(chosen, half, *_lists(256), np.zeros(len(chosen) + 1, np.int64), np.zeros(2, np.int64))
+
+    def roomier(self) -> "CellRequest":
+        """Return the request with longer lists."""
+        return CellRequest(*self[:2], *_lists(2 * len(self.found)), *self[5:])
+
+
+def _lists(room: int) -> tuple[Ints, Floats, Ints]:
+    return np.empty(room, np.int64), np.empty((room, 4)), np.empty(room, np.int64)
+
+
+class CellRoom(NamedTuple):
+    """A cell under construction: face f has size[f] corners, from row f · MOST_CORNERS on."""
+
+    plane: Floats  #: (faces, 4)
+    tag: Ints  #: (faces,)
+    size: Ints  #: (faces,)
+    vertex: Floats  #: (faces · MOST_CORNERS, 3)
+    work: Floats  #: a polygon, (MOST_CORNERS, 3)
+    other: Floats  #: a polygon, (MOST_CORNERS, 3)
+
+    @classmethod
+    def empty(cls) -> "CellRoom":
+        """Room for the largest cell."""
+        faces = _FACES + 2
+        return cls(
+            np.empty((faces, 4)), np.empty(faces, np.int64), np.empty(faces, np.int64),
+            np.empty((faces * MOST_CORNERS, 3)), polygon_buffer(), polygon_buffer(),
+        )  # fmt: skip
+
+
+_make_cells = Pass("make_cells", Bins, CellRequest, CellRoom, Pile)
+
+
+def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
+    """Compute Laguerre cells of some elements, within boxes around their centres and the box around all.
+
+    Args:
+        centres: all elements.
+        chosen: elements of the cells, (k,).
+        half: half the widths of their boxes [m], (k,); remaining sides of these have the tag LOCAL.
+
+    Raises:
+        InputError: A cell has no volume, or reaches half a period.
+    """
+    request, room = CellRequest.of(chosen, half), CellRoom.empty()
+    pile = new_pile(20 * len(chosen) + 20, 100 * len(chosen) + 100)
+    while (ended := _make_cells(centres, request, room, pile)) in ("lists_full", "pile_full"):
+        if ended == "lists_full":
+            request = request.roomier()
+        else:
+            pile = pile.roomier()
+    where = request.done[1]
+    if ended == "swallowed":
+        raise InputError(
+            f"the cell of element {where} has no volume: larger spheres enclose it; remove it, or make radii"
+            " more alike"
+        )
+    if ended == "narrow":
+        raise InputError(
+            f"the cell of element {where} has a neighbour half a period away; enlarge the periodic cell, with more"
+            " elements"
+        )
+    if ended == "crowded":
+        raise InputError(f"the cell of element {where} has more than {_FACES} faces; make radii more alike")
+    faces = pile.size
+    return Solids(
+        chosen, request.end, pile.what[:faces, TAG].copy(), pile.plane[:faces], pile.corner, pile.corners
+    )

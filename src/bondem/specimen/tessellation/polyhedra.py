@@ -1,0 +1,74 @@
+"""Cells as polyhedra, for pictures and files."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._checks import instance
+from bondem._types import Floats, Ints
+from bondem.errors import InputError
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.particles import freeze
+from bondem.specimen.tessellation.cutting import tessellation
+from bondem.specimen.tessellation.solids import ranges
+
+
+@dataclass(frozen=True, eq=False)
+class Polyhedra:
+    """Boundary polygons of all cells, sorted by cell. At a facet both cells have one polygon, in the same place.
+
+    Attributes:
+        vertex: corners, polygon by polygon, counter-clockwise seen from outside [m], shape (v, 3).
+        start: corners of polygon q are start[q] … start[q + 1] - 1, shape (p + 1,).
+        cell: cell of each polygon, shape (p,).
+        neighbour: the cell on the other side, or -1 on a wall, shape (p,).
+    """
+
+    vertex: Floats
+    start: Ints
+    cell: Ints
+    neighbour: Ints
+
+
+def polyhedra(lattice: Lattice) -> Polyhedra:
+    """Compute the boundary polygons of each cell of a body.
+
+    A cell that is divided by walls, or made of pieces, has several polygons in one plane.
+
+    Args:
+        lattice: a body of cells, from `bd.connect(..., method="laguerre")`.
+
+    Returns:
+        Convex polygons. In a periodic cell they lie in the image next to the centre.
+
+    Raises:
+        InputError: The lattice has no cells.
+    """
+    instance("polyhedra", "lattice", lattice, Lattice, 'a body, from bd.connect(..., method="laguerre")')
+    if lattice.cells is None:
+        raise InputError('polyhedra: the lattice has no cells; make it with bd.connect(..., method="laguerre")')
+    made = tessellation(lattice.particles, outlines=True)
+    position, plain = made.centres.position, made.outlines
+    found, owner = made.cut.found, made.cut.owner
+    own = plain.cell[plain.of_face]
+    behind = np.maximum(plain.tag, -1)
+    kept = np.flatnonzero((behind < 0) | ~made.is_cut[np.maximum(behind, 0)])
+    corners, begin = ranges(plain.corner, kept)
+    a = owner[found.piece]
+    b = np.where(found.other >= 0, owner[found.other], found.element)
+    outer = np.flatnonzero(a != b)
+    back = outer[b[outer] >= 0]
+    forth, size_forth = ranges(found.corner, outer)
+    turned, size_turned = ranges(found.corner, back)
+    turned = np.repeat(size_turned[:-1] + size_turned[1:] - 1, np.diff(size_turned)) - np.arange(len(turned))
+    turned = ranges(found.corner, back)[0][turned]
+    vertex = np.concatenate([
+        plain.vertex[corners] + np.repeat(position[own[kept]], np.diff(begin), axis=0), found.vertex[forth],
+        found.vertex[turned],
+    ])  # fmt: skip
+    size = np.concatenate([np.diff(begin), np.diff(size_forth), np.diff(size_turned)])
+    cell = np.concatenate([own[kept], a[outer], b[back]])
+    neighbour = np.concatenate([behind[kept], b[outer], a[back]])
+    order = np.argsort(cell, kind="stable")
+    rows, start = ranges(np.append(0, np.cumsum(size)), order)
+    return Polyhedra(freeze(vertex[rows]), freeze(start), freeze(cell[order]), freeze(neighbour[order]))

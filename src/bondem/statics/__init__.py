@@ -1,0 +1,1 @@
+"""Equilibria, modes and quasi-static crack paths."""

@@ -1,0 +1,327 @@
+"""The linear system of a lattice, K u = f, with six degrees of freedom (u, θ) per element, and its solvers.
+
+The unknowns of every element are scaled by an inverse root S of its own diagonal block, restricted to its free part.
+Sᵀ K S has unit blocks on its diagonal, translations and rotations in one measure, and zeros for held elements and
+rattlers. Small lattices and chains are solved by elimination. Others use conjugate gradients, preconditioned by
+`Clumps`, to a negligible residual.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from scipy.sparse import csc_array
+from scipy.sparse.linalg import splu
+
+from bondem._types import Floats, Ints, Mask, PerBond
+from bondem.errors import ConvergenceError, InputError
+from bondem.model.model import Model
+from bondem.model.stiffness import Stiffness
+from bondem.model.stiffness_matrices import stiffness_matrix
+from bondem.statics.coarse_space import Clumps, clump_motions, clump_of, parted
+
+# Up to this many elements, or in a lattice that is little more than a chain, elimination wins. Cells have twice the
+# neighbours, and dilatation couples the next ones: 1200 of them take 1.3 s to eliminate, and 0.2 s to iterate.
+_DIRECT, _DIRECT_CELLS = 1500, 150
+_CHAIN = 1.5
+# A pivot below this, of a matrix with unit diagonal, belongs to a mechanism.
+_SINGULAR = 1e-13
+_ROUNDS = 5000
+_MECHANISM = (
+    "the static solution did not converge: the load moves a mechanism that no bond resists (elements free to"
+    " roll under bonds without moments, or too few bonds); fix more, or choose a law with moments"
+)
+
+
+@dataclass(frozen=True, eq=False)
+class System:
+    """The matrix of a model and its free motions, in internal order.
+
+    Attributes:
+        matrix: K of all degrees of freedom [N/m, N, N·m], (6 n, 6 n).
+        position: centres, with rattlers at the centroid [m], shape (n, 3).
+        length: R̄, which converts rotations to displacements [m].
+        free: mask of the degrees of freedom that are neither held nor a rattler's, shape (n, 6).
+        loose: rigid motions (u, θ) that the supports permit, orthonormal with u·u + R̄² θ·θ, shape (6 n, k).
+    """
+
+    matrix: Stiffness
+    position: Floats
+    length: float
+    free: Mask
+    loose: Floats
+
+    @classmethod
+    def of(cls, model: Model) -> "System":
+        """Return the matrix and supports of a model.
+
+        Raises:
+            InputError: The model has contacts or walls, which only carry compression and have no matrix, or no bonds.
+        """
+        if model.contact is not None:
+            raise InputError(
+                "contacts and walls act in explicit runs only; leave contact= and walls= out of the model, and hold"
+                " or load faces with bd.Fix and bd.Load"
+            )
+        if model.failure is not None:
+            raise InputError("bonds break in explicit runs only; leave failure= out of the model")
+        if len(model.lattice.pairs) == 0:
+            raise InputError("elements without bonds have no stiffness; bond them, or use solve_explicit")
+        lattice, order = model.lattice, model.layout.order
+        connected = lattice.connected[order]
+        position = lattice.centre[order]
+        position[~connected] = position[connected].mean(axis=0)
+        held = model.constraints.held(len(order)) & connected[:, None]
+        metric = np.tile(np.repeat([1.0, lattice.particles.mean_radius], 3), len(order))
+        loose = rigid_motions(position, lattice.particles.period is not None) * connected[:, None, None]
+        loose = orthonormal(loose.reshape(len(metric), -1) * metric[:, None])
+        grip = loose[held.ravel()]
+        if model.cells is not None:
+            grips = model.cells.grips
+            by_user = (loose / metric[:, None]).reshape(len(order), 6, -1)[model.layout.rank]
+            grip = np.concatenate([grip, grips.constraint(by_user)])
+        if len(grip):
+            size, turn = np.linalg.eigh(grip.T @ grip)
+            loose = loose @ turn[:, size <= 1e-12 * size[-1]]
+        return cls(
+            matrix=stiffness_matrix(model),
+            position=position,
+            length=lattice.particles.mean_radius,
+            free=connected[:, None] & ~held,
+            loose=loose / metric[:, None],
+        )
+
+    def without_rigid_motion(self, motion: Floats) -> Floats:
+        """Return a motion (6 n,) without its part along `loose`."""
+        if self.loose.shape[1] == 0:
+            return motion
+        return motion - self.loose @ (self.loose.T @ (self._weight * motion))
+
+    def balanced(self, load: Floats) -> Floats:
+        """Return a load (6 n,) without the rounding errors of its work on `loose`."""
+        if self.loose.shape[1] == 0:
+            return load
+        return load - self._weight * (self.loose @ (self.loose.T @ load))
+
+    @property
+    def _weight(self) -> Floats:
+        return np.tile(np.repeat([1.0, self.length**2], 3), len(self.free))
+
+
+def orthonormal(vectors: Floats) -> Floats:
+    """Return orthonormal vectors (rows, k) of the same span."""
+    for _ in range(2):
+        vectors = vectors / np.sqrt(np.einsum("nk,nk->k", vectors, vectors))
+        vectors = vectors @ normalising(vectors.T @ vectors)
+    return vectors
+
+
+def spanning(vectors: Floats) -> Floats:
+    """Return an orthonormal basis of the span of vectors (rows, k), which may be dependent, (rows, ≤ k)."""
+    if vectors.shape[1] == 0:
+        return vectors
+    size, turn = np.linalg.eigh(vectors.T @ vectors)
+    return orthonormal(vectors @ turn[:, size > 1e-14 * size[-1]])
+
+
+def normalising(product: Floats) -> Floats:
+    """Return T with Tᵀ product T = 1."""
+    return np.asarray(np.linalg.inv(np.linalg.cholesky(product)).T, dtype=float)
+
+
+def rigid_motions(position: Floats, periodic: bool) -> Floats:
+    """Return translations along and rotations about the axes through the centroid as (u, θ), shape (n, 6, 6 or 3)."""
+    motions = clump_motions(position, np.zeros(len(position), dtype=np.int64))
+    return motions[:, :, :3] if periodic else motions
+
+
+class Solver(Protocol):
+    """Solver of K u = f for one system and many right-hand sides."""
+
+    def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
+        """Return displacements and rotations u (6 n,), without rigid motion, and the number of iterations.
+
+        Args:
+            load: forces and torques, (6 n,), that do no work on `System.loose`; ignored where held, where u is zero.
+            guess: start of an iteration.
+            rtol: residual over load at which the iteration ends.
+
+        Raises:
+            ConvergenceError: No bond resists the load.
+        """
+        ...
+
+
+def solver(system: System) -> Solver:
+    """Return the faster of elimination and iteration."""
+    return Elimination(system) if prefers_elimination(system) else Iteration(system)
+
+
+def prefers_elimination(system: System) -> bool:
+    """Return True if a lattice is so small, or so nearly a chain, that elimination is faster."""
+    n = len(system.free)
+    bonds = system.matrix.neighbours // 2
+    return n <= (_DIRECT if system.matrix.forms is None else _DIRECT_CELLS) or bonds <= _CHAIN * n
+
+
+class Elimination:
+    """LU decomposition of the free part; for a free specimen, one degree of freedom per rigid motion is grounded."""
+
+    def __init__(self, system: System) -> None:
+        self._system = system
+        free = system.free.ravel().copy()
+        loose = system.loose * np.tile(np.repeat([1.0, system.length], 3), len(system.free))[:, None]
+        for _ in range(loose.shape[1]):
+            grip = np.argmax((loose**2).sum(axis=1) * free)
+            free[grip] = False
+            loose = loose @ np.linalg.svd(loose[grip][None])[2][1:].T
+        self._live = np.flatnonzero(free)
+        matrix = system.matrix.tocsc()[:, self._live][self._live]
+        self._scale = 1.0 / np.sqrt(np.maximum(matrix.diagonal(), 1e-300))
+        self._matrix = csc_array(matrix.multiply(self._scale[:, None]).multiply(self._scale))
+        try:
+            self._factors = splu(
+                self._matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0,
+                options={"SymmetricMode": True},
+            )  # fmt: skip
+            singular = np.abs(self._factors.U.diagonal()).min(initial=1.0) < _SINGULAR
+        except RuntimeError:
+            singular = True
+        # on a mechanism a load need not work: iteration finds out
+        self._iteration = Iteration(system) if singular else None
+
+    def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
+        """See `Solver`; it needs no guess."""
+        if self._iteration is not None:
+            return self._iteration.solve(load, guess=guess, rtol=rtol)
+        right = self._scale * load[self._live]
+        x = self._factors.solve(right)
+        x += self._factors.solve(right - self._matrix @ x)
+        solution = np.zeros_like(load)
+        solution[self._live] = self._scale * x
+        return self._system.without_rigid_motion(solution), 1
+
+
+class Iteration:
+    """Conjugate gradients on Sᵀ K S with the coarse correction of clumps.
+
+    Attributes:
+        root: S of each element, shape (n, 6, 6).
+        scaled: Sᵀ K S.
+        coarse: coarse correction of the scaled matrix.
+    """
+
+    def __init__(self, system: System, lost: tuple[Ints, Ints, PerBond] | None = None) -> None:
+        """Prepare the preconditioner.
+
+        Args:
+            system: the matrix and its free part.
+            lost: elements on both sides of bonds, and the share of their stiffness that these have lost, (m,) each.
+        """
+        self._system = system
+        K = system.matrix
+        self.root, self._back = element_roots(K, system.free)
+        self._turned = np.ascontiguousarray(np.swapaxes(self.root, 1, 2))
+        self.scaled = K.scaled(self.root)
+        clump = clump_of(system.position)
+        if lost is not None:
+            clump = parted(clump, system.position, *lost)
+        self.coarse = Clumps(self.scaled, self._back @ clump_motions(system.position, clump), clump)
+        self._rigid = spanning(self.unscaled(system.loose))
+
+    def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
+        """See `Solver`."""
+        system = self._system
+        start = np.zeros_like(load) if guess is None else np.where(system.free.ravel(), guess, 0.0)
+        load = system.balanced(load)
+        right = self.turned(load)
+        residual = right if guess is None else right - self.turned(system.matrix @ start)
+        stop = rtol * float(np.linalg.norm(right))
+        x, rounds = conjugate_gradients(self.scaled, self.approximate, residual, stop)
+        solution = system.without_rigid_motion(start + _by_element(self.root, x))
+        # motions that an element's own block does not resist are left out of S: a load on them shows here
+        measure = np.where(system.free, [1.0] * 3 + [1.0 / system.length] * 3, 0.0).ravel()
+        rest = np.linalg.norm(measure * (load - system.matrix @ solution))
+        if rest > 1e-4 * np.linalg.norm(measure * load) + 1e-9 * np.linalg.norm(load):
+            raise ConvergenceError(_MECHANISM)
+        return solution, rounds
+
+    def approximate(self, residual: Floats) -> Floats:
+        """Return an approximation of (Sᵀ K S)⁻¹ times residuals of shape (6 n,) or (6 n, k)."""
+        z = residual + self.coarse(residual)
+        # the clumps nearly resist rigid motion only: what rounding leaves of it in a residual would grow a
+        # billionfold, and iterations on a free specimen stall or diverge near 1e-10
+        return z - self._rigid @ (self._rigid.T @ z)
+
+    def turned(self, load: Floats) -> Floats:
+        """Return Sᵀ f for every column of (6 n, k)."""
+        return _by_element(self._turned, load)
+
+    def displacement(self, unknowns: Floats) -> Floats:
+        """Return S x for every column of (6 n, k)."""
+        return _by_element(self.root, unknowns)
+
+    def unscaled(self, displacement: Floats) -> Floats:
+        """Return S⁻¹ u for every column of (6 n, k)."""
+        return _by_element(self._back, displacement)
+
+
+def _by_element(blocks: Floats, values: Floats) -> Floats:
+    return np.matmul(blocks, values.reshape(len(blocks), 6, -1)).reshape(values.shape)
+
+
+def element_roots(matrix: Stiffness, free: Mask) -> tuple[Floats, Floats]:
+    """Return S with Sᵀ K_ee S = 1 on the free part of every diagonal block, zero elsewhere, and its pseudo-inverse.
+
+    Both have the shape (n, 6, 6). Motions of an element that its block does not resist are left out.
+    """
+    blocks = matrix.diagonal_blocks() * (free[:, :, None] & free[:, None, :])
+    size = np.sqrt(np.einsum("nii->ni", blocks))
+    size[size == 0.0] = 1.0
+    value, vector = np.linalg.eigh(blocks / size[:, :, None] / size[:, None, :])
+    vector *= free[:, :, None]
+    length = np.sqrt(np.where(value > 1e-12, value, 0.0))
+    inverse = np.divide(1.0, length, out=np.zeros_like(length), where=length > 0.0)
+    return (
+        vector * inverse[:, None, :] / size[:, :, None],
+        np.swapaxes(vector * length[:, None, :] * size[:, :, None], 1, 2).copy(),
+    )
+
+
+class Matrix(Protocol):
+    """A matrix given by its product with vectors."""
+
+    def __matmul__(self, motion: Floats, /) -> Floats:
+        """Return K x."""
+        ...
+
+
+def conjugate_gradients(
+    matrix: Matrix, precondition: Callable[[Floats], Floats], residual: Floats, stop: float, *, energy: float = 0.0
+) -> tuple[Floats, int]:
+    """Return x with |residual - K x| <= stop, and the number of iterations.
+
+    The iteration also ends at r·z <= `energy`, with the remaining residual r and its preconditioned form z: r·z is
+    about twice the energy of the error.
+    """
+    x = np.zeros_like(residual)
+    r = residual.copy()
+    p = np.zeros_like(r)
+    rho = 1.0
+    for k in range(_ROUNDS):
+        if np.linalg.norm(r) <= stop:
+            return x, k
+        z = precondition(r)
+        rho, old = r @ z, rho
+        if 0.0 < rho <= energy:
+            return x, k
+        p *= rho / old
+        p += z
+        Kp = matrix @ p
+        curvature = p @ Kp
+        if not curvature > 0.0:
+            break
+        x += (rho / curvature) * p
+        r -= (rho / curvature) * Kp
+    raise ConvergenceError(_MECHANISM)

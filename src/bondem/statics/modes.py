@@ -1,0 +1,227 @@
+"""Natural modes of a model: K φ = ω² M φ."""
+
+import warnings
+from dataclasses import dataclass
+from typing import Any, Literal, cast
+
+import numpy as np
+from scipy.linalg import eigh
+from scipy.sparse import bsr_array, csc_array, diags_array
+
+from bondem._blas import one_blas_thread
+from bondem._checks import count as whole_number
+from bondem._checks import instance
+from bondem._names import users_line
+from bondem._progress import staged
+from bondem._types import Floats
+from bondem.boundary.conditions import Load
+from bondem.boundary.loads import BodyForce, Eigenstrain, Pressure
+from bondem.errors import ConvergenceError, InputError, PrestressWarning
+from bondem.model.model import Model
+from bondem.model.solution import Solution
+from bondem.model.state import State
+from bondem.model.stiffness_matrices import mass_diagonal
+from bondem.statics.lanczos import lowest_modes
+from bondem.statics.linear import Elimination, Iteration, System, normalising, orthonormal, prefers_elimination
+from bondem.statics.prestress import about_equilibrium
+from bondem.statics.static import StaticResult
+
+# Vectors iterated beside the wanted ones, so that a wanted pair is not cut in two.
+_GUARD = 4
+# Error of ω² at which the iteration stops, as a share of ω².
+_TOLERANCE = 1e-8
+_ROUNDS = 300
+# Rounds after which a block is widened, and by how many vectors at least.
+_PATIENCE, _WIDER = 60, 8
+# Share of the largest ω² below minus which the least one is that of an equilibrium that buckles.
+_UNSTABLE = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class ModesResult(Solution):
+    """The lowest natural modes, without rigid motions that the supports leave free.
+
+    The residual is the largest error of ω² that K φ - ω² M φ allows, over the largest requested ω².
+
+    Attributes:
+        frequency: ω / 2π, ascending [Hz], shape (count,).
+        shape: φ of each mode, translations and rotations (u, θ) in the user's order, normalised to
+            φᵀ M φ = 1 kg·m², largest component positive, shape (count, n, 6).
+    """
+
+    frequency: Floats
+    shape: Floats
+
+
+@one_blas_thread
+@staged("modes")
+def solve_modes(
+    model: Model, *, count: int = 8, prestress: StaticResult | State | Literal[False] | None = None
+) -> ModesResult:
+    """Compute the lowest natural frequencies and modes, without damping.
+
+    Fixed and driven elements are held. Rigid motions that the supports permit are left out, and so are rattlers.
+    Absorbing boundaries have no effect. Loads and strains act only through the stresses of `prestress`: tension makes
+    a string stiffer across, and pressure makes a column softer.
+
+    Args:
+        model: the vibrating model.
+        count: number of modes.
+        prestress: equilibrium about which the specimen vibrates; the specimen must be held. Give
+            `bd.solve_static(model)`, with nonlinear=True for large motions, or a state at rest. None means the
+            reference configuration; False means the same without a warning about loads that have no effect.
+
+    Warns:
+        PrestressWarning: The model has loads or strains, and no `prestress` is given.
+
+    Raises:
+        InputError: The model has fewer modes than `count`, contacts or walls. Or `prestress` is not an equilibrium of
+            the model, or an unstable one.
+        ConvergenceError: The iteration stopped before the tolerance of 1e-6 on frequencies.
+    """
+    instance("solve_modes", "model", model, Model, "bd.Model(...)")
+    count = whole_number("solve_modes", "count", count, least=1)
+    if model.non_local is not None:
+        raise InputError("the non-local law has no potential, and so no modes; use bd.CellBond, or solve_explicit")
+    system, mass = System.of(model), mass_diagonal(model)
+    if prestress is None:
+        _warn_of_loads(model)
+    elif prestress is not False:
+        system = about_equilibrium(model, system, prestress)
+    available = int(system.free.sum()) - system.loose.shape[1]
+    if not 1 <= count <= available:
+        raise InputError(f"count = {count}, but the model has {available} modes; give a number from 1 to {available}")
+    if available <= max(200, 4 * count):
+        square, shape, rounds = _dense(system, mass, count)
+    elif prefers_elimination(system):
+        square, shape, rounds = _inverse_lanczos(system, mass, count)
+    else:
+        square, shape, rounds = _block_gradients(system, mass, count)
+    if square[0] < -_UNSTABLE * np.abs(square).max() and prestress is not None and prestress is not False:
+        raise InputError("prestress= is an unstable equilibrium that buckles and has no frequencies; lower the loads")
+    shape /= np.sqrt((mass[:, None] * shape**2).sum(axis=0))
+    shape *= np.sign(shape[np.abs(shape).argmax(axis=0), np.arange(count)])
+    frequency = np.sqrt(np.maximum(square, 0.0)) / (2.0 * np.pi)
+    return ModesResult(
+        frequency, shape.T.reshape(count, -1, 6)[:, model.layout.rank].copy(),
+        iterations=rounds, residual=_residual(system, mass, square, shape),
+    )  # fmt: skip
+
+
+def _warn_of_loads(model: Model) -> None:
+    loaded = [one for one in model.boundary if isinstance(one, Load | Pressure | BodyForce | Eigenstrain)]
+    if loaded:
+        warnings.warn(
+            f"solve_modes: {type(loaded[0]).__name__} does not affect the modes of the reference; give"
+            " prestress=bd.solve_static(model) for those of the loaded specimen, or prestress=False",
+            PrestressWarning,
+            stacklevel=users_line(),
+        )
+
+
+def _residual(system: System, mass: Floats, square: Floats, shape: Floats) -> float:
+    rest = (system.matrix @ shape - mass[:, None] * shape * square) * system.free.ravel()[:, None]
+    error = np.sqrt((rest**2 / mass[:, None]).sum(axis=0).max())
+    return float(error / square[-1]) if square[-1] > 0.0 else 0.0
+
+
+def _dense(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
+    live = np.flatnonzero(system.free)
+    matrix = system.matrix.tocsc()[:, live][live].toarray()
+    scale = 1.0 / np.sqrt(mass[live])
+    none = system.loose.shape[1]
+    square, vector = eigh(matrix * scale[:, None] * scale, subset_by_index=[none, none + count - 1])
+    shape = np.zeros((len(mass), count))
+    shape[live] = scale[:, None] * vector
+    return square, shape, 1
+
+
+def _inverse_lanczos(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
+    root = np.sqrt(mass)
+    rigid = orthonormal(root[:, None] * system.loose)
+    elimination = Elimination(system)
+
+    def free(v: Floats) -> Floats:
+        return v - rigid @ (rigid.T @ v)
+
+    rounds = 0
+
+    def inverse(v: Floats) -> Floats:
+        nonlocal rounds
+        rounds += 1
+        return free(root * elimination.solve(root * free(v * alive))[0])
+
+    alive = system.free.ravel().astype(float)
+    scale = diags_array(1.0 / root)
+    start = free(alive * np.random.default_rng(0).standard_normal(len(mass)))
+    matrix = csc_array(scale @ system.matrix.tocsc() @ scale)
+    square, vector = lowest_modes(matrix, inverse, start, count=count, tolerance=1e-12)
+    return square, vector / root[:, None], rounds
+
+
+def _block_gradients(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
+    """Compute modes by locally optimal block preconditioned conjugate gradients (Knyazev 2001).
+
+    The iteration starts from the modes of the clumps. Equal frequencies, of which a ball has up to 2 l + 1, converge
+    slowly if the block ends among them. A block that has not converged in `_PATIENCE` rounds is therefore widened.
+    """
+    iteration = Iteration(system)
+    n, none = len(iteration.root), system.loose.shape[1]
+    root = iteration.root
+    blocks = np.swapaxes(root, 1, 2) @ (mass.reshape(n, 6, 1) * root)
+    M = bsr_array((blocks, np.arange(n), np.arange(n + 1)), shape=iteration.scaled.shape)
+    most = int(system.free.sum()) - none
+    rigid = iteration.unscaled(system.loose)
+    rigid = rigid @ normalising(rigid.T @ (M @ rigid))
+    found, rounds, guard = np.zeros((6 * n, 0)), 0, _GUARD
+    while rounds < _ROUNDS:
+        width = min(count + guard, most)
+        S = np.hstack([found, iteration.coarse.modes(M, width + none)])
+        S -= rigid @ ((M @ rigid).T @ S)
+        square, found, new, done = _iterated(iteration, M, rigid, S, count=count, width=width)
+        rounds += new
+        if done:
+            return square[:count], iteration.displacement(found[:, :count]), rounds
+        guard += max(_WIDER, count // 2)
+    raise ConvergenceError(
+        f"the first {count} modes did not converge; ask for fewer with count=, and for bonds with moments where"
+        " elements can roll freely"
+    )
+
+
+def _iterated(
+    iteration: Iteration, M: Any, rigid: Floats, S: Floats, *, count: int, width: int
+) -> tuple[Floats, Floats, int, bool]:
+    """Return squares and vectors of a block, its number of rounds, and True if the first `count` have converged."""
+    K = cast(Any, iteration.scaled)  # types of sparse products take a type checker a minute in this loop
+    M_rigid, KS, MS = M @ rigid, K @ S, M @ S
+    last, square, X = 0, np.zeros(0), S
+    for k in range(_PATIENCE):
+        square, turn = _ritz(S.T @ KS, S.T @ MS, width)
+        X, KX, MX = S @ turn, KS @ turn, MS @ turn
+        R = KX - MX * square
+        W = iteration.approximate(R)
+        if square[0] < -_UNSTABLE * np.abs(square[:count]).max():  # Ritz values are above the least: it buckles
+            return square, X, k + 1, True
+        # bounds the error of each ω², but for the quality of the preconditioner
+        error = np.einsum("nk,nk->k", R, W)
+        if len(square) >= count and (error[:count] <= _TOLERANCE * square[:count]).all():
+            return square, X, k + 1, True
+        W -= rigid @ (M_rigid.T @ W)
+        turn[:last] = 0.0
+        last = turn.shape[1]
+        S, KS, MS = (
+            np.hstack([new, fresh, old @ turn])
+            for new, fresh, old in ((X, W, S), (KX, K @ W, KS), (MX, M @ W, MS))
+        )
+    return square, X, _PATIENCE, False
+
+
+def _ritz(K: Floats, M: Floats, count: int) -> tuple[Floats, Floats]:
+    """Return the lowest eigenvalues and vectors of a small pencil whose vectors may be nearly dependent."""
+    scale = 1.0 / np.sqrt(M.diagonal())
+    size, vector = np.linalg.eigh(M * scale[:, None] * scale)
+    keep = size > 1e-12 * size[-1]
+    basis = scale[:, None] * vector[:, keep] / np.sqrt(size[keep])
+    square, turn = np.linalg.eigh(basis.T @ K @ basis)
+    return square[:count], basis @ turn[:, :count]

@@ -1,0 +1,141 @@
+"""Equilibrium of the non-local law, whose stresses lag one iteration behind the motions.
+
+F_t = A τ holds for any tangential forces that agree with the stress that they make, so that no single set of
+equations has the answer. The equilibrium is the end of a path from the unloaded state, in rounds of
+
+    K u' = f + nodal loads of the extra forces e,    e' = e(σ, δ_t) of the motion u'
+
+with K of the springs alone. After one round for each of `steps` equal shares of the load, rounds continue at full
+load until stresses no longer change. The number of steps has no effect on the stresses.
+
+If the extra shear force is limited, the rounds are mixed to converge sooner (Anderson). Without the limiter rotations
+may never settle although stresses have, because no spring resists them; the rounds are then plain.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._blas import one_blas_thread
+from bondem._types import Floats, PerElement6
+from bondem.errors import ConvergenceError
+from bondem.model.model import Model
+from bondem.observables.non_local_strain import NonLocalStrain
+from bondem.statics.linear import Elimination, Iteration, System
+
+# Up to this many elements one elimination serves all rounds.
+_DIRECT = 4000
+# Stresses have settled when they change by less than this share in a round, so many rounds in a row.
+_SETTLED, _IN_A_ROW = 2e-5, 3
+_ROUNDS = 400
+# Rounds that are mixed, and the least share of the largest square of a difference that counts.
+_MEMORY, _RANK = 20, 1e-13
+# Stresses over those of the first round from which on the rounds are taken to diverge.
+_BEYOND = 1e6
+
+
+@dataclass(frozen=True, eq=False)
+class Settled:
+    """An equilibrium, user's order.
+
+    Attributes:
+        strain: deformation of all bonds, with their forces.
+        motion: (u, θ) of the elements [m, rad], (n, 6).
+        rounds: number of rounds.
+        change: change of the stresses in the last round, root of sums of squares over that of the stresses [-].
+    """
+
+    strain: NonLocalStrain
+    motion: PerElement6
+    rounds: int
+    change: float
+
+
+class LaggedStatics:
+    """Statics of a model of the non-local law: one matrix for all rounds and loads."""
+
+    def __init__(self, model: Model, system: System) -> None:
+        self._model, self._system = model, system
+        small = len(model.layout.order) <= _DIRECT
+        self._solver = Elimination(system) if small else Iteration(system)
+
+    @one_blas_thread
+    def settle(
+        self,
+        load: PerElement6,
+        *,
+        motion: PerElement6 | None = None,
+        slip: Floats | None = None,
+        steps: int = 1,
+        limited: bool | None = None,
+    ) -> Settled:
+        """Compute the equilibrium of the model, user's order.
+
+        Args:
+            load: forces and moments on the elements [N, N·m], (n, 6).
+            motion: prescribed motions of the elements that are held [m, rad], (n, 6).
+            slip: additional opening of bonds [m], (m, 3), by a macroscopic strain.
+            steps: number of steps in which all of these are applied.
+            limited: True if rounds may be mixed; None for the setting of the law.
+
+        Raises:
+            ConvergenceError: Stresses grow, or do not settle.
+        """
+        model = self._model
+        constants = model.non_local_constants
+        lattice, n = model.lattice, len(load)
+        held = np.zeros((n, 6)) if motion is None else motion
+        opened = np.zeros((len(lattice.pairs), 3)) if slip is None else slip
+        mixing = Mixing(constants.limited if limited is None else limited)
+        now = NonLocalStrain.none(lattice, constants)
+        found: PerElement6 | None = None
+        stress, scale, quiet, change = np.zeros((n, 6)), 0.0, 0, np.inf
+        for k in range(1, _ROUNDS + 1):
+            share = min(1.0, k / steps)
+            before = now.moved(share * held, share * opened)
+            total = share * load + before.nodal(before.force)
+            found = share * held + self._answer(total, found)
+            now = now.moved(found, share * opened)
+            new = now.stress
+            size = float(np.linalg.norm(new))
+            scale = max(scale, size) if k <= steps else scale
+            if not size <= _BEYOND * scale:
+                raise ConvergenceError(f"stresses of the non-local law grow without end after {k} rounds; lower nu=")
+            change = float(np.linalg.norm(new - stress)) / size if size > 0.0 else 0.0
+            stress = new
+            quiet = quiet + 1 if k > steps and change <= _SETTLED else 0
+            if quiet == _IN_A_ROW:
+                return Settled(now, found, k, change)
+            later = now.lagged()
+            extra = later.extra if k < steps else mixing(now.extra, later.extra)
+            now = NonLocalStrain(lattice, constants, later.gap, extra)
+        raise ConvergenceError(
+            f"stresses of the non-local law still change by {change:.2g} a round after {_ROUNDS} rounds;"
+            " lower nu=, or use solve_explicit with damping"
+        )
+
+    def _answer(self, total: PerElement6, guess: PerElement6 | None) -> PerElement6:
+        layout = self._model.layout
+        start = None if guess is None else guess[layout.order].ravel()
+        return self._solver.solve(total[layout.order].ravel(), guess=start)[0].reshape(-1, 6)[layout.rank]
+
+
+class Mixing:
+    """The next input of a round, from earlier inputs and outputs (Anderson), or simply the last output."""
+
+    def __init__(self, mixed: bool) -> None:
+        self._most = _MEMORY if mixed else 0
+        self._put: list[Floats] = []
+        self._left: list[Floats] = []
+
+    def __call__(self, put: Floats, out: Floats) -> Floats:
+        """Return the next values, of the shape of both arguments."""
+        if not self._most:
+            return out
+        self._put, self._left = [*self._put, put][-self._most :], [*self._left, out - put][-self._most :]
+        if len(self._put) == 1:
+            return out
+        before = np.stack([b.ravel() - a.ravel() for a, b in zip(self._put, self._put[1:], strict=False)], axis=1)
+        less = np.stack([b.ravel() - a.ravel() for a, b in zip(self._left, self._left[1:], strict=False)], axis=1)
+        weight = np.linalg.lstsq(less.T @ less, less.T @ self._left[-1].ravel(), rcond=_RANK)[0]
+        return out - ((before + less) @ weight).reshape(out.shape)

@@ -1,0 +1,270 @@
+"""Equilibrium at large rotations: the minimum of the energy of bonds and loads, found by Newton's method.
+
+The tangent is the second derivative of the bond energy by displacements and spins, each bond's by central differences
+of its exact gradient. Loads keep their direction; the forces of a moment rotate with its region. Load and prescribed
+motion grow together in steps that rotate no element by more than a fraction of a radian. This follows the path from
+rest.
+"""
+
+from copy import copy
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.sparse import bsr_array
+
+from bondem._types import Floats
+from bondem.boundary.couples import Couple
+from bondem.errors import ConvergenceError, InputError
+from bondem.geometry.rotations import rotation_vector
+from bondem.interactions.beams.beam_tables import beam_tables, count_turned, loads_of_each
+from bondem.interactions.beams.bond_table import with_twins
+from bondem.model.cell_tangent import cell_forces, current_forms, facet_gradient, grip_blocks
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.model.stiffness import Stiffness
+from bondem.statics.linear import Elimination, System, solver
+
+# Largest rotation of an element in one step of the load [rad].
+_TURN = 0.3
+_ROUNDS = 20
+_TOLERANCE = 1e-9
+_SHORTEST = 1e-4
+# Central differences: error of the tangent h² from the step and ε/h from rounding.
+_DIFFERENCE = 1e-5
+# Up to this many elements the tangent is eliminated where moments act: it need not be definite without what they add.
+_ELIMINATED = 5000
+
+
+@dataclass(frozen=True, eq=False)
+class Bent:
+    """An equilibrium at large rotations, internal order.
+
+    Attributes:
+        state: state with the poses.
+        motion: displacements and rotation vectors [m, rad], shape (n, 6).
+        force: resistance of the bonds to displacements and spins, K u for small ones [N, N·m], (n, 6).
+        walls: loads of walls that hold facets of cells on these [N, N·m], (n, 6).
+        rounds: number of iterations of Newton's method, over all steps of the load.
+        residual: unbalanced force at the end, over that of loads and supports [-].
+    """
+
+    state: State
+    motion: Floats
+    force: Floats
+    walls: Floats
+    rounds: int
+    residual: float
+
+
+def follow(model: Model, system: System) -> Bent:
+    """Return the equilibrium at the end of all schedules, reached in steps from rest.
+
+    Raises:
+        InputError: The supports leave a rigid motion free.
+        ConvergenceError: The load cannot be reached, because the body buckles or bonds turn beyond their range.
+    """
+    if system.loose.shape[1]:
+        raise InputError("nonlinear=True needs a specimen that is held; fix all six rigid motions with Fix")
+    n = len(system.free)
+    motion = model.constraints.final_motion(n)
+    state = State(model)
+    done, step, residual = 0.0, 1.0, 0.0
+    rounds = 0
+    while done < 1.0:
+        step = min(step, 1.0 - done)
+        trial = _advance(strained(model, done + step), system, state, done + step, motion * step)
+        rounds += trial.rounds
+        if trial.state is not None:
+            state, done, step, residual = trial.state, done + step, 2.0 * step, trial.residual
+        else:
+            step *= trial.shorter
+            if step < _SHORTEST:
+                raise ConvergenceError(
+                    f"no equilibrium was found beyond {done:.4g} of the load: it buckles, or turns bonds too far;"
+                    " lower it, bond with more and shorter bonds, or use solve_explicit with damping"
+                )
+    turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
+    force, walls = _forces(strained(model, 1.0), state.pose)
+    return Bent(state, turned, force, walls, rounds, residual)
+
+
+def strained(model: Model, share: float) -> Model:
+    """Return the model with a share of its final stress-free strains and of the final motion of holding walls."""
+    strain = share * model.constraints.final_strain()
+    if not strain.any() and model.cells is None:
+        return model
+    twin = copy(model)
+    twin.__dict__["bonds"] = model.bonds.stretched(strain)
+    if model.cells is not None:
+        cells = model.cells.stretched(strain, model.layout)
+        grips = replace(cells.grips, motion=share * cells.grips.motion)
+        pressed = share * model.constraints.final_press()
+        twin.__dict__["cells"] = replace(cells, grips=grips, pressed=pressed)
+    return twin
+
+
+@dataclass(frozen=True, eq=False)
+class _Trial:
+    """A step of the load: its equilibrium and residual, or the factor by which to shorten it."""
+
+    rounds: int
+    state: State | None = None
+    residual: float = np.nan
+    shorter: float = 0.5
+
+
+def _advance(model: Model, system: System, start: State, share: float, motion: Floats) -> _Trial:
+    """Return the equilibrium under a `share` of the loads after a prescribed `motion`."""
+    state = start.copy()
+    metric = np.repeat([1.0, 1.0 / system.length], 3)
+    noise = 1e-14 * float((model.bonds.kn * model.bonds.length).max()) * np.sqrt(len(motion))
+    beams, _ = beam_tables(model.bonds, model.layout, model.period, state.integrity, may_share=False)
+    for k in range(_ROUNDS):
+        force, walls = _forces(model, state.pose)
+        load = share * model.constraints.final_load(len(motion), state.pose)
+        rest = np.where(system.free, load - force, 0.0) * metric
+        supports = np.where(system.free, walls, force)
+        scale = np.linalg.norm(load * metric) + np.linalg.norm(supports * metric)
+        if k and np.linalg.norm(rest) <= _TOLERANCE * scale + noise:
+            wide, _, sick = count_turned(state.pose, beams)
+            left = float(np.linalg.norm(rest) / scale) if scale > 0.0 else 0.0
+            return _Trial(k) if wide or sick else _Trial(k, state, left)
+        tangent = replace(system, matrix=tangent_matrix(model, system.matrix.bonds, state.pose))
+        right = (load - force).ravel()
+        if k == 0 and motion.any():
+            right = right - tangent.matrix @ motion.ravel()
+        try:
+            change = _solved(tangent, right, model.constraints.final_couples(), share, state.pose).reshape(-1, 6)
+        except ConvergenceError:
+            return _Trial(k)
+        if k == 0:
+            change += motion
+        turn = np.sqrt((change[:, 3:] ** 2).sum(axis=1).max())
+        if not turn <= 3.0 * _TURN:
+            return _Trial(k, shorter=min(0.5, _TURN / turn) if np.isfinite(turn) else 0.5)
+        if k == 0 and turn > 1.2 * _TURN:
+            return _Trial(k, shorter=_TURN / turn)
+        state.pose[:, :3] += change[:, :3]
+        state.pose[:, 4:] = turned_further(state.pose[:, 4:], change[:, 3:])
+    return _Trial(_ROUNDS)
+
+
+def _solved(
+    tangent: System, right: Floats, couples: list[tuple[Couple, float]], share: float, pose: Floats
+) -> Floats:
+    """Return the change by Newton's method, (6 n,), with forces of moments that rotate with their regions.
+
+    These add three columns per moment to the tangent, which are not symmetric: K - G B is solved by K (Woodbury).
+    """
+    if not couples:
+        return solver(tangent).solve(right, rtol=1e-8)[0]
+    by = Elimination(tangent) if len(tangent.free) <= _ELIMINATED else solver(tangent)
+    n, count = len(tangent.free), 3 * len(couples)
+    G, seen_by = np.zeros((2, n, 6, count))
+    for c, (couple, factor) in enumerate(couples):
+        given, seen = couple.turning(pose)
+        np.add.at(G[:, :, 3 * c : 3 * c + 3], couple.element, share * factor * given)
+        np.add.at(seen_by[:, :, 3 * c : 3 * c + 3], couple.element, seen.transpose(1, 2, 0))
+    B = seen_by.reshape(-1, count).T * tangent.free.ravel()
+    moved = np.stack([by.solve(column, rtol=1e-8)[0] for column in G.reshape(-1, count).T], axis=1)
+    change = by.solve(right, rtol=1e-8)[0]
+    return change + moved @ np.linalg.solve(np.eye(count) - B @ moved, B @ change)
+
+
+def _forces(model: Model, pose: Floats) -> tuple[Floats, Floats]:
+    """Return the derivative of the energy by displacements and spins, and wall loads [N, N·m], (n, 6) each."""
+    if model.cells is not None:
+        return cell_forces(model, pose)
+    layout = model.layout
+    on_i, on_j = _bond_gradient(model, pose, layout.i, layout.j)
+    n = len(pose)
+    force = np.empty((n, 6))
+    for d in range(6):
+        force[:, d] = np.bincount(layout.i, weights=on_i[d], minlength=n)
+        force[:, d] += np.bincount(layout.j, weights=on_j[d], minlength=n)
+    return force, np.zeros_like(force)
+
+
+def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
+    """Return the derivative of each bond's energy by the motion of its two ends, (6, m) each."""
+    if model.cells is not None:
+        return facet_gradient(model, pose, i, j)
+    m = len(i)
+    beams, _ = beam_tables(model.bonds, model.layout, model.period, np.ones(m), may_share=False)
+    on_i, on_j = loads_of_each(pose, beams._replace(i=with_twins(i), j=with_twins(j)), m)
+    return -on_i[:, [0, 1, 2, 4, 5, 6]].T, -on_j[:, [0, 1, 2, 4, 5, 6]].T
+
+
+def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
+    """Return the second derivative of the bond energy at a pose, (6 n, 6 n); `pattern` is that at rest.
+
+    It is symmetric. The antisymmetric part, the torque on an element, stems from applying spins one after the other,
+    not from the energy, and vanishes in equilibrium.
+    """
+    layout = model.layout
+    m = len(layout.i)
+    # every bond gets its own two elements, so that all can be moved at once
+    ends = np.concatenate([pose[layout.i], pose[layout.j]])
+    first = np.arange(m, dtype=layout.i.dtype)
+    second = first + np.asarray(m, dtype=layout.i.dtype)
+    length = model.bonds.length
+    H = np.empty((m, 12, 12))
+    for d in range(12):
+        side, dof = divmod(d, 6)
+        rows = slice(side * m, (side + 1) * m)
+        size = _DIFFERENCE * length if dof < 3 else np.full(m, _DIFFERENCE)
+        change = np.zeros((m, 6))
+        gradient = []
+        for sign in (1.0, -1.0):
+            change[:, dof] = sign * size
+            moved = ends.copy()
+            moved[rows, :3] += change[:, :3]
+            moved[rows, 4:] = turned_further(moved[rows, 4:], change[:, 3:])
+            gradient.append(np.concatenate(_bond_gradient(model, moved, first, second)))
+        H[:, :, d] = ((gradient[0] - gradient[1]) / (2.0 * size)).T
+    H = 0.5 * (H + np.swapaxes(H, 1, 2))
+
+    start, inward = pattern.indptr, np.diff(layout.in_start)
+    diagonal = start[:-1] + inward
+    data = np.zeros_like(pattern.data)
+    np.add.at(data, diagonal[layout.i], H[:, :6, :6])
+    np.add.at(data, diagonal[layout.j], H[:, 6:, 6:])
+    place = np.arange(m)
+    data[start[layout.j] + place - layout.in_start[layout.j]] = H[:, 6:, :6]
+    leaving = layout.i[layout.out_bond]
+    data[diagonal[leaving] + 1 + place - layout.out_start[leaving]] = H[layout.out_bond, :6, 6:]
+    if model.cells is None:
+        return Stiffness(bsr_array((data, pattern.indices, start), shape=pattern.shape))
+    held, own = grip_blocks(model, pose)
+    np.add.at(data, diagonal[held], own)
+    forms = current_forms(model, pose, pattern)
+    return Stiffness(bsr_array((data, pattern.indices, start), shape=pattern.shape), forms, model.cells.weight)
+
+
+def at_pose(model: Model, system: System, pose: Floats) -> Stiffness:
+    """Return the tangent of a strained model at a pose, where the stresses of cells are stored."""
+    _forces(model, pose)
+    return tangent_matrix(model, system.matrix.bonds, pose)
+
+
+def unbalanced(model: Model, system: System, pose: Floats) -> float:
+    """Return the unbalanced force under the final loads over that of loads and supports [-].
+
+    Torques are divided by the mean radius.
+    """
+    metric = np.repeat([1.0, 1.0 / system.length], 3)
+    force, walls = _forces(model, pose)
+    load = model.constraints.final_load(len(pose), pose)
+    rest = np.where(system.free, load - force, 0.0) * metric
+    scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, walls, force) * metric)
+    return float(np.linalg.norm(rest) / scale) if scale > 0.0 else 0.0
+
+
+def turned_further(quaternion: Floats, rotation: Floats) -> Floats:
+    """Return unit quaternions (n, 4), rotated further by rotation vectors (n, 3)."""
+    half = 0.5 * np.linalg.norm(rotation, axis=1, keepdims=True)
+    vector = 0.5 * rotation * np.sinc(half / np.pi)
+    w, v = quaternion[:, :1], quaternion[:, 1:]
+    scalar = np.cos(half) * w - (vector * v).sum(axis=1, keepdims=True)
+    product = np.concatenate([scalar, np.cos(half) * v + w * vector + np.cross(vector, v)], axis=1)
+    return product / np.linalg.norm(product, axis=1, keepdims=True)

@@ -1,0 +1,78 @@
+"""Stiffness of a model about an equilibrium under load, including that of its stresses."""
+
+from copy import copy
+from dataclasses import replace
+from typing import cast
+
+import numpy as np
+
+from bondem._checks import instance
+from bondem._types import Floats
+from bondem.errors import InputError
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.observables.cell_forces import wall_places
+from bondem.observables.facet_loads import loads_on_facets
+from bondem.statics.linear import System
+from bondem.statics.nonlinear import at_pose, strained, turned_further, unbalanced
+from bondem.statics.static import StaticResult
+
+# Unbalanced force over what loads and supports bear, above which nothing rests there.
+_REST = 1e-2
+
+
+def about_equilibrium(model: Model, system: System, prestress: StaticResult | State) -> System:
+    """Return the system of a model with the tangent at an equilibrium.
+
+    Args:
+        model: model to solve.
+        system: linear system at rest.
+        prestress: a static solution of the model, or a state of it at rest.
+
+    Raises:
+        InputError: The value is another object, belongs to another model, is not an equilibrium or has broken bonds,
+            or the supports leave the specimen free.
+    """
+    instance("solve_modes", "prestress", prestress, (StaticResult, State), "a solution of solve_static, or a state")
+    if len(prestress.displacement) != len(model.lattice.particles):
+        raise InputError(f"prestress= has {len(prestress.displacement)} elements; give a solution of this model")
+    if system.loose.shape[1]:
+        raise InputError("prestress= needs a specimen that is held; fix all six rigid motions with Fix")
+    if model.formulation == "incremental":
+        raise InputError("prestress= needs a potential; use formulation='total'")
+    if isinstance(prestress, State):
+        loaded, pose = _of_state(model, prestress), prestress.pose.copy()
+    else:
+        loaded, pose = strained(model, 1.0), _posed(model, prestress)
+    left = unbalanced(loaded, system, pose) if isinstance(prestress, StaticResult) else 0.0
+    if left > _REST:
+        raise InputError(
+            f"prestress= is not an equilibrium of this model: {left:.2g} of the forces are unbalanced; give what"
+            " solve_static returned for it, with nonlinear=True where motions are large"
+        )
+    return replace(system, matrix=at_pose(loaded, system, pose))
+
+
+def _posed(model: Model, result: StaticResult) -> Floats:
+    order = model.layout.order
+    pose = State(model).pose
+    pose[:, :3] += result.displacement[order]
+    pose[:, 4:] = turned_further(pose[:, 4:], result.rotation[order])
+    return pose
+
+
+def _of_state(model: Model, state: State) -> Model:
+    """Return the model with the strains, walls and tractions of the time of a state."""
+    if not np.all(state.integrity == 1.0) or len(state.cracks) or state.plastic.any():
+        raise InputError("prestress= is a state with broken bonds or cracks; leave these bonds out of a new lattice")
+    strain, twin = state.rest_strain, copy(model)
+    twin.__dict__["bonds"] = model.bonds.stretched(strain)
+    if model.cells is not None:
+        cells = model.cells.stretched(strain, model.layout)
+        grips = cells.grips
+        if len(state.grips) == len(grips.cell):
+            grips = replace(grips.taken(state.grips), motion=wall_places(model, state))
+        force = loads_on_facets(cast(Model, state.model), state.time)
+        pressed = model.cell_constants.pressed_by(force)[model.layout.order]
+        twin.__dict__["cells"] = replace(cells, grips=grips, pressed=pressed)
+    return twin

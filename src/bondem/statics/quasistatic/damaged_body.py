@@ -1,0 +1,228 @@
+"""A body of cells whose facets have any integrity, in small motions: its matrix, and the loads of its facets.
+
+A facet of integrity s is that of `core/laws/softening.hpp` near the reference. Each half in compression keeps its
+stiffness along the normal: it is k (s 1 + (1 - s) n⊗n), and its share of the dilatation likewise. Closed cracks have
+no friction. All values are for a load factor of 1, and proportional to it.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bondem._types import Floats, Ints, Mask
+from bondem.damage.crack_columns import CRACK_COLUMNS, FACET
+from bondem.interactions.cells.cell_constants import body_of
+from bondem.interactions.cells.cell_strain import CellStrain
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.observables.facet_loads import loads_on_facets
+from bondem.statics.linear import System
+from bondem.statics.quasistatic.facet_matrix import FacetMatrix, facet_stiffness
+from bondem.statics.quasistatic.facet_passes import OpenedFacets, WeakenedFacets
+from bondem.statics.quasistatic.tensors import full_tensor
+
+# Integrity that stands for none: what is cut off all around goes with its neighbours, and the matrix has an inverse.
+_NONE = 1e-7
+_XX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+
+
+@dataclass(frozen=True, eq=False)
+class Loaded:
+    """Loads of facets and cells, internal order.
+
+    Attributes:
+        traction: traction of each facet [Pa], (m, 3).
+        bending: T_b of each facet, as if it were whole [Pa], (m,).
+        tensor: σ of each cell, xx, yy, zz, xy, xz, yz [Pa], (n, 6).
+        cracked: facets that have lost integrity, (c,).
+        opening: traction of these, as if they were whole [Pa], (c, 3).
+        opened: |F⁺| / A of these [Pa], (c,).
+        turned: mask of their halves that close or open now, (c, 2).
+        wall: force of the walls on the facets that they hold [N], (g, 3).
+    """
+
+    traction: Floats
+    bending: Floats
+    tensor: Floats
+    cracked: Ints
+    opening: Floats
+    opened: Floats
+    turned: Mask
+    wall: Floats
+
+
+class DamagedBody:
+    """Facets of a body, each with its integrity, and the matrix that belongs to them.
+
+    Attributes:
+        integrity: integrity of the facets, (m,).
+        closed: mask of the halves of cracked facets in compression, (m, 2).
+        area: areas of the facets [m²], (m,).
+        system: the whole body and its supports.
+        given: V θ of cells at rest, by moving walls and by tractions on free facets [m³], (n,).
+        load: forces and torques on cells at rest, without those of this dilatation [N, N·m], (6 n,).
+        motion: displacements and rotations of elements that are driven themselves [m, rad], (6 n,).
+    """
+
+    def __init__(self, model: Model, system: System, root: Floats) -> None:
+        """Begin with whole facets.
+
+        Args:
+            model: model of cells.
+            system: its matrix and supports.
+            root: S of each element, by which the matrix is scaled, (n, 6, 6).
+        """
+        assert model.cells is not None
+        layout, order = model.layout, model.layout.order
+        self.model, self.constants = model, model.cells
+        self.i, self.j = layout.i.astype(np.int64), layout.j.astype(np.int64)
+        facets, cells = body_of(model.lattice)
+        self.area = facets.area[layout.bond_order]
+        # part of cell i in the compliance of a facet
+        soft_i = np.where(layout.flipped, facets.depth_j[layout.bond_order], facets.depth_i[layout.bond_order])
+        soft_j = np.where(layout.flipped, facets.depth_i[layout.bond_order], facets.depth_j[layout.bond_order])
+        soft_i, soft_j = soft_i / self.constants.G[self.i], soft_j / self.constants.G[self.j]
+        self._part = soft_i / (soft_i + soft_j)
+        self.integrity = np.ones(len(self.i))
+        self.closed = np.zeros((len(self.i), 2), dtype=bool)
+        c = self.constants
+        weakened = WeakenedFacets(
+            self.i, self.j, c.k, self.area, self._part, c.lever_i, c.lever_j, c.share_i, c.share_j, c.normal,
+            np.ascontiguousarray(c.H), self.integrity, self.closed.view(np.uint8),
+        )  # fmt: skip
+        self._facets = OpenedFacets(weakened, len(order))
+        self.matrix = FacetMatrix(system.matrix, layout, root)
+        self.system = replace(system, matrix=self.matrix.plain)
+        self._slack = np.zeros(len(order))
+        self._soft = c.volume / c.G
+
+        users, still = model.cell_constants, np.zeros((len(order), 3))
+        grips = users.grips
+        at_rest = CellStrain.of(model.lattice, users, still, still, wall=grips.motion, pressed=model.pressed)
+        self.given = at_rest.swelling[order]
+        rigid = replace(users, weight=np.zeros_like(users.weight))
+        walls = at_rest.nodal(model.lattice, rigid)[order]
+        self.load = (walls + model.constraints.final_load(len(order))).ravel()
+        self.motion = model.constraints.final_motion(len(order)).ravel()
+        self._held = layout.rank[grips.cell]
+        free, force = cells.free, loads_on_facets(model)
+        self._pressed = np.zeros((len(order), 6))
+        loaded = np.flatnonzero(np.abs(force).sum(axis=1))
+        arm = free.centroid[loaded] - cells.centroid[free.cell[loaded]]
+        _add_moments(self._pressed, layout.rank[free.cell[loaded]], arm, force[loaded])
+
+    @property
+    def left(self) -> Floats:
+        """Integrity of the facets, 0 for broken ones, (m,)."""
+        return np.where(self.integrity > _NONE, self.integrity, 0.0)
+
+    @property
+    def right(self) -> Floats:
+        """Forces and torques that the displacements must balance [N, N·m], (6 n,)."""
+        return self.load - self.matrix.swelling_force(self.system.matrix.weight * self.given)
+
+    @property
+    def pull(self) -> Floats:
+        """Forces and torques between driven elements and the others [N, N·m], (6 n,)."""
+        return self.matrix.force(self.motion) if self.motion.any() else self.motion
+
+    def potential(self, motion: Floats) -> float:
+        """Return the energy of the body less the work of its loads, up to a constant that no facet changes [J]."""
+        stored = 0.5 * float(motion @ self.matrix.force(motion))
+        stored += 0.5 * float(self.system.matrix.weight @ self.given**2)
+        return stored - float(self.right @ motion)
+
+    def size(self, found: Loaded) -> float:
+        """Return Σ V σ:σ / 2 G of the cells, which is 1 + ν times twice their energy in tension [J]."""
+        square = (found.tensor[:, :3] ** 2).sum(axis=1) + 2.0 * (found.tensor[:, 3:] ** 2).sum(axis=1)
+        return 0.5 * float(self._soft @ square)
+
+    def held_by_none(self, found: Loaded) -> float:
+        """Return the energy of the residual stiffness of facets with zero integrity [J]."""
+        none = found.cracked[self.integrity[found.cracked] <= _NONE]
+        opened = found.opened[self.integrity[found.cracked] <= _NONE]
+        force = self.area[none] * np.hypot(opened, found.bending[none])
+        return 0.5 * _NONE * float((force**2 / self.constants.k[none]).sum())
+
+    def state(self, motion: Floats) -> State:
+        """Return the state of the body under displacements and rotations (6 n,), with its cracks."""
+        model = self.model
+        moved = motion.reshape(-1, 6)[model.layout.rank]
+        turn = np.hstack([np.ones((len(moved), 1)), 0.5 * moved[:, 3:]])
+        state = model.state()
+        state.set_pose(
+            position=model.lattice.centre + moved[:, :3], orientation=turn / np.linalg.norm(turn, axis=1)[:, None]
+        )
+        cracked = np.flatnonzero(self.integrity < 1.0)
+        state.integrity[:] = self.left
+        state.cracks = np.zeros((len(cracked), CRACK_COLUMNS))
+        state.cracks[:, FACET] = cracked
+        return state
+
+    def weaken(self, k: int, integrity: float, closed: tuple[bool, bool]) -> None:
+        """Set the integrity of facet k, at least `_NONE`, and its halves in compression."""
+        before = self._facet(k, self.integrity[k], self.closed[k])
+        self._weigh(k, -1.0)
+        self.integrity[k], self.closed[k] = max(integrity, _NONE), closed
+        after = self._facet(k, self.integrity[k], self.closed[k])
+        self._weigh(k, 1.0)
+        self.matrix.add(k, *(new - old for new, old in zip(after, before, strict=True)))
+
+    def _facet(self, k: int, s: float, closed: Mask) -> tuple[Floats, Floats, Floats]:
+        c, part = self.constants, np.array([self._part[k], 1.0 - self._part[k]])
+        n = c.normal[k]
+        pressed = (1.0 - s) * np.outer(n, n)
+        D = c.k[k] * (s * np.eye(3) + (part * closed).sum() * pressed)
+        shares = tuple(
+            share @ (s * np.eye(3) + shut * pressed)
+            for share, shut in ((c.share_i[k], closed[0]), (c.share_j[k], closed[1]))
+        )
+        return facet_stiffness((c.lever_i[k], c.lever_j[k]), D, s * c.H[k], (shares[0], shares[1]))
+
+    def _weigh(self, k: int, sign: float) -> None:
+        """Add the missing part of a facet to the slack of its cells, or subtract it."""
+        c, open_part = self.constants, sign * (1.0 - self.integrity[k])
+        for p, slack, share, shut in (
+            (self.i[k], c.slack_i[k], c.share_i[k], self.closed[k, 0]),
+            (self.j[k], c.slack_j[k], c.share_j[k], self.closed[k, 1]),
+        ):
+            across = 1.0 - (share @ c.normal[k]) ** 2 / (share @ share) if shut else 1.0
+            self._slack[p] += open_part * slack * across
+            self.system.matrix.weight[p] = c.weight[p] / (1.0 + c.weight[p] * self._slack[p])
+
+    def loaded(self, motion: Floats) -> Loaded:
+        """Return the loads of facets and cells under displacements and rotations (6 n,)."""
+        c, grips = self.constants, self.model.cell_constants.grips
+        u, phi = (np.ascontiguousarray(part) for part in np.hsplit(motion.reshape(-1, 6), 2))
+        n, rank = len(u), self.model.layout.rank
+        swelling = self._facets.swelling(u, phi, self.given)
+        moved = grips.gap(u[rank], phi[rank])  # what walls do is in `given`
+        swelling += np.bincount(self._held, (grips.share * moved).sum(axis=1), n)
+        stress = self.system.matrix.weight * swelling
+        loading = self._facets.load(stress, self._pressed)
+        held = grips.gap(u[rank], phi[rank], grips.motion)
+        wall = grips.k[:, None] * held + stress[self._held, None] * grips.share
+        tensor = loading.moment
+        _add_moments(tensor, self._held, grips.lever, wall)
+        tensor /= c.volume[:, None]
+        cracked = np.flatnonzero(self.integrity < 1.0)
+        return Loaded(
+            loading.traction, loading.bending, tensor, cracked, loading.opening[cracked], loading.opened[cracked],
+            loading.turned[cracked].astype(bool), wall,
+        )  # fmt: skip
+
+    def mean(self, tensor: Floats, facets: Ints) -> Floats:
+        """Return the mean of the stresses (n, 6) of the two cells of some facets [Pa], (c, 6)."""
+        return 0.5 * (tensor[self.i[facets]] + tensor[self.j[facets]])
+
+    def bent(self, tensor: Floats, bending: Floats, facets: Ints) -> Floats:
+        """Return T_b (m,) of some facets less the largest pressure of the mean stress of their cells, or 0, (c,)."""
+        pressure = -np.linalg.eigvalsh(full_tensor(self.mean(tensor, facets)))[:, 0]
+        return np.maximum(bending[facets] - np.maximum(pressure, 0.0), 0.0)
+
+
+def _add_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats) -> None:
+    """Add sym b⊗f to V σ of the owners, (n, 6)."""
+    for column, (a, b) in enumerate(_XX):
+        part = arm[:, a] * force[:, b] if a == b else 0.5 * (arm[:, a] * force[:, b] + arm[:, b] * force[:, a])
+        moment[:, column] += np.bincount(owner, part, len(moment))

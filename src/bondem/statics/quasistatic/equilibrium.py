@@ -1,0 +1,118 @@
+"""Successive equilibria of a body, each a little weaker than the one before."""
+
+import math
+from typing import Protocol
+
+import numpy as np
+
+from bondem._types import Floats, PerBond
+from bondem.errors import ConvergenceError
+from bondem.statics.linear import Elimination, Iteration, System, conjugate_gradients
+from bondem.statics.quasistatic.facet_matrix import FacetMatrix
+
+# An iteration ends where the energy of its error is this share, squared, of that of the body: tractions are off by
+# 1e-4 of the largest then, a fiftieth of what facets that fail together may differ by. Residual over load would not
+# do: the load of a wall that moves stays as it is while what the body bears vanishes.
+_ERROR = 5e-5
+# The same where no energy is known: residual over load.
+_RTOL = 1e-6
+# The preconditioner is made anew where all iterations since then took so many more than they would have with a new
+# one: about what it costs to make. How fast a new one is the first few solutions tell.
+_LOST, _NEW = 150.0, 5
+
+
+class Equilibrium(Protocol):
+    """Solver for displacements and rotations that balance a load, with the present matrix.
+
+    Attributes:
+        rounds: number of iterations so far.
+        solutions: number of equilibria so far.
+    """
+
+    rounds: int
+    solutions: int
+
+    def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
+        """Return u (6 n,) with K u = `right` where elements are free, starting from a guess.
+
+        Args:
+            right: forces and torques [N, N·m], (6 n,).
+            guess: start of the iteration, (6 n,).
+            energy: about twice the energy of the body [J], 0 if unknown.
+        """
+        ...
+
+
+class Eliminated:
+    """Solver by elimination, repeated for each equilibrium; for small bodies."""
+
+    def __init__(self, system: System) -> None:
+        self._system, self.rounds, self.solutions = system, 0, 0
+
+    def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
+        """See `Equilibrium`."""
+        self.solutions += 1
+        return Elimination(self._system).solve(right, guess=guess)[0]
+
+
+class Iterated:
+    """Solver by conjugate gradients from the last solution, with a preconditioner kept while it serves.
+
+    Attributes:
+        rounds, solutions: numbers of iterations and equilibria so far.
+    """
+
+    def __init__(self, system: System, matrix: FacetMatrix, begun: Iteration, integrity: PerBond) -> None:
+        """Begin with the preconditioner of the whole body.
+
+        Args:
+            system: system whose matrix changes.
+            matrix: the same matrix, scaled as in `begun`.
+            begun: iteration with the present matrix.
+            integrity: integrity of its facets, which changes too, (m,).
+        """
+        self._system, self._matrix, self._begun, self._integrity = system, matrix, begun, integrity
+        self.rounds = self.solutions = 0
+        self._begin()
+
+    def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
+        """See `Equilibrium`."""
+        S, matrix = self._begun, self._matrix
+        x = S.unscaled(guess)
+        scaled = S.turned(self._system.balanced(right))
+        residual = scaled - matrix @ x
+        stop = _RTOL * float(np.linalg.norm(scaled)) if energy == 0.0 else 0.0
+        enough = _ERROR**2 * energy
+        try:
+            step, rounds = conjugate_gradients(matrix, S.approximate, residual, stop, energy=enough)
+        except ConvergenceError:
+            if self._fresh:
+                raise
+            self._renew()
+            return self.solve(right, guess, energy)
+        self.rounds, self.solutions = self.rounds + rounds, self.solutions + 1
+        found = self._system.without_rigid_motion(S.displacement(x + step))
+        if energy > 0.0:
+            self._judge(rounds, math.log10(max(float(residual @ S.approximate(residual)) / enough, 10.0)))
+        return found
+
+    def _judge(self, rounds: int, digits: float) -> None:
+        """Check whether the preconditioner still serves, by the number of iterations per digit of the energy."""
+        self._fresh = False
+        self._solved += 1
+        if self._solved <= _NEW:
+            self._rate += rounds / digits / _NEW
+            return
+        self._lost += rounds - self._rate * digits
+        if self._lost > _LOST:
+            self._renew()
+
+    def _renew(self) -> None:
+        """Make the preconditioner of the present matrix."""
+        self._begun = Iteration(self._system, (*self._matrix.sides, 1.0 - self._integrity))
+        self._matrix.rescale(self._begun.root)
+        self._begin()
+
+    def _begin(self) -> None:
+        """Reset the record of the preconditioner."""
+        self._fresh, self._solved, self._rate, self._lost = True, 0, 0.0, 0.0

@@ -1,0 +1,83 @@
+"""Response of a body during loading: force and displacement of the driven region, and gauges."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from bondem._checks import instance
+from bondem._types import Floats, Mask
+from bondem.boundary.conditions import Drive, Load
+from bondem.boundary.loads import Pressure, facet_numbers
+from bondem.boundary.wall_constraints import holds_wall
+from bondem.errors import InputError
+from bondem.model.model import Model
+from bondem.specimen.regions import Region
+from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
+
+
+class Reading:
+    """Force and displacement of the region that is driven or loaded, at a load factor of 1."""
+
+    def __init__(self, body: DamagedBody, drive: Region) -> None:
+        """Find the conditions of a region.
+
+        Raises:
+            InputError: Nothing moves on this region, and no load acts on it.
+        """
+        self._body, model = body, body.model
+        motion, force, held = np.zeros(3), np.zeros(3), False
+        for condition in model.boundary:
+            if getattr(condition, "region", None) != drive:
+                continue
+            if isinstance(condition, Drive):
+                held = held or not holds_wall(condition)
+                for axis, schedule, _ in condition.motion:
+                    if axis < 3:
+                        motion[axis] += schedule.final
+            elif isinstance(condition, Load | Pressure):
+                _, values = condition.nodal(model.lattice)
+                force += condition.schedule.final * values[:, :3].sum(axis=0)
+        self._size = float(np.linalg.norm(motion))
+        self._driven = self._size > 0.0
+        way = motion if self._driven else force
+        if not way.any():
+            raise InputError(
+                "solve_quasistatic: the region drive= is neither driven nor loaded; give the region of a bd.Drive or"
+                " bd.Load of the model"
+            )
+        self._way, self._force = way / np.linalg.norm(way), float(np.linalg.norm(force))
+        self._element = model.layout.rank[drive.select(model.lattice)]
+        self._wall: Mask | None = None
+        if self._driven and not held:
+            self._wall = np.isin(model.cell_constants.grips.holds.facet, facet_numbers(drive, model.lattice))
+
+    def read(self, found: Loaded, motion: Floats) -> tuple[float, float]:
+        """Return load [N] and displacement [m]."""
+        if not self._driven:
+            moved = motion.reshape(-1, 6)[self._element, :3].mean(axis=0)
+            return self._force, float(moved @ self._way)
+        if self._wall is not None:
+            return float(found.wall[self._wall].sum(axis=0) @ self._way), self._size
+        unbalanced = (self._body.matrix.force(motion) - self._body.right).reshape(-1, 6)
+        return float(unbalanced[self._element, :3].sum(axis=0) @ self._way), self._size
+
+
+class RegionGauges:
+    """Displacements between two regions, each the mean over the elements."""
+
+    def __init__(self, model: Model, gauges: Mapping[str, tuple[Region, Region]]) -> None:
+        """Find the elements."""
+        instance("solve_quasistatic", "gauges", gauges, Mapping, '{"CMOD": (bd.Within(...), bd.Within(...))}')
+        self._ends = {}
+        for name, ends in gauges.items():
+            wanted = "two regions"
+            if not (isinstance(ends, tuple) and len(ends) == 2 and all(isinstance(one, Region) for one in ends)):
+                raise InputError(
+                    f"solve_quasistatic: gauge '{name}' needs {wanted}, such as (bd.Face('x_min'), bd.Face('x_max'))"
+                )
+            self._ends[name] = tuple(model.layout.rank[one.select(model.lattice)] for one in ends)
+
+    def read(self, motion: Floats) -> dict[str, Floats]:
+        """Return the displacement of each second region from its first [m], (3,) each."""
+        moved = motion.reshape(-1, 6)[:, :3]
+        return {name: moved[b].mean(axis=0) - moved[a].mean(axis=0) for name, (a, b) in self._ends.items()}

@@ -1,0 +1,335 @@
+"""Quasi-static fracture by load factors: bonds fail one by one, at whatever load each event requires."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bondem._blas import one_blas_thread
+from bondem._checks import count, instance, number
+from bondem._drawing import Plotted
+from bondem._progress import staged
+from bondem._types import Floats, Ints, PerBond, PerElement3
+from bondem.errors import ConvergenceError, InputError
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.specimen.regions import Region
+from bondem.statics.linear import Iteration, System, prefers_elimination
+from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
+from bondem.statics.quasistatic.equilibrium import Eliminated, Equilibrium, Iterated
+from bondem.statics.quasistatic.limits import FacetOnset, StressOnset, TractionOnset
+from bondem.statics.quasistatic.load_response import Reading, RegionGauges
+from bondem.statics.quasistatic.sawtooth_softening import Teeth
+
+# Facets whose factors differ by less than this share come in the user's order.
+_TIE = 1e-9
+# A body whose stiffness is this share of that of the whole one is in two parts; and one that holds so much of its
+# energy in facets without integrity: these are a larger share of the stiffness of what is slender.
+_PARTED, _HELD = 1e-5, 0.5
+# Share of the events, the last ones, that have to be below the load at which a run ends.
+_LAST = 0.05
+# … and so many over the band of the steps at least: as one facet softens from beginning to end, more or less, which
+# may come at much less than what went before.
+_FEWEST = 2.0
+# Rotations of small motions [rad]: cos is 1 to half a per cent; and the share of the elements that may have turned by
+# more. What hangs loose may turn by as much as it likes.
+_SMALL, _TURNED = 0.1, 0.1
+# How often halves may open and close until an equilibrium is found.
+_ROUNDS = 40
+
+
+@dataclass(frozen=True, eq=False)
+class QuasistaticResult(Plotted):
+    """A path of equilibria, each at the load at which the next facets fail: e events, f failures of facets.
+
+    Attributes:
+        factor: factor of the load at each event [-], (e,); it falls where the path snaps back.
+        load: load on the driven region along its motion or load [N], (e,).
+        displacement: displacement of the driven region along the same direction [m], (e,).
+        work: work of `load` until each event [J], (e,); the total work if nothing else moves under load.
+        stored: elastic energy before each event, ½ load · displacement [J], (e,), under the same condition.
+        energy: energy dissipated by each event [J], (e,). The sum over earlier events is work - stored. The last
+            event has 0, because its dissipation is unknown.
+        gauge: displacement between the regions of each gauge [m], (e, 3).
+        bond: user's number of each facet that loses integrity, (f,).
+        integrity: remaining integrity of the facet, (f,).
+        event: event of the failure, (f,).
+        position: centroid of the facet in the reference [m], (f, 3).
+        bond_integrity: integrity of all facets at the end, user's order, (m,).
+        end: reason for the end: "unloaded", "parted", "strong", "loose", "folded" or "events". "strong": nothing
+            fails at any load. "loose": parts are connected so weakly that no equilibrium is found. "folded": before
+            the next event a tenth of the elements would rotate by more than 0.1 rad, so that motions are no longer
+            small.
+        motion: displacements of the elements at the last event [m], (n, 3).
+        state: last equilibrium, for `bd.fragments`, `bd.cracks` and figures.
+        solutions: number of equilibria that were computed: one per event, and more where cracks close or open.
+        iterations: total number of iterations.
+    """
+
+    factor: Floats
+    load: Floats
+    displacement: Floats
+    work: Floats
+    stored: Floats
+    energy: Floats
+    gauge: Mapping[str, Floats]
+    bond: Ints
+    integrity: Floats
+    event: Ints
+    position: PerElement3
+    bond_integrity: PerBond
+    end: str
+    motion: PerElement3
+    state: State
+    solutions: int
+    iterations: int
+
+    @property
+    def peak(self) -> float:
+        """Largest load [N]."""
+        return float(self.load.max(initial=0.0))
+
+
+@one_blas_thread
+@staged("quasi-static run")
+def solve_quasistatic(
+    model: Model,
+    drive: Region,
+    *,
+    ripple: float = 0.02,
+    together: float = 0.005,
+    until: float = 0.02,
+    most: int = 100_000,
+    gauges: Mapping[str, tuple[Region, Region]] | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> QuasistaticResult:
+    """Follow a body of cells as it fails without inertia, with all drives and loads scaled by one factor.
+
+    Between two events the body is elastic and everything is proportional to the factor. Each event is the failure of
+    the next facet, at whatever factor it requires. Snap-back is therefore followed, and nothing depends on speeds or
+    damping. A facet softens in steps within a band around its softening line, and absorbs its fracture energy. Closed
+    cracks carry pressure, without friction. Rotations are small; the path ends where they are not.
+
+    Args:
+        model: cells with `bd.Rankine`, or brittle facets with `bd.MohrCoulomb`. Its drives and loads are used at the
+            end of their schedules, which is a factor of 1.
+        drive: region that is driven or loaded by a `bd.Drive`, `bd.Load` or `bd.Pressure` of the model on the same
+            region. Load and displacement are measured there.
+        ripple: half-width of the band around the softening line, as a share of the traction; a smaller value gives
+            more events.
+        together: facets whose load factors are within this share of the least fail in one event, at the middle of
+            the range. With 0 they fail one by one, equal ones in the order of their numbers.
+        until: share of the peak load at which the path ends. All of the last twentieth of the events, at least
+            2 / `ripple`, must stay below it, because single events occur at much lower loads than others.
+        most: largest number of events.
+        gauges: pairs of regions whose relative displacement is recorded, by name.
+        progress: function called with the completed share, 0 … 1, by how far the load has fallen after its peak.
+
+    Raises:
+        InputError: The model has no cells, another criterion, cells that yield, contacts or prestress, or nothing is
+            driven at `drive`.
+        ConvergenceError: The supports do not hold the body.
+
+    Reference: sequentially linear analysis, Rots (2001); DeJong, Hendriks and Rots (2008).
+    """
+    instance("solve_quasistatic", "drive", drive, Region, "a region, such as bd.Face('x_max')")
+    band = number("solve_quasistatic", "ripple", ripple, above=0.0, below=1.0)
+    close = number("solve_quasistatic", "together", together, least=0.0, below=1.0)
+    limit = count("solve_quasistatic", "most", most)
+    share = number("solve_quasistatic", "until", until, least=0.0, below=1.0)
+    body, equilibrium, onset = _begin(model)
+    pairs = {} if gauges is None else instance(
+        "solve_quasistatic", "gauges", gauges, Mapping, "a mapping of names to pairs of regions"
+    )  # fmt: skip
+    reading, gauge = Reading(body, drive), RegionGauges(model, pairs)
+    path = _Path(model)
+    softening: dict[int, tuple[Teeth, int]] = {}
+    following = np.full(len(body.integrity), np.inf)
+    motion = body.motion.copy()
+    first, peak, below, size, end = 0.0, 0.0, 0, 0.0, "events"
+    for event in range(limit):
+        try:
+            motion, found = _balance(body, equilibrium, motion, size)
+        except ConvergenceError:
+            if not event:
+                raise
+            end = "loose"
+            break
+        load, displacement = reading.read(found, motion)
+        path.settle(body.potential(motion), load, displacement)
+        stiffness, size = load / displacement, body.size(found)
+        first = first or stiffness
+        if stiffness < _PARTED * first or _held_by_none(body, found, motion, load * displacement):
+            end = "parted"
+            break
+        failing, factor = _next(body, onset, following, found, close)
+        if not len(failing):
+            end = "strong"
+            break
+        if _folds(motion, factor):
+            end = "folded"
+            break
+        peak = max(peak, factor * load)
+        for k in failing.tolist():
+            if k not in softening:
+                softening[k] = onset.teeth(found, k, factor, band), 0
+            line, done = softening[k]
+            softening[k] = line, done + 1
+            following[k] = line.beyond[done] if done < len(line.beyond) else np.inf
+            left = float(line.integrity[done])
+            path.add(k, left)
+            body.weaken(k, left, (bool(body.closed[k, 0]), bool(body.closed[k, 1])))
+        path.add_event(factor, gauge.read(motion), motion)
+        if progress is not None and peak > 0.0 and share < 1.0:
+            progress(min(max((1.0 - factor * load / peak) / (1.0 - share), 0.0), 1.0))
+        below = below + 1 if factor * load < share * peak else 0
+        if below >= max(_LAST * (event + 1), _FEWEST / band):
+            end = "unloaded"
+            break
+    return path.result(body, end, equilibrium)
+
+
+def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
+    """Return the equilibrium with pressing halves closed, and its loads; `size` of the body before, initially 0."""
+    def rest() -> tuple[Floats, Loaded]:
+        found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion, size)
+        return found, body.loaded(found)
+
+    motion, found = rest()
+    for _ in range(_ROUNDS):
+        turning = np.flatnonzero(found.turned.any(axis=1))
+        if not len(turning):
+            break
+        for e in turning:
+            k = int(found.cracked[e])
+            shut = body.closed[k] ^ found.turned[e]
+            body.weaken(k, float(body.integrity[k]), (bool(shut[0]), bool(shut[1])))
+        motion, found = rest()
+    return motion, found
+
+
+def _held_by_none(body: DamagedBody, found: Loaded, motion: Floats, worked: float) -> bool:
+    """Return True if stiffness of zero integrity holds the body together; `worked` is load times displacement [J]."""
+    return body.held_by_none(found) > _HELD * 0.5 * max(abs(worked), abs(float(body.right @ motion)))
+
+
+def _folds(motion: Floats, factor: float) -> bool:
+    """Return True if more than a few elements have rotated beyond small motions at a load factor."""
+    turn = factor * np.linalg.norm(motion.reshape(-1, 6)[:, 3:], axis=1)
+    return float((turn > _SMALL).mean()) > _TURNED
+
+
+def _next(
+    body: DamagedBody, onset: FacetOnset, following: Floats, found: Loaded, close: float
+) -> tuple[Ints, float]:
+    """Return the facets that fail next, in the user's order, and the load factor; none if nothing fails.
+
+    `following` is the factor beyond its curve of the next event of each softening facet [-], inf for none.
+    """
+    limit = following[found.cracked] * onset.again(found)
+    alike = max(close, _TIE)
+    least = float(limit.min(initial=np.inf)) * (1.0 + alike)
+    whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, alike)
+    facet, factor = np.concatenate([found.cracked, whole]), np.concatenate([limit, factor])
+    least = float(factor.min(initial=np.inf))
+    if not np.isfinite(least):
+        return facet[:0], least
+    failing = facet[factor <= least * (1.0 + alike)]
+    failing = failing[np.argsort(body.model.layout.bond_order[failing])]
+    return failing if close > 0.0 else failing[:1], least * (1.0 + 0.5 * close)
+
+
+class _Path:
+    """Record of all events."""
+
+    def __init__(self, model: Model) -> None:
+        self._model = model
+        self._facets: list[tuple[int, float, int]] = []
+        self._rows: list[tuple[float, float, float, float, float]] = []
+        self._gauge: list[dict[str, Floats]] = []
+        self._energy: list[float] = []
+        self._potential = self._load = self._way = self._work = 0.0
+        self._motion = np.zeros(6 * len(model.layout.order))
+
+    def settle(self, potential: float, load: float, displacement: float) -> None:
+        """Store the state at a factor of 1 since the last event: energy less work of loads, load and displacement.
+
+        At the factor of the event that energy fell by the dissipated energy, because walls and loads did not change.
+        """
+        if self._rows:
+            square = self._rows[-1][0] ** 2
+            self._energy.append(square * (self._potential - potential))
+            self._work += 0.5 * square * (self._load + load) * (displacement - self._way)
+        self._potential, self._load, self._way = potential, load, displacement
+
+    def add(self, k: int, integrity: float) -> None:
+        """Record a facet that fails in the coming event."""
+        self._facets.append((k, integrity, len(self._rows)))
+
+    def add_event(self, factor: float, gauge: dict[str, Floats], motion: Floats) -> None:
+        """Record an event, with the gauges at a factor of 1."""
+        before = self._rows[-1][0] if self._rows else 0.0
+        self._work += 0.5 * self._load * self._way * (factor**2 - before**2)
+        load, displacement = factor * self._load, factor * self._way
+        self._rows.append((factor, load, displacement, self._work, 0.5 * load * displacement))
+        self._gauge.append({name: factor * moved for name, moved in gauge.items()})
+        self._motion = factor * motion
+
+    def result(self, body: DamagedBody, end: str, equilibrium: Equilibrium) -> QuasistaticResult:
+        """Return the whole path."""
+        model, layout = self._model, self._model.layout
+        rows = np.array(self._rows).reshape(-1, 5)
+        facet = np.array([k for k, *_ in self._facets], dtype=np.int64)
+        bond: Ints = layout.bond_order[facet]
+        assert model.lattice.facets is not None
+        own = np.empty_like(body.integrity)
+        own[layout.bond_order] = body.left
+        energy = np.array(self._energy + [0.0] * (len(rows) - len(self._energy)))
+        gauge = {name: np.array([one[name] for one in self._gauge]) for name in (self._gauge[0] if len(rows) else {})}
+        return QuasistaticResult(
+            factor=rows[:, 0], load=rows[:, 1], displacement=rows[:, 2], work=rows[:, 3], stored=rows[:, 4],
+            energy=energy, gauge=gauge, bond=bond,
+            integrity=np.array([left for _, left, _ in self._facets]),
+            event=np.array([number for *_, number in self._facets], dtype=np.int64),
+            position=model.lattice.facets.centroid[bond], bond_integrity=own, end=end,
+            motion=self._motion.reshape(-1, 6)[layout.rank, :3], state=body.state(self._motion),
+            solutions=equilibrium.solutions, iterations=equilibrium.rounds,
+        )  # fmt: skip
+
+
+def _begin(model: Model) -> tuple[DamagedBody, Equilibrium, FacetOnset]:
+    """Return the whole body, its solver of equilibria, and the onset of failure of its facets.
+
+    Raises:
+        InputError: The model has no quasi-static path.
+    """
+    instance("solve_quasistatic", "model", model, Model, "bd.Model(...)")
+    if model.cells is None:
+        raise InputError("solve_quasistatic needs cells; use bd.connect(..., method='laguerre') and bd.CellBond")
+    soft, brittle = model.softening, model.breaking
+    if brittle is None and (soft is None or soft.judge is not None or soft.slip is not None):
+        raise InputError(
+            "solve_quasistatic: cells that yield and other criteria are not supported; give the model"
+            " failure=bd.Rankine(tension=..., fracture_energy=...) or bd.MohrCoulomb without a fracture energy, or"
+            " use solve_explicit"
+        )
+    if model.constraints.strain_part.size or model.constraints.body_on.size:
+        raise InputError("solve_quasistatic scales drives and loads only; leave out bd.Eigenstrain and bd.BodyForce")
+    if soft is not None and np.isfinite(soft.cohesion).any():
+        raise InputError(
+            "solve_quasistatic: facets of a plane with cohesion slip with friction, which has no path of load"
+            " factors; give planes bd.Rankine(tension=..., fracture_energy=...), or use solve_explicit"
+        )
+    system = System.of(replace(model, failure=None))
+    equilibrium: Equilibrium
+    if prefers_elimination(system):
+        body = DamagedBody(model, system, np.tile(np.eye(6), (len(system.free), 1, 1)))
+        equilibrium = Eliminated(body.system)
+    else:
+        begun = Iteration(system)
+        body = DamagedBody(model, system, begun.root)
+        equilibrium = Iterated(body.system, body.matrix, begun, body.integrity)
+    if soft is not None:
+        return body, equilibrium, StressOnset(body, soft)
+    assert brittle is not None
+    return body, equilibrium, TractionOnset(body, brittle)

@@ -1,0 +1,176 @@
+"""Equilibrium by dynamic relaxation, with damping by the present frequency and masses that speed it up."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._cache_lines import lines
+from bondem._checks import count, instance, number
+from bondem._core import Pass
+from bondem._progress import staged
+from bondem._types import Floats, Ints, PerElement
+from bondem.errors import ConvergenceError, InputError
+from bondem.geometry.rotations import rotation_vector
+from bondem.interactions.beams.beam_tables import AlikeBeams, Beams, BeamSums, beam_tables, count_turned
+from bondem.model.highest_frequency import stiffest
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.observables.energy import energy_of
+from bondem.statics.nonlinear import strained
+from bondem.statics.static import StaticResult
+
+# ω_max of the relaxing motion for its step of 1, of which 2 is the limit.
+_FREQUENCY = 1.8
+# Most by which supports move in one step: rotation [rad], and displacement over the shortest bond.
+_PACE = 0.01
+# Steps in one call of the core.
+_CHUNK = 2_000
+# The same where forces of moments turn.
+_TURNING = 20
+
+
+class DynamicRelaxation(NamedTuple):
+    """Elements that relax, n of them, as `core/tables/statics_tables.hpp` declares them."""
+
+    pose: Floats  #: (n, 8)
+    velocity: Floats  #: of centres and rotations, (n, 6)
+    before: Floats  #: forces and torques of the bonds in the step before [N, N·m], (n, 6)
+    load: Floats  #: at the end of the ramp [N, N·m], (n, 6)
+    inverse: Floats  #: 1 / mass and 1 / moment of inertia, 0 where nothing is bonded, (n, 2)
+    free: np.ndarray  #: degrees of freedom that nothing prescribes, uint8, (n, 6)
+    motion: Floats  #: prescribed displacements and rotations at the end of the ramp [m, rad], (n, 6)
+    memory: Floats  #: running means Σ v·ΔF and Σ m v² of the steps so far, (2,)
+    ramp: int  #: steps in which loads and prescribed motions grow
+    length: float  #: by which torques become forces [m]
+    tolerance: float  #: unbalanced force over applied and supporting force at which to stop [-]
+    noise: float  #: force that rounding leaves [N]
+
+
+class RelaxationSpan(NamedTuple):
+    """Steps of one call of the core."""
+
+    first: int  #: number of the first step
+    steps: int  #: how many at most
+    done: Ints  #: how many were done, (1,)
+    ratio: Floats  #: unbalanced force over applied and supporting force [-], (1,)
+
+
+_relax_beams = Pass("relax_beams", Beams, BeamSums, DynamicRelaxation, RelaxationSpan)
+_relax_alike_beams = Pass("relax_alike_beams", Beams, AlikeBeams, BeamSums, DynamicRelaxation, RelaxationSpan)
+
+
+@staged("relaxation")
+def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_000) -> StaticResult:
+    """Compute the equilibrium at any rotation under the loads and prescribed motions at the end of their schedules.
+
+    Dynamic relaxation needs no matrix and no more memory than an explicit run. The mass of each element is
+    proportional to the stiffness at the element, so that all elements move about as fast. The time step is 1. Damping
+    is critical for the present frequency of the specimen. `solve_static` is much faster if K can be stored.
+
+    Args:
+        model: model to solve, of either formulation; its supports must hold the specimen.
+        tolerance: unbalanced force over the sum of applied and supporting force at which to stop [-]. These are roots
+            of sums of squares, with torques divided by the mean radius.
+        most: largest number of steps.
+
+    Raises:
+        InputError: The model has contacts or walls, no supports or a prescribed velocity, or the tolerance is outside
+            (0, 1).
+        ConvergenceError: Forces do not balance in `most` steps, or bonds turned too far.
+    """
+    instance("solve_relaxed", "model", model, Model, "bd.Model(...)")
+    number("", "tolerance", tolerance, above=0.0, below=1.0, advice="a share of the force in (0, 1), such as 1e-6")
+    count("solve_relaxed", "most", most, least=1)
+    if model.contact is not None:
+        raise InputError("contacts and walls act in explicit runs only; use solve_explicit with damping instead")
+    if model.failure is not None:
+        raise InputError("bonds break in explicit runs only; leave failure= out of the model")
+    if model.non_local is not None:
+        raise InputError("solve_relaxed needs a potential, which the non-local law lacks; use solve_static")
+    if model.cells is not None:
+        raise InputError("solve_relaxed does not support cells; use solve_static, also with nonlinear=True")
+    layout, constraints = model.layout, model.constraints
+    n = len(layout.order)
+    held = constraints.held(n)
+    if held.sum() < 6:
+        raise InputError("solve_relaxed needs a specimen that is held; fix all six rigid motions with Fix")
+    connected = model.lattice.connected[layout.order]
+    free = connected[:, None] & ~held
+    motion, load = constraints.final_motion(n), constraints.final_load(n)
+    length = model.lattice.particles.mean_radius
+    mass, inertia = masses(model)
+    inverse = np.column_stack([1.0 / mass, 1.0 / inertia]) * connected[:, None]
+
+    state, model = State(model), strained(model, 1.0)
+    bonds = model.bonds
+    beams, alike = beam_tables(bonds, model.layout, model.period, state.integrity)
+    sums = BeamSums(beams.i, beams.j, lines(n))
+    fastest = max(np.abs(motion[:, :3]).max() / bonds.length.min(initial=np.inf), np.abs(motion[:, 3:]).max())
+    relaxation = DynamicRelaxation(
+        pose=state.pose, velocity=np.zeros((n, 6)), before=np.zeros((n, 6)), load=load, inverse=inverse,
+        free=free.astype(np.uint8), motion=motion, memory=np.zeros(2), ramp=max(1, int(np.ceil(fastest / _PACE))),
+        length=length, tolerance=tolerance,
+        noise=1e-14 * float((bonds.kn * bonds.length).max(initial=0.0)) * np.sqrt(n),
+    )  # fmt: skip
+    done, ratio, finished = 0, np.inf, False
+    turning = bool(constraints.couples)
+    while done < most and not finished:
+        goal = min(_TURNING if turning else _CHUNK, most - done)
+        if turning:  # the forces of moments turn with their regions
+            load[:] = constraints.final_load(n, state.pose)
+        gone, ratio, balanced = relaxed(beams, alike, sums, relaxation, done, goal)
+        finished = gone == 0 if turning else balanced
+        done += gone
+        _, lost, sick = count_turned(state.pose, beams)
+        if lost or sick:
+            raise ConvergenceError(
+                f"{lost} bonds are turned beyond 90 degrees after {done} steps; lower the load, or bond with more and"
+                " shorter bonds"
+            )
+    if not finished:
+        raise ConvergenceError(
+            f"forces do not balance after {done} steps: {ratio:.3g} of them remain; raise tolerance= or most=, or"
+            " use solve_static"
+        )
+    turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
+    values = turned[layout.rank]
+    reaction = np.where(held, -relaxation.before - load, 0.0)[layout.rank]
+    return StaticResult(
+        values[:, :3].copy(), values[:, 3:].copy(), reaction, energy_of(model, state, state.eigenstrain),
+        iterations=done, residual=float(ratio),
+    )  # fmt: skip
+
+
+def relaxed(
+    beams: Beams, alike: AlikeBeams | None, sums: BeamSums, relaxation: DynamicRelaxation, first: int, most: int
+) -> tuple[int, float, bool]:
+    """Take steps; return how many, the unbalanced share of the forces, and whether they balance."""
+    span = RelaxationSpan(first, most, np.zeros(1, dtype=np.int64), np.full(1, np.inf))
+    if alike is None:
+        ending = _relax_beams(beams, sums, relaxation, span)
+    else:
+        ending = _relax_alike_beams(beams, alike, sums, relaxation, span)
+    return int(span.done[0]), float(span.ratio[0]), ending == "balanced"
+
+
+def masses(model: Model) -> tuple[PerElement, PerElement]:
+    """Return masses and moments of inertia of the elements for relaxation in steps of 1, internal order, (n,) each.
+
+    They are proportional to the translational and rotational stiffness at the element, so that all elements by
+    themselves move at one frequency. Their size follows from the highest frequency of the lattice.
+    """
+    layout, bonds = model.layout, model.bonds
+    n = len(layout.order)
+    kn, kt = bonds.kn, bonds.kt
+    along, about = np.zeros(n), np.zeros(n)
+    for end, arm in ((layout.i, bonds.lever), (layout.j, bonds.length - bonds.lever)):
+        along += np.bincount(end, weights=np.maximum(kn, bonds.ks), minlength=n)
+        about += np.bincount(end, weights=np.maximum(kt, bonds.kb + bonds.ks * arm**2), minlength=n)
+    along[along == 0.0] = 1.0
+    about[about == 0.0] = 1.0
+    scale = stiffest(model, along, about) / _FREQUENCY**2
+    return _scaled(along, scale), _scaled(about, scale)
+
+
+def _scaled(values: Floats, scale: float) -> Floats:
+    return values * (scale if scale > 0.0 else 1.0)

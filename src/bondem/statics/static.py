@@ -1,0 +1,227 @@
+"""Static equilibrium of a model under its final loads."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bondem._blas import one_blas_thread
+from bondem._checks import instance
+from bondem._progress import staged
+from bondem._types import Floats, PerBond, PerElement, PerElement3, PerElement6
+from bondem.errors import InputError
+from bondem.interactions.cells.cell_strain import CellStrain
+from bondem.model.model import Model
+from bondem.model.solution import Solution
+from bondem.observables.energy import EnergyParts, energy_of, linear_energy, stress_free_gap, wall_motion
+from bondem.statics.linear import System, solver
+from bondem.statics.non_local_statics import LaggedStatics
+from bondem.statics.nonlinear import follow, strained
+
+
+@dataclass(frozen=True, eq=False)
+class StaticResult(Solution):
+    """An equilibrium, in the user's order; rattlers stay at 0.
+
+    Its residual is the unbalanced force over the sum of applied and supporting force. These are roots of sums of
+    squares, with torques divided by the mean radius.
+
+    Attributes:
+        displacement: displacements of the centres [m], shape (n, 3).
+        rotation: rotation vectors [rad], shape (n, 3).
+        reaction: force and moment of the supports on each element [N, N·m], shape (n, 6); 0 for free elements.
+        energy: elastic energy of the bonds.
+    """
+
+    displacement: PerElement3
+    rotation: PerElement3
+    reaction: PerElement6
+    energy: EnergyParts
+
+    def scaled(self, factor: float) -> "StaticResult":
+        """Return the same result with motions times a factor, as a guess for bonds of another modulus."""
+        return replace(self, displacement=factor * self.displacement, rotation=factor * self.rotation)
+
+
+@one_blas_thread
+@staged("static solution")
+def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult | None = None) -> StaticResult:
+    """Compute the equilibrium under the loads and prescribed motions at the end of their schedules.
+
+    A specimen that its supports leave free to move rigidly must carry balanced loads; its rigid motion is removed
+    from the result. Absorbing boundaries have no effect. For the non-local law the result is the end of a path from
+    the unloaded state, found in rounds (`bondem.statics.non_local_statics`). Its energy is that of the springs.
+
+    Args:
+        model: model to solve.
+        nonlinear: True to follow large rotations; False to solve K u = f at the reference.
+        guess: solution of a similar model, from which an iterative solution of K u = f starts. An elimination ignores
+            it, and a nonlinear path begins at rest.
+
+    Raises:
+        InputError: Loads are unbalanced on a specimen that is free to move, a velocity is prescribed, or the model
+            has contacts or walls. Or a guess is given for a nonlinear path, or belongs to another lattice.
+        ConvergenceError: No bond resists the load.
+    """
+    instance("solve_static", "model", model, Model, "bd.Model(...)")
+    instance("solve_static", "nonlinear", nonlinear, bool, "True or False")
+    if nonlinear and model.non_local is not None:
+        raise InputError("the non-local law has no potential to follow; leave out nonlinear=, or use solve_explicit")
+    if not nonlinear:
+        return Statics(model).equilibrium(guess=guess)
+    if guess is not None:
+        raise InputError("solve_static: guess= has no effect on a nonlinear path, which begins at rest; leave it out")
+    layout, constraints = model.layout, model.constraints
+    n = len(layout.order)
+    bent = follow(model, System.of(model))
+    values = bent.motion[layout.rank]
+    reaction = np.where(constraints.held(n), bent.force - constraints.final_load(n, bent.state.pose), 0.0)
+    end = strained(model, 1.0)
+    wall = None if end.cells is None else end.cells.grips.motion
+    energy = energy_of(end, bent.state, bent.state.eigenstrain, wall=wall)
+    return StaticResult(
+        values[:, :3].copy(), values[:, 3:].copy(), (reaction + bent.walls)[layout.rank], energy,
+        iterations=bent.rounds, residual=bent.residual,
+    )  # fmt: skip
+
+
+class Statics:
+    """Linear statics of a model: one matrix and one factorisation for any number of loads."""
+
+    @one_blas_thread
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self._system = System.of(model)
+        self._lagged = None if model.non_local is None else LaggedStatics(model, self._system)
+        self._solver = None if self._lagged is not None else solver(self._system)
+
+    @one_blas_thread
+    def equilibrium(self, *, guess: StaticResult | None = None) -> StaticResult:
+        """Compute the equilibrium of the model under its own loads; see `solve_static`."""
+        model, system = self.model, self._system
+        layout, constraints = model.layout, model.constraints
+        n = len(layout.order)
+        motion, load = constraints.final_motion(n).ravel(), constraints.final_load(n).ravel()
+        _check_balance(system, load)
+        strain = constraints.final_strain()
+        load = load + strain_load(model, strain)
+        right = load - system.matrix @ motion if motion.any() else load
+        start = None
+        if guess is not None:
+            instance("solve_static", "guess", guess, StaticResult, "what solve_static returned for a similar model")
+            if guess.displacement.shape != (n, 3):
+                raise InputError(f"guess= has {len(guess.displacement)} elements; give a solution with {n}")
+            start = np.hstack([guess.displacement, guess.rotation])[layout.order].ravel()
+        if self._lagged is not None:
+            return _of_lagged(model, system, self._lagged, load, motion)
+        assert self._solver is not None
+        change, iterations = self._solver.solve(right, guess=start)
+        solution = motion + change
+        unbalanced = (system.matrix @ solution - load).reshape(n, 6)
+        reaction = np.where(constraints.held(n), unbalanced, 0.0)
+        values = solution.reshape(n, 6)[layout.rank]
+        displacement, rotation = values[:, :3].copy(), values[:, 3:].copy()
+        return StaticResult(
+            displacement=displacement,
+            rotation=rotation,
+            reaction=reaction[layout.rank] + of_walls(model, displacement, rotation, strain),
+            energy=linear_energy(model, displacement, rotation, strain),
+            iterations=iterations,
+            residual=_residual(system, unbalanced, load.reshape(n, 6)),
+        )
+
+    @one_blas_thread
+    def response(
+        self,
+        load: PerElement6,
+        *,
+        facets: Floats | None = None,
+        guess: PerElement6 | None = None,
+        rtol: float = 1e-10,
+    ) -> PerElement6:
+        """Compute displacements and rotations [m, rad] under other nodal forces and moments [N, N·m], (n, 6) each.
+
+        Supports are at rest. Loads on a specimen that is free to move must be balanced.
+
+        Args:
+            load: forces and moments, user's order.
+            facets: part of the load that acts on free facets of a body of cells [N], (k, 3).
+            guess: start of an iteration.
+            rtol: residual over load at which the iteration ends.
+        """
+        order, rank = self.model.layout.order, self.model.layout.rank
+        load = load[order].ravel()
+        _check_balance(self._system, load)
+        if self._lagged is not None:
+            return self._lagged.settle(load.reshape(-1, 6)[rank]).motion
+        assert self._solver is not None
+        if facets is not None:
+            load = load + _of_swelling(self.model, self.model.cell_constants.pressed_by(facets))[order].ravel()
+        start = None if guess is None else guess[order].ravel()
+        return self._solver.solve(load, guess=start, rtol=rtol)[0].reshape(-1, 6)[rank]
+
+
+def _of_lagged(model: Model, system: System, statics: LaggedStatics, load: Floats, motion: Floats) -> StaticResult:
+    """Return the equilibrium of the non-local law under loads and prescribed motions, internal order, (6 n,) each."""
+    order, rank = model.layout.order, model.layout.rank
+    n = len(order)
+    found = statics.settle(load.reshape(n, 6)[rank], motion=motion.reshape(n, 6)[rank])
+    strain = found.strain
+    unbalanced = -strain.nodal(strain.force)[order] - load.reshape(n, 6)
+    reaction = np.where(model.constraints.held(n), unbalanced, 0.0)
+    return StaticResult(
+        displacement=found.motion[:, :3].copy(), rotation=found.motion[:, 3:].copy(), reaction=reaction[rank],
+        energy=strain.energy, iterations=found.rounds, residual=_residual(system, unbalanced, load.reshape(n, 6)),
+    )  # fmt: skip
+
+
+def _residual(system: System, unbalanced: Floats, load: Floats) -> float:
+    """Return the unbalanced force of free elements over loads and supporting forces [-]."""
+    metric = np.repeat([1.0, 1.0 / system.length], 3)
+    rest = float(np.linalg.norm(np.where(system.free, unbalanced, 0.0) * metric))
+    scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, 0.0, unbalanced) * metric)
+    return rest / float(scale) if scale > 0.0 else 0.0
+
+
+def strain_load(model: Model, strain: PerBond) -> Floats:
+    """Return forces of strained bonds and of moving walls on elements at rest [N, N·m], (6 n,)."""
+    layout, bonds = model.layout, model.bonds
+    if model.cells is not None:
+        body, still = model.lattice, np.zeros((len(layout.order), 3))
+        constants, slip = model.cell_constants, stress_free_gap(model, strain)
+        wall = wall_motion(model, strain)
+        found = CellStrain.of(body, constants, still, still, slip=slip, wall=wall, pressed=model.pressed)
+        return found.nodal(body, constants)[layout.order].ravel()
+    push = bonds.kn * bonds.length * strain * bonds.direction
+    load = np.zeros((len(layout.order), 6))
+    for d in range(3):
+        load[:, d] = np.bincount(layout.j, weights=push[d], minlength=len(load))
+        load[:, d] -= np.bincount(layout.i, weights=push[d], minlength=len(load))
+    return load.ravel()
+
+
+def _of_swelling(model: Model, pressed: PerElement) -> PerElement6:
+    """Return forces of cells at rest that swell by V θ [m³], (n,), on elements [N, N·m], user's order, (n, 6)."""
+    still = np.zeros((len(pressed), 3))
+    wall = np.zeros_like(model.cell_constants.grips.motion)
+    found = CellStrain.of(model.lattice, model.cell_constants, still, still, wall=wall, pressed=pressed)
+    return found.nodal(model.lattice, model.cell_constants)
+
+
+def of_walls(model: Model, displacement: PerElement3, rotation: PerElement3, strain: PerBond) -> PerElement6 | float:
+    """Return force and torque of holding walls on their cells [N, N·m], (n, 6); 0 for beams."""
+    if model.cells is None:
+        return 0.0
+    constants, slip = model.cell_constants, stress_free_gap(model, strain)
+    wall, pressed = wall_motion(model, strain), model.pressed
+    found = CellStrain.of(model.lattice, constants, displacement, rotation, slip=slip, wall=wall, pressed=pressed)
+    return found.of_walls(len(displacement), constants)
+
+
+def _check_balance(system: System, load: Floats) -> None:
+    """Reject a load that drives a rigid motion that the supports permit."""
+    forces = load.reshape(-1, 6) / np.repeat([1.0, system.length], 3)
+    if np.abs(system.loose.T @ load).max(initial=0.0) > 1e-8 * np.linalg.norm(forces):
+        raise InputError(
+            "the loads drive a rigid motion that the supports leave free; balance them with an opposite Load,"
+            " or hold the specimen with Fix"
+        )

@@ -1,0 +1,369 @@
+"""Contents of a study file as frozen data."""
+
+import dataclasses
+import math
+import tomllib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, TypedDict, TypeVar
+
+from bondem.damage.criteria.criterion import Criterion
+from bondem.errors import StudyError
+from bondem.geometry.elementary_shapes import BoundingBox, Box, Cylinder, Shape
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.law_catalogue import CALIBRATED, CELL_LAWS
+from bondem.io.text_file import read_text
+from bondem.labtests.elastic_tests import ELASTIC_TESTS
+from bondem.labtests.suited import broken_only
+from bondem.packing import EVEN, SEED
+from bondem.specimen import materials
+from bondem.specimen.material import Material
+from bondem.study.aggregate_grains import AggregatePlan, read_aggregates
+from bondem.study.failure import read_failure, require_strength
+from bondem.study.keys import STUDY
+from bondem.study.lines import located
+from bondem.study.specimen_step import ImportPlan, SpecimenPlan, read_specimen
+from bondem.study.strength_tests import read_options, require_specimen
+from bondem.study.toml_table import TomlTable
+
+Read = TypeVar("Read")
+# Quotation marks that word processors put in place of the straight ones.
+_CURLY = {*"\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}"}
+#: Elastic tests, which a study runs unless it has its own.
+TESTS = tuple(ELASTIC_TESTS)
+
+
+@dataclass(frozen=True, kw_only=True)
+class BondPlan:
+    """Plan of the bonds and their law.
+
+    Attributes:
+        law: class of the bond law to calibrate; None for the one recommended for the material, as in `bd.calibrate`.
+        cells: class of the cell law of a body of cells, which replaces the bond law and its calibration.
+        facet_rotation: option of the cell law.
+        nu_mu: Poisson's ratio of the bonds [-].
+        tolerance: largest gap of a bond, over R̄ [-]; None if `reach` is given.
+        reach: largest length of a bond, over Ri + Rj [-], or None.
+    """
+
+    law: type[BondLaw] | None = None
+    cells: type[CellBond] | None = None
+    facet_rotation: str = CellBond.facet_rotation
+    nu_mu: float = 0.3
+    radius_rule: str = "mean"
+    tolerance: float | None = 0.0
+    reach: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reference:
+    """Published values, to print beside the results.
+
+    Attributes:
+        citation: source of the values.
+        E_mu, r_mu_ratio: bond modulus [Pa] and radius ratio [-], or None.
+        errors: error of each test, measured / theory - 1 [-].
+    """
+
+    citation: str
+    E_mu: float | None = None
+    r_mu_ratio: float | None = None
+    errors: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Study:
+    """Contents of a study file, the input of `bondem run`.
+
+    Attributes:
+        name: title of the report.
+        material: continuum to reproduce; None to pack and check only.
+        specimen: packing to make, or particles to read.
+        bond: bonds and their law.
+        failure: failure criterion of the material in tests to failure, or None.
+        packings: number of specimens; packing k uses seed + k.
+        calibrating: number of packings for the calibration, the first ones.
+        tests: names of the tests of each packing.
+        options: options of tests to failure by test and name, in SI.
+        seed: seed of the first packing.
+        figures: True to draw figures.
+        vtk: True to write the first packing for ParaView.
+        run_files: True to write every calibrated specimen, at rest, as a run file for later runs.
+        packing_files: True to write every packing with its bonds as a particle file.
+        reference: published values, or None.
+        aggregates: aggregates in the material, which is their matrix, or None.
+        source: name and text of the study file, or None.
+    """
+
+    name: str
+    material: Material | None
+    specimen: SpecimenPlan | ImportPlan
+    bond: BondPlan = BondPlan()
+    failure: Criterion | None = None
+    packings: int = 2
+    calibrating: int = 1
+    tests: tuple[str, ...] = TESTS
+    options: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    seed: int = SEED
+    figures: bool = True
+    vtk: bool = False
+    run_files: bool = False
+    packing_files: bool = False
+    reference: Reference | None = None
+    aggregates: AggregatePlan | None = None
+    source: tuple[str, str] | None = None
+
+    def __post_init__(self) -> None:
+        if not 1 <= self.calibrating <= self.packings:
+            raise StudyError(
+                f"'calibration.packings' = {self.calibrating}: more than the {self.packings} packings of the study;"
+                " calibrate on fewer, or increase 'packings'"
+            )
+        if isinstance(self.specimen, ImportPlan) and self.packings > 1:
+            raise StudyError(
+                f"'packings' = {self.packings}, but 'specimen.particles' is one packing; set packings = 1"
+            )
+        if self.material is None:
+            for key, asked in (("tests", bool(self.tests)), ("output.run_files", self.run_files)):
+                if asked:
+                    raise StudyError(f"'{key}' needs calibrated bonds; give [material], or leave out '{key}'")
+        require_strength(self.tests, self.failure, self.bond.cells is not None)
+        if self.aggregates is not None:
+            self._require_matrix(self.aggregates)
+        if self.specimen.shape is not None:
+            self.require_testable(self.specimen.shape)
+
+    def _require_matrix(self, plan: AggregatePlan) -> None:
+        """Check that a body can be cut along aggregates, and that its criteria are compatible."""
+        if self.bond.cells is None or isinstance(self.specimen, ImportPlan) or self.specimen.method != EVEN:
+            raise StudyError(
+                f'[aggregates] is an option of bodies of cells; set law = "CellBond" in [bond], and method = "{EVEN}"'
+                " in [specimen]"
+            )
+        if "spall" in self.tests:
+            raise StudyError("'tests' contains spall, which needs a single material; leave out spall or [aggregates]")
+        plan.require_room(self.specimen.shape, self.specimen.count)
+        plan.require_criteria(self.failure)
+
+    def require_testable(self, shape: Shape) -> None:
+        """Check that the requested tests are possible with a shape.
+
+        Raises:
+            StudyError: the shape is not a bar along x, or not suitable for a test to failure.
+        """
+        if broken_only(shape) is not None and self.bond.cells is not None and self.tests:
+            require_specimen(self.tests, shape)
+            return
+        if self.material is not None and not _is_prism(shape):
+            raise StudyError(
+                f"'specimen.shape': a {type(shape).__name__} without flat ends x_min and x_max, or without one"
+                " section from end to end, cannot be calibrated; leave out [material] and 'tests' to pack and check"
+                " only, or use a cylinder or a box"
+            )
+        if self.tests and not _is_bar(shape):
+            raise StudyError(
+                f"'tests' contains {self.tests[0]}, but a {type(shape).__name__} is not a bar along x; set tests ="
+                " [],"
+                " or use a cylinder or box as 'specimen.shape'"
+            )
+        require_specimen(self.tests, shape)
+
+    @property
+    def failures(self) -> dict[str, Criterion]:
+        """Failure criteria of the parts of the material, by name; empty without failure."""
+        if self.failure is None:
+            return {}
+        if self.aggregates is None:
+            return {"Failure": self.failure}
+        own, between = self.aggregates.failure, self.aggregates.interface
+        return {"Matrix": self.failure, "Aggregates": own or self.failure, "Interface": between or self.failure}
+
+    def changed(self, *, packings: int | None = None, seed: int | None = None) -> "Study":
+        """Copy of the study with the options of the command line."""
+        given = {"packings": packings, "seed": seed}
+        return dataclasses.replace(self, **{key: value for key, value in given.items() if value is not None})
+
+
+def _is_prism(shape: Shape) -> bool:
+    """True for a constant section along x, as E is read from the section at mid-length."""
+    # Volumes of shapes put together are measured, to 1e-3 or so.
+    prism = {"x_min", "x_max"} <= set(shape.faces)
+    return prism and math.isclose(shape.volume, shape.section() * shape.extent, rel_tol=0.01)
+
+
+def _is_bar(shape: Shape) -> bool:
+    """True for a section with formulas of beam theory."""
+    return isinstance(shape, Cylinder | Box | BoundingBox)
+
+
+def read_study(path: str | Path) -> Study:
+    """Read a study file.
+
+    Raises:
+        StudyError: no such file, not TOML, or a key that is unknown, missing or out of range.
+    """
+    path = Path(path)
+
+    def one(data: dict[str, Any]) -> Study:
+        if "specimens" in data:
+            raise StudyError(f"'{path}' has [[specimens]] and is a test programme; give a file with one [specimen]")
+        return parse_study(data, folder=path.parent)
+
+    return dataclasses.replace(read_toml(path, one), source=source_of(path))
+
+
+def source_of(path: Path) -> tuple[str, str]:
+    """Name and text of a study file, for its report."""
+    return path.name, read_text(path)
+
+
+def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
+    """Apply a function to the TOML document of a file; errors get the line of their key.
+
+    Raises:
+        StudyError: no such file, not TOML, or what the function raises.
+    """
+    text = ""
+    try:
+        text = read_text(path)
+        data = tomllib.loads(text)
+    except OSError as error:
+        raise StudyError(f"study '{path}' cannot be read ({error.strerror}); check the path") from None
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        raise StudyError(f"study '{path}', line {line}: the text is not UTF-8; save it with that encoding") from None
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        advice = 'texts need straight quotes: "granite"' if _CURLY & {*text} else "correct it there"
+        raise StudyError(f"study '{path}' is not valid TOML ({error}); {advice}") from None
+    try:
+        return parse(data)
+    except StudyError as error:
+        raise located(error, text, str(path)) from None
+
+
+def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
+    """Create the study of a TOML document.
+
+    Args:
+        data: the document.
+        folder: folder of the files that it names.
+
+    Raises:
+        StudyError: a key that is unknown, missing or out of range.
+    """
+    with TomlTable(data, STUDY) as top:
+        name = top.text("name")
+        specimen = read_specimen(top.section("specimen"), folder)
+        material = _material(top.section("material")) if top.has("material") else None
+        bond = _bond(top.section("bond"))
+        bar = specimen.shape is None or _is_bar(specimen.shape)
+        tests = top.texts("tests", default=TESTS if material is not None and bar else ())
+        return Study(
+            name=name,
+            seed=top.count("seed", default=Study.seed),
+            packings=top.count("packings", default=1 if isinstance(specimen, ImportPlan) else Study.packings),
+            material=material,
+            specimen=specimen,
+            bond=bond,
+            failure=read_failure(top.section("failure")) if top.has("failure") else None,
+            calibrating=_calibrating(top, bond),
+            tests=tests,
+            options=read_options(top, tests),
+            **_output(top.section("output")),
+            reference=_reference(top.section("reference")) if top.has("reference") else None,
+            aggregates=read_aggregates(top.section("aggregates")) if top.has("aggregates") else None,
+        )
+
+
+def _material(table: TomlTable) -> Material:
+    """Material of the file, or of the library with overridden values."""
+    with table:
+        if not table.has("preset"):
+            return Material(
+                table.text("name"),
+                E=table.number("E"),
+                nu=table.number("nu"),
+                rho=table.number("rho"),
+                source=table.text("source", default=""),
+            )
+        known = materials.get(table.text("preset"))
+        own = [key for key in ("E", "nu", "rho") if table.has(key)]
+        remark = f"; {', '.join(own)} overruled by the study" if own else ""
+        return Material(
+            table.text("name", default=known.name),
+            E=table.number("E", default=known.E),
+            nu=table.number("nu", default=known.nu),
+            rho=table.number("rho", default=known.rho),
+            source=table.text("source", default=known.source + remark),
+        )
+
+
+def _bond(table: TomlTable) -> BondPlan:
+    with table:
+        law = table.text("law") if table.has("law") else None
+        if law in CELL_LAWS:
+            return _cells(table, law)
+        reach = table.number("reach", default=None)
+        if reach is not None and table.has("tolerance"):
+            raise StudyError(
+                f"'{table.name('tolerance')}' and '{table.name('reach')}' are both given; give one of them, not both"
+            )
+        return BondPlan(
+            law=CALIBRATED[law] if law is not None else BondPlan.law,
+            nu_mu=table.number("nu_mu", default=BondPlan.nu_mu),
+            radius_rule=table.text("radius_rule", default=BondPlan.radius_rule),
+            tolerance=table.number("tolerance", default=BondPlan.tolerance) if reach is None else None,
+            reach=reach,
+        )
+
+
+def _cells(table: TomlTable, law: str) -> BondPlan:
+    """Plan of a cell law, which has no choice of bonds."""
+    for key in ("nu_mu", "radius_rule", "tolerance", "reach"):
+        if table.has(key):
+            raise StudyError(
+                f"'{table.name(key)}' is an option of bonds between spheres; with law = \"{law}\" cells are joined at"
+                " their facets with E and nu of the material; leave it out"
+            )
+    rotation = table.text("facet_rotation", default=BondPlan.facet_rotation)
+    return BondPlan(cells=CELL_LAWS[law], facet_rotation=rotation)
+
+
+def _calibrating(top: TomlTable, bond: BondPlan) -> int:
+    if bond.cells is not None and top.has("calibration"):
+        raise StudyError(
+            f"'calibration': law = \"{bond.cells.__name__}\" uses E and nu of the material without"
+            " calibration; leave out [calibration]"
+        )
+    with top.section("calibration") as table:
+        return table.count("packings", default=Study.calibrating)
+
+
+class _Output(TypedDict):
+    figures: bool
+    vtk: bool
+    run_files: bool
+    packing_files: bool
+
+
+def _output(table: TomlTable) -> _Output:
+    with table:
+        return _Output(
+            figures=table.flag("figures", default=Study.figures), vtk=table.flag("vtk", default=Study.vtk),
+            run_files=table.flag("run_files", default=Study.run_files),
+            packing_files=table.flag("packing_files", default=Study.packing_files),
+        )  # fmt: skip
+
+
+def _reference(table: TomlTable) -> Reference:
+    with table:
+        with table.section("errors") as errors:
+            published = {name: errors.number(name) for name in TESTS if errors.has(name)}
+        return Reference(
+            citation=table.text("citation"),
+            E_mu=table.number("E_mu", default=None),
+            r_mu_ratio=table.number("r_mu_ratio", default=None),
+            errors=published,
+        )
