@@ -4,7 +4,7 @@
                                        [--threads 1 2 4] [--steps 300]
     python benchmarks/against.py close [--revision c790c8a] [--cases alike grains ...] [--elements 500]
                                        [--steps 1000] [--within 1e-10]
-    python benchmarks/against.py speed [--revision c790c8a] [--elements 10000 100000 1000000] [--threads 1 2]
+    python benchmarks/against.py speed [--revision c790c8a] [--kinds beams cells ...] [--elements 10000 100000 1000000] [--threads 1 2]
                                        [--repeat 7] [--no-compile]
 
 `bits` runs every kind of bond, load, damping, rotation and contact in both, paused in several ways, and compares
@@ -202,19 +202,21 @@ def rates(options: argparse.Namespace, old_source: Path) -> list[dict]:
     threads = options.threads or [1, 2]
     cores = max(threads)
     with Worker(old_source, cores=cores, cache=old_source.parent, python=options.python) as old, Worker(SOURCE, cores=cores) as new:
-        print(f"\n{'elements':>9}{'threads':>8}{head(names)}   (rates: min / median / max)")
+        print(f"\n{'kind':<20}{'elements':>9}{'threads':>8}{head(names)}   (rates: min / median / max)")
         for elements in options.elements or [10_000, 100_000, 1_000_000]:
             path = specimen_file(old, elements)
-            bonds = old.ask("load", path=str(path))["bonds"]
-            new.ask("load", path=str(path))
-            steps = options.steps_timed or steps_of(bonds)
-            for count in threads:
-                pairs = in_turns(old, new, bonds, threads=count, repeat=options.repeat, steps=steps)
-                print(f"{elements:>9}{count:>8}{pairs.line()}", flush=True)
-                rows.append(
-                    {"elements": elements, "bonds": bonds, "threads": count, "steps": steps, **pairs.report(names)}
-                )
-            print(scaling([row for row in rows if row["elements"] == elements], names), flush=True)
+            for kind in options.kinds:
+                known: dict = {"kind": kind, "elements": elements}
+                bonds = old.ask("load", path=str(path), kind=kind)["bonds"]
+                new.ask("load", path=str(path), kind=kind)
+                steps = options.steps_timed or steps_of(max(bonds, elements))
+                for count in threads:
+                    pairs = in_turns(old, new, max(bonds, elements), threads=count, repeat=options.repeat, steps=steps)
+                    known |= {"bonds": bonds, "threads": count, "steps": steps, "counts": new.ask("counts")}
+                    print(f"{kind:<20}{elements:>9}{count:>8}{pairs.line()}  {known['counts']}", flush=True)
+                    rows.append(known | pairs.report(names))
+                print(scaling([row for row in rows if row["elements"] == elements and row["kind"] == kind], names),
+                      flush=True)  # fmt: skip
     return rows
 
 
@@ -276,6 +278,7 @@ def main() -> None:
     parser.add_argument("--within", type=float, default=1e-10, help="close: largest relative difference [1e-10]")
     parser.add_argument("--python", help="interpreter of the old revision [the present one]")
     parser.add_argument("--repeat", type=int, default=7, help="speed: pairs [7]")
+    parser.add_argument("--kinds", nargs="+", default=["beams"], help="speed: of `paired_kinds.py` [beams]")
     parser.add_argument("--steps-timed", type=int, help="speed: of a sample [a second or so]")
     parser.add_argument("--no-compile", dest="compile", action="store_false", help="speed: without first runs")
     parser.add_argument("--output", type=Path, help="close and speed: [benchmarks/results/against.json]")

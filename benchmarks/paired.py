@@ -111,12 +111,14 @@ class Sample:
     """Some steps of one side.
 
     Attributes:
-        rate: million bond-steps a second.
+        rate: million bond-steps a second, of the clock.
+        own: million bond-steps a second of the processor time of the process.
         others: share of a core that other processes took meanwhile [-].
     """
 
     rate: float
     others: float
+    own: float
 
 
 @dataclass(frozen=True)
@@ -143,6 +145,12 @@ class Pairs:
         return statistics.median(self.second[k].rate / self.first[k].rate for k in self.quiet)
 
     @property
+    def own_gain(self) -> dict[str, float]:
+        """Smallest, median and largest ratio of processor times of all pairs, the first over the second [-]."""
+        ratios = [b.own / a.own for a, b in zip(self.first, self.second, strict=True)]
+        return {"min": min(ratios), "median": statistics.median(ratios), "max": max(ratios)}
+
+    @property
     def busy(self) -> float:
         """Largest share of a core that others took in a pair that counts [-]."""
         return max(max(self.first[k].others, self.second[k].others) for k in self.quiet)
@@ -156,6 +164,7 @@ class Pairs:
         """Everything, for a file."""
         return {
             "gain": round(self.gain, 3),
+            "gain by processor time": {key: round(value, 3) for key, value in self.own_gain.items()},
             "pairs": len(self.first),
             "pairs that count": len(self.quiet),
             "others": round(self.busy, 3),
@@ -173,10 +182,11 @@ class Pairs:
         """Both rates (min / median / max), the gain, and how busy the machine was."""
         sides = [self.spread(side) for side in (self.first, self.second)]
         rates = "".join(f"  {s['min']:6.1f} /{s['median']:6.1f} /{s['max']:6.1f}" for s in sides)
-        return f"{rates}  {self.gain:6.2f}  {len(self.quiet):3d} of {len(self.first)}  {self.busy:6.0%}"
+        own = "/".join(f"{value:5.2f}" for value in self.own_gain.values())
+        return f"{rates}  {self.gain:6.2f}  {own}  {len(self.quiet):3d} of {len(self.first)}  {self.busy:6.0%}"
 
 
-HEAD = "  {0:>22}  {1:>22}  {2:>6}  {3:>8}  {4:>6}"
+HEAD = "  {0:>22}  {1:>22}  {2:>6}  processor time     {3:>8}  {4:>6}"
 
 
 def head(names: tuple[str, str]) -> str:
@@ -208,7 +218,8 @@ def _sample(worker: Worker, bonds: int, threads: int, steps: int) -> Sample:
     answer = worker.ask("go", threads=threads, steps=steps)
     wall = time.perf_counter() - start
     others = max(0.0, _busy() - busy - answer["cpu"]) / wall
-    return Sample(bonds * steps / answer["seconds"] / 1e6, others)
+    done = bonds * steps / 1e6
+    return Sample(done / answer["seconds"], others, done / answer["cpu"])
 
 
 def _busy() -> float:

@@ -13,6 +13,7 @@ import time
 import traceback
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -45,27 +46,40 @@ def read_lattice(path: str) -> bd.Lattice:
         return bd.Lattice(particles, file["pairs"])
 
 
-def elastic(lattice: bd.Lattice) -> bd.Model:
-    return bd.Model(lattice, bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71), density=2500.0)
-
-
 # Loops of runs, the newest first: of the core; of Numba; of c790c8a and older revisions.
 _LOOPS = (
-    ("CoreLoop", "bondem.dynamics.core_loop"), ("CoreLoop", "bondem.dynamics.core_loop"),
-    ("CpuLoop", "bondem.dynamics.loop_cpu"), ("_Loop", "bondem.dynamics.explicit"),
+    ("CoreLoop", "bondem.dynamics.core_loop"), ("CoreLoop", "bondem.solve.loop_core"),
+    ("CpuLoop", "bondem.solve.loop_cpu"), ("_Loop", "bondem.solve.explicit"),
 )  # fmt: skip
+
+
+def critical(model: bd.Model) -> float:
+    """Critical step of velocity Verlet, wherever a revision has it [s]."""
+    places = ("bondem.dynamics.timestep", "bondem.solve.timestep")
+    return importlib.import_module(next(filter(_there, places))).critical_step(model, bd.VelocityVerlet())
+
+
+def _there(module: str) -> bool:
+    """Whether this revision has a module."""
+    try:
+        return importlib.util.find_spec(module) is not None
+    except ModuleNotFoundError:
+        return False
 
 
 class Timed:
     """What is timed: bondem's loop over the steps alone."""
 
-    def __init__(self, path: str) -> None:
-        from bondem.dynamics.timestep import critical_step
+    def __init__(self, path: str, kind: str) -> None:
+        from paired_kinds import KINDS
 
-        self.model = elastic(read_lattice(path))
+        kind_of = KINDS[kind]
+        self.model = kind_of.model(read_lattice(path))
         n = len(self.model.lattice.particles)
-        self.dt = 0.9 * critical_step(self.model, bd.VelocityVerlet())
-        self.velocity = np.random.default_rng(0).standard_normal((n, 3))
+        self.dt = kind_of.share * critical(self.model)
+        self.velocity = kind_of.speed * np.random.default_rng(0).standard_normal((n, 3))
+        self.before = kind_of.before
+        self.state: Any = None
         self.runs: dict[int, Callable[[int], object]] = {}
 
     def make(self) -> Callable[[int], object]:
@@ -73,14 +87,20 @@ class Timed:
         from bondem.model.state import State
 
         name, module = next(
-            (name, module) for name, module in _LOOPS if importlib.util.find_spec(module) is not None
+            (name, module) for name, module in _LOOPS if _there(module)
         )  # fmt: skip
         loop_of = getattr(importlib.import_module(module), name)
-        plans = importlib.import_module(module if name == "_Loop" else "bondem.dynamics.plan")
-        state = State(self.model)
-        state.set_motion(velocity=self.velocity)
+        plans = importlib.import_module(module if name == "_Loop" else f"{module.rpartition('.')[0]}.plan")
+        if self.state is None:
+            self.state = State(self.model)
+            self.state.set_motion(velocity=self.velocity)
+        state = self.state.copy()
+        self.last = state
         loop = loop_of(self.model, plans.Plan(duration=1.0, dt=self.dt, every=0), state, self.dt)
         loop.look()
+        if self.before:
+            loop.run(self.before)
+            self.state, self.before = state.copy(), 0
         return loop.run
 
     def go(self, threads: int, steps: int) -> dict:
@@ -99,10 +119,17 @@ class Timed:
 _loaded: dict[str, Timed] = {}
 
 
-def load(path: str) -> dict:
-    """Prepare the loop for its turns."""
-    timed = _loaded["now"] = Timed(path)
+def load(path: str, kind: str = "beams") -> dict:
+    """Prepare the loop of a kind of body for its turns."""
+    timed = _loaded["now"] = Timed(path, kind)
     return {"bonds": len(timed.model.lattice.pairs)}
+
+
+def counts() -> dict:
+    """What has failed and what touches."""
+    state = _loaded["now"].last
+    return {"failed": len(state.broken), "cracked": len(state.cracks) + len(state.softened),
+            "touching": len(state.touching)}  # fmt: skip
 
 
 def go(threads: int, steps: int) -> dict:
@@ -149,7 +176,7 @@ def cases() -> dict:
     return {"names": list(CASES), "bodies": list(BODIES)}
 
 
-TASKS = {task.__name__: task for task in (source, specimen, load, go, first_run, bits, close, cases)}
+TASKS = {task.__name__: task for task in (source, specimen, load, go, counts, first_run, bits, close, cases)}
 
 
 def main() -> None:

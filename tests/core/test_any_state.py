@@ -50,8 +50,8 @@ def faults(name: str, values: np.ndarray) -> Iterator[np.ndarray]:
     yield np.zeros((*values.shape[:-1], max(values.shape[-1] - 1, 0)), values.dtype)
     yield values.ravel()
     yield values[None]
-    yield from (np.nan_to_num(values).astype(kind) for kind in (np.float32, np.int32, object, bool))
-    yield np.nan_to_num(values).astype(float if values.dtype.kind == "i" else np.int64)
+    yield from (np.clip(np.nan_to_num(values), -1e6, 1e6).astype(kind) for kind in (np.float32, np.int32, object, bool))
+    yield np.clip(np.nan_to_num(values), -1e6, 1e6).astype(float if values.dtype.kind == "i" else np.int64)
     yield np.repeat(values, 2, axis=-1)[..., ::2]
     yield np.asfortranarray(values)
     fixed = values.copy()

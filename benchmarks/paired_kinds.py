@@ -1,0 +1,77 @@
+"""Kinds of bodies whose steps are timed, all on the elements of one periodic packing.
+
+Beams join spheres that touch, cells fill the periodic cell. Those that fail are timed after some steps in which they
+do, so that they are in pieces; those that are whole have strengths that nothing reaches.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import bondem as bd
+
+BEAM = bd.EulerBernoulli(E=265e9, nu=0.3, radius_ratio=0.71)
+CELL = bd.CellBond(E=72.5e9, nu=0.17)
+TOUCH = bd.LinearContact(E=70e9, friction=0.4)
+#: Strengths that nothing reaches [Pa], and those of bodies that are in pieces.
+SAFE, WEAK = 1e15, 50e6
+MOHR = {"friction_angle": 0.6}
+
+
+@dataclass(frozen=True)
+class Kind:
+    """How a body of a kind is made and moves.
+
+    Attributes:
+        model: of a lattice of spheres that touch.
+        speed: standard deviation of each component of the velocity at the start [m/s].
+        share: of the critical step.
+        before: steps that come before those that are timed.
+    """
+
+    model: Callable[[bd.Lattice], bd.Model]
+    speed: float = 1.0
+    share: float = 0.5
+    before: int = 0
+
+
+def beams(lattice: bd.Lattice, failure: bd.Criterion | None = None, *, touch: bool = False) -> bd.Model:
+    """Beams, all alike."""
+    return bd.Model(lattice, BEAM, density=2500.0, failure=failure, contact=TOUCH if touch else None)
+
+
+def cells(
+    lattice: bd.Lattice, failure: bd.Criterion | None = None, *, touch: bool = False,
+    law: bd.CellBond | bd.NonLocal = CELL,
+) -> bd.Model:  # fmt: skip
+    """Cells, or the non-local law between them."""
+    body = bd.connect(lattice.particles, method="laguerre")
+    return bd.Model(body, law, density=2500.0, failure=failure, contact=TOUCH if touch else None)
+
+
+def grains(lattice: bd.Lattice) -> bd.Model:
+    """Spheres that touch, without bonds."""
+    return bd.Model(bd.Lattice(lattice.particles, lattice.pairs[:0]), None, density=2500.0, contact=TOUCH)
+
+
+def _cohesive(strength: float, energy: float | None = None) -> bd.MohrCoulomb:
+    return bd.MohrCoulomb(tension=strength, cohesion=3.0 * strength, fracture_energy=energy, **MOHR)
+
+
+def _fibres(strength: float, energy: float | None = None) -> bd.PeripheralStress:
+    return bd.PeripheralStress(tension=strength, shear=strength, fracture_energy=energy)
+
+
+KINDS = {
+    "beams": Kind(beams, share=0.9),
+    "beams, contact": Kind(lambda lattice: beams(lattice, touch=True)),
+    "beams, may break": Kind(lambda lattice: beams(lattice, _fibres(SAFE)), share=0.9),
+    "beams, in pieces": Kind(lambda lattice: beams(lattice, _fibres(265e6), touch=True), speed=2.0, before=200),
+    "beams, softening": Kind(lambda lattice: beams(lattice, _fibres(265e6, 2e4)), speed=5.0, before=200),
+    "grains": Kind(grains),
+    "cells": Kind(cells, share=0.9),
+    "cells, contact": Kind(lambda lattice: cells(lattice, touch=True)),
+    "cells, may break": Kind(lambda lattice: cells(lattice, _cohesive(SAFE)), share=0.9),
+    "cells, may soften": Kind(lambda lattice: cells(lattice, _cohesive(SAFE, 1e18)), share=0.9),
+    "cells, softening": Kind(lambda lattice: cells(lattice, _cohesive(WEAK, 50.0), touch=True), speed=5.0, before=300),
+    "non-local": Kind(lambda lattice: cells(lattice, law=bd.NonLocal(E=72.5e9, nu=0.17))),
+}  # fmt: skip
