@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._core import step_pass_names
+from bondem import _core
 from bondem._device import Enqueue, Host, IndexPass
 from bondem.model.crack_columns import FACET, PARTED, STATUS
 from bondem.solve.explicit import integrate
@@ -66,7 +66,7 @@ def test_all_passes_of_the_cpu_have_counterparts() -> None:
     """A device runs whatever the CPU runs; three criteria apply to beams only, never to facets."""
     never = {f"judge_facets_by_{name}" for name in ("peripheral_stress", "linear_sum", "ellipse")}
     of_postponed = resuming((Mock(), Mock()))
-    assert set(step_pass_names()) - set(COUNTERPARTS) - set(of_postponed) == never
+    assert set(_core._library().step_passes) - set(COUNTERPARTS) - set(of_postponed) == never
 
 
 @pytest.mark.parametrize("case", CASES)
