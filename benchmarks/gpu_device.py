@@ -138,22 +138,32 @@ def agrees(found: dict[str, Any]) -> bool:
 # ---- bodies
 
 
-def prepared(name: str, elements: int, packing: int, options: dict[str, Any]) -> tuple[float, State, float]:
-    """Return the time step and the state of a free periodic body that moves at random, and seconds that it took."""
+class Body(NamedTuple):
+    """A free periodic body that moves at random."""
+
+    model: bd.Model
+    state: State
+    dt: float
+    seconds: float  #: that its preparation took
+
+
+def prepared(name: str, elements: int, packing: int, options: dict[str, Any]) -> Body:
+    """Return a body; its time step is that of the packing that is repeated."""
     began = time.perf_counter()
     law, method = LAWS[name]
     warnings.simplefilter("ignore")
     part = specimen(min(elements, packing), largest=packing, method=method)
     dt = 0.5 * critical_step(bd.Model(part, law, 2500.0, **options), bd.VelocityVerlet())
     lattice = specimen(elements, largest=packing, method=method)
-    state = State(bd.Model(lattice, law, 2500.0, **options))
+    model = bd.Model(lattice, law, 2500.0, **options)
+    state = State(model)
     state.set_motion(velocity=np.random.default_rng(0).standard_normal((len(lattice.particles), 3)))
-    return dt, state, time.perf_counter() - began
+    return Body(model, state, dt, time.perf_counter() - began)
 
 
-def loop_on(device: Device, dt: float, state: State) -> DeviceLoop:
+def loop_on(device: Device, body: Body, state: State) -> DeviceLoop:
     """Return a loop whose graphs are recorded."""
-    loop = DeviceLoop(state.model, Plan(duration=1.0, dt=dt, every=0), state, dt, device)
+    loop = DeviceLoop(body.model, Plan(duration=1.0, dt=body.dt, every=0), state, body.dt, device)
     loop.run(200)
     return loop
 
@@ -172,18 +182,17 @@ def timed(loop: DeviceLoop, bonds: int, updates: float, repeat: int) -> dict[str
     return {"steps": steps, "median": statistics.median(rates), "best": max(rates)}
 
 
-def measured(device: Device, made: tuple[float, State, float], name: str, sizes: Sizes) -> dict[str, Any]:
+def measured(device: Device, body: Body, name: str, sizes: Sizes) -> dict[str, Any]:
     """Return how fast a body steps."""
-    dt, state, seconds = made
-    began = time.perf_counter()
-    loop = loop_on(device, dt, state)
+    state, began = body.state, time.perf_counter()
+    loop = loop_on(device, body, state)
     first = time.perf_counter() - began
     bonds, elements = len(state.integrity), len(state.pose)
     result = timed(loop, bonds, sizes.steps, repeat=3 if elements <= 1_000_000 else 1)
     return {
         "bodies": name, "elements": elements, "bonds": bonds, "steps": int(result["steps"]),
         "bond-steps/s": {"median": float(f"{result['median']:.4g}"), "best": float(f"{result['best']:.4g}")},
-        "µs per step": float(f"{1e6 * bonds / result['median']:.4g}"), "made in s": round(seconds, 1),
+        "µs per step": float(f"{1e6 * bonds / result['median']:.4g}"), "made in s": round(body.seconds, 1),
         "first 200 steps in s": round(first, 1), "finite": bool(np.isfinite(state.pose).all()),
         "broken": int((state.integrity == 0.0).sum()), "cracks": len(state.cracks),
     }  # fmt: skip
@@ -192,18 +201,18 @@ def measured(device: Device, made: tuple[float, State, float], name: str, sizes:
 def batch(device: Callable[[], Device], sizes: Sizes) -> dict[str, Any]:
     """Return how fast many specimens step, several at once, each on a stream of its own."""
     count, elements, at_once = sizes.batch
-    dt, start, _ = prepared("beams", elements, sizes.packing, {})
-    bonds, steps = len(start.integrity), 1000
+    body = prepared("beams", elements, sizes.packing, {})
+    bonds, steps = len(body.state.integrity), 1000
 
     def ready(states: list[State]) -> list[DeviceLoop]:
         own = device()
-        return [loop_on(own, dt, state) for state in states]
+        return [loop_on(own, body, state) for state in states]
 
     def carry_out(loops: list[DeviceLoop]) -> None:
         for loop in loops:
             loop.run(steps)
 
-    shares = [[start.copy() for _ in range(k, count, at_once)] for k in range(min(at_once, count))]
+    shares = [[body.state.copy() for _ in range(k, count, at_once)] for k in range(min(at_once, count))]
     with ThreadPoolExecutor(at_once, initializer=device) as pool:  # the device becomes that of each thread
         groups = list(pool.map(ready, shares))
         began = time.perf_counter()
@@ -229,7 +238,7 @@ def sections(
     ahead = {name: pool.submit(prepared, name, last, sizes.packing, {}) for name in LAWS}
     own = device()
 
-    def body(name: str, elements: int, options: dict[str, Any]) -> dict[str, Any]:
+    def plain(name: str, elements: int, options: dict[str, Any]) -> dict[str, Any]:
         return measured(own, prepared(name, elements, sizes.packing, options), name, sizes)
 
     def awaited(name: str, future: Future) -> dict[str, Any]:
@@ -237,14 +246,14 @@ def sections(
 
     for elements in sizes.plain[:-1]:
         for name in LAWS:
-            yield f"{name}, {elements}", partial(body, name, elements, {})
+            yield f"{name}, {elements}", partial(plain, name, elements, {})
     yield "batch", partial(batch, device, sizes)
-    yield "contact", partial(body, "beams", sizes.touching, TOUCHING)
-    yield "cells that break", partial(body, "cells", sizes.cells_that_break, WEAK)
-    yield "cells that crack", partial(body, "cells", sizes.cells_that_crack, COHESIVE)
+    yield "contact", partial(plain, "beams", sizes.touching, TOUCHING)
+    yield "cells that break", partial(plain, "cells", sizes.cells_that_break, WEAK)
+    yield "cells that crack", partial(plain, "cells", sizes.cells_that_crack, COHESIVE)
     for name, future in ahead.items():
         yield f"{name}, {last}", partial(awaited, name, future)
-    yield "beams that break", partial(body, "beams", sizes.beams_that_break, BRITTLE)
+    yield "beams that break", partial(plain, "beams", sizes.beams_that_break, BRITTLE)
     for (name, elements), future in large.items():
         yield f"{name}, {elements}", partial(awaited, name, future)
 

@@ -29,7 +29,7 @@ from bondem.errors import InputError
 
 __all__ = [
     "Pass", "checked_fields", "compiled_level", "core_lanes", "filled_table", "index_pass", "index_pass_names",
-    "room_for", "step_pass", "step_pass_names", "table_fields",
+    "room_for", "step_pass", "table_fields",
 ]  # fmt: skip
 
 # How long a process waits for what another one compiles [s].
@@ -269,11 +269,6 @@ class Pass:
 def step_pass(name: str) -> tuple[tuple[int, int], tuple[str, ...]]:
     """Address and kind of a pass that steps are composed of, and names of its tables."""
     return _library().step_passes[name]
-
-
-def step_pass_names() -> tuple[str, ...]:
-    """Names of all passes that steps are composed of."""
-    return tuple(_library().step_passes)
 
 
 def index_pass_names() -> tuple[str, ...]:

@@ -88,8 +88,12 @@ def test_pausing_changes_no_bit(case: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "case", ["peripheral", "brittle cells", "cells break and touch", "spheres and walls", "warming cells"]
-)
+    "case",
+    [
+        "peripheral", "brittle cells", "cells break and touch", "beams break, stressed", "spheres and walls",
+        "warming cells", "non-local, bonds break, contact",
+    ],
+)  # fmt: skip
 def test_the_order_of_indices_changes_no_bit(case: str) -> None:
     """Threads of a device have no order."""
     this = CASES[case]()

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._core import step_pass_names
+from bondem import _core
 from bondem._device import Enqueue, Host, IndexPass
 from bondem.damage.crack_columns import FACET, PARTED, STATUS
 from bondem.dynamics.core_loop import CoreLoop
@@ -16,7 +16,8 @@ from bondem.dynamics.history import PLASTIC
 from bondem.dynamics.on_device.breakage_counterparts import resuming
 from bondem.dynamics.on_device.counterparts import COUNTERPARTS
 from bondem.dynamics.plan import Plan
-from tests.bits import assert_same_fracture
+from tests.bits import assert_same_fracture, assert_same_run
+from tests.core.test_device import Backwards
 from tests.device_runs import deviation
 from tests.device_sides import (
     LoopOf,
@@ -66,7 +67,7 @@ def test_all_passes_of_the_cpu_have_counterparts() -> None:
     """A device runs whatever the CPU runs; three criteria apply to beams only, never to facets."""
     never = {f"judge_facets_by_{name}" for name in ("peripheral_stress", "linear_sum", "ellipse")}
     of_postponed = resuming((Mock(), Mock()))
-    assert set(step_pass_names()) - set(COUNTERPARTS) - set(of_postponed) == never
+    assert set(_core._library().step_passes) - set(COUNTERPARTS) - set(of_postponed) == never
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -88,12 +89,16 @@ def test_these_runs_have_all_that_happens() -> None:
     for case, state in done.items():
         if "crushed" in case:
             assert (state.plastic[:, 9] > 0.0).sum() > 50
-    touching = done["crushed and touching"]
-    assert (touching.plastic[:, 9] * touching.model.softening.slip.fade >= 1.0).sum() >= 3
+    touching, softening = done["crushed and touching"], CASES["crushed and touching"]()[0].softening
+    assert softening is not None
+    slip = softening.slip
+    assert slip is not None
+    assert (touching.plastic[:, 9] * slip.fade >= 1.0).sum() >= 3
     assert (touching.cracks[:, STATUS] == PARTED).sum() >= 3
     for case in ("planes", "planes that shear"):
-        state = done[case]
-        assert state.model.softening.plane[state.cracks[:, FACET].astype(int)].sum() > 20
+        state, softening = done[case], CASES[case]()[0].softening
+        assert softening is not None
+        assert softening.plane[state.cracks[:, FACET].astype(int)].sum() > 20
         assert len(state.broken) > 10
 
 
@@ -101,6 +106,12 @@ def test_these_runs_have_all_that_happens() -> None:
 def test_pausing_changes_no_bit(case: str) -> None:
     this = CASES[case]()
     assert_pauses_change_no_bit(this, half=this[2] // 2)
+
+
+@pytest.mark.parametrize("case", ["crushed and touching", "planes that shear", "warming and crushed"])
+def test_the_order_of_indices_changes_no_bit(case: str) -> None:
+    this = CASES[case]()
+    assert_same_run(carried_out(this, on_device), carried_out(this, loop_on(Backwards)))
 
 
 @pytest.mark.parametrize("case", ["crushed between walls", "planes that shear", "warming and crushed"])

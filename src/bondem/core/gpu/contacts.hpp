@@ -4,7 +4,6 @@
 // an element or a wall has left stops the run: what follows in a graph does nothing, and the CPU makes the list anew.
 #pragma once
 #include "../passes/contacts/contact_loads.hpp"
-#include "../passes/contacts/handover.hpp"
 #include "../passes/contacts/pairs.hpp"
 #include "../passes/contacts/wall_shapes.hpp"
 #include "../passes/contacts/rigid_walls.hpp"
@@ -114,13 +113,6 @@ inline void kick_free_wall(Index e, const DeviceSpan &span, const WallMotions &m
     for (Index c = 0; c < 3; c++)
         walls.body(w, rate + c) +=
             0.5 * clock_of(span).dt * (walls.body(w, wall_force + c) + motions.free_force(e, c)) / motions.free_mass(e);
-}
-
-// Begins contact where beams have broken in this step, on the sums that are kept for their ends.
-inline void begin_all_contacts(Index, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
-                               const ContactPairs &pairs, const NearPairs &near, const EventLog &log,
-                               const Postponed &postponed) {
-    begin_contacts(turn_of(span, 0), all, c, pairs, near, log, postponed);
 }
 
 // ---- what the guard and the history need

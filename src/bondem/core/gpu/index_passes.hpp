@@ -1,6 +1,7 @@
 // The passes over an index: what a thread of a device does, by number. `X(pass)` is called for each.
 #pragma once
 #include "beams.hpp"
+#include "begun_contacts.hpp"
 #include "boundary.hpp"
 #include "breakage.hpp"
 #include "cells.hpp"
@@ -145,7 +146,9 @@
     X(add_contact_load)                 \
     X(load_wall)                        \
     X(kick_free_wall)                   \
-    X(begin_all_contacts)               \
+    X(begin_contact_of_event)           \
+    X(add_begun_contacts_of_element)    \
+    X(take_over_energies)               \
     X(measure_overlaps)                 \
     X(sum_portion_of_pairs)             \
     X(sum_portion_at_walls)             \

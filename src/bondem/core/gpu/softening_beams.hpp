@@ -3,6 +3,7 @@
 //
 // The stages are those of the CPU (`passes/damage/beam_softening.cpp`), in the same order of rows and bonds.
 #pragma once
+#include "../passes/contacts/handover.hpp"
 #include "../passes/damage/beam_softening.hpp"
 #include "../passes/damage/softening_beam.hpp"
 #include "breakage.hpp"

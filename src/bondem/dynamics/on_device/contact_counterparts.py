@@ -17,7 +17,8 @@ from bondem.dynamics.contact_tables import (
 )
 from bondem.dynamics.damage_tables import EventLog, Postponed
 from bondem.dynamics.gauge_tables import Gauges
-from bondem.dynamics.on_device.device_tables import DeviceSpan, EarlierPairs, RowOrder
+from bondem.dynamics.on_device.breakage_counterparts import marks_of
+from bondem.dynamics.on_device.device_tables import BondMarks, BondsOfElements, DeviceSpan, EarlierPairs, RowOrder
 from bondem.dynamics.on_device.translation import Counterpart, Translation
 from bondem.dynamics.parts.part import Passes
 from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
@@ -37,9 +38,10 @@ _press_walls = IndexPass(
 _add_contact_load = IndexPass("add_contact_load", DeviceSpan, Moving, StepCut, ContactSums)
 _load_wall = IndexPass("load_wall", DeviceSpan, WallContacts, RowOrder, Walls)
 _kick_free_wall = IndexPass("kick_free_wall", DeviceSpan, WallMotions, Walls)
-_begin_contacts = IndexPass(
-    "begin_all_contacts", DeviceSpan, Moving, ContactConstants, ContactPairs, NearPairs, EventLog, Postponed
-)
+_PAIRS = ContactConstants, ContactPairs, NearPairs, EventLog
+_begin_contact = IndexPass("begin_contact_of_event", Moving, *_PAIRS)
+_add_begun = IndexPass("add_begun_contacts_of_element", BondsOfElements, BondMarks, *_PAIRS, Postponed)
+_take_over = IndexPass("take_over_energies", *_PAIRS[1:])
 _measure_overlaps = IndexPass(
     "measure_overlaps", DeviceSpan, Moving, ContactConstants, ContactPairs, WallContacts, Walls, Travel
 )
@@ -114,8 +116,21 @@ def _contact_loads(run: Translation, moving: Moving, cut: StepCut, sums: Contact
     return [(_add_contact_load, run.span.n, (run.span, moving, cut, sums))]
 
 
-def _begin(run: Translation, *tables: Any) -> list[Launch]:
-    return [(_begin_contacts, 1, (run.span, *tables))]
+def _begin(
+    run: Translation,
+    moving: Moving,
+    law: ContactConstants,
+    pairs: ContactPairs,
+    near: NearPairs,
+    log: EventLog,
+    postponed: Postponed,
+) -> list[Launch]:
+    begun = law, pairs, near, log
+    return [
+        (_begin_contact, run.span.m, (moving, *begun)),
+        (_add_begun, run.span.n, (run.bonds, marks_of(run), *begun, postponed)),
+        (_take_over, 1, begun[1:]),
+    ]
 
 
 def _pair_energies(

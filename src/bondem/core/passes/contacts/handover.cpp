@@ -15,8 +15,7 @@ void examine(const ContactPairs &pairs, const NearPairs &near, Index k) {
     near.counts(portion, 0)++;
 }
 
-BegunContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index k) {
-    examine(pairs, near, k);
+BegunContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k) {
     for (Index x = 0; x < 8; x++) pairs.memory(k, x) = 0.0;
     pairs.touch(k) = separate;
     const Vector d = branch_of(all.pose.data, pairs, k);
@@ -37,16 +36,12 @@ double hand_over(const Moving &all, const ContactConstants &c, const ContactPair
                  double *sums) {
     const Index k = pairs.of_bond(bond);
     if (k < 0) return 0.0;
-    const BegunContact begun = begin_pair(all, c, pairs, near, k);
+    examine(pairs, near, k);
+    const BegunContact begun = begin_pair(all, c, pairs, k);
     if (!begun.touches) return 0.0;
-    const Short ends[2] = {pairs.first(k), pairs.second(k)};
-    for (Index end = 0; end < 2; end++) {
-        double *const row = sums + 8 * uint64_t(ends[end]), sign = end == 0 ? -1.0 : 1.0, r = c.radius(ends[end]);
-        for (Index x = 0; x < 3; x++) {
-            row[x] += sign * begun.force[x];
-            row[4 + x] += r * begun.torque[x];
-        }
-    }
+    const Short a = pairs.first(k), b = pairs.second(k);
+    add_begun(sums + 8 * uint64_t(a), false, c.radius(a), begun);
+    add_begun(sums + 8 * uint64_t(b), true, c.radius(b), begun);
     return pair_energy(all.pose.data, c, pairs, k);
 }
 

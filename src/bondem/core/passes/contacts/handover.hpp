@@ -12,13 +12,22 @@ namespace bondem {
 // Examines pair k in every step from now on; it keeps its place in the order of the pairs.
 void examine(const ContactPairs &pairs, const NearPairs &near, Index k);
 
-// Begins the contact of pair k as the pair is now; whether the two touch, and what they do to each other then.
+// Whether the two elements of a pair touch whose contact begins, and what they do to each other then.
 struct BegunContact {
     bool touches;
     Vector force;  // on the later element [N]
     Vector torque;  // on either, over its radius [N]
 };
-BegunContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index k);
+// Begins the contact of pair k as the pair is now.
+BegunContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k);
+// Adds it to a row of sums of one of the two elements.
+inline void add_begun(double *row, bool is_later, double radius, const BegunContact &begun) {
+    const double sign = is_later ? 1.0 : -1.0;
+    for (Index x = 0; x < 3; x++) {
+        row[x] += sign * begun.force[x];
+        row[4 + x] += radius * begun.torque[x];
+    }
+}
 
 // Begins the contact of the pair of a bond, and adds its force to rows of sums of elements (first_row + element); the
 // energy that it takes over [J].
