@@ -1,5 +1,7 @@
 """States as users read and change them: setters that broadcast, read-only arrays, the user's order everywhere."""
 
+import copy
+
 import numpy as np
 import pytest
 
@@ -97,3 +99,12 @@ def test_stress_free_strains_are_in_the_order_of_the_user():
     state.bond_eigenstrain = own
     wanted = own + 1e-3 * (pairs < 40).mean(axis=1)
     assert state.stress_free_strain == pytest.approx(wanted, abs=1e-15)
+
+
+def test_a_copy_by_the_module_copy_is_independent():
+    """`copy.copy` shared the arrays, so that setting the copy set the original too."""
+    state = spheres().state()
+    state.velocity = (0.0, 0.0, 1.0)
+    twin = copy.copy(state)
+    twin.velocity = 0.0
+    assert (state.velocity[:, 2] == 1.0).all()

@@ -166,6 +166,15 @@ def test_what_cannot_be_is_refused_by_its_key(keys, key, remedy):
     assert remedy in str(refused.value)
 
 
+def test_known_keys_are_listed_once():
+    """The list began "law, law"."""
+    with pytest.raises(bd.errors.StudyError, match=r"known here: .*law") as caught:
+        parse_study(SMALL | {"bond": {"law": "Timoshenko", "zzz": 1}})
+    listed = str(caught.value).split("known here: ")[1].split(", ")
+    assert len(listed) == len(set(listed))
+
+
+
 def test_calibration_needs_a_prism_and_tests_need_one_with_formulas(tmp_path):
     bar = bd.Box((4.0, 1.0, 1.0)) | bd.Box((4.0, 2.0, 0.5))
     plan = SpecimenPlan(shape=bar, count=500)

@@ -29,11 +29,16 @@ _PREFIXED: dict[str, tuple[Fraction, _Dimension]] = {
     "J": (Fraction(1), (1, 2, -2, 0)),
     "rad": (Fraction(1), (0, 0, 0, 1)),
 }
+_POUND = Fraction(45_359_237, 100_000_000) * Fraction(980_665, 100_000)  # force [N]
 _PLAIN: dict[str, tuple[Fraction, _Dimension]] = {
     "in": (Fraction(254, 10_000), (0, 1, 0, 0)),
+    "inch": (Fraction(254, 10_000), (0, 1, 0, 0)),
     "ft": (Fraction(3048, 10_000), (0, 1, 0, 0)),
     "t": (Fraction(1000), (1, 0, 0, 0)),
     "min": (Fraction(60), (0, 0, 1, 0)),
+    # the weight of a pound at standard gravity on a square inch
+    "psi": (_POUND / Fraction(254, 10_000) ** 2, (1, -1, -2, 0)),
+    "ksi": (1000 * _POUND / Fraction(254, 10_000) ** 2, (1, -1, -2, 0)),
     "bar": (Fraction(100_000), (1, -1, -2, 0)),
     # of half a turn: π comes in at the very end, as it is no fraction
     "deg": (Fraction(1, 180), (0, 0, 0, 1)),

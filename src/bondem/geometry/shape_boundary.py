@@ -62,6 +62,7 @@ class Walled(ABC):
 
     def face_centre(self, face: str) -> Vector:
         """Return the centroid of a face [m], (3,). A load on the face acts through this point."""
+        self._check_face(face)
         lower, upper = self.bounds
         centre = 0.5 * (lower + upper)
         if face in BOX_FACES:

@@ -215,6 +215,11 @@ class _Jaws:
         length, height, diameter = (float(extent) for extent in upper - lower)
         middle, radius = 0.5 * (lower + upper), 0.5 * diameter
         assert body.cells is not None
+        if not shape.contains(middle).all():
+            raise InputError(
+                "labtests.brazilian: the disc has a hole at its centre, where its strength and strains are evaluated;"
+                " use a solid disc, or drive a bd.Model of this one with bd.solve_explicit"
+            )
         if {"top", "bottom"} <= set(shape.faces):
             if half_angle is not None:
                 raise InputError(
@@ -225,7 +230,7 @@ class _Jaws:
             flat = float(np.average(body.cells.free.centroid[on, 1], weights=body.cells.free.area[on])) - middle[1]
             angle = math.acos(min(flat / radius, 1.0 - 1e-6))
             return cls(Face("top"), Face("bottom"), diameter, length, middle, angle, flattened(angle))
-        if "side" not in shape.faces or abs(height - diameter) > 1e-6 * diameter:
+        if not {"side", "x_min", "x_max"} <= set(shape.faces) or abs(height - diameter) > 1e-6 * diameter:
             raise InputError(
                 f"labtests.brazilian: {type(shape).__name__} is not a cylinder along x; use bd.Cylinder, or one whose"
                 ' flats across y are the faces "top" and "bottom"'

@@ -146,10 +146,10 @@ class State:
     def copy(self) -> "State":
         """Return an independent copy."""
         twin = State.__new__(State)
-        twin.__dict__.update(self.__dict__)
-        for name in self.ARRAYS:
-            setattr(twin, name, getattr(self, name).copy())
+        twin.__dict__.update(self.__dict__ | {name: getattr(self, name).copy() for name in self.ARRAYS})
         return twin
+
+    __copy__ = copy  # the module copy would share the arrays
 
     def begin(self, model: Origin) -> None:
         """Make this the initial state of a new run of `model`.

@@ -49,7 +49,8 @@ class TomlTable:
         unknown = [key for key in self._data if key not in self._asked]
         if unknown and failed is None:
             near = difflib.get_close_matches(unknown[0], self._asked, n=1)
-            hint = f"did you mean '{self.name(near[0])}'?" if near else f"known here: {', '.join(self._asked)}"
+            known = ", ".join(dict.fromkeys(self._asked))
+            hint = f"did you mean '{self.name(near[0])}'?" if near else f"known here: {known}"
             raise StudyError(f"unknown key '{self.name(unknown[0])}'; {hint}")
 
     def name(self, key: str) -> str:
