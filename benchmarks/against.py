@@ -4,13 +4,13 @@
                                        [--threads 1 2 4] [--steps 300]
     python benchmarks/against.py close [--revision c790c8a] [--cases alike grains ...] [--elements 500]
                                        [--steps 1000] [--within 1e-10]
-    python benchmarks/against.py speed [--revision c790c8a] [--kinds beams cells ...] [--elements 10000 100000 1000000] [--threads 1 2]
-                                       [--repeat 7] [--no-compile]
+    python benchmarks/against.py speed [--revision c790c8a] [--kinds beams cells ...]
+                                       [--elements 10000 100000 1000000] [--threads 1 2] [--repeat 7] [--no-compile]
 
 `bits` runs every kind of bond, load, damping, rotation and contact in both, paused in several ways, and compares
-all that a run leaves by bytes; its exit status is 1 where anything differs. `close` compares positions, velocities and
-energies, also of cells, the non-local law and bodies that fail, and shows where the motion itself amplifies a rounding
-(`bits/closeness.py`). `speed` runs the specimen of
+all that a run leaves by bytes; its exit status is 1 where anything differs. `close` compares positions, velocities
+and energies, also of cells, the non-local law and bodies that fail, and shows where the motion itself amplifies a
+rounding (`bits/closeness.py`). `speed` runs the specimen of
 `bond_steps.py` in turns, times first runs with and without compiled code, and writes
 benchmarks/results/against.json, in which each kind of processor has its place. A revision that needs other packages
 runs in its own interpreter: --python.
@@ -109,7 +109,7 @@ _AMPLIFIED = 100.0
 
 
 def distances(old: Worker, new: Worker, name: str, size: int, marks: list[int], within: float) -> dict:
-    """What a case was, relative differences after each number of steps, and those of a disturbed run if they matter."""
+    """What a case was, relative differences after each number of steps, and where they matter of a disturbed run."""
     with tempfile.TemporaryDirectory() as folder:
 
         def ran(worker: Worker, side: str, **options: object) -> dict:
@@ -158,12 +158,13 @@ def close(options: argparse.Namespace) -> int:
     ):
         known = new.ask("cases")
         for size in options.elements or SIZES[:1]:
-            print(f"\n{f'about {size} elements':<26}{'failed':>7}{'touch':>7}{'dt':>5}", *(f"{q:>13}" for q in QUANTITIES))
+            columns = "".join(f"{quantity:>14}" for quantity in QUANTITIES)
+            print(f"\n{f'about {size} elements':<26}{'failed':>7}{'touch':>7}{'dt':>5}{columns}")
             for name in options.cases or known["names"] + known["bodies"]:
                 row = rows[f"{name} {size}"] = distances(old, new, name, size, marks, options.within)
                 row["verdict"] = _verdict(row, options.within)
-                print(f"{name:<26}{row['failed']:>7}{row['touching']:>7}{row['share']:>5.1f}", _line(row, "apart", -1),
-                      row["verdict"], flush=True)  # fmt: skip
+                counts = f"{row['failed']:>7}{row['touching']:>7}{row['share']:>5.1f}"
+                print(f"{name:<26}{counts}", _line(row, "apart", -1), row["verdict"], flush=True)
                 if row["verdict"] != "within":
                     for k, mark in enumerate(marks):
                         print(f"{mark:>39} steps{_line(row, 'apart', k)[6:]}")
@@ -201,7 +202,10 @@ def rates(options: argparse.Namespace, old_source: Path) -> list[dict]:
     names = (options.revision, "now")
     threads = options.threads or [1, 2]
     cores = max(threads)
-    with Worker(old_source, cores=cores, cache=old_source.parent, python=options.python) as old, Worker(SOURCE, cores=cores) as new:
+    with (
+        Worker(old_source, cores=cores, cache=old_source.parent, python=options.python) as old,
+        Worker(SOURCE, cores=cores) as new,
+    ):
         print(f"\n{'kind':<20}{'elements':>9}{'threads':>8}{head(names)}   (rates: min / median / max)")
         for elements in options.elements or [10_000, 100_000, 1_000_000]:
             path = specimen_file(old, elements)
@@ -211,7 +215,8 @@ def rates(options: argparse.Namespace, old_source: Path) -> list[dict]:
                 new.ask("load", path=str(path), kind=kind)
                 steps = options.steps_timed or steps_of(max(bonds, elements))
                 for count in threads:
-                    pairs = in_turns(old, new, max(bonds, elements), threads=count, repeat=options.repeat, steps=steps)
+                    size = max(bonds, elements)
+                    pairs = in_turns(old, new, size, threads=count, repeat=options.repeat, steps=steps)
                     known |= {"bonds": bonds, "threads": count, "steps": steps, "counts": new.ask("counts")}
                     print(f"{kind:<20}{elements:>9}{count:>8}{pairs.line()}  {known['counts']}", flush=True)
                     rows.append(known | pairs.report(names))

@@ -2,7 +2,7 @@
 
 Triquadratic hexahedra on a tensor mesh, refined towards held faces and re-entrant edges, where the stress is
 singular. With E, ν, ρ given, a `Continuum` tells its free or clamped natural frequencies and what a force and a
-moment on a face do to that face, to 0.2 % or better (halve `cell` and compare; tests/test_continuum.py does).
+moment on a face do to that face, to 0.2 % or better (halve `cell` and compare).
 
     python benchmarks/continuum.py          convergence of the three shapes of any_specimen.py (a minute)
 """

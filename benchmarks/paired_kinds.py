@@ -72,6 +72,8 @@ KINDS = {
     "cells, contact": Kind(lambda lattice: cells(lattice, touch=True)),
     "cells, may break": Kind(lambda lattice: cells(lattice, _cohesive(SAFE)), share=0.9),
     "cells, may soften": Kind(lambda lattice: cells(lattice, _cohesive(SAFE, 1e18)), share=0.9),
-    "cells, softening": Kind(lambda lattice: cells(lattice, _cohesive(WEAK, 50.0), touch=True), speed=5.0, before=300),
+    "cells, softening": Kind(
+        lambda lattice: cells(lattice, _cohesive(WEAK, 50.0), touch=True), speed=5.0, before=300
+    ),
     "non-local": Kind(lambda lattice: cells(lattice, law=bd.NonLocal(E=72.5e9, nu=0.17))),
 }  # fmt: skip

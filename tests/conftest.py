@@ -1,12 +1,13 @@
 """Options of the test suite: slow validation runs only when asked for, device tests only where there is one."""
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 import bondem as bd
+from bondem._threads import threads
 
 # What tests pack is packed anew, here and in the processes they start; those of the cache turn it on.
 os.environ["BONDEM_PACKING_CACHE"] = "off"
@@ -58,3 +59,10 @@ def write(tmp_path: Path) -> Callable[[str, str], Path]:
         return path
 
     return to
+
+
+@pytest.fixture
+def one_thread() -> Iterator[None]:
+    """Small models: threads would only wait for each other."""
+    with threads(1):
+        yield

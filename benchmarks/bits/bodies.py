@@ -55,7 +55,9 @@ def beams_softening(size: int) -> Case:
     return _failing(size, bd.PeripheralStress(tension=5e5, shear=5e5, fracture_energy=3e4))
 
 
-def _failing(size: int, failure: bd.Criterion, *, bond: bd.EulerBernoulli | bd.Timoshenko = ALIKE, **model: object) -> Case:
+def _failing(
+    size: int, failure: bd.Criterion, *, bond: bd.EulerBernoulli | bd.Timoshenko = ALIKE, **model: object
+) -> Case:
     lattice = crooked(size)
     model = bd.Model(lattice, bond, density=1000.0, failure=failure, **model)
     return Case(model=model, **random_motion(lattice), share=0.5)

@@ -70,7 +70,8 @@ def _starting() -> Section:
         ),
         after=(
             "Nothing is compiled at run time; the two uses differ by the cache of packings and by chance. Times of "
-            "packing are in the chapter on [packings](validation/packings.md). `python benchmarks/study.py` measures time and memory of a whole study, `python benchmarks/static_solve.py` "
+            "packing are in the chapter on [packings](validation/packings.md). `python benchmarks/study.py` "
+            "measures time and memory of a whole study, `python benchmarks/static_solve.py` "
             "the times of statics and modes, and `python benchmarks/highest_frequency.py` the time of the critical "
             "step."
         ),
@@ -199,8 +200,8 @@ def _peers() -> Section:
         rows=tuple(rows),
         after=(
             "The numbers are medians, measured before the compiled core replaced the loops. With the core, on a "
-            "processor without AVX-512 and for 200 steps, bondem is 14.0 and 15.4 times as fast as LAMMPS at 10 000 and "
-            "100 000 elements. The motion of all codes is compared before any ratio, except that of Kratos, "
+            "processor without AVX-512 and for 200 steps, bondem is 14.0 and 15.4 times as fast as LAMMPS at 10 000 "
+            "and 100 000 elements. The motion of all codes is compared before any ratio, except that of Kratos, "
             "whose bonds differ (normal and tangential springs; stresses and the effect of ν are switched off)."
         ),
     )

@@ -183,7 +183,7 @@ def _still() -> Section:
             "`bd.labtests.direct_tension` at a quarter of its usual speed. A peak is the largest load of all "
             "events; single events scatter by half a per cent about the path. The default band is 2 %. Closed "
             "forms of two cells and of a bar that snaps back agree to 1e-9 "
-            "(`tests/verification/test_quasistatic.py`)."
+            "(`tests/statics/test_quasistatic.py`)."
         ),
         rows=tuple(rows),
         figures=(Figure("snap_back.png", "Load over elongation of a notched bar, by load factors and explicit"),),

@@ -23,11 +23,11 @@ class Field:
     """A number or an array of a table, as the header declares it.
 
     Attributes:
-        name: of the field.
-        dtype: of the number, or of the numbers of the array.
+        name: name of the field.
+        dtype: type of the number, or of the numbers of the array.
         written: whether passes write to the array; None for a number.
         shape: for each axis a symbol, or "", and what is added to it.
-        offset: in the table [bytes].
+        offset: place in the table [bytes].
     """
 
     name: str

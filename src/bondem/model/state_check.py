@@ -1,4 +1,4 @@
-"""What the arrays of a state must be before a run begins, because the core reads them without further checks."""
+"""Checks of the arrays of a state before a run begins, because the core reads them without checks of its own."""
 
 from typing import Any
 
@@ -39,7 +39,8 @@ def check_arrays(state: State) -> None:
 def _check_numbers(state: State, n: int, m: int, walls: int) -> None:
     pair, at_wall = state.touching, state.wall_touching
     numbers = {
-        "touching": (pair, n), "wall_touching": (at_wall[:, :1], n), "wall_touching of walls": (at_wall[:, 1:], walls),
+        "touching": (pair, n),
+        "wall_touching": (at_wall[:, :1], n), "wall_touching of walls": (at_wall[:, 1:], walls),
         "broken": (state.broken[:, BROKEN_BOND], m), "cracks": (state.cracks[:, FACET], m),
         "softened": (state.softened[:, SOFT_BOND], m),
     }  # fmt: skip

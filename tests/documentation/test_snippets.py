@@ -1,0 +1,166 @@
+"""Every snippet of README and docs does as printed: code and studies run, commands are ones there are."""
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+import pytest
+
+from bondem.cli import bondem
+from bondem.study.pipeline import run_study
+from bondem.study.study_file import parse_study
+from book.chapters import MEASUREMENTS
+from validation.__main__ import study_of
+from validation.frame.command import command_of
+
+ROOT = Path(__file__).parents[2]
+# What Sphinx writes or includes by its own directives.
+DIRECTIVES = re.compile(r"^```\{\w[\w-]*\}\n.*?^```$\n", re.MULTILINE | re.DOTALL)
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+LANGUAGES = {"python", "toml", "sh", "text"}
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+# A block of code, and what it prints where a block of text follows at once.
+PRINTS = re.compile(r"^```python\n((?:(?!```)[^\n]*\n)*)```\n\n```text\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+NUMBER = re.compile(r"\d+(?:\.\d+)?")
+PROGRAMS = ("bondem", "python", "python3", "pytest", "pip", "git", "cd", "export", "dask")
+# Commands of seconds; all others take minutes to hours and are read only.
+QUICK = ("bondem calibrate",)
+
+
+@dataclass(frozen=True)
+class Snippet:
+    """A block of a page."""
+
+    page: Path
+    line: int
+    language: str
+    text: str
+
+    def __str__(self) -> str:
+        return f"{self.page.relative_to(ROOT)}:{self.line}"
+
+
+def read(page):
+    """The text of a page, with directives of Sphinx blanked line by line."""
+    return DIRECTIVES.sub(lambda found: "\n" * found.group().count("\n"), page.read_text(encoding="utf-8"))
+
+
+def fenced(page):
+    text = read(page)
+    return [Snippet(page, text[: one.start()].count("\n") + 1, *one.groups()) for one in FENCE.finditer(text)]
+
+
+def commands():
+    """Every command of a shell block, or indented by four blanks, with what is behind # taken off."""
+    found = []
+    for page in PAGES:
+        lines = [(one.line, line) for one in fenced(page) if one.language == "sh" for line in one.text.splitlines()]
+        outside = FENCE.sub("", read(page))
+        lines += [(0, line.strip()) for line in re.findall(r"^    (\S.*)$", outside, re.MULTILINE)
+                  if line.split()[0] in PROGRAMS]  # fmt: skip
+        found += [pytest.param(part.strip(), id=f"{page.relative_to(ROOT)}:{number}: {part.strip()}")
+                  for number, line in lines for part in line.split("&&")]  # fmt: skip
+    return found
+
+
+BLOCKS = [block for page in PAGES for block in fenced(page)]
+WITH_CODE = [page for page in PAGES if any(block.language == "python" for block in fenced(page))]
+COMMANDS = commands()
+
+
+def test_snippets_are_found_and_say_what_they_are():
+    assert not [str(block) for block in BLOCKS if block.language not in LANGUAGES]
+    assert {page.name for page in WITH_CODE} >= {"README.md", "calibration.md"}
+    assert len(COMMANDS) >= 15
+    for page in PAGES:  # a fence that is not closed would hide what follows
+        assert len(re.findall(r"^```", read(page), re.MULTILINE)) == 2 * len(fenced(page))
+
+
+@pytest.fixture
+def clone(tmp_path, monkeypatch):
+    """Where a reader types: a clone, as far as snippets name its files."""
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize("page", WITH_CODE, ids=lambda page: str(page.relative_to(ROOT)))
+def test_code_runs_as_printed(page, clone, capsys):
+    names, expected = {}, dict(PRINTS.findall(read(page)))
+    for block in fenced(page):
+        if block.language == "python":
+            # line numbers of the page in a traceback
+            code = compile("\n" * block.line + block.text, str(page), "exec")
+            exec(code, names)
+            printed = capsys.readouterr().out
+            if block.text in expected:
+                assert_alike(printed, expected[block.text])
+    assert "bd" in names
+
+
+def assert_alike(printed, expected):
+    """Compare words exactly and numbers to a tenth: what breaks depends a little on the vector unit."""
+    assert NUMBER.sub("#", printed).split() == NUMBER.sub("#", expected).split()
+    numbers = ([float(one) for one in NUMBER.findall(text)] for text in (printed, expected))
+    assert next(numbers) == pytest.approx(next(numbers), rel=0.1)
+
+
+@pytest.mark.parametrize("block", [block for block in BLOCKS if block.language == "toml"], ids=str)
+def test_studies_run_as_printed(block, clone):
+    results = run_study(parse_study(tomllib.loads(block.text), folder=clone), clone / "out")
+    assert (clone / "out" / "report.html").is_file()
+    assert all(abs(row["error"]) < 0.25 for row in results["tests"].values())
+
+
+def words_of(command):
+    words = shlex.split(command, comments=True)
+    return [Path(words[0]).name, *words[1:]]
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_commands_are_ones_there_are(command, clone):
+    program, *rest = words_of(command)
+    assert program in PROGRAMS
+    if program == "bondem":
+        node = bondem
+        while isinstance(node, click.Group):
+            name, *rest = rest
+            node = node.get_command(click.Context(node), name)
+            assert node is not None, name
+        assert node.make_context(name, rest).params is not None
+        named = [word for word in rest if word.endswith((".toml", ".h5"))]
+    elif program in ("git", "cd"):
+        assert rest[0] in ("clone", "bondem")
+        named = []
+    elif program == "dask":
+        assert rest[0] in ("scheduler", "worker")
+        named = []
+    elif program == "export":
+        assert all("=" in word for word in rest)
+        named = []
+    elif rest[:2] == ["-m", "book"]:
+        assert rest[2] == "--measure"
+        assert set(rest[3:]) <= {one.name for one in MEASUREMENTS}
+        named = []
+    elif rest[:2] == ["-m", "validation"]:
+        assert command_of(study_of(rest[2])).make_context(rest[2], rest[3:]).params is not None
+        named = []
+    else:
+        assert rest[:2] in ([], ["-n", "auto"], ["-m", "venv"]) or not rest[0].startswith("-")
+        named = [word for word in rest if word.endswith(".py")]
+    assert all((ROOT / name).is_file() for name in named)
+
+
+@pytest.mark.validate
+@pytest.mark.parametrize("command", [one for one in COMMANDS if " ".join(words_of(one.values[0])).startswith(QUICK)])
+def test_quick_commands_run(command, clone):
+    folder = Path(sys.executable).parent
+    environment = os.environ | {"PATH": f"{folder}:{os.environ['PATH']}"}
+    done = subprocess.run(words_of(command), env=environment, cwd=clone, capture_output=True, text=True, timeout=600)
+    assert (done.returncode, done.stderr) == (0, "")

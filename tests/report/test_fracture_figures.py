@@ -1,0 +1,129 @@
+"""Pictures of what fracture leaves and of waves, and the scripts that draw them."""
+
+import importlib.util
+import re
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+import bondem as bd
+from bondem.report.crack_pictures import corners_moved, draw_cracks, draw_fragments, piece_colours
+from bondem.report.piece_colours import piece_palette
+from bondem.report.spheres import View
+from tests.models import parted
+from tests.specimens import cubes
+
+ROOT = Path(__file__).parents[2]
+LAW = bd.CellBond(E=1e9, nu=0.2)
+
+
+def script(path: str):
+    name = Path(path).stem
+    spec = importlib.util.spec_from_file_location(name, ROOT / path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+def broken() -> tuple[bd.Lattice, bd.State]:
+    """Cubic cells, 4 × 3 × 2, parted in the middle and drawn 0.5 apart."""
+    body = cubes((4, 3, 2))
+    x = body.particles.position
+    side = x[:, 0] > 2.0
+    state = parted(body, side)
+    state.set_pose(position=x + 0.5 * side[:, None] * [1.0, 0.0, 0.0])
+    return body, state
+
+
+def test_a_plate_breaks_with_branches_and_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """A crack starts once the waves have been at the notch, 20 mm / 3.8 km/s, and stays below Rayleigh's speed."""
+    growth = script("examples/cracks.py").main(count=1000, folder=tmp_path)
+    assert 0.25 < growth.speed / 2125.0 < 0.6
+    assert 5e-6 < growth.time[0] < 25e-6
+    assert growth.length[-1] == pytest.approx(50e-3, abs=4e-3)
+    for file, least in (("cracks.png", 50_000), ("plate.vtkhdf", 10_000)):
+        assert (tmp_path / file).stat().st_size > least
+    told = capsys.readouterr().out
+    assert "Fracture of 1000 cells" in told
+    assert re.search(r"surfaces: [1-3],", told)  # the crack, and at most crumbs beside it
+
+
+@pytest.mark.validate
+def test_a_bar_that_snaps_back_is_drawn(tmp_path: Path) -> None:
+    path, largest = script("examples/snap_back.py").main(count=400, folder=tmp_path)
+    assert path.peak == pytest.approx(largest, rel=0.03)
+    half = path.displacement[path.load > 0.3 * path.peak]
+    assert half[-1] < 0.9 * path.displacement.max()
+    assert (tmp_path / "snap_back.png").stat().st_size > 20_000
+
+
+def test_corners_go_with_their_cells() -> None:
+    body, state = broken()
+    solid = bd.polyhedra(body)
+    owner = np.repeat(solid.cell, np.diff(solid.start))
+    moved = corners_moved(solid, body, state, reach=3.0)
+    np.testing.assert_allclose(moved, 3.0 * state.displacement[owner], atol=1e-12)
+    half = np.sqrt(0.5)
+    state.set_pose(position=body.centre, orientation=np.tile([half, 0.0, 0.0, half], (24, 1)))
+    arm = solid.vertex - body.centre[owner]
+    quarter = np.stack([-arm[:, 1], arm[:, 0], arm[:, 2]], axis=1)
+    np.testing.assert_allclose(corners_moved(solid, body, state), quarter - arm, atol=1e-12)
+
+
+def test_every_piece_has_a_colour_of_its_own() -> None:
+    body, state = broken()
+    pieces = bd.fragments(body, state)
+    colour = piece_colours(pieces)
+    assert len(np.unique(colour, axis=0)) == 2
+    assert all(len(np.unique(colour[pieces.label == k], axis=0)) == 1 for k in range(2))
+    state.integrity[:] = 0.0
+    assert len(np.unique(piece_colours(bd.fragments(body, state)), axis=0)) == 24
+    many = np.unique(np.rint(255.0 * piece_palette(500)), axis=0)
+    assert len(many) == 500
+    steps = np.linalg.norm(np.diff(piece_palette(300), axis=0), axis=1)
+    assert steps.min() > 0.15  # pieces of similar masses have different colours
+
+
+def test_surfaces_of_cracks_are_drawn_facet_by_facet() -> None:
+    body, state = broken()
+    ax = Figure().subplots()
+    scale = draw_cracks(ax, body, bd.cracks(body, state), view=View(), top=1.0)
+    polygons, box = ax.collections
+    assert len(polygons.get_paths()) == 6
+    assert len(box.get_paths()) == 12
+    assert scale.get_clim() == (0.0, 1e6)
+    whole = bd.Model(body, LAW, 1e3).state()
+    bare = Figure().subplots()
+    draw_cracks(bare, body, bd.cracks(body, whole), view=View())
+    assert len(bare.collections[-1].get_paths()) == 12
+    draw_fragments(Figure().subplots(), body, whole, bd.fragments(body, whole), view=View())
+
+
+def test_waves_of_a_struck_plate_run_at_the_speed_of_the_material(tmp_path: Path) -> None:
+    """9 elements in the pulse: waves of pressure are slow by 2 % there, and the crest is found to some per cent."""
+    speed, pressures = script("benchmarks/stress_waves.py").main(count=5000, folder=tmp_path)
+    assert speed == pytest.approx(np.sqrt(70e9 / 2500.0 / (1.0 - 0.22**2)), rel=0.03)
+    first, second = [(np.abs(p) < 1e-3 * np.abs(p).max()).mean() for p in pressures]
+    assert first > 0.4 > second
+    assert (tmp_path / "stress_waves.png").stat().st_size > 50_000
+
+
+@pytest.mark.validate
+def test_cracks_go_round_the_stones_of_the_mesoscale_example(tmp_path: Path, monkeypatch) -> None:
+    """A small prism with few stones: between the strengths of the interface and of mortar, and no stone breaks."""
+    example = script("examples/mesoscale.py")
+    monkeypatch.setattr(example, "SIDE", 24e-3)
+    monkeypatch.setattr(example, "FRACTION", 0.15)
+    monkeypatch.setattr(example, "SIEVE", bd.Sieve((7e-3, 10e-3), (0.0, 1.0)))
+    monkeypatch.setattr(example, "TIME", 1.2e-3)
+    strength, share = example.main(size=2.4e-3, folder=tmp_path)
+    assert 2e6 < strength < 4e6
+    assert share["aggregate"] == 0.0
+    assert share["interface"] > 0.3
+    assert (tmp_path / "mesoscale.png").stat().st_size > 20_000
