@@ -12,7 +12,7 @@ _INTRODUCTION = """# Validation
 
 These pages compare numbers computed by bondem with published values, with theories and with required tolerances.
 Every comparison that failed is listed on this page.
-Verification (closed forms, conservation laws) is in `tests/verification/` and runs with the tests."""
+Verification (closed forms, conservation laws) is in `tests/`, in a folder per subject, and runs with the tests."""
 _MEASURED = """## How it was measured
 
 Every number of bondem in a table comes from a command: a study, a benchmark or the tests.
