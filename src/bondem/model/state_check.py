@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from bondem.damage.crack_columns import FACET
+from bondem.damage.crack_columns import FACET, STATUS
 from bondem.damage.event_columns import BROKEN_BOND, SOFT_BOND
 from bondem.errors import InputError
 from bondem.model.state import State
@@ -14,8 +14,8 @@ def check_arrays(state: State) -> None:
     """Reject a state with an array that was replaced by one that does not fit the elements and bonds of its model.
 
     Raises:
-        InputError: another type or shape, a pose or velocity that is not finite, or a number of an element, bond or
-            wall that the model does not have.
+        InputError: another type or shape, a pose or velocity that is not finite, a number of an element, bond or
+            wall that the model does not have, or an unknown status of a crack.
     """
     fresh = State(state.model)
     m = len(fresh.integrity)
@@ -42,7 +42,7 @@ def _check_numbers(state: State, n: int, m: int, walls: int) -> None:
         "touching": (pair, n),
         "wall_touching": (at_wall[:, :1], n), "wall_touching of walls": (at_wall[:, 1:], walls),
         "broken": (state.broken[:, BROKEN_BOND], m), "cracks": (state.cracks[:, FACET], m),
-        "softened": (state.softened[:, SOFT_BOND], m),
+        "status of cracks": (state.cracks[:, STATUS], 3), "softened": (state.softened[:, SOFT_BOND], m),
     }  # fmt: skip
     for name, (values, count) in numbers.items():
         if not _are_numbers(values, count):
