@@ -59,7 +59,7 @@ class StressCallback:
             raise error
 
 
-def address_of(array: np.ndarray) -> int:
+def address_of(array: Any) -> int:  # NumPy does not declare the buffer protocol for Python 3.11
     """Return the address of the numbers of a contiguous array, in a third of the time of `array.ctypes.data`."""
     return ctypes.addressof(_NOTHING.from_buffer(array)) if array.flags.writeable else array.ctypes.data
 
