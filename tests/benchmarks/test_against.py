@@ -86,7 +86,7 @@ def test_sides_import_the_bondem_they_are_given_and_take_turns(benchmarks, tmp_p
 
 def test_gain_is_the_median_of_quiet_pairs(benchmarks) -> None:
     sample = benchmarks["paired"].Sample
-    quiet, busy = (lambda rate: sample(rate, 0.01)), (lambda rate: sample(rate, 0.5))
+    quiet, busy = (lambda rate: sample(rate, 0.01, rate)), (lambda rate: sample(rate, 0.5, rate))
     first = (quiet(1.0), quiet(2.0), quiet(4.0), quiet(1.0))
     pairs = benchmarks["paired"].Pairs(first, (quiet(2.0), quiet(6.0), quiet(8.0), busy(100.0)))
     assert pairs.quiet == [0, 1, 2]

@@ -71,6 +71,7 @@ def faults(name: str, values: np.ndarray) -> Iterator[np.ndarray]:
             yield changed
 
 
+@pytest.mark.validate
 @pytest.mark.parametrize("kind", MODELS)
 def test_anything_in_place_of_an_array_of_a_state_is_run_or_refused(kind):
     model = MODELS[kind]
