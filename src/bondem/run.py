@@ -73,9 +73,8 @@ def solve_explicit(
             dissipation is not in the ledger.
         state: initial state, such as the end of another run of the same elements and bonds; it is not changed. Its
             time continues, also for all schedules: those of a second stage begin at `state.time`.
-        device: "cpu", or "gpu" for a CUDA device (extra `gpu`). The GPU runs beams of the total
-            formulation and cells, which may break, soften and yield by every criterion. It does not run contacts and
-            walls that bodies touch.
+        device: "cpu", or "gpu" for a CUDA device (extra `gpu`). The GPU runs every model that the
+            CPU runs, of fewer than 2³¹ bonds, or 2³⁰ facets that may crack.
         out: run file (HDF5) to write; None for no file. With a file, SIGINT (Ctrl-C) and SIGTERM stop the run after a
             checkpoint, from which `resume` continues; a second signal stops it at once.
         progress: function called repeatedly with the completed share, 0 … 1.

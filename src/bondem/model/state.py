@@ -135,7 +135,7 @@ class State:
             if known.fset is None:
                 raise InputError(f"State: {name} cannot be set; it follows from {', '.join(_SETTABLE)}; set these")
         elif name in self.ARRAYS:
-            instance("State", name, value, np.ndarray, "an array in the order of the kernels, or set a property")
+            instance("State", name, value, np.ndarray, "an array in the internal order, or set a property")
         elif name not in self._SCALARS:
             raise InputError(f"State: there is no quantity '{name}' to set{meant(name, dir(self))}")
         object.__setattr__(self, name, value)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib import colormaps
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
@@ -18,7 +19,7 @@ from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.cell_pictures import draw_cells
 from bondem.report.findings import Examined, Findings
 from bondem.report.spheres import View
-from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, for_phones, sheet
+from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, for_phones, legend_columns, sheet
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import polyhedra
 
@@ -35,7 +36,8 @@ def draw_curves(path: Path, findings: Findings) -> None:
     """Draw stress over strain of every packing, with the strength of the material."""
     names = broken_in(findings.specimens[0])
     rows, columns = arranged(len(names))
-    with sheet(path, 4.1 * columns + 0.4, 3.2 * rows, rows, columns, squeeze=False) as (_, axes):
+    with sheet(path, 4.1 * columns + 0.4, 3.2 * rows, rows, columns, squeeze=False) as (figure, axes):
+        lines: dict[str, Artist] = {}
         for ax, name in zip(panels(axes, len(names)), names, strict=True):
             told = FAILURE_TESTS[name].figure
             (across, along), (up, of) = told.across, told.up
@@ -48,7 +50,8 @@ def draw_curves(path: Path, findings: Findings) -> None:
                 ax.axhline(up * theory, color=ORANGE, linestyle=(0, (4, 3)), label="strength of the material")
             ax.set(xlabel=f"{told.strain} [{along}]", ylabel=f"{told.stress} [{of}]", title=told.title)
             ax.set_ylim(bottom=0.0)
-            ax.legend(loc="best")
+            lines |= {str(line.get_label()): line for line in ax.get_legend_handles_labels()[0]}
+        figure.legend(lines.values(), lines.keys(), loc="outside lower center", ncols=legend_columns(2))
 
 
 def draw_broken(path: Path, specimen: Examined) -> None:
