@@ -41,8 +41,8 @@ class StressCriterion(Criterion):
     as for `bd.Rankine`. Here f_t is the least uniaxial tension along x, y or z at which the function reaches 1.
     Without a fracture energy a facet breaks at once.
 
-    The address of a C function (of cffi, ctypes or `numba.cfunc`) is faster than a function of Python. Its parameters are
-    those given, in this order::
+    The address of a C function, such as of cffi or `numba.cfunc`, is faster than a function of Python. Its parameters
+    are those given, in this order::
 
         void function(int64_t count, const double *stress, const double *parameter, double *index)
 
