@@ -7,7 +7,7 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from typing import Any
 
-from hatchling.builders.hooks.plugin.interface import BuildHookInterface  # pyright: ignore[reportMissingImports]
+from hatchling.builders.hooks.plugin.interface import BuildHookInterface  # type: ignore
 
 
 class CompiledCore(BuildHookInterface):

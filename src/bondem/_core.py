@@ -301,7 +301,7 @@ def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[Field, ...]:
         ImportError: other fields than those of the header.
     """
     fields = _library().tables[kind.__name__]
-    if kind._fields != tuple(field.name for field in fields):  # type: ignore[attr-defined]
+    if kind._fields != tuple(field.name for field in fields):
         raise ImportError(f"{kind.__name__} has the fields {', '.join(field.name for field in fields)}")
     return fields
 

@@ -174,7 +174,8 @@ class Board:
         self.kind, self.note = _kind(), ""
         self._shares: dict[str, float] = {}
         self._since: dict[str, float] = {}
-        self._begun, self._view, self._closed = time.monotonic(), None, threading.Event()
+        self._begun, self._closed = time.monotonic(), threading.Event()
+        self._view: _Bars | _Lines | None = None
         self._lock = threading.RLock()
         self._delay = delay
         if self.kind != "off":
@@ -214,9 +215,9 @@ class Board:
         with self._lock:
             if self._view is not None or self._closed.is_set():
                 return
-            self._view = _Bars(self) if self.kind == "bars" else _Lines(self)
+            view = self._view = _Bars(self) if self.kind == "bars" else _Lines(self)
             for stage, share in self._shares.items():
-                self._view.update(stage, share)
+                view.update(stage, share)
 
     @property
     def seconds(self) -> float:

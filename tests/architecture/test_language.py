@@ -92,7 +92,7 @@ def named(tree: ast.AST, prefix: str = "") -> Iterator[tuple[str, ast.AST]]:
 
 def docstrings(tree: ast.Module) -> Iterator[tuple[str, str]]:
     for name, node in [("module", tree), *named(tree)]:
-        text = ast.get_docstring(node)  # pyright: ignore[reportArgumentType]
+        text = ast.get_docstring(node)
         if text:
             yield name, text
 

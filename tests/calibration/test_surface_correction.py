@@ -204,7 +204,7 @@ def test_beyond_what_it_was_fitted_to_it_warns(bodies):
     with pytest.raises(InputError, match="radius_ratio="):
         SurfaceCorrection.default(dataclasses.replace(LAW, radius_ratio=None, radius=1e-3)).E(0.1)
     with pytest.raises(InputError, match="not a bond law"):
-        SurfaceCorrection.default(bd.EulerBernoulli)  # pyright: ignore[reportArgumentType]
+        SurfaceCorrection.default(bd.EulerBernoulli)
 
 
 # -- the fit -----------------------------------------------------------------------------------------------------

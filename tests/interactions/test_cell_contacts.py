@@ -94,7 +94,7 @@ def test_pieces_that_parted_under_pressure_touch_without_a_jump() -> None:
 def shattered(failure: str, **more: object) -> bd.ExplicitResult:
     """A ball that shatters on a wall at 30 m/s."""
     model, state = impact(FAILURES[failure], 30.0)
-    return bd.solve_explicit(model, duration=2e-4, state=state, **more)  # pyright: ignore[reportArgumentType]
+    return bd.solve_explicit(model, duration=2e-4, state=state, **more)
 
 
 ON_FOUR = """

@@ -166,7 +166,7 @@ def test_fields_of_a_state_are_not_replaced(spheres: bd.Lattice, tmp_path: Path)
             bd.write_vtkhdf(tmp_path / "x.vtkhdf", spheres, state=state, elements={name: values})
     for name, given in (("a/b", "elements"), ("length", "bonds")):
         with pytest.raises(InputError, match=f"field '{name}'"):
-            bd.write_vtkhdf(tmp_path / "x.vtkhdf", spheres, **{given: {name: np.zeros(len(spheres.pairs))}})  # pyright: ignore
+            bd.write_vtkhdf(tmp_path / "x.vtkhdf", spheres, **{given: {name: np.zeros(len(spheres.pairs))}})
     # a comma in a name is quoted, and read as a part of it
     bd.export(tmp_path / "comma.csv", spheres, elements={"a, b": np.zeros(300)})
     back = bd.read_particles(tmp_path / "comma.csv", shape=spheres.particles.shape)

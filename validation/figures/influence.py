@@ -16,7 +16,7 @@ Groups = Mapping[str, Sequence[Mapping[str, Any]]]
 
 _MARKS = ("o", "s")
 _DASHED = (0, (3, 2))
-_STYLES = {
+_STYLES: dict[bool, dict[str, Any]] = {
     True: {"linestyle": "-"},
     False: {"linestyle": _DASHED, "markerfacecolor": "white"},
 }

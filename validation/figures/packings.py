@@ -54,7 +54,7 @@ def draw_packings(path: Path, lattices: Sequence[Lattice], titles: Sequence[str]
             pad=0.02,
         )
         bar.set_label("radius over mean radius,  R / R̄  [-]")
-        bar.outline.set_visible(False)  # type: ignore[operator]
+        bar.outline.set_visible(False)
 
 
 def _slice_of_bonds(lattice: Lattice) -> Floats:
@@ -103,7 +103,7 @@ def draw_histograms(path: Path, lattices: Sequence[Lattice], titles: Sequence[st
             pad=0.02, extend="max",
         )
         bar.set_label("bonds over those of an isotropic fabric [-]")
-        bar.outline.set_visible(False)  # type: ignore[operator]
+        bar.outline.set_visible(False)
 
 
 def _density_inside(lattice: Lattice) -> Floats:

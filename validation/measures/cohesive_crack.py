@@ -8,9 +8,10 @@ Reference: Hillerborg, Modéer and Petersson (1976); the tip as the control, Pet
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-from scipy.sparse import coo_array, csc_array
+from scipy.sparse import coo_array
 from scipy.sparse.linalg import splu
 
 from bondem._types import Floats, Ints
@@ -109,7 +110,7 @@ def _condensed(case: Case, beam: BentBeam, across: int) -> tuple[Floats, Ints]:
     dof = (2 * corner.reshape(-1, 4)[:, :, None] + np.arange(2)).reshape(-1, 8)
     i, j = np.broadcast_to(dof[:, :, None], block.shape), np.broadcast_to(dof[:, None, :], block.shape)
     size = 2 * columns * lines
-    whole: csc_array = coo_array((block.ravel(), (i.ravel(), j.ravel())), shape=(size, size)).tocsc()
+    whole: Any = coo_array((block.ravel(), (i.ravel(), j.ravel())), shape=(size, size)).tocsc()
     ligament = number[0, y >= beam.notch[1] - 1e-9]
     kept = np.append(2 * ligament, 2 * number[0, -1] + 1)
     support = 2 * number[np.argmin(np.abs(x - half)), 0] + 1

@@ -64,7 +64,7 @@ class SizeEffectStudy(Study):
         depth = np.array([1e-3 * float(row["case"].rpartition("_")[2]) for row in good])
         peak = np.array([row["peak"] for row in good])
         continuum = {each: _continuum(each) for each in sorted({*_DEPTHS, *depth.tolist()})}
-        found = {
+        found: dict[str, Any] = {
             "continuum": {"depth": list(continuum), "peak": list(continuum.values())},
             "beams": [
                 {"depth": one, "seed": row["seed"], "count": row["count"], "peak": row["peak"],

@@ -109,7 +109,7 @@ def _told(stop: BaseException) -> str:
     return str(stop) or (str(cause) if isinstance(cause, KeyboardInterrupt) else "") or "interrupted"
 
 
-def _warn(message: Warning | str, category: type[Warning], *_: object) -> None:
+def _warn(message: Warning | str, category: type[Warning], *_: object, **__: object) -> None:
     click.echo(f"bondem: warning: {' '.join(str(message).split())}", err=True)
 
 

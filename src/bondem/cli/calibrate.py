@@ -65,7 +65,7 @@ def command(
 
 
 def _material(name: str | None, E: float | None, nu: float | None, rho: float | None) -> Material:
-    given = {"E": E, "nu": nu, "rho": rho}
+    given: dict[str, Any] = {"E": E, "nu": nu, "rho": rho}
     if name is None:
         missing = [f"--{key}" for key, value in given.items() if value is None]
         if missing:

@@ -27,7 +27,7 @@ class Strengths(NamedTuple):
 class FailureIndices(NamedTuple):
     """Index of the criterion of each bond."""
 
-    index: Floats  # pyright: ignore[reportIncompatibleMethodOverride] #: 1 at failure, 0 of broken bonds [-], (m,)
+    index: Floats  #: 1 at failure, 0 of broken bonds [-], (m,)
 
 
 _index_beams = [Pass(f"index_beams_by_{name}", Poses, Beams, Strengths, FailureIndices) for name in CRITERION_NAMES]

@@ -24,7 +24,7 @@ class Candidates(NamedTuple):
     begin: Ints  #: first bond of each block, (blocks + 1,)
     marked: Ints  #: those of a block from begin[block] on, (m,)
     mode: Ints  #: of those that fail, (m,)
-    count: Ints  # pyright: ignore[reportIncompatibleMethodOverride] #: number of each block, (blocks,)
+    count: Ints  #: number of each block, (blocks,)
     any: Ints  #: 1 where a bond fails in this step, (1,)
 
 

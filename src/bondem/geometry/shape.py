@@ -52,8 +52,13 @@ class Shape(Walled):
 def _place(shape: Shape, turn: Floats, by: Vector) -> "Placed":
     if isinstance(shape, Placed):
         shape, turn, by = shape.shape, turn @ np.array(shape.turn), turn @ np.array(shape.by) + by
-    rows = tuple(tuple(map(float, row)) for row in turn)
-    return Placed(shape, rows, tuple(map(float, by)))  # pyright: ignore[reportArgumentType]
+    first, second, third = turn
+    return Placed(shape, (_three(first), _three(second), _three(third)), _three(by))
+
+
+def _three(vector: Vector) -> tuple[float, float, float]:
+    x, y, z = vector
+    return float(x), float(y), float(z)
 
 
 def _refuse_periodic(*shapes: Shape) -> None:
@@ -134,6 +139,7 @@ def _section(shape: Shape) -> float:
     return content(shape.depth, lower, upper).volume
 
 
+@dataclass(frozen=True)
 class _Pair(Shape):
     """Two shapes combined. Measures without a closed form are found by refinement, to about 1e-3, areas to 1e-2."""
 

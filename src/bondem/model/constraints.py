@@ -147,7 +147,8 @@ class Constraints:
                     couple = _couple(condition, lattice, layout, len(schedules))
                     if couple is not None:
                         couples.append(couple)
-                    straight = condition if couple is None else replace(condition, moment=(0.0, 0.0, 0.0))
+                    turns = couple is not None and isinstance(condition, Load)
+                    straight = replace(condition, moment=(0.0, 0.0, 0.0)) if turns else condition
                     chosen, nodal = straight.nodal(lattice)
                     chosen = layout.rank[chosen]
                     loads.append((chosen, len(schedules), nodal, _follows(condition, lattice)))

@@ -2,6 +2,7 @@
 
 import math
 from functools import partial
+from typing import Any
 
 import numpy as np
 from scipy.linalg import eigh_tridiagonal
@@ -116,7 +117,8 @@ def stiffest(
         beside.append(float(np.linalg.norm(image)))
         spent = beside[-1] <= 1e-9 * max(diagonal)
         if spent or k == 6 * n or k == _MOST or (k >= _LEAST and k % _EVERY == 0):
-            value, weight = eigh_tridiagonal(diagonal, beside[:-1], select="i", select_range=(k - 1, k - 1))
+            found: Any = eigh_tridiagonal(diagonal, beside[:-1], select="i", select_range=(k - 1, k - 1))
+            value, weight = found
             top, rest_of_it = float(value[0]), beside[-1] * abs(float(weight[-1, 0]))
             if spent or rest_of_it <= _TOLERANCE * top:
                 break

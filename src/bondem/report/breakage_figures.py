@@ -51,7 +51,7 @@ def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: 
     if len(found):
         bar = figure.colorbar(scale, ax=right, orientation="horizontal", shrink=0.6, aspect=30, pad=0.02)
         bar.set_label("opening [µm]")
-        bar.outline.set_edgecolor(GREY)  # type: ignore[operator]
+        bar.outline.set_edgecolor(GREY)
 
 
 def draw_energies(path: Path, specimen: Examined) -> None:

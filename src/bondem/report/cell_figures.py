@@ -40,7 +40,7 @@ def draw_body(path: Path, body: Lattice) -> None:
             ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.35, aspect=30, pad=0.02
         )
         bar.set_label("size of the cell over the mean,  (V / V̄)$^{1/3}$  [-]")
-        bar.outline.set_visible(False)  # type: ignore[operator]
+        bar.outline.set_visible(False)
 
 
 def draw_bent(path: Path, specimen: Examined) -> None:
@@ -68,7 +68,7 @@ def draw_bent(path: Path, specimen: Examined) -> None:
         below.set(title="section through the axis", xlabel="x [mm]", ylabel="y [mm]")
         bar = figure.colorbar(ScalarMappable(norm, DIVERGING), ax=[above, below], shrink=0.6, aspect=30, pad=0.02)
         bar.set_label("mean axial stress of the cell,  σ$_{xx}$  [MPa]")
-        bar.outline.set_visible(False)  # type: ignore[operator]
+        bar.outline.set_visible(False)
 
 
 def _coloured(scale: str, norm: Normalize, values: np.ndarray) -> np.ndarray:

@@ -51,7 +51,7 @@ def draw_fracture(
         right.set_title(f"cracks, {1e6 * cracks.area:.0f} mm² in {_many(len(cracks.surfaces), 'surface')}")
         bar = figure.colorbar(scale, cax=right.inset_axes((0.03, 0.06, 0.34, 0.03)), orientation="horizontal")
         bar.set_label("opening [µm]")
-        bar.outline.set_visible(False)  # type: ignore[operator]
+        bar.outline.set_visible(False)
         _draw_growth(below, growth)
         _draw_magnitudes(corner, emission, b_value)
 

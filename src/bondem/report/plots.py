@@ -223,7 +223,7 @@ def _supports(model: Model) -> tuple[Floats, list[Patch]]:
         if told is None:
             continue
         words, tint = told
-        colour[condition.region.select(model.lattice)] = to_rgb(tint)  # type: ignore[union-attr]
+        colour[condition.region.select(model.lattice)] = to_rgb(tint)
         handles[words] = Patch(color=tint, label=words)
     return colour, list(handles.values())
 
@@ -327,7 +327,7 @@ def _bounds(lattice: Lattice) -> tuple[Floats, Floats]:
 def _bar(figure: Figure, ax: Axes, scale: Normalize, label: str) -> None:
     bar = figure.colorbar(ScalarMappable(scale, SEQUENTIAL), ax=ax, shrink=0.7, aspect=28, pad=0.03)
     bar.set_label(label)
-    bar.outline.set_visible(False)  # type: ignore[operator]
+    bar.outline.set_visible(False)
 
 
 def _view(who: str, view: Any) -> View:

@@ -50,7 +50,7 @@ def draw_specimen(path: Path, lattice: Lattice) -> None:
             ScalarMappable(norm, SEQUENTIAL), ax=axes, orientation="horizontal", shrink=0.35, aspect=30, pad=0.02
         )
         bar.set_label("element radius over mean radius,  R / R̄  [-]")
-        bar.outline.set_visible(False)  # type: ignore[operator]
+        bar.outline.set_visible(False)
 
 
 def draw_contacts(path: Path, lattice: Lattice) -> None:
@@ -99,7 +99,7 @@ def draw_geode(path: Path, quality: Fabric) -> None:
             pad=0.02,
         )
         bar.set_label("bonds over those of an isotropic fabric [-]")
-        bar.outline.set_visible(False)  # type: ignore[operator]
+        bar.outline.set_visible(False)
         axes[2].hist(density, bins=20, color=BLUE, label="faces of the geode")
         # a bond counts on a face and on the opposite one, so counts scatter by the root of their mean
         chance = math.sqrt(len(density) / quality.face_counts.sum())

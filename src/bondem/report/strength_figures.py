@@ -94,7 +94,7 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
         ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.7, aspect=30, pad=0.02
     )
     bar.set_label("plastic slip of the cell [%]" if slipped else "largest damage of its facets, 1 − s [-]")
-    bar.outline.set_edgecolor(GREY)  # type: ignore[operator]
+    bar.outline.set_edgecolor(GREY)
 
 
 def view_of(told: TestFigure) -> View:

@@ -40,7 +40,7 @@ def lowest_modes(
     """
     values, vectors = eigsh(
         matrix, k=count, M=mass, sigma=0.0, OPinv=_Inverse(len(start), inverse), v0=start,
-        tol=tolerance,  # pyright: ignore[reportArgumentType]
+        tol=tolerance,
         return_eigenvectors=True,
     )  # fmt: skip
     order = np.argsort(values)

@@ -177,7 +177,7 @@ class Elimination:
             free[grip] = False
             loose = loose @ np.linalg.svd(loose[grip][None])[2][1:].T
         self._live = np.flatnonzero(free)
-        matrix = system.matrix.tocsc()[:, self._live][self._live]
+        matrix = csc_array(csc_array(system.matrix.tocsc()[:, self._live])[self._live])
         self._scale = 1.0 / np.sqrt(np.maximum(matrix.diagonal(), 1e-300))
         self._matrix = csc_array(matrix.multiply(self._scale[:, None]).multiply(self._scale))
         try:

@@ -127,10 +127,11 @@ def _residual(system: System, mass: Floats, square: Floats, shape: Floats) -> fl
 
 def _dense(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:
     live = np.flatnonzero(system.free)
-    matrix = system.matrix.tocsc()[:, live][live].toarray()
+    matrix = csc_array(csc_array(system.matrix.tocsc()[:, live])[live]).toarray()
     scale = 1.0 / np.sqrt(mass[live])
     none = system.loose.shape[1]
-    square, vector = eigh(matrix * scale[:, None] * scale, subset_by_index=[none, none + count - 1])
+    found: Any = eigh(matrix * scale[:, None] * scale, subset_by_index=[none, none + count - 1])
+    square, vector = found
     shape = np.zeros((len(mass), count))
     shape[live] = scale[:, None] * vector
     return square, shape, 1

@@ -30,9 +30,20 @@ HERTZIAN_DASHPOT = math.sqrt(5.0 / 6.0)
 class ContactLaw(ABC):
     """Forces between elements, and between elements and walls, where they touch."""
 
-    friction: float
-    stress_free: bool
-    parallel: bool = False
+    @property
+    @abstractmethod
+    def friction(self) -> float:
+        """Coulomb's coefficient μ [-]."""
+
+    @property
+    @abstractmethod
+    def stress_free(self) -> bool:
+        """True if overlaps of the reference configuration carry no force."""
+
+    @property
+    def parallel(self) -> bool:
+        """True if the contact also acts beside intact bonds."""
+        return False
 
     @property
     @abstractmethod
