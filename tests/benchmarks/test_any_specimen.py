@@ -43,6 +43,7 @@ def test_modes_of_one_frequency_make_a_group(study):
     assert groups(np.array([1.0, 1.001, 2.0, 3.0, 3.0, 3.01, 4.0, 4.0])) == [[0, 1], [2], [3, 4, 5]]
 
 
+@pytest.mark.validate
 def test_the_continuum_between_planes_is_stiffer_and_both_are_close(study):
     face, plane = (study.clamped("beam", 0.17, inside) for inside in (0.0, 0.4e-3))
     L, d = 40e-3, 0.4e-3
@@ -72,6 +73,7 @@ def test_a_cube_does_what_its_continuum_does(study, fit):
     assert min(found["layered"][key]["likeness"] for key in ("f2", "f3")) > 0.75
 
 
+@pytest.mark.validate
 def test_layers_are_calibrated_for_their_contacts(study, fit):
     lattice = study.specimen("cube", COUNT).lattice
     layers = study.calibrate_layers(lattice, bd.materials.fused_silica)

@@ -19,7 +19,9 @@ def test_peaks_do_not_depend_on_the_mesh(curve):
         assert coarse == pytest.approx(fine, rel=0.003)
 
 
-@pytest.mark.parametrize("curve", [None, bd.Bilinear()], ids=["straight", "two lines"])
+@pytest.mark.parametrize("curve", [
+    pytest.param(None, id="straight"), pytest.param(bd.Bilinear(), id="two lines", marks=pytest.mark.validate),
+])  # fmt: skip
 def test_the_work_is_the_fracture_energy_of_the_ligament(curve):
     """With a tail P δ where a hinge is left, as its load falls with the square of its way; of first order."""
     errors = []
@@ -32,6 +34,7 @@ def test_the_work_is_the_fracture_energy_of_the_ligament(curve):
     assert abs(errors[1]) < 0.6 * abs(errors[0])
 
 
+@pytest.mark.validate
 def test_a_small_process_zone_is_linear_elastic_fracture():
     """K = √(E G_f) at the peak, pure bending after Tada; the zone, E G_f / f_t² = 11 mm, lengthens a crack of 100."""
     brittle = replace(PETERSSON, fracture_energy=4.0)

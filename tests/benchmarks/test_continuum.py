@@ -41,6 +41,7 @@ def test_a_cube_has_its_lame_modes():
     assert error[0] / error[1] > 8.0
 
 
+@pytest.mark.validate
 def test_a_free_beam_swings_as_thin_bars_do(beam):
     found = beam.vibration(E, NU, RHO, count=6).frequency
     theory = bar()
@@ -74,6 +75,7 @@ def _free_bending(theory: Bar) -> float:
     return beta**2 / (2 * math.pi * length**2) * math.sqrt(theory.EI / (RHO * section.area))
 
 
+@pytest.mark.validate
 def test_without_lateral_strain_a_clamped_bar_is_exact():
     beam = Continuum.box(BEAM, cell=2.5e-3)
     theory = bar(0.0)
@@ -135,6 +137,7 @@ def test_modes_are_read_at_points(beam):
     assert (at**2).sum(axis=2).mean(axis=1) * np.prod(BEAM) == pytest.approx(np.ones(6), rel=0.15)
 
 
+@pytest.mark.validate
 def test_a_body_between_planes_is_the_part_of_it():
     inside, units = 0.5e-3, [((1.0, 0.0, 0.0), (0.0, 0.0, 0.0)), ((0.0, 1.0, 0.0), (0.0, 0.0, 0.0))]
     whole = Continuum.box(BEAM, cell=2.5e-3)

@@ -37,13 +37,14 @@ def check_circle(displacement, rotation, turn: float) -> None:
     np.testing.assert_allclose(displacement[end].mean(axis=0) / length, wanted, atol=12.0 * strain**2)
 
 
-@pytest.mark.parametrize("turn", [1.5, 3.0])
+@pytest.mark.parametrize("turn", [1.5, pytest.param(3.0, marks=pytest.mark.validate)])
 def test_a_face_under_a_moment_bends_a_bar_to_an_arc(turn: float) -> None:
     load = bd.Load(RIGHT, moment=moment_for(turn))
     static = bd.solve_static(model_of(load), nonlinear=True)
     check_circle(static.displacement, static.rotation, turn)
 
 
+@pytest.mark.validate
 def test_a_bar_bends_to_a_full_circle() -> None:
     turn = 2.0 * math.pi
     found = bd.solve_static(model_of(bd.Load(RIGHT, moment=moment_for(turn))), nonlinear=True)
@@ -53,6 +54,7 @@ def test_a_bar_bends_to_a_full_circle() -> None:
     assert abs(found.rotation[end, 2].mean()) < 0.25  # a full turn, as a rotation vector has it
 
 
+@pytest.mark.validate
 def test_relaxation_and_explicit_runs_bend_it_as_statics_does() -> None:
     moment, length = moment_for(1.5, bar=SHORT), 1e-3 * (SHORT[0] - 1)
     load = bd.Load(RIGHT, moment=moment)
@@ -82,6 +84,7 @@ def test_opposite_moments_leave_a_free_bar_where_it_is() -> None:
     assert np.abs(spin.sum(axis=0)).max() < 1e-9 * model.mass.sum() * speed * 1e-3 * LONG
 
 
+@pytest.mark.validate
 def test_a_face_of_cells_under_a_moment_turns_by_what_it_is() -> None:
     """A bar of cells: as far as its own EI says."""
     body = cells(bd.Box((0.06, 0.012, 0.012)), 500, spread=0.2, seed=3)

@@ -54,6 +54,7 @@ def test_mass_equality_holds_for_what_moves(lattices, fit):
     assert mass[lattice.connected].sum() == pytest.approx(2201.0 * SHAPE.volume, rel=1e-12)
 
 
+@pytest.mark.validate
 def test_several_packings_are_calibrated_on_their_mean(lattices):
     fit = bd.calibrate(lattices, SILICA)
     E, nu = np.array([(t.E, t.nu) for t in (bd.labtests.static_tension(x, fit.law) for x in lattices)]).T
@@ -174,6 +175,7 @@ def test_slopes_of_the_adjoint_are_those_of_differences(lattices, parameter, per
     assert slope.nu == pytest.approx((above.nu - below.nu) / (2.0 * step), rel=1e-6)
 
 
+@pytest.mark.validate
 def test_each_packing_would_have_these_bonds_by_itself(lattices):
     fit = bd.calibrate(lattices, SILICA, law=bd.EulerBernoulli)
     alone = [bd.calibrate(one, SILICA, law=bd.EulerBernoulli) for one in lattices]
@@ -187,7 +189,9 @@ def test_each_packing_would_have_these_bonds_by_itself(lattices):
     assert low < fit.law.E < high
 
 
-@pytest.mark.parametrize("material", [bd.materials.fused_silica, bd.materials.steel])
+@pytest.mark.parametrize(
+    "material", [pytest.param(bd.materials.fused_silica, marks=pytest.mark.validate), bd.materials.steel]
+)
 def test_a_law_from_the_bulk_is_carried_to_a_body(material):
     cell = spheres(bd.Cell((1e-2, 1e-2, 1e-2)), 2000, seed=1)
     body = spheres(bd.Cylinder(5e-3, 40e-3), 2000, seed=2)

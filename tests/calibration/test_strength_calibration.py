@@ -285,6 +285,7 @@ def test_the_tensile_strength_of_a_prism_of_cells_is_found(tmp_path):
     assert fit.parameters["tension"] == pytest.approx(4e6, rel=0.03)
 
 
+@pytest.mark.validate
 def test_the_command_calibrates_cells_and_goes_on_where_it_was(tmp_path, capsys):
     words = ["strength", "--E", "40 GPa", "--nu", "0.2", "--ucs", "55 MPa", "--brazilian", "4 MPa", "--count", "200",
              "--friction-angle", "35 deg", "--fracture-energy", "20", "--diameter", "0.05", "--length", "0.05",

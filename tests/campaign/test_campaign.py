@@ -110,25 +110,25 @@ def test_a_worker_dies_and_all_arrive_once(tmp_path: Path) -> None:
             killed.append(int(json.loads(record.read_text())["worker"].rpartition(":")[2]))
             os.kill(killed[0], signal.SIGKILL)
 
-    found = bd.run_campaign(campaign(seeds=3), tmp_path, workers=1, progress=kill)
+    found = bd.run_campaign(campaign(seeds=2), tmp_path, workers=1, progress=kill)
     assert len(killed) == 1
-    assert (found["specimens"], found["finished"], found["failed"]) == (6, 6, [])
+    assert (found["specimens"], found["finished"], found["failed"]) == (4, 4, [])
     folders = sorted(path.name for path in (tmp_path / "specimens").iterdir())
-    assert folders == sorted(one.name for one in campaign(seeds=3).specimens)
+    assert folders == sorted(one.name for one in campaign(seeds=2).specimens)
     # no packing of spheres has as many contacts
-    more = campaign(seeds=[4, 5], vary={"specimen.coordination_number": [6.0, 11.95]})
+    more = campaign(seeds=[4], vary={"specimen.coordination_number": [6.0, 11.95]})
     table = bd.campaign_table(tmp_path)
-    assert list(table["seed"]) == [3, 4, 5, 3, 4, 5]
-    again = bd.run_campaign(campaign(seeds=4), tmp_path, workers=1)
-    assert (again["finished"], again["before"]) == (8, 6)
+    assert list(table["seed"]) == [3, 4, 3, 4]
+    again = bd.run_campaign(campaign(seeds=3), tmp_path, workers=1)
+    assert (again["finished"], again["before"]) == (6, 4)
     data = bd.campaign_dataset(tmp_path)
     assert data["specimen.coordination_number"].dims == ("count", "seed")
-    assert data.sizes == {"count": 2, "seed": 4}
+    assert data.sizes == {"count": 2, "seed": 3}
     np.testing.assert_array_equal(data["specimen.elements"].sel(count=120), 120)
     failed = bd.run_campaign(more, tmp_path / "more", workers=1)
-    assert failed["finished"] == 2
+    assert failed["finished"] == 1
     assert [row["varied"] for row in failed["failed"]] == [
-        {"specimen.coordination_number": 11.95, "seed": seed} for seed in (4, 5)
+        {"specimen.coordination_number": 11.95, "seed": seed} for seed in (4,)
     ]
     assert all("11.95" in row["error"] for row in failed["failed"])
 

@@ -28,7 +28,7 @@ EXAMPLE = Path(__file__).parents[2] / "examples" / "silica.toml"
 def finished(tmp_path_factory):
     """The silica study, small enough for a test."""
     folder = tmp_path_factory.mktemp("cli")
-    (folder / "study.toml").write_text(EXAMPLE.read_text().replace("count = 10_000", "count = 600"))
+    (folder / "study.toml").write_text(EXAMPLE.read_text().replace("count = 10_000", "count = 300"))
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("BONDEM_PROGRESS", "auto")
         done = command("run", "study.toml", "--out", "out", "--seed", "3", "--threads", "1", cwd=folder, process=True)
@@ -55,7 +55,7 @@ def test_run_leaves_results_report_and_figures(finished):
     out, _ = finished
     results = json.loads((out / "results.json").read_text())
     assert results["seed"] == 3
-    assert results["specimen"]["elements"] == 600
+    assert results["specimen"]["elements"] == 300
     assert set(results["tests"]) == {
         "static_tension", "static_bending", "static_torsion",
         "dynamic_tension", "dynamic_bending", "dynamic_torsion", "impact",

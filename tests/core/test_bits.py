@@ -48,6 +48,7 @@ def test_levels_give_the_same_numbers_and_with_fused_multiply_add_the_same_bits(
     assert totals == pytest.approx([totals[0]] * len(totals), rel=1e-9)
 
 
+@pytest.mark.validate
 @pytest.mark.skipif(_core_build.compiler() is None, reason="needs ziglang")
 @pytest.mark.skipif(not {"v3", "v4"} & set(levels()), reason="two kinds of lanes with fused multiply-add")
 def test_without_optimisation_and_with_the_other_number_of_lanes_bits_are_the_same(tmp_path, monkeypatch):

@@ -266,6 +266,7 @@ print(bits(resumed.state), len(resumed.events), len(resumed.state.contacts))
 """
 
 
+@pytest.mark.validate
 def test_same_bits_after_thousands_of_breaks_with_contact(tmp_path: Path) -> None:
     """On 1, 2 and 4 threads, recorded often or never, with another list, saved and resumed; in its own process."""
     lines = python(MANY, tmp_path)

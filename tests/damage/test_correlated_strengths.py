@@ -18,6 +18,7 @@ def places(many: int, edge: float, seed: int = 1) -> np.ndarray:
     return edge * uniform_by_counter(seed, 3 * many).reshape(many, 3)
 
 
+@pytest.mark.validate
 def test_the_field_has_the_covariance_of_its_formula() -> None:
     """exp(-(r/l)²) at six lags along x, y, z and a diagonal: 16 fields at 500 places each, sampling error 0.014."""
     lags = np.array([0.0, 0.25, 0.5, 1.0, 1.5, 2.5])
@@ -33,6 +34,7 @@ def test_the_field_has_the_covariance_of_its_formula() -> None:
     np.testing.assert_allclose(found, np.tile(np.exp(-(lags**2)), (len(axes), 1)), atol=0.04)
 
 
+@pytest.mark.validate
 def test_correlated_strengths_have_the_distribution_put_in() -> None:
     """Mean, deviation and shares below some strengths, of 100 fields of 1000 places far apart."""
     volume, patch = np.full(1000, 1e-3), math.pi**1.5

@@ -43,6 +43,7 @@ def test_the_reference_has_every_public_name():
     assert {name for name in listed if "." in name} >= {f"labtests.{name}" for name in bd.labtests.__all__}
 
 
+@pytest.mark.validate
 def test_every_name_has_a_page_of_its_own_with_readable_types(pages):
     names = pages / "reference" / "names"
     assert {f"bondem.{name}" for name in bd.labtests.__all__} - {one.stem for one in names.iterdir()} != set()
@@ -52,6 +53,7 @@ def test_every_name_has_a_page_of_its_own_with_readable_types(pages):
     assert "ndarray" not in page(names / "bondem.Particles.doctree")
 
 
+@pytest.mark.validate
 def test_most_names_of_use_have_an_example(pages):
     made = [page(one) for one in (pages / "reference" / "names").glob("bondem.*.doctree")]
     assert sum("Example" in one for one in made) >= 90

@@ -90,7 +90,14 @@ def clone(tmp_path, monkeypatch):
     return tmp_path
 
 
-@pytest.mark.parametrize("page", WITH_CODE, ids=lambda page: str(page.relative_to(ROOT)))
+# Pages whose code calibrates bodies of real sizes and takes half a minute.
+LONG = {"calibration.md"}
+
+
+@pytest.mark.parametrize("page", [
+    pytest.param(page, id=str(page.relative_to(ROOT)), marks=[pytest.mark.validate] if page.name in LONG else [])
+    for page in WITH_CODE
+])  # fmt: skip
 def test_code_runs_as_printed(page, clone, capsys):
     names, expected = {}, dict(PRINTS.findall(read(page)))
     for block in fenced(page):

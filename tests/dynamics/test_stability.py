@@ -153,7 +153,10 @@ def test_the_state_given_back_is_no_older_than_ten_thousand_steps() -> None:
 
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")  # soft grains at high speed
-@pytest.mark.parametrize("options", [{}, {"friction": 0.5, "damping": 0.2}], ids=["elastic", "rubbing"])
+@pytest.mark.parametrize("options", [
+    pytest.param({}, id="elastic", marks=pytest.mark.validate),
+    pytest.param({"friction": 0.5, "damping": 0.2}, id="rubbing"),
+])  # fmt: skip
 def test_grains_that_collide_are_not_stopped(options: dict) -> None:
     model, state = cloud(4, bd.LinearContact(E=1e7, **options), speed=10.0, walls=walls_of_box(9.2))
     dt = time_step(model, 0.9)

@@ -311,6 +311,7 @@ def test_faces_survive_carving():
     assert (reach <= beam.particles.radius[at_notch] + 0.03 * beam.particles.mean_radius).all()
 
 
+@pytest.mark.validate
 def test_the_dog_bone_strains_in_its_gauge():
     path = Path(__file__).parents[2] / "examples" / "dog_bone.py"
     spec = importlib.util.spec_from_file_location("dog_bone", path)

@@ -65,7 +65,11 @@ def test_two_cells_that_parted_collide_as_a_spring_of_their_facet(failure: str, 
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
 @pytest.mark.parametrize(
-    ("failure", "speed", "closes"), [("softening", 20.0, 3e-4), ("brittle", 20.0, 1e-3), ("softening", 100.0, 1e-3)]
+    ("failure", "speed", "closes"), [
+        ("softening", 20.0, 3e-4),
+        pytest.param("brittle", 20.0, 1e-3, marks=pytest.mark.validate),
+        pytest.param("softening", 100.0, 1e-3, marks=pytest.mark.validate),
+    ],
 )
 def test_the_ledger_closes_through_an_impact(failure: str, speed: float, closes: float) -> None:
     """Hundreds of pieces or dust, more friction than fracture: what there was is there."""
@@ -103,14 +107,13 @@ from tests.bits import digest
 from tests.interactions.test_cell_contacts import FAILURES, shattered
 
 for failure in FAILURES:
-    for count, every in ((2, 40), (4, 25)):
-        with threads(count):
-            print(digest(shattered(failure, every=every)))
+    with threads(4):
+        print(digest(shattered(failure, every=25)))
 """
 
 
 def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> None:
-    """On 1, 2 and 4 threads, the latter in a process of their own."""
+    """On 1 and 4 threads, the latter in a process of their own."""
     expected: list[str] = []
     with threads(1):
         for failure in FAILURES:
@@ -119,7 +122,7 @@ def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> Non
             assert len(whole.events) > 1000
             run = functools.partial(shattered, failure, every=40, save_every=40)
             assert_resumes_to(whole, run, tmp_path / f"{failure} cut.h5", share=0.5)
-            expected += 2 * [digest(whole)]
+            expected.append(digest(whole))
     assert python(ON_FOUR) == expected
 
 

@@ -279,6 +279,7 @@ def test_bad_input_is_refused_in_one_line():
         bd.Model(crooked_cells((4, 4, 4)), {bd.Face("x_min"): bd.CellBond(E=1.0, nu=0.3)}, 1.0)
 
 
+@pytest.mark.validate
 def test_a_nonlinear_path_ends_where_a_damped_run_comes_to_rest():
     law = bd.CellBond(E=1.0, nu=0.3)
     drive = bd.Drive(bd.Face("x_max"), x=bd.Ramp(0.0, -0.4, 60.0), z=bd.Ramp(0.0, 3.0, 60.0))

@@ -132,6 +132,7 @@ def test_equation_11_damps_with_the_size_of_the_force_and_not_as_printed(chen, r
     assert (found.status == "STOPPED") == rests
 
 
+@pytest.mark.validate
 def test_each_eta_damps_a_mode_by_its_share_of_the_energy(chen) -> None:
     damping, loop, lattice = chen["damping"], chen["loop"], row(4, 2.0 * R)
     omega, share, lag = damping.shares("PBM", lattice)

@@ -128,6 +128,7 @@ def test_bending_takes_the_tension_of_mohr_and_coulomb() -> None:
     assert both[0].E == both[1].E
 
 
+@pytest.mark.validate
 def test_the_work_of_the_rollers_is_stored_or_dissipated() -> None:
     """But for the distance of a strip's cells from its line, at most half a cell in half the span: 8 %."""
     test = run("three_point_bending", most=400, ripple=0.5)
@@ -142,6 +143,7 @@ def study(**changed: Any) -> Any:
     return parse_study({key: value for key, value in (STUDY | changed).items() if value is not None})
 
 
+@pytest.mark.validate
 def test_a_study_splits_and_confines(tmp_path: Path) -> None:
     asked = study(tests=["static_tension", "brazilian", "triaxial"], triaxial={"pressure": "5 MPa"})
     assert asked.options == {"brazilian": {}, "triaxial": {"pressure": 5e6}}

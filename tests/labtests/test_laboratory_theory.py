@@ -137,6 +137,7 @@ def work_of_rollers(test: bd.labtests.BendingTest) -> float:
     return float(elastic.sum() + (force * path.factor[:-1] ** 2 * np.diff(unit)).sum())
 
 
+@pytest.mark.validate
 def test_a_notched_beam_takes_the_fracture_energy_of_its_ligament() -> None:
     test = bent((80e-3, 20e-3, 20e-3), 400, notch=8e-3, span=60e-3, together=0.03)
     assert test.ligament == pytest.approx(12e-3, rel=1e-6)
@@ -145,6 +146,7 @@ def test_a_notched_beam_takes_the_fracture_energy_of_its_ligament() -> None:
     assert test.curve[-1, 1] < 0.06 * test.peak
 
 
+@pytest.mark.validate
 def test_a_core_is_pushed_out_of_its_ring() -> None:
     body = cells(bd.labtests.punch_specimen(), 1000)
     core = _Core.of(body)

@@ -53,7 +53,7 @@ def test_a_prism_has_the_strength_of_a_mohr_coulomb_continuum(pressure: float) -
     assert (slip > 0.0).mean() > 0.5
 
 
-@pytest.mark.parametrize("pressure", [0.0, 3e6])
+@pytest.mark.parametrize("pressure", [0.0, pytest.param(3e6, marks=pytest.mark.validate)])
 def test_a_prism_has_the_strength_of_a_drucker_prager_continuum(pressure: float) -> None:
     """(k + p (1/√3 + 2 α)) / (1/√3 - α): 54.94 MPa, and 115.25 MPa at 3 MPa; no facet cracks under pressure."""
     cone = bd.DruckerPrager(tension=4e6, compression=UCS, fracture_energy=20.0, fracture_energy_shear=2000.0)
@@ -114,6 +114,7 @@ def test_what_a_test_to_failure_needs_is_told() -> None:
         bd.Rankine(tension=4e6, friction=-0.1)
 
 
+@pytest.mark.validate
 def test_a_study_tears_and_crushes(tmp_path: Path) -> None:
     with only("strength", "broken"):
         results = run_study(parse_study(STUDY), tmp_path)

@@ -12,6 +12,7 @@ from bondem.packing.packing_tables import COLLISIONS, TIME, VIRIAL, Flight, Grow
 from tests.bits import most_threads, threads
 
 METHODS = ("quench", "growth", "compression")
+OTHERS = [pytest.param(method, marks=pytest.mark.validate) for method in METHODS[1:]]
 CELL = bd.Cell((1.0, 1.0, 1.0))
 PLAIN = (bd.Cylinder(1.0, 3.0), bd.Box((1.0, 0.8, 1.3)), bd.Ball(2.0), CELL)
 _MESH = trimesh.creation.annulus(r_min=0.4, r_max=1.0, height=1.0)
@@ -29,7 +30,7 @@ def overlaps(particles):
     return deep[deep > 0.0]
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", ["quench", *OTHERS])
 def test_jammed_monodisperse_spheres_are_isostatic_at_random_close_density(method):
     particles = bd.pack(CELL, count=1000, spread=0.0, seed=2, method=method, jamming=True)
     quality = bd.fabric(bd.connect(particles))
@@ -40,7 +41,7 @@ def test_jammed_monodisperse_spheres_are_isostatic_at_random_close_density(metho
     assert quality.passed, quality.reasons
 
 
-@pytest.mark.parametrize("seed", [1, 2, *(pytest.param(seed, marks=pytest.mark.validate) for seed in (3, 4, 5))])
+@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.validate) for seed in (2, 3, 4, 5))])
 def test_jamming_by_default_is_that_of_the_literature(seed, record):
     quality = bd.fabric(bd.connect(bd.pack(CELL, count=2000, spread=0.0, seed=seed, jamming=True)))
     # Random close packing, 0.636 (André et al. 2012, § 4), isostatic with six contacts a sphere.
@@ -54,7 +55,8 @@ def test_jamming_by_default_is_that_of_the_literature(seed, record):
 
 
 @pytest.mark.parametrize(("shape", "sizes"), [
-    *((shape, bd.Uniform(0.25)) for shape in (*PLAIN, TUBE)), (PLAIN[0], bd.Lognormal(0.3)),
+    *((shape, bd.Uniform(0.25)) for shape in PLAIN), (PLAIN[0], bd.Lognormal(0.3)),
+    pytest.param(TUBE, bd.Uniform(0.25), marks=pytest.mark.validate),
     *(pytest.param(shape, bd.Lognormal(0.3), marks=pytest.mark.validate) for shape in (*PLAIN[1:], TUBE)),
 ], ids=lambda one: type(one).__name__)  # fmt: skip
 def test_jammed_spheres_hardly_overlap_whatever_their_shape_and_sizes(shape, sizes):
@@ -69,7 +71,7 @@ def test_jammed_spheres_hardly_overlap_whatever_their_shape_and_sizes(shape, siz
     assert shares[-1] == 1.0
 
 
-@pytest.mark.parametrize("method", ["quench", "compression"])
+@pytest.mark.parametrize("method", ["quench", pytest.param("compression", marks=pytest.mark.validate)])
 def test_a_surface_is_filled_like_any_other_shape(method):
     particles = bd.pack(TUBE, count=600, spread=0.25, seed=1, method=method)
     assert bd.connect(particles).coordination_number == pytest.approx(6.2, abs=0.02)
@@ -77,7 +79,7 @@ def test_a_surface_is_filled_like_any_other_shape(method):
     assert (TUBE.depth(particles.position) - particles.radius).min() > -0.02 * particles.mean_radius
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", ["quench", *OTHERS])
 def test_jamming_has_the_same_bits_on_any_number_of_threads(method, monkeypatch):
     monkeypatch.setattr(soft_spheres, "_THREADED", 1)  # so few spheres are relaxed on one thread
 
@@ -100,7 +102,7 @@ def test_volume_fraction_below_jamming_is_exact_and_within_walls(shape, method):
     assert deep.max(initial=0.0) < (1e-9 if method == "growth" else 2e-3)
 
 
-@pytest.mark.parametrize("method", ["growth", "compression"])
+@pytest.mark.parametrize("method", ["growth", pytest.param("compression", marks=pytest.mark.validate)])
 def test_contacts_are_on_target_by_every_method(method):
     particles = bd.pack(bd.Cylinder(1.0, 3.0), count=800, spread=0.25, seed=1, method=method)
     assert bd.connect(particles).coordination_number == pytest.approx(6.2, abs=0.02)

@@ -107,6 +107,7 @@ def test_same_seed_same_bits_and_the_share_done_rises():
     assert (np.diff(shares) >= 0.0).all()
 
 
+@pytest.mark.validate
 @pytest.mark.parametrize("shape", BOTH)
 def test_a_packing_by_shear_is_on_target_and_in_the_shape(shape, monkeypatch):
     monkeypatch.setitem(compact.__kwdefaults__, "cycles", CYCLES)
@@ -147,6 +148,7 @@ def test_dispersed_spheres_pass_where_equal_ones_are_refused(seed):
     assert dispersed.passed, dispersed.reasons
 
 
+@pytest.mark.validate
 def test_the_example_shows_the_walls_at_work(tmp_path):
     path = Path(__file__).parents[2] / "examples" / "shear_compaction.py"
     spec = importlib.util.spec_from_file_location("shear_compaction", path)

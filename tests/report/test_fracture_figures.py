@@ -41,6 +41,7 @@ def broken() -> tuple[bd.Lattice, bd.State]:
     return body, state
 
 
+@pytest.mark.validate
 def test_a_plate_breaks_with_branches_and_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     """A crack starts once the waves have been at the notch, 20 mm / 3.8 km/s, and stays below Rayleigh's speed."""
     growth = script("examples/cracks.py").main(count=1000, folder=tmp_path)
@@ -105,6 +106,7 @@ def test_surfaces_of_cracks_are_drawn_facet_by_facet() -> None:
     draw_fragments(Figure().subplots(), body, whole, bd.fragments(body, whole), view=View())
 
 
+@pytest.mark.validate
 def test_waves_of_a_struck_plate_run_at_the_speed_of_the_material(tmp_path: Path) -> None:
     """9 elements in the pulse: waves of pressure are slow by 2 % there, and the crest is found to some per cent."""
     speed, pressures = script("benchmarks/stress_waves.py").main(count=5000, folder=tmp_path)

@@ -61,6 +61,7 @@ def test_cells_end_on_the_surfaces(seed: int) -> None:
     assert np.sqrt((balls.depth(other) ** 2).mean()) > 0.2 * SIZE
 
 
+@pytest.mark.validate
 def test_its_modulus_is_between_the_bounds_of_hashin_and_shtrikman() -> None:
     """Stones four times as stiff: E of the prism between bounds that differ by some per cent."""
     part, balls = body(), stones()

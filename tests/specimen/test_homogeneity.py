@@ -39,7 +39,7 @@ def reasons(particles, **bonding):
 # The verdict
 
 
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.validate)])
 @pytest.mark.parametrize("count", [1000, 3000])
 def test_the_default_cylinder_passes_at_every_size(count, seed):
     why, quality = reasons(bd.pack(bd.Cylinder(5e-3, 40e-3), count=count, spread=0.25, seed=seed))
@@ -227,6 +227,7 @@ def test_layering_of_one_layer_of_touching_spheres_is_exact():
     np.testing.assert_allclose(one.volume_fraction[10:], 0.0)
 
 
+@pytest.mark.validate
 def test_layers_at_walls_die_out_in_a_random_packing_and_not_in_a_crystal(cylinder, ordered):
     random = bd.wall_layering(cylinder)
     assert set(random) == {"x_min", "x_max", "side"}

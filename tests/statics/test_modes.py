@@ -54,7 +54,9 @@ def test_clamped_rod_in_bending():
     np.testing.assert_allclose(found.frequency, rod * (1.8751041 / length) ** 2, rtol=3e-3)
 
 
-@pytest.mark.parametrize("held", [True, False], ids=["clamped", "free"])
+@pytest.mark.parametrize("held", [
+    pytest.param(True, id="clamped"), pytest.param(False, id="free", marks=pytest.mark.validate),
+])  # fmt: skip
 def test_block_gradients_find_the_modes_of_inverse_lanczos(held, monkeypatch):
     boundary = [bd.Fix(bd.Face("x_min", depth=1.0))] if held else []
     block = crooked_block((27, 9, 9), edge=1e-3, jitter=0.2, radius=0.35, reach=1.6, walled=True)
@@ -80,6 +82,7 @@ def test_more_modes_than_there_are_is_an_error():
         bd.solve_modes(model, count=7)
 
 
+@pytest.mark.validate
 def test_a_block_that_ends_among_equal_frequencies_converges() -> None:
     """A free ball has modes of 2 l + 1 equal frequencies: 29 of them are 28 and one of five, and did not converge."""
     ball = cells(bd.Ball(0.05), 1000, spread=0.2, seed=2)

@@ -129,6 +129,7 @@ def finished(tmp_path_factory):
         return out, run_study(parse_study(STUDY | {"output": {"vtk": True, "run_files": True}}), out)
 
 
+@pytest.mark.validate
 def test_a_study_with_aggregates_lies_between_interface_and_mortar_and_breaks_no_aggregate(finished):
     out, results = finished
     test = results["packings"][0]["tests"]["direct_tension"]

@@ -210,7 +210,7 @@ def test_the_effective_section_of_the_paper_is_what_its_two_errors_ask_for():
 @pytest.mark.parametrize(
     ("study", "options", "figures"),
     [
-        ("quasistatic", ("--steps", "3000"), 3),
+        pytest.param("quasistatic", ("--steps", "3000"), 3, marks=pytest.mark.validate),
         pytest.param("vibration", ("--steps", "3000", "--packings", "2"), 3, marks=pytest.mark.validate),
         pytest.param("wave", ("--packings", "2"), 4, marks=pytest.mark.validate),
         pytest.param("section", ("--packings", "2"), 2, marks=pytest.mark.validate),

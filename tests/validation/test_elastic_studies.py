@@ -79,6 +79,7 @@ def test_the_curves_foretell_a_packing_they_never_saw(law, nu):
     assert ratio == pytest.approx(found.stiffness_ratio_at(value), rel=0.03)
 
 
+@pytest.mark.validate
 def test_the_abacus_leaves_curves_as_data(abacus):
     _, out, results = abacus
     data = json.loads((out / "abacus.json").read_text())
@@ -104,6 +105,7 @@ def test_the_abacus_leaves_curves_as_data(abacus):
     assert silica["E_mu"] == pytest.approx(72.5e9 / own.stiffness_ratio_at(silica["value"]))
 
 
+@pytest.mark.validate
 def test_rows_are_what_the_tests_measure(abacus):
     _, out, results = abacus
     for packing in cells_and_bars(200, 0.25, cells=1, bars=1):
@@ -117,6 +119,7 @@ def test_rows_are_what_the_tests_measure(abacus):
             assert (row["E_paper"], row["nu_paper"]) == pytest.approx((found.E_paper, found.nu_paper), rel=1e-9)
 
 
+@pytest.mark.validate
 def test_a_second_run_makes_only_what_is_missing(abacus):
     study, out, results = abacus
     before = files(out)

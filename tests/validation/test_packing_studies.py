@@ -54,6 +54,7 @@ def request(folder, **changed):
     return PackingRequest(**told)
 
 
+@pytest.mark.validate
 def test_refinement_leaves_rows_packings_tables_figure_and_page(refined):
     out, done = refined
     assert done.returncode == 0, done.stderr
@@ -73,6 +74,7 @@ def test_refinement_leaves_rows_packings_tables_figure_and_page(refined):
     assert f"| {table[-1]['count']} |" in (out / "table.md").read_text()
 
 
+@pytest.mark.validate
 def test_rows_say_what_is_in_the_packings(refined):
     out, _ = refined
     row = json.loads((out / "results.json").read_text())["rows"][-1]
@@ -86,6 +88,7 @@ def test_rows_say_what_is_in_the_packings(refined):
     np.testing.assert_array_equal(x, lattice.particles.position)
 
 
+@pytest.mark.validate
 def test_a_second_run_packs_only_what_is_missing(refined):
     out, _ = refined
     before = files(out)
@@ -138,6 +141,7 @@ def alive(process):
     return state != "Z"
 
 
+@pytest.mark.validate
 @pytest.mark.filterwarnings("ignore:this process forks")  # as it does for preexec_fn
 def test_an_interrupted_run_ends_at_once(tmp_path):
     arguments = ["refinement", "--out", "out", "--counts", "60,30000", "--packings", "1", "--targets", "jamming",
@@ -158,6 +162,7 @@ def test_an_interrupted_run_ends_at_once(tmp_path):
     assert (run.returncode, told.strip()) == (130, "bondem: interrupted")
 
 
+@pytest.mark.validate
 def test_dispersion_goes_on_after_a_packing_that_fails(tmp_path):
     # six contacts for each of 12 spheres in a cube cannot be had without overlaps beyond measure
     done = validation(
