@@ -72,7 +72,7 @@ def test_levels_for_windows_differ_in_our_instructions_only(level, seen, unseen,
     others = [flag for flag in flags if flag.startswith("-m") and not flag.startswith("-mprefer")]
     assert others == ["-mcpu=x86_64_v2"]
     source = tmp_path / "loop.cpp"
-    source.write_text("void f(double *a, const double *b, int n) { for (int i = 0; i < n; i++) a[i] += a[i] * b[i]; }\n")
+    source.write_text("void f(double *a, double *b, int n) { for (int i = 0; i < n; i++) a[i] += a[i] * b[i]; }\n")
     command = _core_build.compiler()
     assert command is not None
     asked = [*command, *_core_build._FLAGS[:5], *flags, "-S", "-o", str(tmp_path / "loop.s"), str(source)]
