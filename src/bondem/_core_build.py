@@ -37,6 +37,21 @@ _LEVELS = {
     },
     "aarch64": {"aarch64": ["-mcpu=generic"]},
 }
+# Instructions of a level beyond the lowest one. The C library of MinGW is compiled anew for each `-mcpu` or `-mavx`,
+# for minutes. For Windows all levels therefore have the lowest `-mcpu`, and clang alone is told of the others.
+_V3 = ("avx", "avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe")
+_V4 = (*_V3, "avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl")
+
+
+def _beyond(features: tuple[str, ...]) -> list[str]:
+    return [part for one in features for part in ("-Xclang", "-target-feature", "-Xclang", f"+{one}")]
+
+
+_ON_WINDOWS = {
+    "x86_64_v2": ["-mcpu=x86_64_v2"],
+    "x86_64_v3": ["-mcpu=x86_64_v2", *_beyond(_V3)],
+    "x86_64_v4": ["-mcpu=x86_64_v2", *_beyond(_V4), "-mprefer-vector-width=512"],
+}
 # What `platform` calls them.
 _MACHINES = {"amd64": "x86_64", "x86_64": "x86_64", "arm64": "aarch64", "aarch64": "aarch64"}
 _SYSTEMS = {"Linux": "linux", "Darwin": "macos", "Windows": "windows"}
@@ -103,13 +118,14 @@ class Platform:
 
     def flags(self, level: str) -> list[str]:
         """Flags of the compiler for a level."""
-        libraries = [] if self.system == "windows" else ["-lpthread", "-lm"]
-        return ["-target", self.triple, *_LEVELS[self.machine][level], *libraries]
+        if self.system == "windows":
+            return ["-target", self.triple, *(_ON_WINDOWS | _LEVELS["aarch64"])[level]]
+        return ["-target", self.triple, *_LEVELS[self.machine][level], "-lpthread", "-lm"]
 
 
 def source_digest(folder: Path = SOURCES) -> str:
     """Hash of all sources and of the flags, 12 hexadecimal digits: part of the name of each library."""
-    digest = hashlib.sha256(" ".join([*_FLAGS, str(_LEVELS)]).encode())
+    digest = hashlib.sha256(" ".join([*_FLAGS, str(_LEVELS), str(_ON_WINDOWS)]).encode())
     for path in core_sources("*.cpp", "*.hpp", folder=folder):
         digest.update(f"{path.relative_to(folder)}\n".encode() + path.read_bytes())
     return digest.hexdigest()[:12]

@@ -61,6 +61,27 @@ def test_targets_have_the_tags_of_their_wheels():
         Platform.named("riscv64-linux")
 
 
+@needs_compiler
+@pytest.mark.parametrize(("level", "seen", "unseen"), [
+    ("x86_64_v2", "xmm", "ymm"), ("x86_64_v3", "vfmadd", "zmm"), ("x86_64_v4", "zmm", "nothing"),
+])  # fmt: skip
+def test_levels_for_windows_differ_in_our_instructions_only(level, seen, unseen, tmp_path, monkeypatch):
+    """One C library serves all levels, because the compiler makes it anew for each `-mcpu`, for minutes."""
+    monkeypatch.setenv("ZIG_GLOBAL_CACHE_DIR", str(SOURCES / "build"))
+    flags = Platform.named("x86_64-windows").flags(level)
+    others = [flag for flag in flags if flag.startswith("-m") and not flag.startswith("-mprefer")]
+    assert others == ["-mcpu=x86_64_v2"]
+    source = tmp_path / "loop.cpp"
+    source.write_text("void f(double *a, double *b, int n) { for (int i = 0; i < n; i++) a[i] += a[i] * b[i]; }\n")
+    command = _core_build.compiler()
+    assert command is not None
+    asked = [*command, *_core_build._FLAGS[:5], *flags, "-S", "-o", str(tmp_path / "loop.s"), str(source)]
+    subprocess.run(asked, check=True, capture_output=True)
+    made = (tmp_path / "loop.s").read_text()
+    assert seen in made
+    assert unseen not in made
+
+
 def test_the_core_needs_no_standard_library_and_allocates_nothing():
     sources = [path for path in SOURCES.rglob("*.[ch]pp") if "build" not in path.parts]
     lines = [line.partition("//")[0] for path in sources for line in path.read_text().splitlines()]

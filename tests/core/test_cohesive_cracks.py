@@ -134,6 +134,31 @@ def test_cells_touch_where_faces_have_parted():
     assert ((parted[:, TOP] > 0.0) & (parted[:, TOP] <= apart)).all()
 
 
+def test_no_bit_depends_on_threads_where_cells_touch():
+    """All facets soften, cells yield, and parted faces touch, on up to four domains of 2847 facets."""
+    lattice = body(500)
+    contact = bd.LinearContact(E=40e9, friction=0.4)
+    model = bd.Model(lattice, bd.CellBond(E=40e9, nu=0.2), 2500.0, failure=COULOMB, contact=contact)
+    x = lattice.centre - lattice.centre.mean(axis=0)
+    velocity = -2e3 * x * [1.0, 0.3, 0.3] + 10.0 * np.random.default_rng(0).standard_normal(x.shape)
+    dt = 0.5 * critical_step(model, bd.VelocityVerlet())
+    ends, rows = [], []
+    for count in (1, 2, 4):
+        state = model.state()
+        state.set_motion(velocity=velocity)
+        with threads(count):
+            loop = CoreLoop(model, Plan(duration=200 * dt, dt=dt, every=20), state, dt)
+            rows.append(np.concatenate([loop.look(), loop.run(200)[0]]))
+        ends.append(state)
+    assert (ends[0].cracks[:, STATUS] == PARTED).sum() > 5
+    assert len(ends[0].cracks) > 2000
+    assert len(ends[0].touching)
+    for end, records in zip(ends[1:], rows[1:], strict=True):
+        np.testing.assert_array_equal(records, rows[0])
+        for name in (*KEPT, "touching", "stretch"):
+            np.testing.assert_array_equal(getattr(end, name), getattr(ends[0], name), err_msg=name)
+
+
 @pytest.mark.parametrize("kind", ["stretched", "brittle"])
 def test_a_body_of_fewer_facets_than_lanes_cracks(kind: str) -> None:
     """One facet: the sanitizers see where a group of lanes reads beside its table."""

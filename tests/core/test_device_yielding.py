@@ -64,10 +64,9 @@ def without(name: str) -> type[Host]:
 
 
 def test_all_passes_of_the_cpu_have_counterparts() -> None:
-    """A device runs whatever the CPU runs; three criteria apply to beams only, never to facets."""
-    never = {f"judge_facets_by_{name}" for name in ("peripheral_stress", "linear_sum", "ellipse")}
+    """A device runs whatever the CPU runs."""
     of_postponed = resuming((Mock(), Mock()))
-    assert set(_core._library().step_passes) - set(COUNTERPARTS) - set(of_postponed) == never
+    assert set(_core._library().step_passes) - set(COUNTERPARTS) - set(of_postponed) == set()
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -148,6 +148,19 @@ def test_the_mean_stress_of_elements_is_the_moment_of_the_loads() -> None:
     np.testing.assert_array_equal(bd.cell_stress(model, static), found.symmetric)
 
 
+def test_the_sum_by_hand_is_the_load_times_the_distance_of_the_centres() -> None:
+    """-Σ f ⊗ l = F d, with d from the held centres to the loaded ones; shorter than the bar by a tenth here."""
+    model = pulled(bd.Load(FAR, (1e-2, 0.0, 0.0)))
+    lattice, static = model.lattice, bd.solve_static(model)
+    found = bd.bond_forces(model, static)
+    by_hand = -np.einsum("mi,mj->ij", found.force, lattice.branch)
+    (loaded, shares), x = model.boundary[1].nodal(lattice), lattice.centre[:, 0]
+    distance = (shares[:, 0] @ x[loaded] + static.reaction[:, 0] @ x) / 1e-2
+    assert by_hand[0, 0] == pytest.approx(1e-2 * distance, rel=1e-9)
+    assert 0.8 < distance / 3.0 < 0.95
+    assert (found.normal > 0.0).sum() > (found.normal < 0.0).sum()
+
+
 def test_the_couple_stress_of_a_bar_is_its_moment_over_its_section() -> None:
     """Bent by M: elements alone have little couple stress, a section as a whole has M / A about its middle."""
     model = pulled(bd.Load(FAR, moment=(0.0, 0.0, 1e-2)))

@@ -14,6 +14,7 @@ from click.testing import CliRunner
 from bondem.campaign.sweep import parse_campaign, read_campaign
 from bondem.cli.schema import command
 from bondem.errors import StudyError
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.study.keys import schema
 from bondem.study.programme import read
 from bondem.study.study_file import parse_study
@@ -28,12 +29,14 @@ CRITERIA: list[dict[str, Any]] = [
     {"criterion": "MohrCoulomb", "tension": 1.0, "cohesion": 3.0, "friction_angle": 0.6, "fracture_energy": 1.0},
 ]  # fmt: skip
 GRAINS = {"diameters": [1.0, 2.0], "mass_passing": [0.0, 1.0], "fraction": 0.1, "E": 1.0, "nu": 0.1, "gap": 1.0}
+SHAPES: list[dict[str, Any]] = [
+    {"shape": "ball", "radius": 0.01, "count": 500}, {"shape": "punch"},
+    {"shape": "cylinder", "radius": 0.01, "length": 0.02, "count": 500},
+    {"shape": "box", "size": [0.03, 0.01, 0.01], "count": 500, "notch": {"width": 1e-3, "depth": 3e-3}},
+]  # fmt: skip
 MORE: list[dict[str, Any]] = [
-    {"specimen": {"shape": "ball", "radius": 0.01, "count": 500}, "tests": ["sphere_impact", "sphere_crushing"]},
-    {"specimen": {"shape": "punch"}},
-    {"specimen": {"shape": "box", "size": [0.03, 0.01, 0.01], "count": 500, "notch": {"width": 1e-3, "depth": 3e-3}},
-     "tests": ["spall", "brazilian", "triaxial", "three_point_bending"],
-     "spall": {"pressure": 1.0, "rise": 1.0, "fall": 1.0}, "triaxial": {"pressure": 1.0}},
+    *({"specimen": shape, "tests": [test.name], test.name: dict.fromkeys(test.options, 1.0)}
+      for shape in SHAPES for test in FAILURE_TESTS.values()),
     {"specimen": CELL | {"sizes": {"law": "uniform", "spread": 0.1}}},
     *({"specimen": CELL, "failure": one} for one in CRITERIA),
     *({"specimen": CELL, "aggregates": GRAINS | {part: one}}

@@ -49,10 +49,14 @@ BONDEM_TABLE(MomentsOfForces, F(moment, "* 6"), F(owner, "vectors"), F(arm, "vec
         described<CellEnergies>(), described<CellPoses>(), described<FacetForces>(), described<FacetsOfCells>(), \
         described<WallConstraints>(), described<FacetTractions>(), described<CellStrains>(), described<WallTime>(), \
         described<FacetRelease>(), described<TurnedVectors>(), described<MomentsOfForces>()
-#define BONDEM_CELL_PASSES P(load_body, ""), P(load_facets, ""), P(measure_cell_energies, ""), P(place_walls, ""), \
-        P(turn_vectors, ""), P(add_moments, ""), P(weigh_cells, ""), P(index_facets_by_peripheral_stress, ""), P(index_facets_by_mohr_coulomb, ""), \
-        P(index_facets_by_linear_sum, ""), P(index_facets_by_ellipse, "")
+#define BONDEM_INDEX_OF_FACETS(_, name, Criterion) P(index_facets_by_##name, ""),
+#define BONDEM_CELL_PASSES                                                                               \
+    BONDEM_FACET_CRITERIA(BONDEM_INDEX_OF_FACETS, )                                                      \
+    P(load_body, ""), P(load_facets, ""), P(measure_cell_energies, ""), P(place_walls, ""),              \
+        P(turn_vectors, ""), P(add_moments, ""), P(weigh_cells, "")
+#define BONDEM_JUDGED_FACETS(_, name, Criterion) S(serial, judge_facets_by_##name),
 #define BONDEM_CELL_STEP_PASSES                                                                          \
+    BONDEM_FACET_CRITERIA(BONDEM_JUDGED_FACETS, )                                                        \
     S(bonds_of_blocks, accumulate_dilatation), S(bonds_of_blocks, accumulate_left_dilatation),             \
         S(parts_of_shared, collect_dilatation),                   \
         S(elements_of_blocks, stress_cells), S(bonds_of_blocks, add_facet_loads),                        \
@@ -64,8 +68,7 @@ BONDEM_TABLE(MomentsOfForces, F(moment, "* 6"), F(owner, "vectors"), F(arm, "vec
         S(serial, add_traction_work), S(serial, follow_cell_strains), S(serial, begin_strain_work), \
         S(of_bonds, sum_strain_powers),    \
         S(serial, add_strain_work), S(bonds_of_blocks, accumulate_and_mark), \
-        S(serial, judge_facets_by_peripheral_stress), S(serial, judge_facets_by_mohr_coulomb), \
-        S(serial, judge_facets_by_linear_sum), S(serial, judge_facets_by_ellipse), S(serial, withdraw_facets), \
+        S(serial, withdraw_facets), \
         S(serial, break_facets), S(serial, restore_facets), S(serial, renew_wall_rows)
 
 }  // namespace bondem

@@ -29,20 +29,21 @@ BONDEM_TABLE(StressFunction, F(address, ""), F(parameter, "parameters"))
 #define BONDEM_DAMAGE_TABLES \
     described<FailureBounds>(), described<Strengths>(), described<Candidates>(), described<Postponed>(), \
         described<EventLog>(), described<BeamIntegrity>(), described<SofteningBounds>(), described<SofteningBeams>(), described<FailureIndices>(), described<StressCandidates>(), described<StressFunction>()
-#define BONDEM_DAMAGE_PASSES \
+#define BONDEM_JUDGED_BEAMS(_, name, Criterion) S(bonds_of_blocks, judge_beams_by_##name),
+#define BONDEM_FOUND_SOFTENING(_, name, Criterion) S(bonds_of_blocks, find_softening_by_##name),
+#define BONDEM_DAMAGE_PASSES                                                                                          \
+    BONDEM_BEAM_CRITERIA(BONDEM_JUDGED_BEAMS, )                                                                       \
+    BONDEM_SOFTENING_CRITERIA(BONDEM_FOUND_SOFTENING, )                                                               \
     S(divides_elements, postpone_elements), S(postponed_of_blocks, keep_sums), S(postponed_of_blocks, keep_dashpots), \
-        S(divides_elements, list_postponed), S(serial, write_released), S(bonds_of_blocks, add_marked_beam_loads), \
-        S(bonds_of_blocks, add_marked_alike_beam_loads), S(bonds_of_blocks, judge_beams_by_peripheral_stress), \
-        S(bonds_of_blocks, judge_beams_by_mohr_coulomb), S(bonds_of_blocks, judge_beams_by_linear_sum), \
-        S(bonds_of_blocks, judge_beams_by_ellipse), S(serial, withdraw_dashpots), S(serial, break_beams), \
-        S(serial, index_candidates_by_mean_stress), S(serial, index_candidates_by_cone), \
-        S(serial, index_candidates_by_function), S(of_bonds, soften_beams), \
-        S(serial, log_softened_beams), S(bonds_of_blocks, find_softening_by_peripheral_stress), \
-        S(bonds_of_blocks, find_softening_by_mohr_coulomb), S(serial, begin_softening), S(of_bonds, sum_pressed_energies), \
-        S(bonds_of_blocks, add_softening_beam_loads), S(bonds_of_blocks, add_softening_alike_beam_loads)
-#define BONDEM_DAMAGE_INDICES \
-    P(index_beams_by_peripheral_stress, ""), P(index_beams_by_mohr_coulomb, ""), P(index_beams_by_linear_sum, ""), \
-        P(index_beams_by_ellipse, ""), P(index_stresses_by_mean_stress, ""), P(index_stresses_by_cone, ""), \
-        P(index_stresses_by_function, "")
+        S(divides_elements, list_postponed), S(serial, write_released), S(bonds_of_blocks, add_marked_beam_loads),    \
+        S(bonds_of_blocks, add_marked_alike_beam_loads), S(serial, withdraw_dashpots), S(serial, break_beams),        \
+        S(serial, index_candidates_by_mean_stress), S(serial, index_candidates_by_cone),                              \
+        S(serial, index_candidates_by_function), S(of_bonds, soften_beams), S(serial, log_softened_beams),            \
+        S(serial, begin_softening), S(of_bonds, sum_pressed_energies), S(bonds_of_blocks, add_softening_beam_loads),  \
+        S(bonds_of_blocks, add_softening_alike_beam_loads)
+#define BONDEM_INDEX_OF_BEAMS(_, name, Criterion) P(index_beams_by_##name, ""),
+#define BONDEM_DAMAGE_INDICES                                                           \
+    BONDEM_BEAM_CRITERIA(BONDEM_INDEX_OF_BEAMS, ) P(index_stresses_by_mean_stress, ""), \
+        P(index_stresses_by_cone, ""), P(index_stresses_by_function, "")
 
 }  // namespace bondem

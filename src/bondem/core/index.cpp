@@ -25,7 +25,7 @@ namespace bondem {
 
 #define F BONDEM_FIELD
 
-BONDEM_TABLE(Spheres, F(sphere, "n 4"), F(unit, "n"), F(velocity, "n 3"), F(force, "n 3"), F(period, "3"))
+BONDEM_TABLE(Spheres, F(sphere, "n 4"), F(unit, "n"), F(velocity, "n 3"), F(force, "n 3"), F(period, "3"), F(ease, "n"))
 BONDEM_TABLE(PackingWalls, F(lower, "3"), F(upper, "3"), F(weight, "3"), F(radius, ""), F(corner, "3"), F(spacing, ""),
              F(depth, "grid_x grid_y grid_z"))
 BONDEM_TABLE(Near, F(start, "n+1"), F(neighbour, "neighbours"), F(listed, "n 3"), F(slack, ""))

@@ -9,12 +9,21 @@ import numpy as np
 
 from bondem._core import Pass
 from bondem._types import Floats, PerBond
+from bondem.damage.criteria.criterion import BondCriterion
+from bondem.damage.criteria.criterion_catalogue import CRITERIA
 from bondem.damage.failure_table import FailureTable
 from bondem.interactions.beams.beam_tables import Beams, Poses
 from bondem.interactions.cells.cell_tables import ElasticFacets
 
-#: Names of the criteria in the passes of the core, by their number (`BondCriterion.kind`).
-CRITERION_NAMES = ("peripheral_stress", "mohr_coulomb", "linear_sum", "ellipse")
+_OF_BONDS = [one for one in CRITERIA.values() if issubclass(one, BondCriterion)]
+#: Names of the criteria of beams in the passes of the core (`BondCriterion.kind`).
+BEAM_CRITERIA = tuple(one.kind for one in _OF_BONDS)
+#: Names of those that apply to facets of cells too.
+FACET_CRITERIA = tuple(one.kind for one in _OF_BONDS if not one.needs_beams)
+#: Names of those from which beams soften.
+SOFTENING_CRITERIA = tuple(
+    one.kind for one in _OF_BONDS if one.pulled_and_sheared is not BondCriterion.pulled_and_sheared
+)
 
 
 class Strengths(NamedTuple):
@@ -30,11 +39,13 @@ class FailureIndices(NamedTuple):
     index: Floats  #: 1 at failure, 0 of broken bonds [-], (m,)
 
 
-_index_beams = [Pass(f"index_beams_by_{name}", Poses, Beams, Strengths, FailureIndices) for name in CRITERION_NAMES]
+_index_beams = {
+    name: Pass(f"index_beams_by_{name}", Poses, Beams, Strengths, FailureIndices) for name in BEAM_CRITERIA
+}
 
-_index_facets = [
-    Pass(f"index_facets_by_{name}", Poses, ElasticFacets, Strengths, FailureIndices) for name in CRITERION_NAMES
-]
+_index_facets = {
+    name: Pass(f"index_facets_by_{name}", Poses, ElasticFacets, Strengths, FailureIndices) for name in FACET_CRITERIA
+}
 
 
 def strengths_of(table: FailureTable) -> Strengths:

@@ -22,8 +22,8 @@ from bondem.specimen.ordering import Layout
 
 # What rounding may take off a bound.
 _ROUNDING = 1e-6
-# Number of criteria on principal stresses, which no function of forces judges.
-_OF_PRINCIPAL = -1
+# Kind of criteria on principal stresses, which no function of forces judges.
+_OF_PRINCIPAL = "principal"
 # Share of the bound of facets at which they are looked at: it is held against stresses of cells a step ago.
 _MARGIN = 0.75
 
@@ -33,7 +33,7 @@ class FailureTable:
     """Breakage criteria of the bonds, internal order.
 
     Attributes:
-        kind: number of the criterion.
+        kind: name of the criterion (`BondCriterion.kind`).
         coefficient: coefficients of the criterion for each bond, shape (m, 4).
         station: place along a bond where its moment counts, from i over its length; -1 for the larger end, (m,).
         limit: value of of_force |F|² + of_moment |M|² below which a bond cannot break [-], shape (m,).
@@ -41,7 +41,7 @@ class FailureTable:
         of_moment: factor of |M|² [1/(N·m)²].
     """
 
-    kind: int
+    kind: str
     coefficient: Floats
     station: PerBond
     limit: PerBond
@@ -122,9 +122,9 @@ class FailureTable:
 
 def _judged(
     joint: Joint, parts: tuple[FailurePart, ...], period: Floats | None
-) -> tuple[Floats, PerBond, PerBond, int]:
+) -> tuple[Floats, PerBond, PerBond, str]:
     """Return coefficients and bounds of all bonds, and the kind of criteria; a bond without one never breaks."""
-    m, kind = len(joint.length), 0
+    m, kind = len(joint.length), ""
     coefficient, a, b = np.zeros((m, COEFFICIENTS)), np.zeros(m), np.zeros(m)
     for part in parts:
         criterion, own = part.criterion, joint.take(part.bonds)

@@ -320,8 +320,8 @@ class Model:
     def with_boundary(self, boundary: Sequence[BoundaryCondition]) -> "Model":
         """Return a model with the same bonds and masses under other boundary conditions. Common data are shared."""
         other = Model.__new__(Model)
-        for name in ("lattice", "bond", "density", "contact", "walls", "failure"):
-            object.__setattr__(other, name, getattr(self, name))
+        for item in fields(self):
+            object.__setattr__(other, item.name, getattr(self, item.name))
         object.__setattr__(other, "boundary", _conditions(boundary))
         kept = ("layout", "_non_local", "non_local", "_assigned", "bonds", "mass", "inertia", "failure_parts",
                 "breaking", "softening", "beam_softening")

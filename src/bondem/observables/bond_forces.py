@@ -25,10 +25,14 @@ ON_J, TURN_I, TURN_J, COLUMNS = 0, 3, 6, 9
 class BondForces:
     """Forces and moments of bonds on their elements, user's order, global axes; zero for broken bonds.
 
-    The force on element i is the opposite of that on j. Moments act on the elements, at their centres.
+    The force on element i is the opposite of that on j. Moments act on the elements, at their centres. A bond in
+    tension pulls j towards i, so that `force` points against `axis` and the Love-Weber sum of stresses has a minus
+    sign: with the branch vectors l, -Σ f ⊗ l is the moment Σ F ⊗ x of the external forces F at the centres x. It is F
+    times the distance of the loaded from the held centres, which is shorter than the specimen. `bd.element_stress`
+    computes local stresses.
 
     Attributes:
-        force: force on element j [N], shape (m, 3).
+        force: force of the bond on element j [N], shape (m, 3).
         moment_i: moment on element i [N·m], shape (m, 3).
         moment_j: moment on element j [N·m], shape (m, 3).
         axis: unit vector from centre i to centre j in the present pose [-], shape (m, 3).

@@ -7,7 +7,8 @@ import numpy as np
 from bondem._checks import choice, instance, shown
 from bondem._checks import count as whole
 from bondem._progress import staged
-from bondem.errors import InputError
+from bondem._types import Floats
+from bondem.errors import InputError, PackingError
 from bondem.geometry.elementary_shapes import Shape
 from bondem.geometry.shape import Placed
 from bondem.io.packing_cache import PackingCache, wanted
@@ -18,9 +19,11 @@ from bondem.packing.growth import grow
 from bondem.packing.inclusions import aggregates, around_balls
 from bondem.packing.isotropic_compression import compress
 from bondem.packing.quench import quench
+from bondem.packing.separated import parting, separated
 from bondem.packing.shear import sheared
 from bondem.packing.sizes import SPREAD, SizeLaw, Uniform
-from bondem.packing.targets import chosen
+from bondem.packing.soft_spheres import SoftSpheres
+from bondem.packing.targets import Target, chosen
 from bondem.packing.two_sided import Around, around_surfaces
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.particles import Particles, filled
@@ -81,6 +84,9 @@ def pack(
     periodic cell. Between the walls of a cylinder of 10 000 they are 0.8 %, and 5 % for the worst pair, because
     spheres at walls have fewer neighbours. `bd.fabric(lattice).largest_overlap` reports the largest overlap.
 
+    Spheres of two very different sizes, at least 1 : 2, often do not come to rest with "quench". The large ones are
+    then separated first, and the small ones fill the rest; other packings keep their bits.
+
     Args:
         shape: any shape; only Cylinder, Box, Ball and Cell have exact walls, others use a grid of depths.
         count: number of spheres.
@@ -100,8 +106,9 @@ def pack(
         coordination_number: target z = 2 contacts / spheres [-], ± 0.01; 6.2 if no target is given. Contacts are
             counted as by `bd.connect` with tolerance 0, over all spheres, including rattlers and those at walls.
         volume_fraction: target φ, volume of the spheres over that of the shape [-]; below jamming they barely touch.
-        jamming: target: the density at which the spheres begin to carry load. No overlap exceeds 1e-3 mean
-            radii. A periodic cell has six contacts per sphere, without rattlers.
+        jamming: target: the density at which the spheres begin to carry load. No overlap exceeds 1e-3 mean radii, or
+            1e-3 of the smaller radius of a pair where large spheres were separated first. A periodic cell has six
+            contacts per sphere, without rattlers.
         cache: True to reuse an identical packing of 1000 spheres or more from disk, the same to the bit, and to store
             this one there. `BONDEM_PACKING_CACHE=off` in the environment disables the cache.
         progress: function called repeatedly with the completed share, 0 … 1, which never decreases.
@@ -169,12 +176,16 @@ def pack(
     own = shape.shape if isinstance(shape, Placed) else shape
 
     def make() -> Particles:
-        random = np.random.Generator(np.random.Philox(seed))
-        spheres = _METHODS[method](
-            own, size_law.radii(count, random), target, random,
-            lambda steps: told(steps / (steps + _USUAL_STEPS)),
-        )  # fmt: skip
-        target.reach(spheres)
+        random, again = (np.random.Generator(np.random.Philox(seed)) for _ in range(2))
+        on_step = _counting(told)
+        try:
+            spheres = _METHODS[method](own, size_law.radii(count, random), target, random, on_step)
+            target.reach(spheres)
+        except PackingError:
+            two = _two_sizes(own, size_law.radii(count, again), target, again, on_step) if method == METHOD else None
+            if two is None:
+                raise
+            spheres = two
         centre = spheres.sphere[:, :3].copy()
         if isinstance(shape, Placed):  # packed where it came from, so that its place changes nothing
             centre = shape.place(centre)
@@ -182,6 +193,33 @@ def pack(
 
     request = {"shape": shape, "sizes": size_law, "count": count, "target": target, "method": method, "seed": seed}
     return _kept(request, make, told, cache=cache)
+
+
+def _two_sizes(
+    shape: Shape, radii: Floats, target: Target, random: np.random.Generator, on_step: Callable[[int], None]
+) -> SoftSpheres | None:
+    """Return spheres of two very different sizes that did not reach the target; None if they do not here either."""
+    limit = parting(radii)
+    if limit is None:
+        return None
+    try:
+        spheres = separated(shape, radii, limit, random, on_step)
+        target.reach(spheres)
+    except (PackingError, InputError):
+        return None
+    return spheres
+
+
+def _counting(told: Callable[[float], None]) -> Callable[[int], None]:
+    """Return a function of the number of steps that reports progress; the number may begin again."""
+    before = last = 0
+
+    def on_step(steps: int) -> None:
+        nonlocal before, last
+        before, last = before + (last if steps < last else 0), steps
+        told((before + steps) / (before + steps + _USUAL_STEPS))
+
+    return on_step
 
 
 def _surfaces(around: object) -> Aggregates | tuple[Around, ...]:

@@ -15,13 +15,14 @@ _SUMS, _BLOCK = 8, 128
 
 
 class Spheres(NamedTuple):
-    """Spheres, n of them; passes write all but `unit` and `period`."""
+    """Spheres, n of them; passes write all but `unit`, `period` and `ease`."""
 
     sphere: Floats  #: centres and radii [m], (n, 4)
     unit: Floats  #: radii at scale 1 [m], (n,)
     velocity: Floats  #: (n, 3), kept between calls
     force: Floats  #: overlap forces [m], less what walls carry, (n, 3)
     period: Floats  #: periodic edge lengths [m], 0 where there is none, (3,)
+    ease: Floats  #: 1 / √mass of each sphere in a relaxation [-], (n,)
 
 
 class PackingWalls(NamedTuple):

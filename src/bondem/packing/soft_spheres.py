@@ -66,7 +66,8 @@ class SoftSpheres:
         period = np.zeros(3) if shape.period is None else shape.period.copy()
         n = len(radius)
         self.table = Spheres(
-            np.column_stack([centre, radius]), radius.copy(), np.zeros((n, 3)), np.zeros((n, 3)), period
+            np.column_stack([centre, radius]), radius.copy(), np.zeros((n, 3)), np.zeros((n, 3)), period,
+            np.ones(n),
         )
         self.walls = walls(shape, radius)
         self._skin = _SKIN_WANDERING
@@ -88,6 +89,15 @@ class SoftSpheres:
     def mean_radius(self) -> float:
         """Mean radius R̄ at the present scale [m]."""
         return float(self.sphere[:, 3].mean())
+
+    @property
+    def weighed(self) -> bool:
+        """True if large spheres have larger masses."""
+        return bool((self.table.ease < 1.0).any())
+
+    def weigh(self, radius: float) -> None:
+        """Give spheres larger than `radius` [m] a mass that grows with their surface."""
+        self.table.ease[:] = np.minimum(radius / self.unit, 1.0)
 
     def scale_for(self, volume_fraction: float) -> float:
         """Return the scale at which the spheres have this share of the volume of the shape [-]."""

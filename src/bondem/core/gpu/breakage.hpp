@@ -65,17 +65,14 @@ BONDEM_INLINE void hold_ends(const Postponed &postponed, const Beams &beams, Ind
     hold(postponed, beams.i(k));
     hold(postponed, beams.j(k));
 }
-#define BONDEM_JUDGE(name, Criterion)                                                                                    \
+#define BONDEM_JUDGE(_, name, Criterion)                                                                                 \
     inline void judge_beam_by_##name(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,             \
                                      const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,   \
                                      const Postponed &postponed) {                                                       \
         judge_one<Criterion>(k, span, all, beams, strengths, marks, candidates,                                          \
                              [&] { hold_ends(postponed, beams, k); });                                                   \
     }
-BONDEM_JUDGE(peripheral_stress, PeripheralStress)
-BONDEM_JUDGE(mohr_coulomb, MohrCoulomb)
-BONDEM_JUDGE(linear_sum, LinearSum)
-BONDEM_JUDGE(ellipse, Elliptic)
+BONDEM_BEAM_CRITERIA(BONDEM_JUDGE, )
 #undef BONDEM_JUDGE
 
 // Puts bond number e of those that fail, in any order, to its place in the order of bonds.

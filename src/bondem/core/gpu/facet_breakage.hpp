@@ -21,14 +21,24 @@ inline void dilate_marked_facet(Index k, const Moving &all, const ElasticFacets 
     dilate_facet(k, all, facets, to);
 }
 
-inline void judge_facet_by_mohr_coulomb(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
-                                        const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
-                                        const Postponed &postponed) {
+template <class Criterion>
+BONDEM_INLINE void judge_facet(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                               const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,
+                               const Postponed &postponed) {
     if (marks.mark(k) == 0 || clock_of(span).first || !(facets.integrity(k) > 0.0)) return;
-    if (!list_failing(k, verdict_of<MohrCoulomb>(all.pose.data, facets, strengths, k), marks, candidates)) return;
+    if (!list_failing(k, verdict_of<Criterion>(all.pose.data, facets, strengths, k), marks, candidates)) return;
     hold(postponed, facets.i(k), postponed_for::own_facet);
     hold(postponed, facets.j(k), postponed_for::own_facet);
 }
+#define BONDEM_JUDGE(_, name, Criterion)                                                                               \
+    inline void judge_facet_by_##name(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets, \
+                                      const Strengths &strengths, const BondMarks &marks,                              \
+                                      const Candidates &candidates, const Postponed &postponed) {                      \
+        judge_facet<Criterion>(k, span, all, facets, strengths, marks, candidates, postponed);                         \
+    }
+BONDEM_FACET_CRITERIA(BONDEM_JUDGE, )
+#undef BONDEM_JUDGE
+
 inline void postpone_neighbour(Index p, const ElasticFacets &facets, const FacetRelease &release,
                                const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates) || is_held(postponed, p)) return;

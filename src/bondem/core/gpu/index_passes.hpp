@@ -19,6 +19,9 @@
 #include "stress_onset.hpp"
 #include "yielding.hpp"
 
+#define BONDEM_JUDGED_FACET(X, name, Criterion) X(judge_facet_by_##name)
+#define BONDEM_JUDGED_BEAM(X, name, Criterion) X(judge_beam_by_##name)
+#define BONDEM_FOUND_BEGINNING(X, name, Criterion) X(find_beginning_by_##name)
 #define BONDEM_INDEX_PASSES(X)          \
     X(set_clock)                        \
     X(count_record)                     \
@@ -73,7 +76,7 @@
     X(sum_portion_of_walls)             \
     X(add_energies)                     \
     X(dilate_marked_facet)              \
-    X(judge_facet_by_mohr_coulomb)      \
+    BONDEM_FACET_CRITERIA(BONDEM_JUDGED_FACET, X)\
     X(postpone_neighbour)               \
     X(withdraw_facets_of_cell)          \
     X(write_facet_failure)              \
@@ -91,10 +94,7 @@
     X(find_strength_along)              \
     X(load_marked_beam)                 \
     X(load_marked_alike_beam)           \
-    X(judge_beam_by_peripheral_stress)  \
-    X(judge_beam_by_mohr_coulomb)       \
-    X(judge_beam_by_linear_sum)         \
-    X(judge_beam_by_ellipse)            \
+    BONDEM_BEAM_CRITERIA(BONDEM_JUDGED_BEAM, X)\
     X(rank_failing)                     \
     X(count_failures)                   \
     X(keep_gathered_sum)                \
@@ -117,8 +117,7 @@
     X(log_all_softened)                 \
     X(load_softening_beam)              \
     X(load_softening_alike_beam)        \
-    X(find_beginning_by_peripheral_stress) \
-    X(find_beginning_by_mohr_coulomb)   \
+    BONDEM_SOFTENING_CRITERIA(BONDEM_FOUND_BEGINNING, X)\
     X(begin_all_softening)              \
     X(release_all_pressure)             \
     X(begin_all_softened_contacts)      \

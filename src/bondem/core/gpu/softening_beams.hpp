@@ -61,16 +61,14 @@ BONDEM_INLINE void find_one(Index k, const DeviceSpan &span, const Moving &all, 
     judge_one<Criterion>(k, span, all, beams, strengths, marks, candidates,
                          [&] { keep_onset(all.pose.data, beams, soft, k); });
 }
-inline void find_beginning_by_peripheral_stress(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                                                    const Strengths &strengths, const BondMarks &marks,
-                                                    const Candidates &candidates, const SofteningBeams &soft) {
-    find_one<PeripheralStress>(k, span, all, beams, strengths, marks, candidates, soft);
-}
-inline void find_beginning_by_mohr_coulomb(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                                               const Strengths &strengths, const BondMarks &marks,
-                                               const Candidates &candidates, const SofteningBeams &soft) {
-    find_one<MohrCoulomb>(k, span, all, beams, strengths, marks, candidates, soft);
-}
+#define BONDEM_FIND(_, name, Criterion)                                                                               \
+    inline void find_beginning_by_##name(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,      \
+                                         const Strengths &strengths, const BondMarks &marks,                          \
+                                         const Candidates &candidates, const SofteningBeams &soft) {                  \
+        find_one<Criterion>(k, span, all, beams, strengths, marks, candidates, soft);                                 \
+    }
+BONDEM_SOFTENING_CRITERIA(BONDEM_FIND, )
+#undef BONDEM_FIND
 inline void begin_all_softening(Index, const DeviceSpan &span, const Candidates &candidates, const SofteningBounds &bounds,
                                 const SofteningBeams &soft) {
     begin_softening(turn_of(span, 0), candidates, bounds, soft);

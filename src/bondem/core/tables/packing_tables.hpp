@@ -11,6 +11,7 @@ struct Spheres {
     Array<double, 2> velocity;  // (n, 3), kept between calls
     Array<double, 2> force;  // overlap forces [m], less what walls carry, (n, 3)
     Array<const double, 1> period;  // periodic edge lengths [m], 0 where there is none, (3,)
+    Array<const double, 1> ease;  // 1 / √mass of each sphere [-], (n,)
 };
 
 // A box, infinite where it has no wall, and a round wall; any other shape is given by its depth on a grid.

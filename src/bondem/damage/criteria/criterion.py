@@ -112,11 +112,11 @@ class BondCriterion(Criterion):
     """A criterion for single bonds or facets, which break at once, or soften if beams have a fracture energy.
 
     Attributes:
-        kind: number of the index function (class attribute; `bondem.damage.failure_passes.CRITERION_NAMES`).
+        kind: name of the criterion in passes of the core (class attribute; `core/laws/criteria/bond_criteria.hpp`).
         needs_beams: True if it applies to beams only, not to facets of cells (class attribute).
     """
 
-    kind: ClassVar[int]
+    kind: ClassVar[str]
     needs_beams: ClassVar[bool] = True
 
     @property

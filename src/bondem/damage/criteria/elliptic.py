@@ -36,7 +36,7 @@ class Elliptic(BondCriterion):
         InputError: A limit is not positive.
     """
 
-    kind: ClassVar[int] = 3
+    kind: ClassVar[str] = "ellipse"
 
     elongation: float
     rotation: float

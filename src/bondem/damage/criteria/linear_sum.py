@@ -36,7 +36,7 @@ class LinearSum(BondCriterion):
         InputError: A strength is not positive.
     """
 
-    kind: ClassVar[int] = 2
+    kind: ClassVar[str] = "linear_sum"
 
     force: float
     shear: float

@@ -56,7 +56,7 @@ class MohrCoulomb(BondCriterion):
             energy of shear or a dilatancy is given without the fracture energy of tension.
     """
 
-    kind: ClassVar[int] = 1
+    kind: ClassVar[str] = "mohr_coulomb"
     needs_beams: ClassVar[bool] = False
 
     tension: float

@@ -36,7 +36,7 @@ class PeripheralStress(BondCriterion):
         InputError: A strength or energy is not positive, β is outside [0, 1], or only the energy of shear is given.
     """
 
-    kind: ClassVar[int] = 0
+    kind: ClassVar[str] = "peripheral_stress"
 
     tension: float
     shear: float

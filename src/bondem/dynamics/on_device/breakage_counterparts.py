@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.damage.failure_passes import CRITERION_NAMES, Strengths
+from bondem.damage.failure_passes import BEAM_CRITERIA, Strengths
 from bondem.dynamics.damage_tables import BeamIntegrity, Candidates, EventLog, FailureBounds, Postponed
 from bondem.dynamics.on_device.device_tables import BondMarks, BondsOfElements, DeviceSpan, LoadsOfBonds
 from bondem.dynamics.on_device.translation import Counterpart, Translation
@@ -19,7 +19,7 @@ _load_marked_beam = IndexPass("load_marked_beam", Moving, Beams, *_MARKS)
 _load_marked_alike_beam = IndexPass("load_marked_alike_beam", Moving, Beams, AlikeBeams, *_MARKS)
 _JUDGES = {
     name: IndexPass(f"judge_beam_by_{name}", DeviceSpan, Moving, Beams, Strengths, BondMarks, Candidates, Postponed)
-    for name in CRITERION_NAMES
+    for name in BEAM_CRITERIA
 }
 _rank_failing = IndexPass("rank_failing", BondMarks, Candidates)
 _count_failures = IndexPass("count_failures", Candidates, EventLog)

@@ -1,7 +1,7 @@
 """Breakage of facets of cells on a device."""
 
 from bondem._device import IndexPass, Launch
-from bondem.damage.failure_passes import Strengths
+from bondem.damage.failure_passes import FACET_CRITERIA, Strengths
 from bondem.dynamics.damage_tables import Candidates, EventLog, FailureBounds, Postponed
 from bondem.dynamics.on_device.breakage_counterparts import counted, marking, marks_of, ranked
 from bondem.dynamics.on_device.device_tables import BondMarks, DeviceSpan, LoadsOfBonds, RowOrder
@@ -11,9 +11,8 @@ from bondem.interactions.cells.cell_tables import ElasticFacets, FacetRelease, W
 from bondem.model.constraints import Rows
 
 _dilate_marked_facet = IndexPass("dilate_marked_facet", Moving, ElasticFacets, LoadsOfBonds, FailureBounds, BondMarks)
-_judge = IndexPass(
-    "judge_facet_by_mohr_coulomb", DeviceSpan, Moving, ElasticFacets, Strengths, BondMarks, Candidates, Postponed
-)
+_JUDGED = DeviceSpan, Moving, ElasticFacets, Strengths, BondMarks, Candidates, Postponed
+_JUDGES = {name: IndexPass(f"judge_facet_by_{name}", *_JUDGED) for name in FACET_CRITERIA}
 _postpone_neighbour = IndexPass("postpone_neighbour", ElasticFacets, FacetRelease, Candidates, Postponed)
 _EXCHANGED = Moving, ElasticFacets, WallConstraints, FacetRelease, Candidates
 _withdraw_of_cell = IndexPass("withdraw_facets_of_cell", *_EXCHANGED, Postponed)
@@ -24,21 +23,21 @@ _restore_of_cell = IndexPass("restore_facets_of_cell", *_EXCHANGED, Postponed)
 _renew_wall_row = IndexPass("renew_wall_row", WallConstraints, RowOrder, Rows, Candidates)
 
 
-def _judge_facets(
-    run: Translation,
-    moving: Moving,
-    facets: ElasticFacets,
-    release: FacetRelease,
-    strengths: Strengths,
-    candidates: Candidates,
-    postponed: Postponed,
-) -> list[Launch]:
-    tables = run.span, moving, facets, strengths, marks_of(run), candidates, postponed
-    return [
-        (_judge, run.span.m, tables),
-        (_postpone_neighbour, run.span.n, (facets, release, candidates, postponed)),
-        ranked(run, candidates),
-    ]
+def _judging(one: IndexPass) -> Counterpart:
+    """Return the counterpart of a pass that evaluates marked facets, and lists those that fail in their order."""
+
+    def counterpart(
+        run: Translation, moving: Moving, facets: ElasticFacets, release: FacetRelease, strengths: Strengths,
+        candidates: Candidates, postponed: Postponed,
+    ) -> list[Launch]:  # fmt: skip
+        tables = run.span, moving, facets, strengths, marks_of(run), candidates, postponed
+        return [
+            (one, run.span.m, tables),
+            (_postpone_neighbour, run.span.n, (facets, release, candidates, postponed)),
+            ranked(run, candidates),
+        ]
+
+    return counterpart
 
 
 def _break(
@@ -64,7 +63,7 @@ def _renew(run: Translation, walls: WallConstraints, rows: Rows, candidates: Can
 
 COUNTERPARTS: dict[str, Counterpart] = {
     "accumulate_and_mark": marking(_dilate_marked_facet),
-    "judge_facets_by_mohr_coulomb": _judge_facets,
+    **{f"judge_facets_by_{name}": _judging(one) for name, one in _JUDGES.items()},
     "withdraw_facets": over(_withdraw_of_cell, elements, spans=False),
     "break_facets": _break,
     "restore_facets": over(_restore_of_cell, elements, spans=False),

@@ -3,7 +3,7 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.damage.failure_passes import CRITERION_NAMES, Strengths
+from bondem.damage.failure_passes import SOFTENING_CRITERIA, Strengths
 from bondem.dynamics.contact_tables import ContactConstants, ContactPairs, ContactSums, NearPairs
 from bondem.dynamics.damage_tables import BeamIntegrity, Candidates, EventLog, SofteningBeams, SofteningBounds
 from bondem.dynamics.on_device.breakage_counterparts import judging, marking
@@ -23,7 +23,7 @@ _FIND = {
     name: IndexPass(
         f"find_beginning_by_{name}", DeviceSpan, Moving, Beams, Strengths, BondMarks, Candidates, SofteningBeams
     )
-    for name in CRITERION_NAMES[:2]
+    for name in SOFTENING_CRITERIA
 }
 _begin = IndexPass("begin_all_softening", DeviceSpan, Candidates, SofteningBounds, SofteningBeams)
 _release_pressure = IndexPass("release_all_pressure", DeviceSpan, EventLog, SofteningBounds)

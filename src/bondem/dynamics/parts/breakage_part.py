@@ -3,7 +3,7 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.damage.failure_passes import CRITERION_NAMES, Strengths, strengths_of
+from bondem.damage.failure_passes import BEAM_CRITERIA, Strengths, strengths_of
 from bondem.dynamics.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
 from bondem.dynamics.parts.damage_part import DamageTables
 from bondem.dynamics.parts.part import Part, Passes
@@ -12,9 +12,10 @@ from bondem.dynamics.step_tables import Dashpots, Moving
 from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
 from bondem.model.state import State
 
-_judge_beams = [
-    StepPass(f"judge_beams_by_{name}", Moving, Beams, Strengths, Candidates, Postponed) for name in CRITERION_NAMES
-]
+_judge_beams = {
+    name: StepPass(f"judge_beams_by_{name}", Moving, Beams, Strengths, Candidates, Postponed)
+    for name in BEAM_CRITERIA
+}
 _withdraw_dashpots = StepPass("withdraw_dashpots", Moving, Beams, Dashpots, Candidates, Postponed)
 _break_beams = StepPass("break_beams", Moving, Beams, BeamIntegrity, Candidates, Postponed, EventLog)
 

@@ -1,7 +1,7 @@
 """Breakage of facets of cells by the damage pipeline of the core."""
 
 from bondem._core_steps import StepPass
-from bondem.damage.failure_passes import CRITERION_NAMES, Strengths, strengths_of
+from bondem.damage.failure_passes import FACET_CRITERIA, Strengths, strengths_of
 from bondem.dynamics.damage_tables import Candidates, EventLog, Postponed
 from bondem.dynamics.parts.cell_part import BodyOfCells, cells
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
@@ -14,10 +14,10 @@ from bondem.model.constraints import Rows
 from bondem.model.model import Model
 from bondem.model.state import State
 
-_judge_facets = [
-    StepPass(f"judge_facets_by_{name}", Moving, ElasticFacets, FacetRelease, Strengths, Candidates, Postponed)
-    for name in CRITERION_NAMES
-]
+_judge_facets = {
+    name: StepPass(f"judge_facets_by_{name}", Moving, ElasticFacets, FacetRelease, Strengths, Candidates, Postponed)
+    for name in FACET_CRITERIA
+}
 _EXCHANGED = Moving, ElasticFacets, WallConstraints, FacetRelease, Candidates
 _withdraw_facets = StepPass("withdraw_facets", *_EXCHANGED, Postponed)
 _break_facets = StepPass("break_facets", *_EXCHANGED, EventLog)

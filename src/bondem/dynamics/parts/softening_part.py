@@ -7,7 +7,7 @@ import numpy as np
 from bondem._core_steps import StepPass
 from bondem.damage.beam_softening import BeamSoftening
 from bondem.damage.event_columns import SOFT_BOND, SOFT_COLUMNS
-from bondem.damage.failure_passes import CRITERION_NAMES, Strengths, strengths_of
+from bondem.damage.failure_passes import SOFTENING_CRITERIA, Strengths, strengths_of
 from bondem.dynamics.damage_tables import (
     BeamIntegrity,
     Candidates,
@@ -25,7 +25,7 @@ from bondem.model.state import State
 # Criteria with a fracture energy.
 _FIND = {
     name: StepPass(f"find_softening_by_{name}", Moving, Beams, Strengths, Candidates, SofteningBeams)
-    for name in CRITERION_NAMES[:2]
+    for name in SOFTENING_CRITERIA
 }
 _soften_beams = StepPass("soften_beams", Moving, Beams, BeamIntegrity, SofteningBounds, SofteningBeams)
 _log_softened_beams = StepPass("log_softened_beams", Moving, Beams, SofteningBeams, EventLog)
@@ -86,7 +86,7 @@ def softening(
 ) -> Part:
     """Return the part of beams that soften."""
     moving, bounds, soft, candidates = shared.moving, tables.bounds, tables.soft, damage.candidates
-    find = _FIND[CRITERION_NAMES[damage.table.kind]]
+    find = _FIND[damage.table.kind]
 
     def keep() -> None:
         state.softened = soft.row[: soft.begun[0]].copy()

@@ -101,7 +101,7 @@ Removal break_facet(const Moving &all, const ElasticFacets &facets, const WallCo
 
 }  // namespace
 
-#define BONDEM_CRITERION(name, Criterion)                                                                             \
+#define BONDEM_CRITERION(_, name, Criterion)                                                                          \
     void judge_facets_by_##name(const Turn &turn, const Moving &all, const ElasticFacets &facets,                     \
                                 const FacetRelease &release, const Strengths &strengths, const Candidates &candidates, \
                                 const Postponed &postponed) {                                                         \
@@ -111,10 +111,7 @@ Removal break_facet(const Moving &all, const ElasticFacets &facets, const WallCo
                                  const FailureIndices &found) {                                                       \
         return index_facets<Criterion>(all.pose.data, facets, strengths, found);                                      \
     }
-BONDEM_CRITERION(peripheral_stress, PeripheralStress)
-BONDEM_CRITERION(mohr_coulomb, MohrCoulomb)
-BONDEM_CRITERION(linear_sum, LinearSum)
-BONDEM_CRITERION(ellipse, Elliptic)
+BONDEM_FACET_CRITERIA(BONDEM_CRITERION, )
 #undef BONDEM_CRITERION
 
 void take_off_changing(double sign, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,

@@ -1,22 +1,11 @@
 #pragma once
+#include "../../laws/criteria/bond_criteria.hpp"
 #include "../../steps.hpp"
 #include "../../tables/cell_tables.hpp"
 #include "../../tables/damage_tables.hpp"
 
 namespace bondem {
 
-// Finds which of the marked facets fail, by the present stresses, and holds their cells and the neighbours of these.
-void judge_facets_by_peripheral_stress(const Turn &turn, const Moving &all, const ElasticFacets &facets,
-                                       const FacetRelease &release, const Strengths &strengths,
-                                       const Candidates &candidates, const Postponed &postponed);
-void judge_facets_by_mohr_coulomb(const Turn &turn, const Moving &all, const ElasticFacets &facets,
-                                  const FacetRelease &release, const Strengths &strengths, const Candidates &candidates,
-                                  const Postponed &postponed);
-void judge_facets_by_linear_sum(const Turn &turn, const Moving &all, const ElasticFacets &facets,
-                                const FacetRelease &release, const Strengths &strengths, const Candidates &candidates,
-                                const Postponed &postponed);
-void judge_facets_by_ellipse(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetRelease &release,
-                             const Strengths &strengths, const Candidates &candidates, const Postponed &postponed);
 // Takes the loads that a failure changes, times a sign, off the kept sum of postponed cell p: those of its facets, where
 // it or the other cell loses a facet, and those of its walls where it loses one.
 void take_off_changing(double sign, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
@@ -38,14 +27,15 @@ void restore_facets(const Turn &turn, const Moving &all, const ElasticFacets &fa
 void renew_wall_rows(const Turn &turn, const WallConstraints &walls, const Rows &rows, const Candidates &candidates);
 // Weighs all cells by the facets that they have left, as a run begins.
 Index weigh_cells(Index threads, const ElasticFacets &facets, const FacetRelease &release);
-// Index of the criterion of every facet, at the stresses in the poses.
-Index index_facets_by_peripheral_stress(Index threads, const Poses &all, const ElasticFacets &facets,
-                                        const Strengths &strengths, const FailureIndices &found);
-Index index_facets_by_mohr_coulomb(Index threads, const Poses &all, const ElasticFacets &facets,
-                                   const Strengths &strengths, const FailureIndices &found);
-Index index_facets_by_linear_sum(Index threads, const Poses &all, const ElasticFacets &facets, const Strengths &strengths,
-                                 const FailureIndices &found);
-Index index_facets_by_ellipse(Index threads, const Poses &all, const ElasticFacets &facets, const Strengths &strengths,
-                              const FailureIndices &found);
+// Of each criterion: finds which of the marked facets fail, by the present stresses, and holds their cells and the
+// neighbours of these; and its index of every facet, at the stresses in the poses.
+#define BONDEM_DECLARED(_, name, Criterion)                                                                             \
+    void judge_facets_by_##name(const Turn &turn, const Moving &all, const ElasticFacets &facets,                       \
+                                const FacetRelease &release, const Strengths &strengths, const Candidates &candidates,  \
+                                const Postponed &postponed);                                                            \
+    Index index_facets_by_##name(Index threads, const Poses &all, const ElasticFacets &facets,                          \
+                                 const Strengths &strengths, const FailureIndices &found);
+BONDEM_FACET_CRITERIA(BONDEM_DECLARED, )
+#undef BONDEM_DECLARED
 
 }  // namespace bondem

@@ -1,9 +1,6 @@
 // Loads of one facet at the stresses in the poses, and the verdict of a criterion on them.
 #pragma once
-#include "../../laws/criteria/elliptic.hpp"
-#include "../../laws/criteria/linear_sum.hpp"
-#include "../../laws/criteria/mohr_coulomb.hpp"
-#include "../../laws/criteria/peripheral_stress.hpp"
+#include "../../laws/criteria/bond_criteria.hpp"
 #include "../damage/pipeline.hpp"
 #include "facets.hpp"
 

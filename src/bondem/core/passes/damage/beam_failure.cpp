@@ -75,7 +75,7 @@ void withdraw_dashpot(const Moving &all, const Beams &beams, const Dashpots &das
 }  // namespace
 
 #if defined(BONDEM_LANES)
-#define BONDEM_CRITERION(name, Criterion)                                                                                \
+#define BONDEM_CRITERION(_, name, Criterion)                                                                             \
     void judge_beams_by_##name(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,      \
                                const Candidates &candidates, const Postponed &postponed) {                               \
         judge_beams<Criterion>(turn, all, beams, strengths, candidates, postponed);                                      \
@@ -84,10 +84,7 @@ void withdraw_dashpot(const Moving &all, const Beams &beams, const Dashpots &das
                                 const FailureIndices &found) {                                                           \
         return index_beams<Criterion>(all.pose.data, beams, strengths, found);                                           \
     }
-BONDEM_CRITERION(peripheral_stress, PeripheralStress)
-BONDEM_CRITERION(mohr_coulomb, MohrCoulomb)
-BONDEM_CRITERION(linear_sum, LinearSum)
-BONDEM_CRITERION(ellipse, Elliptic)
+BONDEM_BEAM_CRITERIA(BONDEM_CRITERION, )
 #undef BONDEM_CRITERION
 #endif
 

@@ -50,14 +50,13 @@ void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams,
     }
 }
 
-void find_softening_by_peripheral_stress(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,
-                                         const Candidates &candidates, const SofteningBeams &soft) {
-    find_softening<PeripheralStress>(turn, all, beams, strengths, candidates, soft);
-}
-void find_softening_by_mohr_coulomb(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,
-                                    const Candidates &candidates, const SofteningBeams &soft) {
-    find_softening<MohrCoulomb>(turn, all, beams, strengths, candidates, soft);
-}
+#define BONDEM_FIND(_, name, Criterion)                                                                                \
+    void find_softening_by_##name(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths, \
+                                  const Candidates &candidates, const SofteningBeams &soft) {                          \
+        find_softening<Criterion>(turn, all, beams, strengths, candidates, soft);                                      \
+    }
+BONDEM_SOFTENING_CRITERIA(BONDEM_FIND, )
+#undef BONDEM_FIND
 
 void begin_softening(const Turn &, const Candidates &candidates, const SofteningBounds &bounds, const SofteningBeams &soft) {
     if (!any_fails(candidates)) return;

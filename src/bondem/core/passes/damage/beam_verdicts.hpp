@@ -1,10 +1,7 @@
 // The verdict of a criterion on beams: one, or as many as there are lanes.
 #pragma once
 #include "../../laws/angles.hpp"
-#include "../../laws/criteria/elliptic.hpp"
-#include "../../laws/criteria/linear_sum.hpp"
-#include "../../laws/criteria/mohr_coulomb.hpp"
-#include "../../laws/criteria/peripheral_stress.hpp"
+#include "../../laws/criteria/bond_criteria.hpp"
 #include "../beams/bonds.hpp"
 #include "pipeline.hpp"
 

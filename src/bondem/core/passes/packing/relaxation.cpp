@@ -2,7 +2,9 @@
 //
 // Overlapping spheres repel with unit stiffness, walls let nothing through, and the energy is minimised by FIRE 2.0
 // (Guénolé et al., Comput. Mater. Sci. 175, 2020): inertial descent that is steered along the force and stopped
-// whenever it runs uphill. Unit mass and stiffness make every time dimensionless.
+// whenever it runs uphill. Unit mass and stiffness make every time dimensionless. A sphere far larger than its neighbours
+// has a hundred contacts, and needs a larger mass to be as slow as the others; the descent is that of the coordinates
+// times √mass.
 #include "relaxation.hpp"
 
 #include "../../threads.hpp"
@@ -13,7 +15,7 @@ namespace bondem {
 namespace {
 
 // Columns of the sums of a block, which are added up in order: no result depends on the threads.
-enum Sum { power, force_square, speed_square, overlap, contacts, deepest, farthest };
+enum Sum { power, force_square, speed_square, overlap, contacts, deepest, farthest, eased_square };
 enum Report { rms_force, mean_overlap, contact_count, largest_overlap, steps_taken };
 enum Fire { time_step, mixing, downhill };
 
@@ -39,7 +41,7 @@ void press(const Spheres &spheres, const PackingWalls &walls, const Near &near, 
     const Period period(spheres.period);
     const PlainWalls plain(walls);
     const bool grid = has_grid(walls);
-    double powers = 0.0, forces = 0.0, speeds = 0.0, overlaps = 0.0, touching = 0.0, most_overlap = 0.0;
+    double powers = 0.0, forces = 0.0, eased = 0.0, speeds = 0.0, overlaps = 0.0, touching = 0.0, most_overlap = 0.0;
     const Index last = least((b + 1) * relaxation_block, spheres.sphere.size());
     for (Index i = b * relaxation_block; i < last; i++) {
         const Vector x = spheres.sphere.row<const Vector>(i);
@@ -60,12 +62,15 @@ void press(const Spheres &spheres, const PackingWalls &walls, const Near &near, 
         force = grid ? carried_by_grid(plain, walls, x, r, force) : plain.carried(x, r, force);
         spheres.force.row<Vector>(i) = force;
         const Vector v = spheres.velocity.row<Vector>(i);
-        powers += dot(force, v);
+        const Vector steering = spheres.ease(i) * force;
+        powers += dot(steering, v);
         forces += dot(force, force);
+        eased += dot(steering, steering);
         speeds += dot(v, v);
     }
     part(b, power) = powers;
     part(b, force_square) = forces;
+    part(b, eased_square) = eased;
     part(b, speed_square) = speeds;
     part(b, overlap) = overlaps;
     part(b, contacts) = touching;
@@ -85,12 +90,13 @@ void descend(const Spheres &spheres, const PackingWalls &walls, const Near &near
     double found = 0.0;
     const Index last = least((b + 1) * relaxation_block, spheres.sphere.size());
     for (Index i = b * relaxation_block; i < last; i++) {
-        const Vector force = spheres.force.row<Vector>(i), old = spheres.velocity.row<Vector>(i);
-        const double push = step.steer + step.dt, r = spheres.sphere(i, 3);
+        const double ease = spheres.ease(i);
+        const Vector force = ease * spheres.force.row<Vector>(i), old = spheres.velocity.row<Vector>(i);
+        const double push = step.steer + step.dt, r = spheres.sphere(i, 3), back = step.back * ease, dt = step.dt * ease;
         Vector x = spheres.sphere.row<Vector>(i), v;
         for (Index a = 0; a < 3; a++) {
             v[a] = push * force[a] + step.keep * old[a];
-            x[a] = x[a] - step.back * old[a] + step.dt * v[a];
+            x[a] = x[a] - back * old[a] + dt * v[a];
         }
         plain.keep_within(r, x, v);
         if (grid) keep_on_grid(plain, walls, r, x, v);
@@ -120,7 +126,7 @@ Descent next_step(const Relaxing &relaxing, double longest) {
             dt = least(1.1 * dt, longest);
             mix *= 0.99;
         }
-        const double ratio = root(total(relaxing.part, speed_square) / total(relaxing.part, force_square));
+        const double ratio = root(total(relaxing.part, speed_square) / total(relaxing.part, eased_square));
         return {0.0, dt, 1.0 - mix, mix * ratio};
     }
     const double back = 0.5 * dt;

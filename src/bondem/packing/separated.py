@@ -1,0 +1,102 @@
+"""A start for spheres of two very different sizes: large ones are separated first, and small ones fill the rest.
+
+Where all are thrown at once, small spheres are caught between large ones that overlap deeply. A large sphere touches
+as many small ones as fit on its surface, a hundred at a ratio of 1 : 5. With the mass of the others it is too stiff
+for the steps of the relaxation, and never comes to rest. Its mass here is (R / r)², with r the mean radius of the
+small ones, so that all spheres are about equally fast.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from scipy.spatial import KDTree
+
+from bondem._types import Floats
+from bondem.errors import PackingError
+from bondem.geometry.elementary_shapes import Shape
+from bondem.geometry.morton import morton_code
+from bondem.packing.soft_spheres import SoftSpheres
+from bondem.packing.start import thrown
+
+# Ratio of neighbouring sizes from which spheres are large or small ones.
+_APART = 2.0
+# Volume fractions at which all are let loose: the densest one at which large spheres lie beside each other.
+_FRACTIONS = (0.72, 0.68, 0.64, 0.6)
+# Overlap of large spheres, over their mean radius, that counts as beside each other.
+_BESIDE = 0.02
+# Rms force over mean contact force at rest, and steps to come there.
+_ROUGH, _STEPS = 3e-2, 20_000
+# Times that large spheres are thrown, and centres of small ones.
+_THROWS, _TRIES = 8, 2000
+
+
+def parting(radius: Floats) -> float | None:
+    """Return the radius that parts large spheres from small ones, in the widest gap of sizes.
+
+    Args:
+        radius: radii of all spheres, (n,).
+
+    Returns:
+        The radius, or None where the larger size at no gap is at least twice the smaller one.
+    """
+    size = np.unique(radius)
+    if len(size) < 2:
+        return None
+    gap = int(np.argmax(size[1:] / size[:-1]))
+    below, above = float(size[gap]), float(size[gap + 1])
+    return math.sqrt(below * above) if above >= _APART * below else None
+
+
+def separated(
+    shape: Shape, relative_radius: Floats, limit: float, random: np.random.Generator, on_step: Callable[[int], None]
+) -> SoftSpheres:
+    """Return spheres at rest above jamming, whose large ones lay beside each other at the start.
+
+    Args:
+        shape: shape to fill.
+        relative_radius: radii up to a common factor, (n,).
+        limit: result of `parting` for these radii.
+        random: random generator.
+        on_step: function called repeatedly with the number of steps.
+
+    Raises:
+        InputError: The spheres are too large for the shape.
+        PackingError: The large spheres cannot lie beside each other, or leave no room for the small ones.
+    """
+    large = relative_radius > limit
+    volume = 4.0 / 3.0 * math.pi * relative_radius**3
+    share = float(volume[large].sum() / volume.sum())
+    for fraction in _FRACTIONS * _THROWS:
+        beside = thrown(shape, relative_radius[large], fraction * share, random)
+        if beside.relax(1.0, tolerance=_ROUGH, steps=_STEPS).largest_overlap <= _BESIDE:
+            break
+    else:
+        raise PackingError(f"the {int(large.sum())} large spheres do not fit beside each other into {shape}")
+    small = relative_radius[~large] * (fraction * shape.volume / float(volume.sum())) ** (1.0 / 3.0)
+    centre = np.concatenate([beside.sphere[:, :3], _between(shape, beside.sphere, small, random)])
+    radius = np.concatenate([beside.sphere[:, 3], small])
+    order = np.argsort(morton_code(centre), kind="stable")
+    spheres = SoftSpheres(shape, centre[order], radius[order])
+    spheres.on_step = on_step
+    spheres.weigh(float(small.mean()))
+    spheres.relax(1.0, tolerance=_ROUGH, steps=_STEPS)
+    return spheres
+
+
+def _between(shape: Shape, large: Floats, radius: Floats, random: np.random.Generator) -> Floats:
+    """Return random centres of small spheres, outside the large ones and the walls [m], (k, 3)."""
+    lower, upper = shape.bounds
+    period = shape.period
+    tree = KDTree(large[:, :3] if period is None else large[:, :3] % period, boxsize=period)
+    centre = np.empty((len(radius), 3))
+    missing = np.arange(len(radius))
+    for _ in range(_TRIES):
+        x = lower + (upper - lower) * random.random((len(missing), 3))
+        distance, nearest = tree.query(x if period is None else x % period)
+        centre[missing] = x
+        inside = shape.depth(x) >= radius[missing]
+        missing = missing[~(inside & (distance >= large[nearest, 3] + radius[missing]))]
+        if not missing.size:
+            return centre
+    raise PackingError("the large spheres leave no room for small ones between them")
