@@ -116,6 +116,13 @@ BONDEM_INLINE Row<Lanes> gather(const double *table, const Short *place) {
     transpose(rows);
     return rows;
 }
+BONDEM_INLINE Row<Lanes> gather_sums(const double *table, const Short *first, const Short *second) {
+    Row<Lanes> rows;
+    for (int n = 0; n < lanes; n++)
+        rows.column[n] = load(table + 8 * uint64_t(first[n])) + load(table + 8 * uint64_t(second[n]));
+    transpose(rows);
+    return rows;
+}
 BONDEM_INLINE void scatter(double *table, const Short *place, Row<Lanes> rows) {
     transpose(rows);
     for (int n = 0; n < lanes; n++) store(table + 8 * uint64_t(place[n]), rows.column[n]);
@@ -133,6 +140,17 @@ BONDEM_INLINE Row<Lanes> gather(const double *table, const Short *place) {
     for (int n = 0; n < lanes; n++) {
         rows.column[n] = load(table + 8 * uint64_t(place[n]));
         rows.column[4 + n] = load(table + 8 * uint64_t(place[n]) + 4);
+    }
+    transpose(rows);
+    return rows;
+}
+// Sums of two rows each.
+BONDEM_INLINE Row<Lanes> gather_sums(const double *table, const Short *first, const Short *second) {
+    Row<Lanes> rows;
+    for (int n = 0; n < lanes; n++) {
+        const double *const a = table + 8 * uint64_t(first[n]), *const b = table + 8 * uint64_t(second[n]);
+        rows.column[n] = load(a) + load(b);
+        rows.column[4 + n] = load(a + 4) + load(b + 4);
     }
     transpose(rows);
     return rows;
