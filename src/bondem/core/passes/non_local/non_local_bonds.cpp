@@ -2,8 +2,9 @@
 // now.
 //
 // A step finds the forces of all bonds, and then the stresses of all elements, before the blocks add the forces up as
-// those of other bonds. A step of 0 finds the forces of a state again: extra forces stay what they are, and gaps and
-// stresses do not change.
+// those of other bonds. Where no bond can fail and nothing touches, nothing needs the stresses before the elements move:
+// blocks find forces, add them up at once, and keep none. A step of 0 finds the forces of a state again: extra forces
+// stay what they are, and gaps and stresses do not change.
 #include "non_local_bonds.hpp"
 
 #include "../record/columns.hpp"
