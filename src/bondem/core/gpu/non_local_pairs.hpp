@@ -54,7 +54,8 @@ inline void gather_moments(Index p, const Moving &all, const NonLocalBonds &bond
     const auto add = [&](Vector lever, Index k) {
         sum = sum + symmetric_product(lever, output_at(bonds, force_column, k));
     };
-    for (Index k = of.in_start(p); k < of.in_start(p + 1); k++) add(-turned_by(q, pair_shape<double>(bonds, k).lever_j), k);
+    for (Index k = of.in_start(p); k < of.in_start(p + 1); k++)
+        add(-turned_by(q, pair_shape<double>(bonds, k).lever_j), k);
     for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) {
         const Index k = of.out_bond(e);
         add(turned_by(of_i, pair_shape<double>(bonds, k).lever_i), k);

@@ -62,7 +62,8 @@ constexpr double nothing = 1e-200;
 
 // A bond now, by the orientations of its elements.
 template <class T>
-BONDEM_INLINE PairPose<T> pair_pose(Vector3<T> branch, const Rotation<T> &i, Quaternion<T> j, const PairShape<T> &shape) {
+BONDEM_INLINE PairPose<T> pair_pose(Vector3<T> branch, const Rotation<T> &i, Quaternion<T> j,
+                                    const PairShape<T> &shape) {
     const Vector3<T> both = turned_by(i, shape.normal) + turned_by(j, shape.normal);
     const Vector3<T> a = turned_by(i, shape.lever_i), b = turned_by(j, shape.lever_j);
     return {1.0 / root(dot(both, both) + nothing) * both, a, b, branch + b - a};
@@ -113,7 +114,8 @@ BONDEM_INLINE Vector3<T> present_force(const PairStore<T> &store, const PairPose
 // What a bond does by the force F.
 template <class T> BONDEM_INLINE NonLocalLoads<T> non_local_loads(const PairPose<T> &now, Vector3<T> force) {
     const T middle = T{} + 0.5;
-    return {force, cross(plus(now.lever_i, middle, now.gap), force), cross(minus(now.lever_j, middle, now.gap), force)};
+    const Vector3<T> arm_i = plus(now.lever_i, middle, now.gap), arm_j = minus(now.lever_j, middle, now.gap);
+    return {force, cross(arm_i, force), cross(arm_j, force)};
 }
 
 // Energy of the springs [J].

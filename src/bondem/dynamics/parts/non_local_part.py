@@ -52,7 +52,8 @@ def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpo
         stages["gather"] = [(_collect_moments, cut, stresses)]
         stages["add"] = [(_find_stresses_of_block, moving, stresses)]
     else:
-        stages["prepare"] += [(_find_non_local_forces, moving, beams, bonds, stresses), (_collect_moments, cut, stresses)]
+        stages["prepare"].append((_find_non_local_forces, moving, beams, bonds, stresses))
+        stages["prepare"].append((_collect_moments, cut, stresses))
         stages["stress"] = [(_find_stresses, moving, stresses)]
         stages["loads"] = [(_add_non_local_loads, bonds, cut)]
     if dashpots is not None:

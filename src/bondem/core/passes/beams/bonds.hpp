@@ -21,6 +21,12 @@ template <class T> BONDEM_INLINE Ends<T> ends_of(const Row<T> &i, const Row<T> &
     return {branch(i, j, period), orientation(i), orientation(j)};
 }
 
+#if defined(BONDEM_LANES)
+BONDEM_INLINE Ends<Lanes> ends_of(const PairOfRows &rows, const double *period) {
+    return ends_of(rows.first, rows.second, period);
+}
+#endif
+
 // The numbers of a column of one bond, or of the bonds from k on.
 template <class T> BONDEM_INLINE T number(const double *column, Index k);
 template <> BONDEM_INLINE double number<double>(const double *column, Index k) { return column[k]; }

@@ -2,9 +2,9 @@
 // now.
 //
 // A step finds the forces of all bonds, and then the stresses of all elements, before the blocks add the forces up as
-// those of other bonds. Where no bond can fail and nothing touches, nothing needs the stresses before the elements move:
-// blocks find forces, add them up at once, and keep none. A step of 0 finds the forces of a state again: extra forces
-// stay what they are, and gaps and stresses do not change.
+// those of other bonds. Where no bond can fail and nothing touches, nothing needs the stresses before the elements
+// move: blocks find forces, add them up at once, and keep none. A step of 0 finds the forces of a state again: extra
+// forces stay what they are, and gaps and stresses do not change.
 #include "non_local_bonds.hpp"
 
 #include "../record/columns.hpp"
@@ -51,7 +51,7 @@ BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams
         };
         stage([&](Group, Index k, Staged &at) __attribute__((always_inline)) {
             prefetch(pose, i + least(k + ahead, turn.last - lanes));
-            const Ends<Lanes> ends = ends_of(gather(pose, i + k), gather(pose, j + k), beams.period.data);
+            const Ends<Lanes> ends = ends_of(gather(pose, i + k, j + k), beams.period.data);
             at.of_i = matrix_of(ends.i);
             at.now = pair_pose(ends.branch, at.of_i, ends.j, pair_shape<Lanes>(bonds, k));
         });
@@ -84,8 +84,8 @@ BONDEM_INLINE void find_forces(const Turn &turn, const Moving &all, const Beams 
 }
 
 // Adds what bonds do to the moments of their elements, and to the sums.
-BONDEM_INLINE void add_moments(const LaggedStresses &stresses, const Beams &beams, Group group, const PairPose<Lanes> &now,
-                               Vector3<Lanes> force) {
+BONDEM_INLINE void add_moments(const LaggedStresses &stresses, const Beams &beams, Group group,
+                               const PairPose<Lanes> &now, Vector3<Lanes> force) {
     const Index k = group.first;
     add_rows(stresses.moment.data, stresses.to_i.data + k, beams.j.data + k,
              moment_row(symmetric_product(now.lever_i, force)), moment_row(symmetric_product(-now.lever_j, force)),
