@@ -79,6 +79,23 @@ def test_threads_and_pauses_change_no_bit(name, monkeypatch):
     np.testing.assert_array_equal(results[0].history.records, results[1].history.records)
 
 
+@pytest.mark.parametrize("threads", [1, 3])
+def test_bonds_that_cannot_fail_move_as_those_that_do_not(threads, monkeypatch):
+    """To the bit: forces that are added up at once, and forces that wait for the stresses of all elements."""
+    monkeypatch.setattr(core_loop, "current_threads", lambda: threads)
+    monkeypatch.setattr(core_loop, "BLOCK", 200)
+    results = []
+    for failure in (None, bd.MohrCoulomb(tension=1e15, cohesion=1e15, friction_angle=0.6)):
+        model = bd.Model(crooked((12, 10, 10)), LAGGED, density=1e3, boundary=HELD, failure=failure)
+        plan, state = plan_and_state(model, bd.BondDamping(eta=0.1), steps=75, every=25)
+        results.append(integrate(model, plan, state=state, loop_of=CoreLoop))
+    lasting, whole = results
+    assert len(whole.events) == 0
+    assert np.abs(whole.state.stress).max() > 0.0
+    for array in ("history", "stress", "acceleration", "pose", "motion"):
+        np.testing.assert_array_equal(getattr(lasting.state, array), getattr(whole.state, array), err_msg=array)
+
+
 def pair(law) -> bd.Model:
     """Two elements and a bond, fewer than a group of lanes."""
     lattice = bd.connect(bd.Particles(np.array([[0.0, 0.0, 0.0], [0.9, 0.2, 0.1]]), np.array([0.4, 0.5])), reach=2.0)

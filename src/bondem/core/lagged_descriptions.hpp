@@ -39,6 +39,7 @@ BONDEM_TABLE(ExtraForces, F(force, "m 3"))
         S(of_elements, turn_stresses), S(bonds_of_blocks, find_non_local_forces),                       \
         S(parts_of_shared, collect_moments), S(of_elements, find_stresses),                             \
         S(bonds_of_blocks, add_non_local_loads), S(of_bonds, sum_non_local_energies),                   \
+        S(bonds_of_blocks, add_lasting_loads), S(elements_of_blocks, find_stresses_of_block),           \
         S(serial, write_non_local_work), S(bonds_of_blocks, mark_pairs), S(bonds_of_blocks, judge_pairs), \
         S(serial, break_pairs), S(serial, relieve_pairs), S(of_ranges, add_pair_moments),               \
         S(of_elements, add_wall_moments), S(serial, add_begun_contacts)

@@ -90,6 +90,11 @@ BONDEM_INLINE void transpose_four(Four *r) {
     r[3] = __builtin_shufflevector(high, high2, 2, 3, 6, 7);
 }
 
+// Rows of the first and of the second ends of bonds. Columns come in the order in which they need few registers.
+struct PairOfRows {
+    Row<Lanes> first, second;
+};
+
 #if defined(__AVX512F__)
 
 // Exchanges columns with rows at a distance of 1, 2 and 4.
@@ -116,6 +121,16 @@ BONDEM_INLINE Row<Lanes> gather(const double *table, const Short *place) {
     transpose(rows);
     return rows;
 }
+BONDEM_INLINE PairOfRows gather(const double *table, const Short *first, const Short *second) {
+    return {gather(table, first), gather(table, second)};
+}
+BONDEM_INLINE Row<Lanes> gather_sums(const double *table, const Short *first, const Short *second) {
+    Row<Lanes> rows;
+    for (int n = 0; n < lanes; n++)
+        rows.column[n] = load(table + 8 * uint64_t(first[n])) + load(table + 8 * uint64_t(second[n]));
+    transpose(rows);
+    return rows;
+}
 BONDEM_INLINE void scatter(double *table, const Short *place, Row<Lanes> rows) {
     transpose(rows);
     for (int n = 0; n < lanes; n++) store(table + 8 * uint64_t(place[n]), rows.column[n]);
@@ -128,11 +143,31 @@ BONDEM_INLINE void transpose(Row<Lanes> &rows) {
     transpose_four(rows.column);
     transpose_four(rows.column + 4);
 }
+BONDEM_INLINE void gather_half(const double *table, const Short *place, Lanes *column) {
+    for (int n = 0; n < lanes; n++) column[n] = load(table + 8 * uint64_t(place[n]));
+    transpose_four(column);
+}
 BONDEM_INLINE Row<Lanes> gather(const double *table, const Short *place) {
     Row<Lanes> rows;
+    gather_half(table, place, rows.column);
+    gather_half(table + 4, place, rows.column + 4);
+    return rows;
+}
+BONDEM_INLINE PairOfRows gather(const double *table, const Short *first, const Short *second) {
+    PairOfRows rows;
+    for (int half = 0; half < 8; half += 4) {
+        gather_half(table + half, first, rows.first.column + half);
+        gather_half(table + half, second, rows.second.column + half);
+    }
+    return rows;
+}
+// Sums of two rows each.
+BONDEM_INLINE Row<Lanes> gather_sums(const double *table, const Short *first, const Short *second) {
+    Row<Lanes> rows;
     for (int n = 0; n < lanes; n++) {
-        rows.column[n] = load(table + 8 * uint64_t(place[n]));
-        rows.column[4 + n] = load(table + 8 * uint64_t(place[n]) + 4);
+        const double *const a = table + 8 * uint64_t(first[n]), *const b = table + 8 * uint64_t(second[n]);
+        rows.column[n] = load(a) + load(b);
+        rows.column[4 + n] = load(a + 4) + load(b + 4);
     }
     transpose(rows);
     return rows;

@@ -23,7 +23,8 @@ inline void load_kept_facet(Index k, const Moving &all, const ElasticFacets &fac
     const FacetShape<double> shape = columns.shape<double>(k);
     const FacetStiffness<double> stiffness = columns.stiffness<double>(k, s);
     const OpenFacet<double> open = opened(ends, shape);
-    const FacetLoads<double> loads = facet_loads(ends, shape, open, stiffness, stresses_of(i, j, s));
+    const Vector moment = bending_moment(ends, stiffness.H);
+    const FacetLoads<double> loads = facet_loads(ends, shape, open, moment, stiffness.k, stresses_of(i, j, s));
     put_loads(to, k, loads);
     for (Index d = 0; d < 3; d++) {
         kept.force(d, k) = -loads.force[d];

@@ -21,15 +21,17 @@ BONDEM_INLINE void find_pair(Index k, const Moving &all, const Beams &beams, con
                              const LaggedStresses &stresses, const LoadsOfBonds &to) {
     const double *const space = stresses.space.data, s = beams.integrity(k);
     const Ends<double> ends = ends_of(all.pose.data, beams, k);
-    const PairPose<double> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<double>(bonds, k));
+    const Rotation<double> of_i = matrix_of(ends.i);
+    const PairPose<double> now = pair_pose(ends.branch, of_i, ends.j, pair_shape<double>(bonds, k));
     const PairStiffness<double> stiffness = pair_stiffness<double>(bonds, k);
     const PairStore<double> before = stored_by<double>(bonds, k);
     const auto mean = [&] { return mean_of(stress_of(gather(space, beams.i(k))), stress_of(gather(space, beams.j(k)))); };
-    const PairStore<double> after = store_after<steps>(before, now, ends.i, s, stiffness, pair_law(bonds), mean);
+    const Vector extra = extra_now<steps>(before, now, of_i, stiffness, pair_law(bonds), mean);
+    const PairStore<double> after = store_now<steps>(before, extra, now, of_i, s);
     keep_store(bonds, k, s, after, before);
-    const NonLocalLoads<double> loads = non_local_loads(now, turned_by(ends.i, after.extra), stiffness);
-    keep_output(bonds, k, s, loads);
-    put(to, k, {-(s * loads.force), s * loads.on_i, -(s * loads.on_j)});
+    const NonLocalLoads<double> loads = non_local_loads(now, s * present_force(after, now, of_i, stiffness));
+    keep_output(bonds, k, loads);
+    put(to, k, {-loads.force, loads.on_i, -loads.on_j});
 }
 inline void find_force_of_pair(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
                                const NonLocalBonds &bonds, const LaggedStresses &stresses, const LoadsOfBonds &to) {
@@ -47,13 +49,17 @@ inline void turn_stress_of_element(Index p, const Moving &all, const LaggedStres
 inline void gather_moments(Index p, const Moving &all, const NonLocalBonds &bonds, const BondsOfElements &of,
                            const LaggedStresses &stresses) {
     const Quaternion<double> q = orientation(gather(all.pose.data, Short(p)));
+    const Rotation<double> of_i = matrix_of(q);  // as in `pair_pose`, bit by bit
     Stress<double> sum = {};
-    const auto add = [&](const Array<const double, 2> &levers, double sign, Index k) {
-        const Vector lever = turned_by(q, vector_at<double>(levers.data, levers.shape[1], 0, k));
-        sum = sum + symmetric_product(sign * lever, output_at(bonds, force_column, k));
+    const auto add = [&](Vector lever, Index k) {
+        sum = sum + symmetric_product(lever, output_at(bonds, force_column, k));
     };
-    for (Index k = of.in_start(p); k < of.in_start(p + 1); k++) add(bonds.lever_j, -1.0, k);
-    for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) add(bonds.lever_i, 1.0, of.out_bond(e));
+    for (Index k = of.in_start(p); k < of.in_start(p + 1); k++)
+        add(-turned_by(q, pair_shape<double>(bonds, k).lever_j), k);
+    for (Index e = of.out_start(p); e < of.out_start(p + 1); e++) {
+        const Index k = of.out_bond(e);
+        add(turned_by(of_i, pair_shape<double>(bonds, k).lever_i), k);
+    }
     row_at(stresses.moment.data, Short(p)) = {{sum.xx, sum.yy, sum.zz, sum.xy, sum.xz, sum.yz, 0.0, 0.0}};
 }
 // What pairs do to the stress of element p: those whose later element it is, then those whose earlier one.

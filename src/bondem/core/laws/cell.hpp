@@ -95,24 +95,30 @@ template <class T> BONDEM_INLINE RelativeTurn<T> relative_turn(Quaternion<T> p, 
     return {relative_cosine(p, q), plain - across, plain + across};
 }
 
+// The moment of 2 v · H v on i, in space [N·m]; its opposite acts on j.
+template <class T> BONDEM_INLINE Vector3<T> bending_moment(const Ends<T> &ends, const Symmetric3<T> &H) {
+    const RelativeTurn<T> turn = relative_turn(ends.i, ends.j);
+    const Vector3<T> h = turned_by(ends.i, H * turn.v);
+    const Vector3<T> c = plus_cross(turn.w * h, turn.space, h);
+    return c + c;
+}
+
 // The gradient of U with the opposite sign, with the stresses of both cells known. The facet is given in space too, so
-// that a caller who needs its arms computes them once.
+// that a caller who needs its arms computes them once, and the moment, which is best computed before: what follows it
+// fits fewer registers.
 template <class T>
 BONDEM_INLINE FacetLoads<T> facet_loads(const Ends<T> &ends, const FacetShape<T> &shape, const OpenFacet<T> &open,
-                                        const FacetStiffness<T> &stiffness, OfCells<T> stress) {
+                                        Vector3<T> moment, T k, OfCells<T> stress) {
     const Vector3<T> g_i = stress.i * turned_by(ends.i, shape.share_i), g_j = stress.j * turned_by(ends.j, shape.share_j);
-    const Vector3<T> f = plus(g_i + g_j, stiffness.k, open.gap);
-    // moment of 2 v · H v, in space
-    const RelativeTurn<T> turn = relative_turn(ends.i, ends.j);
-    const Vector3<T> h = turned_by(ends.i, stiffness.H * turn.v);
-    const Vector3<T> c = plus_cross(turn.w * h, turn.space, h), moment = c + c;
-    return {-f, plus_cross(plus_cross(moment, open.gap, g_i), open.arm_i, f),
-            minus_cross(plus_cross(-moment, open.gap, g_j), open.arm_j, f)};
+    const Vector3<T> m_i = plus_cross(moment, open.gap, g_i), m_j = plus_cross(-moment, open.gap, g_j);
+    const Vector3<T> f = plus(g_i + g_j, k, open.gap);
+    return {-f, plus_cross(m_i, open.arm_i, f), minus_cross(m_j, open.arm_j, f)};
 }
 template <class T>
 BONDEM_INLINE FacetLoads<T> facet_loads(const Ends<T> &ends, const FacetShape<T> &shape,
                                         const FacetStiffness<T> &stiffness, OfCells<T> stress) {
-    return facet_loads(ends, shape, opened(ends, shape), stiffness, stress);
+    const Vector3<T> moment = bending_moment(ends, stiffness.H);
+    return facet_loads(ends, shape, opened(ends, shape), moment, stiffness.k, stress);
 }
 
 // The energy of a facet without dilatation, in four modes [J].

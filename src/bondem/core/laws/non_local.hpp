@@ -60,8 +60,10 @@ template <class T> struct NonLocalLoads {
 // Keeps 0 / 0 away where an element has turned right round, and where no shear force is asked for.
 constexpr double nothing = 1e-200;
 
+// A bond now, by the orientations of its elements.
 template <class T>
-BONDEM_INLINE PairPose<T> pair_pose(Vector3<T> branch, Quaternion<T> i, Quaternion<T> j, const PairShape<T> &shape) {
+BONDEM_INLINE PairPose<T> pair_pose(Vector3<T> branch, const Rotation<T> &i, Quaternion<T> j,
+                                    const PairShape<T> &shape) {
     const Vector3<T> both = turned_by(i, shape.normal) + turned_by(j, shape.normal);
     const Vector3<T> a = turned_by(i, shape.lever_i), b = turned_by(j, shape.lever_j);
     return {1.0 / root(dot(both, both) + nothing) * both, a, b, branch + b - a};
@@ -88,22 +90,32 @@ template <class T> BONDEM_INLINE Vector3<T> spring_force(const PairPose<T> &now,
     return plus(k.kt * now.gap, along, now.normal);
 }
 
-// What a bond of integrity s stores after a step, from what it stored, and from the mean stress of its elements
-// before.
+// The extra force of a bond that stored `before`, from the mean stress of its elements before.
 template <class T>
-BONDEM_INLINE PairStore<T> after_step(const PairStore<T> &before, const Stress<T> &mean, const PairPose<T> &now,
-                                      Quaternion<T> i, T s, const PairStiffness<T> &k, const PairLaw &law) {
+BONDEM_INLINE Vector3<T> extra_after(const PairStore<T> &before, const Stress<T> &mean, const PairPose<T> &now,
+                                     const Rotation<T> &i, const PairStiffness<T> &k, const PairLaw &law) {
     const Vector3<T> slip = k.kt * across(turned_by(i, before.gap), now.normal);
-    const Vector3<T> gap = turned_by(inverse(i), now.gap);
-    const Vector3<T> extra = turned_by(inverse(i), extra_force(mean, now.normal, k.area, slip, law));
+    return extra_force(mean, now.normal, k.area, slip, law);
+}
+// What a bond of integrity s stores after a step to the extra force e.
+template <class T>
+BONDEM_INLINE PairStore<T> store_after(const PairStore<T> &before, Vector3<T> e, const PairPose<T> &now,
+                                       const Rotation<T> &i, T s) {
+    const Vector3<T> gap = turned_by(inverse(i), now.gap), extra = turned_by(inverse(i), e);
     return {gap, extra, before.taken + 0.5 * s * dot(before.extra + extra, gap - before.gap)};
 }
 
+// F of a bond by what it stores, so that the forces of a state that is kept are found again bit by bit.
 template <class T>
-BONDEM_INLINE NonLocalLoads<T> non_local_loads(const PairPose<T> &now, Vector3<T> extra, const PairStiffness<T> &k) {
+BONDEM_INLINE Vector3<T> present_force(const PairStore<T> &store, const PairPose<T> &now, const Rotation<T> &i,
+                                       const PairStiffness<T> &k) {
+    return spring_force(now, k) + turned_by(i, store.extra);
+}
+// What a bond does by the force F.
+template <class T> BONDEM_INLINE NonLocalLoads<T> non_local_loads(const PairPose<T> &now, Vector3<T> force) {
     const T middle = T{} + 0.5;
-    const Vector3<T> force = spring_force(now, k) + extra, half = middle * now.gap;
-    return {force, cross(now.lever_i + half, force), cross(now.lever_j - half, force)};
+    const Vector3<T> arm_i = plus(now.lever_i, middle, now.gap), arm_j = minus(now.lever_j, middle, now.gap);
+    return {force, cross(arm_i, force), cross(arm_j, force)};
 }
 
 // Energy of the springs [J].

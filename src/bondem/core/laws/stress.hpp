@@ -21,14 +21,10 @@ template <class T> BONDEM_INLINE Stress<T> mean_of(const Stress<T> &a, const Str
             0.5 * (a.xy + b.xy), 0.5 * (a.xz + b.xz), 0.5 * (a.yz + b.yz)};
 }
 template <class T> BONDEM_INLINE Quaternion<T> inverse(Quaternion<T> q) { return {q.w, -q.x, -q.y, -q.z}; }
-// R σ Rᵀ, by R on the columns and then on the rows.
-template <class T> BONDEM_INLINE Stress<T> turned_by(Quaternion<T> q, const Stress<T> &s) {
-    using V = Vector3<T>;
-    const V x = turned_by(q, V{s.xx, s.xy, s.xz}), y = turned_by(q, V{s.xy, s.yy, s.yz});
-    const V z = turned_by(q, V{s.xz, s.yz, s.zz});
-    const V a = turned_by(q, V{x.x, y.x, z.x}), b = turned_by(q, V{x.y, y.y, z.y});
-    const V c = turned_by(q, V{x.z, y.z, z.z});
-    return {a.x, b.y, c.z, a.y, a.z, b.z};
+// R σ Rᵀ, by the rows of R σ.
+template <class T> BONDEM_INLINE Stress<T> turned_by(const Rotation<T> &r, const Stress<T> &s) {
+    const Vector3<T> x = s * r.x, y = s * r.y, z = s * r.z;
+    return {dot(x, r.x), dot(y, r.y), dot(z, r.z), dot(x, r.y), dot(x, r.z), dot(y, r.z)};
 }
 
 template <class T> struct PrincipalBounds {

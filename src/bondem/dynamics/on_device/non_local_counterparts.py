@@ -11,6 +11,7 @@ from bondem.dynamics.on_device.translation import Counterpart, Translation, elem
 from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
 from bondem.interactions.beams.beam_tables import Beams
 from bondem.interactions.contact.contact_search import Walls
+from bondem.model.domain_blocks import StepCut
 from bondem.model.non_local_tables import LaggedStresses, NonLocalBonds, NonLocalWork
 
 _OF_PAIRS = DeviceSpan, Moving, Beams, NonLocalBonds
@@ -49,6 +50,12 @@ def _forces(
         (_find_force, run.span.m, (run.span, moving, beams, bonds, stresses, run.loads)),
         (_gather_moments, run.span.n, (moving, bonds, run.bonds, stresses)),
     ]
+
+
+def _lasting(
+    run: Translation, moving: Moving, beams: Beams, bonds: NonLocalBonds, stresses: LaggedStresses, _: StepCut
+) -> list[Launch]:
+    return _forces(run, moving, beams, bonds, stresses)
 
 
 def _pair_moments(
@@ -140,6 +147,8 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "add_wall_moments": _wall_moments,
     "find_stresses": over(_find_stress, elements, spans=False),
     "add_non_local_loads": lambda *_: [],  # together with the forces
+    "add_lasting_loads": _lasting,
+    "find_stresses_of_block": over(_find_stress, elements, spans=False),
     "mark_pairs": lambda *_: [],  # each thread asks whether its bond reaches the bounds
     "judge_pairs": _judge,
     "break_pairs": _break_pairs,

@@ -26,6 +26,8 @@ _find_non_local_forces = StepPass("find_non_local_forces", Moving, Beams, NonLoc
 _collect_moments = StepPass("collect_moments", StepCut, LaggedStresses)
 _find_stresses = StepPass("find_stresses", Moving, LaggedStresses)
 _add_non_local_loads = StepPass("add_non_local_loads", NonLocalBonds, StepCut)
+_add_lasting_loads = StepPass("add_lasting_loads", Moving, Beams, NonLocalBonds, LaggedStresses, StepCut)
+_find_stresses_of_block = StepPass("find_stresses_of_block", Moving, LaggedStresses)
 _add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)
 _check_beams = StepPass("check_beams", Moving, Beams, Portions)
 _sum_non_local_energies = StepPass("sum_non_local_energies", Moving, Beams, NonLocalBonds, Portions, NonLocalWork)
@@ -43,14 +45,20 @@ def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpo
     beams, bonds = non_local_tables(model, state)
     stresses = lagged_stresses(model, state, _rows_of_moments(model, cut), int(cut.part[-1]))
     work = NonLocalWork(np.zeros(len(portions.bonds)))
-    prepare: Passes = [
-        (_turn_stresses, moving, stresses),
-        (_find_non_local_forces, moving, beams, bonds, stresses),
-        (_collect_moments, cut, stresses),
-    ]
-    loads: Passes = [(_add_non_local_loads, bonds, cut)]
+    damage = damage_of(model, state, cut, len(beams.i))
+    stages: dict[str, Passes] = {"prepare": [(_turn_stresses, moving, stresses)]}
+    if damage is None and model.contacts is None:  # nothing needs the stresses of now before the elements move
+        stages["loads"] = [(_add_lasting_loads, moving, beams, bonds, stresses, cut)]
+        stages["gather"] = [(_collect_moments, cut, stresses)]
+        stages["add"] = [(_find_stresses_of_block, moving, stresses)]
+    else:
+        stages["prepare"].append((_find_non_local_forces, moving, beams, bonds, stresses))
+        stages["prepare"].append((_collect_moments, cut, stresses))
+        stages["stress"] = [(_find_stresses, moving, stresses)]
+        stages["loads"] = [(_add_non_local_loads, bonds, cut)]
     if dashpots is not None:
-        loads.append((_add_dashpot_loads, moving, beams, dashpots, cut))
+        stages["loads"].append((_add_dashpot_loads, moving, beams, dashpots, cut))
+    stages["guard"] = [(_check_beams, moving, beams, portions)]
 
     def keep() -> None:
         if bonds.history is not state.history:
@@ -61,10 +69,7 @@ def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpo
             (_sum_non_local_energies, moving, beams, bonds, portions, work), (_write_non_local_work, work, history)
         ]  # fmt: skip
 
-    guard: Passes = [(_check_beams, moving, beams, portions)]
-    find: Passes = [(_find_stresses, moving, stresses)]
-    parts = [Part({"prepare": prepare, "stress": find, "loads": loads, "guard": guard}, record, keep)]
-    damage = damage_of(model, state, cut, len(beams.i))
+    parts = [Part(stages, record, keep)]
     if damage is not None:
         parts.append(_breakage(damage, state, shared, beams, bonds, stresses, dashpots))
     return BondParts(parts, Joints.of(model, state, beams.integrity, damage), stresses)

@@ -74,7 +74,7 @@ BONDEM_INLINE void add_loads(Index first, const Index last, const double *const 
     for_each_group(first, last, [&](Group group) __attribute__((always_inline)) {
         const Index k = group.first;
         prefetch(pose, i + least(k + ahead, last - lanes));
-        const Ends<Lanes> ends = ends_of(gather(pose, i + k), gather(pose, j + k), period);
+        const Ends<Lanes> ends = ends_of(gather(pose, i + k, j + k), period);
         const BeamShape<Lanes> shape = {{load(X0 + k), load(Y0 + k), load(Z0 + k)}, load(L + k)};
         BeamLoads<Lanes> loads = beam_loads(ends, shape, kind.stiffness(k));
         marking.mark(k, group.known, loads);

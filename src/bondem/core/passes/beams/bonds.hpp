@@ -9,14 +9,23 @@ namespace bondem {
 template <class T> BONDEM_INLINE T over_nearest_image(T d, double edge, double inverse) {
     return d - edge * nearest(d * inverse);
 }
+template <class T> BONDEM_INLINE Vector3<T> over_nearest_image(const Vector3<T> &d, const double *period) {
+    return {over_nearest_image(d.x, period[0], period[3]), over_nearest_image(d.y, period[1], period[4]),
+            over_nearest_image(d.z, period[2], period[5])};
+}
 template <class T> BONDEM_INLINE Vector3<T> branch(const Row<T> &i, const Row<T> &j, const double *period) {
-    return {over_nearest_image(j.column[0] - i.column[0], period[0], period[3]),
-            over_nearest_image(j.column[1] - i.column[1], period[1], period[4]),
-            over_nearest_image(j.column[2] - i.column[2], period[2], period[5])};
+    const Vector3<T> d = {j.column[0] - i.column[0], j.column[1] - i.column[1], j.column[2] - i.column[2]};
+    return over_nearest_image(d, period);
 }
 template <class T> BONDEM_INLINE Ends<T> ends_of(const Row<T> &i, const Row<T> &j, const double *period) {
     return {branch(i, j, period), orientation(i), orientation(j)};
 }
+
+#if defined(BONDEM_LANES)
+BONDEM_INLINE Ends<Lanes> ends_of(const PairOfRows &rows, const double *period) {
+    return ends_of(rows.first, rows.second, period);
+}
+#endif
 
 // The numbers of a column of one bond, or of the bonds from k on.
 template <class T> BONDEM_INLINE T number(const double *column, Index k);

@@ -38,8 +38,9 @@ void add_and_keep_facet_loads(const Turn &turn, const Moving &all, const Elastic
         const Lanes s = load(columns.integrity + k);
         const FacetShape<Lanes> shape = columns.shape<Lanes>(k);
         const FacetStiffness<Lanes> stiffness = columns.stiffness<Lanes>(k, s);
+        const Vector3<Lanes> moment = bending_moment(ends, stiffness.H);
         const OpenFacet<Lanes> open = opened(ends, shape);
-        const FacetLoads<Lanes> loads = facet_loads(ends, shape, open, stiffness, stresses_of(a, b, s));
+        const FacetLoads<Lanes> loads = facet_loads(ends, shape, open, moment, stiffness.k, stresses_of(a, b, s));
         const Vector3<Lanes> on_i = -loads.force;
         keep(force + k, on_i.x, known), keep(force + columns.m + k, on_i.y, known);
         keep(force + 2 * columns.m + k, on_i.z, known);

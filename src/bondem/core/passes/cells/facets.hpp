@@ -89,10 +89,11 @@ BONDEM_INLINE void for_each_facets(Index first, const Index last, const double *
         const Index k = group.first;
         prefetch(pose, i + least(k + ahead, most(last - lanes, Index(0))));
         if (!counts(k)) return;
-        const Row<Lanes> a = gather(pose, i + k), b = gather(pose, j + k);
+        const PairOfRows rows = gather(pose, i + k, j + k);
+        const Row<Lanes> &a = rows.first, &b = rows.second;
         Ends<Lanes> ends = {{b.column[0] - a.column[0], b.column[1] - a.column[1], b.column[2] - a.column[2]},
                             orientation(a), orientation(b)};
-        if (__builtin_expect(periodic, 0)) ends.branch = branch(a, b, period);
+        if (periodic) ends.branch = over_nearest_image(ends.branch, period);
         on(k, group.known, a, b, ends);
     });
 }

@@ -68,7 +68,7 @@ inline void flow(const Moving &all, const StressesOfCells &stresses, const Yield
     double *const row = &cells.plastic(p, 0);
     auto &P = *reinterpret_cast<PlasticDeformation<double> *>(row + deformation);
     const Symmetric3<double> &e = by.strain;
-    P = deformed(P, turned_by(inverse(orientation(gather(all.pose.data, Short(p)))), e));
+    P = deformed(P, turned_by(inverse(matrix_of(orientation(gather(all.pose.data, Short(p))))), e));
     const double parts[6] = {e.xx, e.yy, e.zz, e.xy, e.xz, e.yz};
     for (Index d = 0; d < 6; d++) row[increment + d] += parts[d];
     row[gamma] += by.gamma;

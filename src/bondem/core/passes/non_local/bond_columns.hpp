@@ -37,7 +37,7 @@ template <class T> BONDEM_INLINE PairStiffness<T> pair_stiffness(const NonLocalB
 inline PairLaw pair_law(const NonLocalBonds &bonds) { return {bonds.nu, bonds.limited != 0}; }
 inline PairPose<double> pair_pose(const double *pose, const Beams &beams, const NonLocalBonds &bonds, Index k) {
     const Ends<double> ends = ends_of(pose, beams, k);
-    return pair_pose(ends.branch, ends.i, ends.j, pair_shape<double>(bonds, k));
+    return pair_pose(ends.branch, matrix_of(ends.i), ends.j, pair_shape<double>(bonds, k));
 }
 
 template <class T> BONDEM_INLINE PairStore<T> stored_by(const NonLocalBonds &bonds, Index k) {
@@ -46,13 +46,22 @@ template <class T> BONDEM_INLINE PairStore<T> stored_by(const NonLocalBonds &bon
     return {vector_at<T>(data, m, gap_column, k), vector_at<T>(data, m, extra_column, k),
             number<T>(data + taken_column * m, k)};
 }
-// What a bond stores after a step. `mean()` returns the mean stress of both elements a step ago; a step of no time (`steps`
-// is false) does not ask for it, and leaves the extra force as it is.
+// The extra force now. `mean()` returns the mean stress of both elements a step ago; a step of no time (`steps` is
+// false) does not ask for it, and leaves the extra force as it is.
 template <bool steps, class T, class Mean>
-BONDEM_INLINE PairStore<T> store_after(const PairStore<T> &before, const PairPose<T> &now, Quaternion<T> i, T s,
-                                       const PairStiffness<T> &stiffness, const PairLaw &law, Mean mean) {
+BONDEM_INLINE Vector3<T> extra_now(const PairStore<T> &before, const PairPose<T> &now, const Rotation<T> &i,
+                                   const PairStiffness<T> &stiffness, const PairLaw &law, Mean mean) {
     if constexpr (steps)
-        return after_step(before, mean(), now, i, s, stiffness, law);
+        return extra_after(before, mean(), now, i, stiffness, law);
+    else
+        return turned_by(i, before.extra);
+}
+// What a bond stores then.
+template <bool steps, class T>
+BONDEM_INLINE PairStore<T> store_now(const PairStore<T> &before, Vector3<T> extra, const PairPose<T> &now,
+                                     const Rotation<T> &i, T s) {
+    if constexpr (steps)
+        return store_after(before, extra, now, i, s);
     else
         return {turned_by(inverse(i), now.gap), before.extra, before.taken};
 }
@@ -68,12 +77,12 @@ BONDEM_INLINE void keep_store(const NonLocalBonds &bonds, Place place, T s, cons
     keep_number(data + taken_column * m, place, now.taken);
 }
 template <class Place, class T>
-BONDEM_INLINE void keep_output(const NonLocalBonds &bonds, Place place, T s, const NonLocalLoads<T> &loads) {
+BONDEM_INLINE void keep_output(const NonLocalBonds &bonds, Place place, const NonLocalLoads<T> &loads) {
     double *const data = bonds.output.data;
     const Index m = bonds.output.shape[1];
-    keep_vector(data, m, force_column, place, s * loads.force);
-    keep_vector(data, m, on_i_column, place, s * loads.on_i);
-    keep_vector(data, m, on_j_column, place, s * loads.on_j);
+    keep_vector(data, m, force_column, place, loads.force);
+    keep_vector(data, m, on_i_column, place, loads.on_i);
+    keep_vector(data, m, on_j_column, place, loads.on_j);
 }
 inline Vector output_at(const NonLocalBonds &bonds, Output first, Index k) {
     return vector_at<double>(bonds.output.data, bonds.output.shape[1], first, k);

@@ -46,5 +46,9 @@ void find_stresses(const Turn &turn, const Moving &all, const LaggedStresses &st
     for (Index e = turn.first; e < turn.last; e += lanes)
         find_stress(Elements(e, turn.last).place, all.pose.data, stresses);
 }
+void find_stresses_of_block(const Turn &turn, const Moving &all, const LaggedStresses &stresses) {
+    for (Index e = turn.first; e < turn.last; e += lanes)
+        find_stress(Several(turn, e, turn.last).element, all.pose.data, stresses);
+}
 
 }  // namespace bondem

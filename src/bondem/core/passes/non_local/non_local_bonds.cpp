@@ -2,8 +2,9 @@
 // now.
 //
 // A step finds the forces of all bonds, and then the stresses of all elements, before the blocks add the forces up as
-// those of other bonds. A step of 0 finds the forces of a state again: extra forces stay what they are, and gaps and
-// stresses do not change.
+// those of other bonds. Where no bond can fail and nothing touches, nothing needs the stresses before the elements
+// move: blocks find forces, add them up at once, and keep none. A step of 0 finds the forces of a state again: extra
+// forces stay what they are, and gaps and stresses do not change.
 #include "non_local_bonds.hpp"
 
 #include "../record/columns.hpp"
@@ -22,32 +23,80 @@ BONDEM_INLINE Row<Lanes> moment_row(const Stress<Lanes> &s) {
     return {{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, zero, zero}};
 }
 
-template <bool steps>
+// Bonds that go through the stages of `find_forces` together. One stage after the other, because all of them at once
+// would need many times the registers, would be one long chain of operations that wait for each other, and would read
+// and write more columns side by side than caches foresee.
+constexpr Index bonds_of_stage = 128;
+
+// What stages hand on of a group of bonds.
+struct Staged {
+    PairPose<Lanes> now;
+    Rotation<Lanes> of_i;
+    Vector3<Lanes> force;  // the extra force, and then all of it
+};
+
+// Finds the forces of the bonds of a turn; calls give(group, pose, loads) with what they do.
+template <bool steps, class Give>
 BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams &beams, const NonLocalBonds &bonds,
-                               const LaggedStresses &stresses) {
+                               const LaggedStresses &stresses, Give give) {
     const Short *const i = beams.i.data, *const j = beams.j.data;
     const double *const space = stresses.space.data;
     const PairLaw law = pair_law(bonds);
-    for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
-        const Index k = group.first;
-        prefetch(pose, i + least(k + ahead, turn.last - lanes));
-        const Ends<Lanes> ends = ends_of(gather(pose, i + k), gather(pose, j + k), beams.period.data);
-        const Lanes s = load(beams.integrity.data + k);
-        const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
-        const PairStiffness<Lanes> stiffness = pair_stiffness<Lanes>(bonds, k);
-        const PairStore<Lanes> before = stored_by<Lanes>(bonds, k);
-        const auto mean = [&]() __attribute__((always_inline)) {
-            return mean_of(stress_of(gather(space, i + k)), stress_of(gather(space, j + k)));
+    Staged staged[bonds_of_stage / lanes];
+    for (Index first = turn.first; first < turn.last; first += bonds_of_stage) {
+        const auto stage = [&](auto on) __attribute__((always_inline)) {
+            Staged *at = staged;
+            for_each_group(first, least(first + bonds_of_stage, turn.last),
+                           [&](Group group) __attribute__((always_inline)) { on(group, group.first, *at++); });
         };
-        const PairStore<Lanes> after = store_after<steps>(before, now, ends.i, s, stiffness, law, mean);
-        keep_store(bonds, group, s, after, before);
-        const NonLocalLoads<Lanes> loads = non_local_loads(now, turned_by(ends.i, after.extra), stiffness);
-        const Vector3<Lanes> force = s * loads.force;
-        add_rows(stresses.moment.data, stresses.to_i.data + k, j + k,
-                 moment_row(symmetric_product(now.lever_i, force)), moment_row(symmetric_product(-now.lever_j, force)),
-                 group.known);
-        keep_output(bonds, group, s, loads);
-    });
+        stage([&](Group, Index k, Staged &at) __attribute__((always_inline)) {
+            prefetch(pose, i + least(k + ahead, turn.last - lanes));
+            const Ends<Lanes> ends = ends_of(gather(pose, i + k, j + k), beams.period.data);
+            at.of_i = matrix_of(ends.i);
+            at.now = pair_pose(ends.branch, at.of_i, ends.j, pair_shape<Lanes>(bonds, k));
+        });
+        stage([&](Group, Index k, Staged &at) __attribute__((always_inline)) {
+            const auto mean = [&]() __attribute__((always_inline)) {
+                return all<Lanes>(0.5) * stress_of(gather_sums(space, i + k, j + k));
+            };
+            const PairStore<Lanes> before = stored_by<Lanes>(bonds, k);
+            at.force = extra_now<steps>(before, at.now, at.of_i, pair_stiffness<Lanes>(bonds, k), law, mean);
+        });
+        stage([&](Group group, Index k, Staged &at) __attribute__((always_inline)) {
+            const Lanes s = load(beams.integrity.data + k);
+            const PairStore<Lanes> before = stored_by<Lanes>(bonds, k);
+            const PairStore<Lanes> after = store_now<steps>(before, at.force, at.now, at.of_i, s);
+            keep_store(bonds, group, s, after, before);
+            at.force = s * present_force(after, at.now, at.of_i, pair_stiffness<Lanes>(bonds, k));
+        });
+        stage([&](Group group, Index, Staged &at) __attribute__((always_inline)) {
+            give(group, at.now, non_local_loads(at.now, at.force));
+        });
+    }
+}
+template <class Give>
+BONDEM_INLINE void find_forces(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+                               const LaggedStresses &stresses, Give give) {
+    if (turn.clock.dt > 0.0)
+        find_forces<true>(turn, all.pose.data, beams, bonds, stresses, give);
+    else
+        find_forces<false>(turn, all.pose.data, beams, bonds, stresses, give);
+}
+
+// Adds what bonds do to the moments of their elements, and to the sums.
+BONDEM_INLINE void add_moments(const LaggedStresses &stresses, const Beams &beams, Group group,
+                               const PairPose<Lanes> &now, Vector3<Lanes> force) {
+    const Index k = group.first;
+    add_rows(stresses.moment.data, stresses.to_i.data + k, beams.j.data + k,
+             moment_row(symmetric_product(now.lever_i, force)), moment_row(symmetric_product(-now.lever_j, force)),
+             group.known);
+}
+BONDEM_INLINE void add_loads(const StepCut &cut, Group group, const NonLocalLoads<Lanes> &loads) {
+    const Index k = group.first;
+    const Vector3<Lanes> &f = loads.force, &t = loads.on_i, &u = loads.on_j;
+    const Lanes zero = {};
+    add_rows(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k, {{f.x, f.y, f.z, zero, t.x, t.y, t.z, zero}},
+             {{-f.x, -f.y, -f.z, zero, -u.x, -u.y, -u.z, zero}}, group.known);
 }
 
 #endif
@@ -58,24 +107,33 @@ BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams
 
 void find_non_local_forces(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                            const LaggedStresses &stresses) {
-    if (turn.clock.dt > 0.0)
-        find_forces<true>(turn, all.pose.data, beams, bonds, stresses);
-    else
-        find_forces<false>(turn, all.pose.data, beams, bonds, stresses);
+    const auto keep = [&](Group group, const PairPose<Lanes> &now, const NonLocalLoads<Lanes> &loads)
+                          __attribute__((always_inline)) {
+        keep_output(bonds, group, loads);
+        add_moments(stresses, beams, group, now, loads.force);
+    };
+    find_forces(turn, all, beams, bonds, stresses, keep);
 }
 
 void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const StepCut &cut) {
     const double *const data = bonds.output.data;
     const Index m = bonds.output.shape[1];
     for_each_group(turn.first, turn.last, [&](Group group) __attribute__((always_inline)) {
-        const Index k = group.first;
-        const Lanes zero = {};
-        const Vector3<Lanes> f = vector_at<Lanes>(data, m, force_column, k);
-        const Vector3<Lanes> t = vector_at<Lanes>(data, m, on_i_column, k);
-        const Vector3<Lanes> u = vector_at<Lanes>(data, m, on_j_column, k);
-        add_rows(cut.sums.data, cut.row_i.data + k, cut.row_j.data + k, {{f.x, f.y, f.z, zero, t.x, t.y, t.z, zero}},
-                 {{-f.x, -f.y, -f.z, zero, -u.x, -u.y, -u.z, zero}}, group.known);
+        const auto vector = [&](Output first) __attribute__((always_inline)) {
+            return vector_at<Lanes>(data, m, first, group.first);
+        };
+        add_loads(cut, group, {vector(force_column), vector(on_i_column), vector(on_j_column)});
     });
+}
+
+void add_lasting_loads(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+                       const LaggedStresses &stresses, const StepCut &cut) {
+    const auto add = [&](Group group, const PairPose<Lanes> &now, const NonLocalLoads<Lanes> &loads)
+                         __attribute__((always_inline)) {
+        add_moments(stresses, beams, group, now, loads.force);
+        add_loads(cut, group, loads);
+    };
+    find_forces(turn, all, beams, bonds, stresses, add);
 }
 
 #endif
@@ -120,10 +178,11 @@ Index load_non_local_bonds(Index, const Poses &all, const Beams &beams, const No
         const Index k = group.first;
         const Row<Lanes> i = gather(all.pose.data, beams.i.data + k), j = gather(all.pose.data, beams.j.data + k);
         const Ends<Lanes> ends = ends_of(i, j, beams.period.data);
-        const PairPose<Lanes> now = pair_pose(ends.branch, ends.i, ends.j, pair_shape<Lanes>(bonds, k));
-        const Vector3<Lanes> extra = turned_by(ends.i, stored_by<Lanes>(bonds, k).extra);
-        const NonLocalLoads<Lanes> loads = non_local_loads(now, extra, pair_stiffness<Lanes>(bonds, k));
-        keep_output(bonds, group, load(beams.integrity.data + k), loads);
+        const Rotation<Lanes> of_i = matrix_of(ends.i);
+        const PairPose<Lanes> now = pair_pose(ends.branch, of_i, ends.j, pair_shape<Lanes>(bonds, k));
+        const Vector3<Lanes> force =
+            present_force(stored_by<Lanes>(bonds, k), now, of_i, pair_stiffness<Lanes>(bonds, k));
+        keep_output(bonds, group, non_local_loads(now, load(beams.integrity.data + k) * force));
     });
     return 0;
 }

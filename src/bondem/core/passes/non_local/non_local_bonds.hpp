@@ -10,6 +10,9 @@ void find_non_local_forces(const Turn &turn, const Moving &all, const Beams &bea
                            const LaggedStresses &stresses);
 // Adds those forces and torques to the sums of the elements, in the order of the bonds.
 void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const StepCut &cut);
+// Does both at once for bonds that cannot fail: their forces and torques are not kept.
+void add_lasting_loads(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
+                       const LaggedStresses &stresses, const StepCut &cut);
 // Sums normal and shear energy of the springs of a portion, and the work of extra forces [J].
 void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                             const Portions &portions, const NonLocalWork &work);
