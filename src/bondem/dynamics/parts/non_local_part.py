@@ -46,18 +46,17 @@ def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpo
     stresses = lagged_stresses(model, state, _rows_of_moments(model, cut), int(cut.part[-1]))
     work = NonLocalWork(np.zeros(len(portions.bonds)))
     damage = damage_of(model, state, cut, len(beams.i))
+    dashes: Passes = [] if dashpots is None else [(_add_dashpot_loads, moving, beams, dashpots, cut)]
     stages: dict[str, Passes] = {"prepare": [(_turn_stresses, moving, stresses)]}
     if damage is None and model.contacts is None:  # nothing needs the stresses of now before the elements move
-        stages["loads"] = [(_add_lasting_loads, moving, beams, bonds, stresses, cut)]
+        stages["loads"] = [(_add_lasting_loads, moving, beams, bonds, stresses, cut), *dashes]
         stages["gather"] = [(_collect_moments, cut, stresses)]
         stages["add"] = [(_find_stresses_of_block, moving, stresses)]
     else:
         stages["prepare"].append((_find_non_local_forces, moving, beams, bonds, stresses))
         stages["prepare"].append((_collect_moments, cut, stresses))
         stages["stress"] = [(_find_stresses, moving, stresses)]
-        stages["loads"] = [(_add_non_local_loads, bonds, cut)]
-    if dashpots is not None:
-        stages["loads"].append((_add_dashpot_loads, moving, beams, dashpots, cut))
+        stages["loads"] = [(_add_non_local_loads, bonds, cut), *dashes]
     stages["guard"] = [(_check_beams, moving, beams, portions)]
 
     def keep() -> None:
