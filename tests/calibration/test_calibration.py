@@ -112,6 +112,7 @@ def test_a_root_beyond_the_ends_is_refused_with_the_reach(start, target):
         )
 
 
+@pytest.mark.validate
 def test_bonds_of_obermayr_are_calibrated_by_alpha_s(lattices):
     fit = bd.calibrate(lattices[0], SILICA, law=bd.Obermayr)
     assert fit.parameter == "alpha_s"
@@ -189,9 +190,8 @@ def test_each_packing_would_have_these_bonds_by_itself(lattices):
     assert low < fit.law.E < high
 
 
-@pytest.mark.parametrize(
-    "material", [pytest.param(bd.materials.fused_silica, marks=pytest.mark.validate), bd.materials.steel]
-)
+@pytest.mark.validate
+@pytest.mark.parametrize("material", [bd.materials.fused_silica, bd.materials.steel])
 def test_a_law_from_the_bulk_is_carried_to_a_body(material):
     cell = spheres(bd.Cell((1e-2, 1e-2, 1e-2)), 2000, seed=1)
     body = spheres(bd.Cylinder(5e-3, 40e-3), 2000, seed=2)

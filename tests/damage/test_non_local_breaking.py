@@ -246,6 +246,7 @@ def test_momentum_is_kept_through_breakage(one_thread: None) -> None:
     assert np.abs(change).max() < 1e-11 * scale
 
 
+@pytest.mark.validate
 def test_same_bits_of_a_body_that_is_crushed(tmp_path: Path, record: Record) -> None:
     """On one and two threads, recorded often or seldom, saved and resumed."""
     need_two_threads()

@@ -181,6 +181,7 @@ def test_the_ledger_is_second_order(scheme: bd.Scheme, one_thread: None) -> None
         assert np.log2(missed[0] / missed[2]) / 2.0 > 1.7
 
 
+@pytest.mark.validate
 def test_the_same_bits_however_it_is_run(tmp_path: Path) -> None:
     """On one and two threads, with pauses, resumed from a file, with contacts between what has parted."""
     need_two_threads()

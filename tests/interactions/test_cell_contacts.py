@@ -112,6 +112,7 @@ for failure in FAILURES:
 """
 
 
+@pytest.mark.validate
 def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> None:
     """On 1 and 4 threads, the latter in a process of their own."""
     expected: list[str] = []

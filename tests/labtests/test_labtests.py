@@ -187,6 +187,7 @@ def test_a_packed_specimen_bends_and_twists_as_its_section_says(specimen):
         assert outcome.curves["x"].shape == outcome.curves["profile"].shape
 
 
+@pytest.mark.validate
 def test_the_axial_force_leaves_the_skin():
     # walls leave gaps beside them, so force and mass sit nearer to the axis than in a full disc, R²/4
     full = 0.25 * 2.5e-3**2

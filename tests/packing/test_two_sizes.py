@@ -27,7 +27,9 @@ def failing(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("failing")
-@pytest.mark.parametrize(("shape", "seed"), [("box", 1), ("box", 2), ("cylinder", 1)])
+@pytest.mark.parametrize(("shape", "seed"), [
+    ("box", 1), *(pytest.param(*one, marks=pytest.mark.validate) for one in (("box", 2), ("cylinder", 1))),
+])  # fmt: skip
 def test_two_sizes_reach_a_coordination_number(shape: str, seed: int) -> None:
     made = bd.pack(SHAPES[shape], count=COUNT[shape], sizes=TWO, seed=seed, coordination_number=5.0)
     lattice = bd.connect(made)

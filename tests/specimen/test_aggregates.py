@@ -83,6 +83,7 @@ def hashin_shtrikman(matrix: bd.CellBond, other: bd.CellBond, share: float) -> f
     return 9.0 * bulk * shear / (3.0 * bulk + shear)
 
 
+@pytest.mark.validate
 def test_same_arguments_same_bits_and_another_seed_another_packing() -> None:
     again = bd.pack(BOX, size=SIZE, method="even", around=stones(), seed=1, cache=False)
     assert np.array_equal(again.position, body().particles.position)

@@ -95,6 +95,7 @@ def test_chi2_counts_each_bond_once_in_160_classes():
     assert quality.chi2_per_dof == pytest.approx(((observed - expected) ** 2 / expected).sum() / 159, rel=1e-12)
 
 
+@pytest.mark.validate
 def test_chi2_of_random_directions_is_one_and_the_excess_nothing():
     found = np.array([bd.fabric(chain(directions(2000, seed))).chi2_per_dof for seed in range(20)])
     assert found.mean() == pytest.approx(1.0, abs=4.0 * math.sqrt(2.0 / 159 / 20))

@@ -112,6 +112,7 @@ def test_contacts_that_grow_in_number_downwards_fail(cell):
     assert quality.strata.coordination_gradient[2] == pytest.approx(-0.45, abs=0.08)
 
 
+@pytest.mark.validate
 def test_centres_deposited_in_layers_fail_at_any_size(record):
     for count in (600, 2400):
         cell = bd.pack(bd.Cell((1.0, 1.0, 1.6)), count=count, spread=0.25, seed=2)

@@ -92,6 +92,7 @@ def test_one_material_named_by_region_is_that_material(bar):
     assert named.peak == pytest.approx(plain.peak, rel=1e-9)
 
 
+@pytest.mark.validate
 def test_bending_takes_materials_by_region(bar):
     far = halves(bar)
     until_the_peak = {"span": 24e-3, "ripple": 0.5, "until": 0.8}
@@ -104,6 +105,7 @@ def test_bending_takes_materials_by_region(bar):
     assert less.peak < 0.9 * one.peak
 
 
+@pytest.mark.validate
 @pytest.mark.filterwarnings("ignore::bondem.errors.RaggedInterfaceWarning")
 def test_a_test_of_several_materials_has_no_closed_form(bar):
     far = halves(bar)

@@ -141,6 +141,7 @@ def test_a_request_knows_its_case_and_size():
     assert len(names) == 4
 
 
+@pytest.mark.validate
 def test_a_study_runs_judges_draws_and_goes_on(tmp_path, monkeypatch):
     """A hundred cells in wide steps: nothing physical is asked of them."""
     quick = replace(CASES["gregoire"], ripple=0.5, together=0.05, until=0.6)
