@@ -17,7 +17,7 @@ from validation.studies.coverage import Coverage
 
 def test_from_three_numbers_to_bonds(tmp_path):
     target = ["--E", 72.5e9, "--nu", 0.17, "--rho", 2201, "--law", "euler-bernoulli"]
-    done = command("calibrate", *target, "--count", 500, "--packings", 3, "--out", "fit", cwd=tmp_path)
+    done = command("calibrate", *target, "--count", 300, "--packings", 3, "--out", "fit", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
     assert "Euler–Bernoulli bonds" in done.stdout
@@ -27,7 +27,7 @@ def test_from_three_numbers_to_bonds(tmp_path):
     law = bd.EulerBernoulli(
         E=found["micro"]["E_mu"], nu=found["micro"]["nu_mu"], radius_ratio=found["micro"]["radius_ratio"]
     )
-    cells = [spheres(bd.Cell((10e-3,) * 3), 500, seed=seed) for seed in (1, 2, 3)]
+    cells = [spheres(bd.Cell((10e-3,) * 3), 300, seed=seed) for seed in (1, 2, 3)]
     moduli = [bd.bulk_moduli(cell, law) for cell in cells]
     assert np.mean([one.E for one in moduli]) == pytest.approx(72.5e9, rel=1e-8)
     assert np.mean([one.nu for one in moduli]) == pytest.approx(0.17, abs=1e-5)

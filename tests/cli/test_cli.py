@@ -27,14 +27,35 @@ EXAMPLE = Path(__file__).parents[2] / "examples" / "silica.toml"
 @pytest.fixture(scope="module")
 def finished(tmp_path_factory):
     """The silica study, small enough for a test."""
-    folder = tmp_path_factory.mktemp("cli")
-    (folder / "study.toml").write_text(EXAMPLE.read_text().replace("count = 10_000", "count = 300"))
+    return in_a_pipe(tmp_path_factory.mktemp("cli"), EXAMPLE.read_text())
+
+
+def in_a_pipe(folder, text):
+    """Run a variant of the silica study; return the folder of its results and the finished process."""
+    (folder / "study.toml").write_text(text.replace("count = 10_000", "count = 300"))
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("BONDEM_PROGRESS", "auto")
         done = command("run", "study.toml", "--out", "out", "--seed", "3", "--threads", "1", cwd=folder, process=True)
     return folder / "out", done
 
 
+def test_a_short_study_succeeds_and_says_its_stages_in_a_pipe(tmp_path):
+    one = re.sub(r"tests = \[.*?\]", 'tests = ["static_bending"]', EXAMPLE.read_text(), flags=re.DOTALL)
+    one = one.replace("figures = true", "figures = false").replace("packings = 2", "packings = 1")
+    out, done = in_a_pipe(tmp_path, one)
+    assert done.returncode == 0, done.stderr
+    lines = done.stderr.splitlines()
+    assert all(line.startswith("bondem: ") for line in lines)
+    stages = dict.fromkeys(line.rpartition("  ")[2] for line in lines)
+    assert [one for one in stages if not set(one) & set(":,%")] == ["pack 1 of 1", "calibrate", "test 1 of 1", "report"]
+    assert "\x1b" not in done.stdout
+    assert any(line.split()[:1] == ["static_bending"] and "%" in line for line in done.stdout.splitlines())
+    results = json.loads((out / "results.json").read_text())
+    assert results["macro"]["E"] == pytest.approx(72.5e9, rel=2e-3)
+    assert "static bending" in (out / "report.html").read_text()
+
+
+@pytest.mark.validate
 def test_run_succeeds_and_says_its_stages_in_a_pipe(finished):
     _, done = finished
     assert done.returncode == 0
@@ -51,6 +72,7 @@ def test_run_succeeds_and_says_its_stages_in_a_pipe(finished):
     assert "6.63 %" in done.stdout
 
 
+@pytest.mark.validate
 def test_run_leaves_results_report_and_figures(finished):
     out, _ = finished
     results = json.loads((out / "results.json").read_text())
@@ -72,6 +94,7 @@ def test_run_leaves_results_report_and_figures(finished):
     assert sorted(path.name for path in out.iterdir()) == ["curves", "figures", "report.html", "results.json"]
 
 
+@pytest.mark.validate
 def test_the_report_holds_everything_it_shows(finished):
     out, _ = finished
     html = (out / "report.html").read_text()

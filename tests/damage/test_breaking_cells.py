@@ -93,6 +93,7 @@ def test_the_ledger_of_cells_is_second_order(one_thread: None, record: Record) -
     record("order", order)
 
 
+@pytest.mark.validate
 def test_same_bits_of_cells_after_a_thousand_breaks(tmp_path: Path, record: Record) -> None:
     need_two_threads()
     model = model_of(1200)

@@ -221,6 +221,7 @@ def impact(model: bd.Model, steps: int, dt: float, state: bd.State | None = None
     return bd.solve_explicit(model, duration=steps * dt, dt=dt, every=0, state=state, **options)
 
 
+@pytest.mark.validate
 def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> None:
     model, dt = torn_then_pressed(MIXED)
     steps = 240

@@ -212,6 +212,7 @@ MIXED = bd.DruckerPrager(
 )  # fmt: skip
 
 
+@pytest.mark.validate
 def test_bits_do_not_depend_on_threads_or_restarts(tmp_path: Path) -> None:
     with threads(1):
         one = pulled(MIXED).state

@@ -58,7 +58,13 @@ def test_there_are_six_thumbnails_each_of_a_script():
     assert len(shown) == 6
 
 
-@pytest.mark.parametrize("script", GALLERY, ids=lambda path: path.stem)
+# Scripts of two to eight seconds of a core.
+LONG = {"pulled_concrete", "shattered_ball", "snapping_bar"}
+
+
+@pytest.mark.parametrize("script", [
+    pytest.param(path, id=path.stem, marks=[pytest.mark.validate] if path.stem in LONG else []) for path in GALLERY
+])  # fmt: skip
 def test_a_thumbnail_takes_twenty_lines(script, tmp_path, monkeypatch, capsys):
     assert len(script.read_text(encoding="utf-8").splitlines()) <= 20
     (tmp_path / "examples").symlink_to(ROOT / "examples")

@@ -54,6 +54,7 @@ for contacts in (False, True):
 """
 
 
+@pytest.mark.validate
 def test_blocks_and_domains_change_no_bit() -> None:
     """Elastic, and with contacts, on 1, 2 and 3 threads; in a process of its own, which may have that many."""
     assert np.prod(EDGES) > 2 * BONDS_OF_PORTION

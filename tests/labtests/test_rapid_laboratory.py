@@ -124,6 +124,7 @@ def study(**changed: Any) -> Any:
     return parse_study({key: value for key, value in (STUDY | changed).items() if value is not None})
 
 
+@pytest.mark.validate
 def test_a_study_crushes_and_throws_balls(tmp_path: Path) -> None:
     asked = study(tests=["sphere_crushing", "sphere_impact"], sphere_crushing={"friction": 0.3})
     with only("broken"):

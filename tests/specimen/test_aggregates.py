@@ -41,7 +41,7 @@ def test_balls_follow_the_grading_curve_and_keep_apart(seed: int) -> None:
     assert (BOX.depth(x) - R).min() > 0.4 * GAP
 
 
-@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.validate) for seed in (2, 3))])
+@pytest.mark.parametrize("seed", [pytest.param(seed, marks=pytest.mark.validate) for seed in (1, 2, 3)])
 def test_cells_end_on_the_surfaces(seed: int) -> None:
     """Facets of the border lie on the spheres to a tenth of a cell, and have the area of planes that touch them."""
     part, balls = body(seed), stones(seed)

@@ -47,6 +47,7 @@ def test_the_default_cylinder_passes_at_every_size(count, seed):
     assert quality.core_volume_fraction == pytest.approx(0.655, abs=0.008)
 
 
+@pytest.mark.validate
 def test_a_good_cell_passes_and_a_crystal_fails_by_its_layers_too(cell):
     assert not reasons(cell)[0]
     why, quality = reasons(crystal())

@@ -105,7 +105,7 @@ def test_facets_break_by_their_own_traction(angle: float) -> None:
 
 @pytest.mark.parametrize("nu", [0.2, *(pytest.param(nu, marks=pytest.mark.validate) for nu in (-0.2, 0.45))])
 def test_work_is_stored_or_dissipated(nu: float) -> None:
-    found = follow(pulled(uneven_bar(100), nu=nu), ripple=0.3, most=120)
+    found = follow(pulled(uneven_bar(100), nu=nu), ripple=0.3, most=60)
     assert found.end == "events"
     assert len(set(found.bond)) > 10
     spent = np.append(0.0, np.cumsum(found.energy)[:-1])

@@ -84,6 +84,7 @@ def test_the_weakest_of_several_criteria_sets_the_speed_of_a_test(bar, name, mon
     assert two.way < alone.way  # stiffer than the first law
 
 
+@pytest.mark.validate
 def test_one_material_named_by_region_is_that_material(bar):
     far = halves(bar)
     plain = bd.labtests.direct_tension(bar, SOFT, PLAIN)
