@@ -47,7 +47,8 @@ def test_a_short_study_succeeds_and_says_its_stages_in_a_pipe(tmp_path):
     lines = done.stderr.splitlines()
     assert all(line.startswith("bondem: ") for line in lines)
     stages = dict.fromkeys(line.rpartition("  ")[2] for line in lines)
-    assert [one for one in stages if not set(one) & set(":,%")] == ["pack 1 of 1", "calibrate", "test 1 of 1", "report"]
+    names = [one for one in stages if not set(one) & set(":,%")]
+    assert names == ["pack 1 of 1", "calibrate", "test 1 of 1", "report"]
     assert "\x1b" not in done.stdout
     assert any(line.split()[:1] == ["static_bending"] and "%" in line for line in done.stdout.splitlines())
     results = json.loads((out / "results.json").read_text())
