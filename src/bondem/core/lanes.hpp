@@ -161,7 +161,7 @@ BONDEM_INLINE PairOfRows gather(const double *table, const Short *first, const S
     }
     return rows;
 }
-// Sums of two rows each.
+// Gathers a row of each table entry in `first` and `second`, and returns the sums of the two rows.
 BONDEM_INLINE Row<Lanes> gather_sums(const double *table, const Short *first, const Short *second) {
     Row<Lanes> rows;
     for (int n = 0; n < lanes; n++) {

@@ -18,9 +18,9 @@ from bondem.interactions.cells.cell_tables import ElasticFacets
 _OF_BONDS = [one for one in CRITERIA.values() if issubclass(one, BondCriterion)]
 #: Names of the criteria of beams in the passes of the core (`BondCriterion.kind`).
 BEAM_CRITERIA = tuple(one.kind for one in _OF_BONDS)
-#: Names of those that apply to facets of cells too.
+#: Names of the criteria that apply to facets of cells too.
 FACET_CRITERIA = tuple(one.kind for one in _OF_BONDS if not one.needs_beams)
-#: Names of those from which beams soften.
+#: Names of the criteria at which beams begin to soften.
 SOFTENING_CRITERIA = tuple(
     one.kind for one in _OF_BONDS if one.pulled_and_sheared is not BondCriterion.pulled_and_sheared
 )

@@ -60,7 +60,7 @@ template <class T> struct NonLocalLoads {
 // Keeps 0 / 0 away where an element has turned right round, and where no shear force is asked for.
 constexpr double nothing = 1e-200;
 
-// A bond now, by the orientations of its elements.
+// The present geometry of a bond, from the orientations of its elements.
 template <class T>
 BONDEM_INLINE PairPose<T> pair_pose(Vector3<T> branch, const Rotation<T> &i, Quaternion<T> j,
                                     const PairShape<T> &shape) {
@@ -97,7 +97,7 @@ BONDEM_INLINE Vector3<T> extra_after(const PairStore<T> &before, const Stress<T>
     const Vector3<T> slip = k.kt * across(turned_by(i, before.gap), now.normal);
     return extra_force(mean, now.normal, k.area, slip, law);
 }
-// What a bond of integrity s stores after a step to the extra force e.
+// The stored values of a bond of integrity s after a step, at whose end the extra force is e [N].
 template <class T>
 BONDEM_INLINE PairStore<T> store_after(const PairStore<T> &before, Vector3<T> e, const PairPose<T> &now,
                                        const Rotation<T> &i, T s) {
@@ -105,13 +105,14 @@ BONDEM_INLINE PairStore<T> store_after(const PairStore<T> &before, Vector3<T> e,
     return {gap, extra, before.taken + 0.5 * s * dot(before.extra + extra, gap - before.gap)};
 }
 
-// F of a bond by what it stores, so that the forces of a state that is kept are found again bit by bit.
+// The force F of a bond [N], from its stored values, so that the forces of a state that is kept are found again bit by
+// bit.
 template <class T>
 BONDEM_INLINE Vector3<T> present_force(const PairStore<T> &store, const PairPose<T> &now, const Rotation<T> &i,
                                        const PairStiffness<T> &k) {
     return spring_force(now, k) + turned_by(i, store.extra);
 }
-// What a bond does by the force F.
+// The force F [N] of a bond and the moments [N·m] that it exerts on both elements.
 template <class T> BONDEM_INLINE NonLocalLoads<T> non_local_loads(const PairPose<T> &now, Vector3<T> force) {
     const T middle = T{} + 0.5;
     const Vector3<T> arm_i = plus(now.lever_i, middle, now.gap), arm_j = minus(now.lever_j, middle, now.gap);

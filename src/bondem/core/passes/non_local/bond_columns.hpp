@@ -56,7 +56,7 @@ BONDEM_INLINE Vector3<T> extra_now(const PairStore<T> &before, const PairPose<T>
     else
         return turned_by(i, before.extra);
 }
-// What a bond stores then.
+// The values that a bond stores after the step.
 template <bool steps, class T>
 BONDEM_INLINE PairStore<T> store_now(const PairStore<T> &before, Vector3<T> extra, const PairPose<T> &now,
                                      const Rotation<T> &i, T s) {

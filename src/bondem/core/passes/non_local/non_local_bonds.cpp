@@ -28,11 +28,11 @@ BONDEM_INLINE Row<Lanes> moment_row(const Stress<Lanes> &s) {
 // and write more columns side by side than caches foresee.
 constexpr Index bonds_of_stage = 128;
 
-// What stages hand on of a group of bonds.
+// Results of one stage for a group of bonds, which the next stage reads.
 struct Staged {
     PairPose<Lanes> now;
     Rotation<Lanes> of_i;
-    Vector3<Lanes> force;  // the extra force, and then all of it
+    Vector3<Lanes> force;  // the extra force [N] after the second stage, the total force [N] after the third
 };
 
 // Finds the forces of the bonds of a turn; calls give(group, pose, loads) with what they do.
