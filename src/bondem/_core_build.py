@@ -37,9 +37,9 @@ _LEVELS = {
     },
     "aarch64": {"aarch64": ["-mcpu=generic"]},
 }
-# Instructions of a level beyond the lowest one. Zig compiles the C library of MinGW again for each `-mcpu` or `-mavx`,
-# which takes minutes. For Windows all levels therefore have the lowest `-mcpu`, and `-Xclang -target-feature` adds the
-# further instructions for the sources of the core only.
+# Instructions of a level beyond the lowest one. Zig compiles the C library of MinGW again for each `-mcpu` or
+# `-mavx`, which takes minutes. For Windows all levels therefore have the lowest `-mcpu`, and
+# `-Xclang -target-feature` adds the further instructions for the sources of the core only.
 _V3 = ("avx", "avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe")
 _V4 = (*_V3, "avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl")
 

@@ -105,8 +105,8 @@ BONDEM_INLINE PairStore<T> store_after(const PairStore<T> &before, Vector3<T> e,
     return {gap, extra, before.taken + 0.5 * s * dot(before.extra + extra, gap - before.gap)};
 }
 
-// The force F of a bond [N], from its stored values, so that the forces of a state that is kept are found again bit by
-// bit.
+// The force F of a bond [N], from its stored values, so that the forces of a state that is kept are found again bit
+// by bit.
 template <class T>
 BONDEM_INLINE Vector3<T> present_force(const PairStore<T> &store, const PairPose<T> &now, const Rotation<T> &i,
                                        const PairStiffness<T> &k) {

@@ -1,5 +1,5 @@
-// Lists of all criteria on the loads of single bonds. The core has no other list: a new criterion needs a header and a
-// line here.
+// Lists of all criteria on the loads of single bonds. The core has no other list: a new criterion needs a header and
+// a line here.
 //
 // A list calls DO(with, name, Criterion) for each criterion. Names of passes end with `name`, as in
 // `judge_beams_by_mohr_coulomb`; Python finds the passes by it (`BondCriterion.kind`).
