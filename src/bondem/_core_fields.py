@@ -81,42 +81,47 @@ def filled_table(
         raise InputError(f"{name}: {len(table)} values; pass {len(fields)}")
     words: list[int] = []
     for field, value in zip(fields, table, strict=True):
-        where = f"{name}.{field.name}"
         if field.written is None:
-            words.append(_number(where, field, value))
+            words.append(_number(name, field, value))
             continue
-        _check_array(where, field, value)
+        words.append(_checked_address(name, field, value))
         for (symbol, more), length in zip(field.shape, value.shape, strict=True):
+            words.append(length)
             if symbol == "*":
                 continue
-            known, source = lengths.setdefault(symbol, (length - more, where)) if symbol else (0, where)
-            if length != known + more:
+            known, source = lengths.get(symbol, (None, "")) if symbol else (0, field.name)
+            if known is None:
+                lengths[symbol] = length - more, f"{name}.{field.name}"
+            elif length != known + more:
                 raise InputError(
-                    f"{where} = array of shape {value.shape}: an axis has to be {known + more} long"
-                    f" ({symbol or 'fixed'}, as of {source}); pass {field}"
+                    f"{name}.{field.name} = array of shape {value.shape}: an axis has to be {known + more} long"
+                    f" ({symbol or 'fixed'}, as of {source if symbol else f'{name}.{field.name}'}); pass {field}"
                 )
-        words += [address_of(value), *value.shape]
     return np.array(words, dtype=np.int64)
 
 
-def _number(where: str, field: Field, value: Any) -> int:
+def _number(table: str, field: Field, value: Any) -> int:
     """The word of a number; InputError for what is none, or none of the type that a field declares."""
     real = field.dtype == np.float64
     if not isinstance(value, REAL if real else INTEGER) or value != value:
-        raise InputError(f"{where} = {value!r}: not a number that the core can read; pass {field}")
+        raise InputError(f"{table}.{field.name} = {value!r}: not a number that the core can read; pass {field}")
     try:
         return _WORD.unpack(_REAL.pack(float(value)) if real else _WORD.pack(int(value)))[0]
     except (OverflowError, struct.error):
-        raise InputError(f"{where} = {value!r}: too large a number; pass {field}") from None
+        raise InputError(f"{table}.{field.name} = {value!r}: too large a number; pass {field}") from None
 
 
-def _check_array(where: str, field: Field, value: Any) -> None:
-    """Raise InputError for what is no array as a field declares it, the lengths of its axes apart."""
+def _checked_address(table: str, field: Field, value: Any) -> int:
+    """The address of an array; InputError for what is none as a field declares it, the lengths of its axes apart."""
     if not isinstance(value, np.ndarray):
-        raise InputError(f"{where} = {value!r}: not an array; pass {field}")
-    fits = value.flags.c_contiguous and value.flags.aligned
+        raise InputError(f"{table}.{field.name} = {value!r}: not an array; pass {field}")
+    flags = value.flags
+    fits = flags.c_contiguous and flags.aligned
     if value.dtype != field.dtype or value.ndim != len(field.shape) or not fits:
         what = f"{value.dtype} of shape {value.shape}{'' if fits else ', not contiguous or not aligned'}"
-        raise InputError(f"{where} = array of {what}: the core cannot read it; pass {field}")
-    if field.written and not value.flags.writeable:
-        raise InputError(f"{where} = read-only array: the core writes to it; pass a copy")
+        raise InputError(f"{table}.{field.name} = array of {what}: the core cannot read it; pass {field}")
+    if flags.writeable:
+        return address_of(value)
+    if field.written:
+        raise InputError(f"{table}.{field.name} = read-only array: the core writes to it; pass a copy")
+    return value.ctypes.data

@@ -30,7 +30,7 @@ _SYNONYMS: dict[str, tuple[str, ...]] = {
 
 def meant(name: str, known: Iterable[str]) -> str:
     """Return the known name nearest to a wrong one, as the end of a message: "; did you mean 'length'?", or ""."""
-    if name.startswith("__"):  # tools ask every module for such names, and the search takes a millisecond
+    if name.startswith("_"):  # tools ask every module for such names, and the search takes a millisecond
         return ""
     names = [one for one in known if not one.startswith("_")]
     by_case = {one.lower(): one for one in names}

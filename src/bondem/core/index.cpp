@@ -33,7 +33,7 @@ BONDEM_TABLE(Relaxing, F(tolerance, ""), F(loose, ""), F(steps, ""), F(fire, "3"
 BONDEM_TABLE(Growing, F(scale, ""), F(rate, ""), F(duration, ""), F(events, ""), F(report, "3"))
 BONDEM_TABLE(Flight, F(since, "n"), F(when, "n"), F(what, "n"), F(heap, "n"), F(place, "n"))
 BONDEM_TABLE(SphereGrid, F(sphere, "n 4"), F(lower, "3"), F(edge, "3"), F(period, "3"), F(cells, "3"), F(skin, ""),
-             F(cell, "n"), F(first, "cells+1"), F(member, "n"), F(start, "n+1"))
+             F(cell, "n"), F(first, "cells+1"), F(member, "n"), F(place, "4 n+8"), F(start, "n+1"))
 BONDEM_TABLE(NeighbourLists, F(neighbour, "neighbours"))
 
 BONDEM_TABLE(Bins, F(position, "n 3"), F(radius, "n"), F(lower, "3"), F(upper, "3"), F(period, "3"), F(boxes, "3"),
@@ -102,7 +102,7 @@ const PassDescription passes[] = {
     P(relax_spheres, "converged out_of_date exhausted loose"),
     P(fly_and_grow, "grown list_out_of_date too_many_events"),
     P(sort_into_cells, ""),
-    P(count_neighbours, ""),
+    P(sort_and_count_neighbours, ""),
     P(list_neighbours, ""),
     P(make_cells, "cells_made crowded narrow swallowed lists_full pile_full"),
     P(split_by_walls, "all_split pieces_full scratch_full"),

@@ -32,9 +32,13 @@ typedef double Four __attribute__((vector_size(32)));
 BONDEM_INLINE Lanes root(Lanes a) { return __builtin_elementwise_sqrt(a); }
 BONDEM_INLINE Lanes nearest(Lanes a) { return __builtin_elementwise_rint(a); }
 BONDEM_INLINE Lanes absolute(Lanes a) { return __builtin_elementwise_abs(a); }
+#if defined(__AVX512F__)
+BONDEM_INLINE Four root(Four a) { return __builtin_elementwise_sqrt(a); }
+BONDEM_INLINE Four nearest(Four a) { return __builtin_elementwise_rint(a); }
+#endif
 #else
-template <class Function> BONDEM_INLINE Lanes each_lane(Lanes a, Function f) {
-    for (int n = 0; n < lanes; n++) a[n] = f(a[n]);
+template <class Several, class Function> BONDEM_INLINE Several each_lane(Several a, Function f) {
+    for (unsigned n = 0; n < sizeof(Several) / sizeof(double); n++) a[n] = f(a[n]);
     return a;
 }
 BONDEM_INLINE Lanes root(Lanes a) {
@@ -46,6 +50,14 @@ BONDEM_INLINE Lanes nearest(Lanes a) {
 BONDEM_INLINE Lanes absolute(Lanes a) {
     return each_lane(a, [](double x) { return absolute(x); });
 }
+#if defined(__AVX512F__)
+BONDEM_INLINE Four root(Four a) {
+    return each_lane(a, [](double x) { return root(x); });
+}
+BONDEM_INLINE Four nearest(Four a) {
+    return each_lane(a, [](double x) { return nearest(x); });
+}
+#endif
 #endif
 
 BONDEM_INLINE Lanes sign(Lanes a) {
@@ -57,6 +69,23 @@ BONDEM_INLINE bool all_below(Lanes a, double bound) {
     for (int n = 0; n < lanes; n++) below &= a[n] < bound;
     return below;
 }
+// Lanes in which a comparison holds: a bit of each, the first lane lowest.
+typedef decltype(Lanes{} < Lanes{}) Held;
+#if defined(__clang__)
+BONDEM_INLINE unsigned bits_of(Held held) {
+    typedef bool Bits __attribute__((ext_vector_type(lanes)));
+    const Bits bits = __builtin_convertvector(held, Bits);
+    unsigned char byte;
+    __builtin_memcpy(&byte, &bits, 1);
+    return byte & ((1u << lanes) - 1u);
+}
+#else
+BONDEM_INLINE unsigned bits_of(Held held) {
+    unsigned bits = 0;
+    for (int n = 0; n < lanes; n++) bits |= unsigned(held[n] != 0) << n;
+    return bits;
+}
+#endif
 
 // ---- memory
 

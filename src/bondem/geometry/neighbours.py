@@ -23,6 +23,7 @@ class SphereGrid(NamedTuple):
     cell: Ints  #: of each sphere, (n,)
     first: Ints  #: where the members of each cell begin, (cells + 1,)
     member: np.ndarray  #: spheres, cell by cell, uint32, (n,)
+    place: Floats  #: their centres and radii [m], in that order, (4, n + 8): several are read at once
     start: Ints  #: where the neighbours of each sphere begin, (n + 1,)
 
 
@@ -33,7 +34,7 @@ class NeighbourLists(NamedTuple):
 
 
 _sort = Pass("sort_into_cells", SphereGrid)
-_count = Pass("count_neighbours", SphereGrid)
+_count = Pass("sort_and_count_neighbours", SphereGrid)
 _list = Pass("list_neighbours", SphereGrid, NeighbourLists)
 
 
@@ -53,7 +54,7 @@ def neighbours(
     Returns:
         Where the list of each sphere begins, shape (n + 1,), and the lists one after the other, uint32.
     """
-    grid = sphere_grid(sphere, lower, upper, period, skin)
+    grid = _unsorted(sphere, lower, upper, period, skin)
     _count(grid, threads=threads)
     lists = NeighbourLists(np.empty(grid.start[len(sphere)], np.uint32))
     _list(grid, lists, threads=threads)
@@ -62,14 +63,18 @@ def neighbours(
 
 def sphere_grid(sphere: Floats, lower: Vector, upper: Vector, period: Vector, skin: float) -> SphereGrid:
     """Sort spheres into the cells of a grid for the search of neighbours; arguments as of `neighbours`."""
+    grid = _unsorted(sphere, lower, upper, period, skin)
+    _sort(grid)
+    return grid
+
+
+def _unsorted(sphere: Floats, lower: Vector, upper: Vector, period: Vector, skin: float) -> SphereGrid:
     n = len(sphere)
     reach = 2.0 * float(sphere[:, 3].max(initial=0.0)) + skin
     extent = np.asarray(upper, dtype=float) - lower
     cells = np.clip(extent / reach, 1, max(1, min(n, _MOST_CELLS))).astype(np.int64)  # clipped first: it may overflow
-    grid = SphereGrid(
+    return SphereGrid(
         sphere, np.array(lower, dtype=float), extent / cells, np.array(period, dtype=float), cells, float(skin),
         np.empty(n, np.int64), np.empty(int(cells.prod()) + 1, np.int64), np.empty(n, np.uint32),
-        np.empty(n + 1, np.int64),
+        np.empty((4, n + 8)), np.empty(n + 1, np.int64),
     )  # fmt: skip
-    _sort(grid)
-    return grid

@@ -70,6 +70,7 @@ struct SphereGrid {
     Array<Index, 1> cell;  // of each sphere, (n,)
     Array<Index, 1> first;  // where the members of each cell begin, (cells + 1,)
     Array<Short, 1> member;  // spheres, cell by cell, (n,)
+    Array<double, 2> place;  // their centres and radii [m], in that order, (4, n + 8): several are read at once
     Array<Index, 1> start;  // where the neighbours of each sphere begin, (n + 1,)
 };
 

@@ -1,5 +1,6 @@
 // Visits of the spheres near a sphere, cell by cell of their grid.
 #pragma once
+#include "../../lanes.hpp"
 #include "../../tables/packing_tables.hpp"
 #include "periodic.hpp"
 
@@ -15,27 +16,50 @@ inline VisitedCells visited_cells(Index centre, Index cells, bool periodic) {
     return {centre - 1, centre + 1};
 }
 
+inline Index wrapped(Index at, Index cells) { return at < 0 ? at + cells : (at >= cells ? at - cells : at); }
+
+// Separations over the nearest images, as Period has them, of several spheres at once.
+inline Lanes nearest_image(Lanes apart, double edge, double inverse) { return apart - edge * nearest(apart * inverse); }
+
+// Which of the members first … first + lanes - 1 of the grid are near a sphere: a bit of each.
+inline unsigned near_bits(const SphereGrid &grid, const Period &period, Vector centre, double radius, Index first) {
+    const auto column = [&](Index axis) { return load(&grid.place(axis, first)); };
+    const Lanes x = nearest_image(column(0) - centre.x, period.edge.x, period.inverse.x);
+    const Lanes y = nearest_image(column(1) - centre.y, period.edge.y, period.inverse.y);
+    const Lanes z = nearest_image(column(2) - centre.z, period.edge.z, period.inverse.z);
+    const Lanes reach = radius + column(3) + grid.skin;
+    return bits_of(x * x + y * y + z * z <= reach * reach);
+}
+
 // Calls found(j) for every wanted neighbour j of sphere i, cell by cell.
 template <class Wanted, class Found>
 inline void visit_neighbours(const SphereGrid &grid, const Period &period, Index i, Wanted wanted, Found found) {
     const Index a = grid.cells(0), b = grid.cells(1), c = grid.cells(2);
     const Vector centre = grid.sphere.row<const Vector>(i);
     const double radius = grid.sphere(i, 3);
-    const VisitedCells x = visited_cells(grid.cell(i) / (c * b), a, period.edge.x > 0.0);
-    const VisitedCells y = visited_cells(grid.cell(i) / c % b, b, period.edge.y > 0.0);
-    const VisitedCells z = visited_cells(grid.cell(i) % c, c, period.edge.z > 0.0);
-    for (Index u = x.first; u <= x.last; u++)
-        for (Index v = y.first; v <= y.last; v++)
-            for (Index w = z.first; w <= z.last; w++) {
-                const Index cell = ((u + a) % a * b + (v + b) % b) * c + (w + c) % c;
-                for (Index p = grid.first(cell); p < grid.first(cell + 1); p++) {
-                    const Index j = grid.member(p);
-                    if (!wanted(j)) continue;
-                    const Vector apart = period.nearest_image(grid.sphere.row<const Vector>(j) - centre);
-                    const double reach = radius + grid.sphere(j, 3) + grid.skin;
-                    if (dot(apart, apart) <= reach * reach) found(j);
-                }
+    const auto visit_cells = [&](Index from, Index to) {
+        const Index end = grid.first(to + 1);
+        for (Index p = grid.first(from); p < end; p += lanes) {
+            unsigned bits = near_bits(grid, period, centre, radius, p);
+            if (end - p < lanes) bits &= (1u << (end - p)) - 1u;
+            for (; bits != 0; bits &= bits - 1u) {
+                const Index j = grid.member(p + __builtin_ctz(bits));
+                if (wanted(j)) found(j);
             }
+        }
+    };
+    const Index column = grid.cell(i) / c, row = column / b;
+    const VisitedCells x = visited_cells(row, a, period.edge.x > 0.0);
+    const VisitedCells y = visited_cells(column - row * b, b, period.edge.y > 0.0);
+    const VisitedCells z = visited_cells(grid.cell(i) - column * c, c, period.edge.z > 0.0);
+    for (Index u = x.first; u <= x.last; u++)
+        for (Index v = y.first; v <= y.last; v++) {
+            const Index base = (wrapped(u, a) * b + wrapped(v, b)) * c;
+            // cells along z stand one after the other, but for those beyond a periodic edge
+            if (z.first < 0) visit_cells(base + c - 1, base + c - 1);
+            visit_cells(base + most(z.first, Index(0)), base + least(z.last, c - 1));
+            if (z.last >= c) visit_cells(base, base);
+        }
 }
 
 }  // namespace bondem

@@ -32,10 +32,13 @@ Index sort_into_cells(Index, const SphereGrid &grid) {
     for (Index i = n - 1; i >= 0; i--) grid.member(--grid.first(grid.cell(i) + 1)) = Short(i);
     for (Index c = 0; c < cells; c++) grid.first(c) = grid.first(c + 1);
     grid.first(cells) = n;
+    for (Index p = 0; p < n; p++)
+        for (Index a = 0; a < 4; a++) grid.place(a, p) = grid.sphere(grid.member(p), a);
     return 0;
 }
 
-Index count_neighbours(Index threads, const SphereGrid &grid) {
+Index sort_and_count_neighbours(Index threads, const SphereGrid &grid) {
+    sort_into_cells(threads, grid);
     const Index n = grid.sphere.size();
     const Period period(grid.period);
     for_each_task(threads, (n + block - 1) / block, [&](Index task) {

@@ -7,6 +7,7 @@
 // times √mass.
 #include "relaxation.hpp"
 
+#include "../../lanes.hpp"
 #include "../../threads.hpp"
 #include "packing_walls.hpp"
 #include "periodic.hpp"
@@ -36,30 +37,59 @@ double largest(const Array<double, 2> &part, Sum column) {
     return found;
 }
 
+// What the neighbours of a sphere do to it.
+struct Pressed {
+    Vector force = {0.0, 0.0, 0.0};
+    double overlaps = 0.0, touching = 0.0, deepest = 0.0;
+};
+
+// Presses on sphere i with its neighbours, four at a time. They are added one after the other, as one at a time would
+// be. No branch: about a third of the neighbours do not touch, in no order that a processor could guess.
+BONDEM_INLINE void press_sphere(const Spheres &spheres, const Near &near, Four edge, Four inverse, Index i, Pressed &sum) {
+    const double *const sphere = &spheres.sphere(0, 0);
+    const auto row = [&](Index j) -> Four { return *reinterpret_cast<const FourInMemory *>(sphere + 4 * j); };
+    const Four own = row(i), centre = {own[0], own[1], own[2], 0.0};
+    Four force = {sum.force.x, sum.force.y, sum.force.z, 0.0};
+    const Index end = near.start(i + 1);
+    for (Index k = near.start(i); k < end; k += 4) {
+        Four apart[4], column[4];
+        for (Index n = 0; n < 4; n++) {
+            const Four d = row(k + n < end ? Index(near.neighbour(k + n)) : i) - centre;
+            column[n] = apart[n] = d - edge * nearest(d * inverse);
+        }
+        transpose_four(column);
+        const Four zero = {}, tiny = zero + 1e-300;
+        const Four square = column[0] * column[0] + column[1] * column[1] + column[2] * column[2];
+        const Four distance = root(square > tiny ? square : tiny), gap = own[3] + column[3] - distance;
+        Four deep = gap > zero ? gap : zero;
+        for (Index n = end - k; n < 4; n++) deep[n] = 0.0;
+        const Four push = deep / distance;
+        for (Index n = 0; n < 4; n++) {
+            force = force - push[n] * apart[n];
+            sum.overlaps += deep[n];
+            sum.touching += deep[n] > 0.0 ? 1.0 : 0.0;
+            sum.deepest = most(sum.deepest, deep[n]);
+        }
+    }
+    sum.force = {force[0], force[1], force[2]};
+}
+
 // Forces on the spheres of a block, and what they sum up to.
 void press(const Spheres &spheres, const PackingWalls &walls, const Near &near, Index b, const Array<double, 2> &part) {
     const Period period(spheres.period);
     const PlainWalls plain(walls);
     const bool grid = has_grid(walls);
-    double powers = 0.0, forces = 0.0, eased = 0.0, speeds = 0.0, overlaps = 0.0, touching = 0.0, most_overlap = 0.0;
+    const Four edge = {period.edge.x, period.edge.y, period.edge.z, 0.0};
+    const Four inverse = {period.inverse.x, period.inverse.y, period.inverse.z, 0.0};
+    double powers = 0.0, forces = 0.0, eased = 0.0, speeds = 0.0;
+    Pressed sum;
     const Index last = least((b + 1) * relaxation_block, spheres.sphere.size());
     for (Index i = b * relaxation_block; i < last; i++) {
         const Vector x = spheres.sphere.row<const Vector>(i);
         const double r = spheres.sphere(i, 3);
-        Vector force = {0.0, 0.0, 0.0};
-        for (Index k = near.start(i); k < near.start(i + 1); k++) {
-            const Index j = near.neighbour(k);
-            const Vector d = period.nearest_image(spheres.sphere.row<const Vector>(j) - x);
-            const double reach = r + spheres.sphere(j, 3);
-            // No branch: about a third of the neighbours do not touch, in no order that a processor could guess.
-            const double distance = root(most(dot(d, d), 1e-300));
-            const double deep = most(reach - distance, 0.0);
-            force = minus(force, deep / distance, d);
-            overlaps += deep;
-            touching += deep > 0.0 ? 1.0 : 0.0;
-            most_overlap = most(most_overlap, deep);
-        }
-        force = grid ? carried_by_grid(plain, walls, x, r, force) : plain.carried(x, r, force);
+        sum.force = {0.0, 0.0, 0.0};
+        press_sphere(spheres, near, edge, inverse, i, sum);
+        const Vector force = grid ? carried_by_grid(plain, walls, x, r, sum.force) : plain.carried(x, r, sum.force);
         spheres.force.row<Vector>(i) = force;
         const Vector v = spheres.velocity.row<Vector>(i);
         const Vector steering = spheres.ease(i) * force;
@@ -72,9 +102,9 @@ void press(const Spheres &spheres, const PackingWalls &walls, const Near &near, 
     part(b, force_square) = forces;
     part(b, eased_square) = eased;
     part(b, speed_square) = speeds;
-    part(b, overlap) = overlaps;
-    part(b, contacts) = touching;
-    part(b, deepest) = most_overlap;
+    part(b, overlap) = sum.overlaps;
+    part(b, contacts) = sum.touching;
+    part(b, deepest) = sum.deepest;
 }
 
 struct Descent {
