@@ -125,6 +125,7 @@ def test_the_bracket_converges():
     assert mass == pytest.approx(5952e-9 * RHO, rel=1e-12)
 
 
+@pytest.mark.validate
 def test_modes_are_read_at_points(beam):
     modes = beam.vibration(E, NU, RHO, count=6)
     points = np.random.default_rng(0).random((400, 3)) * BEAM

@@ -230,14 +230,18 @@ def remaining_share(model: bd.Model, duration: float, dt: float) -> tuple[float,
     return held[-1] / energy["work"][-1], held.max() / energy["work"][-1]
 
 
-@pytest.mark.parametrize(
-    ("confined", "pulse"),
-    [pytest.param(False, 0.45, id="thin bar", marks=pytest.mark.validate), pytest.param(True, 0.25, id="plane wave")],
-)
-def test_a_pulse_leaves_through_an_absorbing_end(confined: bool, pulse: float, record: Record) -> None:
-    # in a thin bar only pulses far longer than it is thick travel at √(E/ρ); shorter ones disperse
+@pytest.mark.parametrize(("confined", "pulse", "count", "bound"), [
+    pytest.param(False, 0.45, 10_500, 0.02, id="thin bar", marks=pytest.mark.validate),
+    pytest.param(True, 0.25, 10_500, 0.02, id="plane wave", marks=pytest.mark.validate),
+    pytest.param(True, 0.25, 4000, 0.04, id="plane wave, coarse"),
+])  # fmt: skip
+def test_a_pulse_leaves_through_an_absorbing_end(
+    confined: bool, pulse: float, count: int, bound: float, record: Record
+) -> None:
+    # In a thin bar only pulses far longer than it is thick travel at √(E/ρ); shorter ones disperse. Spheres of 1.4
+    # times the size disperse twice as much, so that the coarse bar may give back twice as much.
     box = bd.Box((0.6, 0.1, 0.1))
-    lattice = spheres(box, 10_500, spread=0.2, seed=2)
+    lattice = spheres(box, count, spread=0.2, seed=2)
     tension = bd.labtests.static_tension(lattice, LAW)
     rho = RHO * lattice.particles.volume[lattice.connected].sum() / box.volume
     E, nu = tension.E, tension.nu
@@ -258,8 +262,9 @@ def test_a_pulse_leaves_through_an_absorbing_end(confined: bool, pulse: float, r
     print(f"confined={confined}: {left:.4%} of the energy comes back; without dashpots {kept:.2%}")
     assert most > 0.9
     assert kept > 0.95
-    assert left < 0.02
-    record(f"energy that comes back, {'plane wave' if confined else 'thin bar'}", left)
+    assert left < bound
+    if count > 10_000:
+        record(f"energy that comes back, {'plane wave' if confined else 'thin bar'}", left)
 
 
 # ---- the same bits

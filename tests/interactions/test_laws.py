@@ -142,7 +142,7 @@ def test_the_surface_correction_is_fitted_to_these_laws():
 
 
 @pytest.mark.parametrize("law", [
-    pytest.param(law, id=name, marks=[pytest.mark.validate] if law is bd.Obermayr else [])
+    pytest.param(law, id=name, marks=[] if law is bd.ParallelBond else [pytest.mark.validate])
     for name, law in CALIBRATED.items()
 ])  # fmt: skip
 def test_a_study_with_any_law_draws_its_report(law, tmp_path):

@@ -108,7 +108,10 @@ def test_vtk_reads_what_the_run_had(tmp_path: Path, make) -> None:
             )  # fmt: skip
 
 
-@pytest.mark.parametrize(("snapshot_every", "killed", "kept"), [(150, 450, 400), (200, 400, 200), (200, 0, 0)])
+@pytest.mark.parametrize(("snapshot_every", "killed", "kept"), [
+    (150, 450, 400), pytest.param(200, 400, 200, marks=pytest.mark.validate),
+    pytest.param(200, 0, 0, marks=pytest.mark.validate),
+])  # fmt: skip
 def test_a_run_that_goes_on_has_the_same_snapshots(
     tmp_path: Path, snapshot_every: int, killed: int, kept: int
 ) -> None:

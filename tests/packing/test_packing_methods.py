@@ -30,7 +30,7 @@ def overlaps(particles):
     return deep[deep > 0.0]
 
 
-@pytest.mark.parametrize("method", ["quench", *OTHERS])
+@pytest.mark.parametrize("method", [pytest.param("quench", marks=pytest.mark.validate), *OTHERS])
 def test_jammed_monodisperse_spheres_are_isostatic_at_random_close_density(method):
     particles = bd.pack(CELL, count=1000, spread=0.0, seed=2, method=method, jamming=True)
     quality = bd.fabric(bd.connect(particles))

@@ -59,7 +59,7 @@ def test_clamped_rod_in_bending():
 ])  # fmt: skip
 def test_block_gradients_find_the_modes_of_inverse_lanczos(held, monkeypatch):
     boundary = [bd.Fix(bd.Face("x_min", depth=1.0))] if held else []
-    block = crooked_block((27, 9, 9), edge=1e-3, jitter=0.2, radius=0.35, reach=1.6, walled=True)
+    block = crooked_block((18, 7, 7), edge=1e-3, jitter=0.2, radius=0.35, reach=1.6, walled=True)
     model = bd.Model(block, bd.EulerBernoulli(E=E, nu=NU, radius_ratio=0.6), density=RHO, boundary=boundary)
     found = bd.solve_modes(model, count=8)
     again = bd.solve_modes(model, count=8)

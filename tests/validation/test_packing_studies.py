@@ -107,6 +107,7 @@ def test_a_second_run_packs_only_what_is_missing(refined):
     assert without_time(json.loads((out / "results.json").read_text())["rows"]) == without_time(rows)
 
 
+@pytest.mark.validate
 def test_a_run_that_is_killed_keeps_what_is_there_and_leaves_no_process(tmp_path):
     arguments = ["refinement", "--out", "out", "--counts", "60,30000", "--packings", "2", "--targets", "jamming",
                  "--periodic", "0"]  # fmt: skip

@@ -21,9 +21,9 @@ from bondem.model.stiffness import Stiffness
 from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.statics.coarse_space import Clumps, clump_motions, clump_of, parted
 
-# Up to this many elements, or in a lattice that is little more than a chain, elimination wins: 1000 spheres take 0.30 s
-# to eliminate and 0.01 s a load, 0.03 s to prepare for iteration and 0.03 s a load. Cells have twice the neighbours,
-# and dilatation couples the next ones: 1200 of them take 1.3 s to eliminate, and 0.2 s to iterate.
+# Up to this many elements, or in a lattice that is little more than a chain, elimination wins: 1000 spheres take
+# 0.30 s to eliminate and 0.01 s a load, 0.03 s to prepare for iteration and 0.03 s a load. Cells have twice the
+# neighbours, and dilatation couples the next ones: 1200 of them take 1.3 s to eliminate, and 0.2 s to iterate.
 _DIRECT, _DIRECT_CELLS = 500, 150
 _CHAIN = 1.5
 # A pivot below this, of a matrix with unit diagonal, belongs to a mechanism.
