@@ -96,7 +96,7 @@ def test_tangent_at_rest_is_the_stiffness_matrix():
 
 def test_a_block_twisted_by_its_faces_balances():
     """A lattice in three dimensions, large enough to be iterated on."""
-    lattice = crooked_block((26, 8, 8), jitter=0.2, radius=0.35, reach=1.6, seed=3, walled=True)
+    lattice = crooked_block((14, 7, 7), jitter=0.2, radius=0.35, reach=1.6, seed=3, walled=True)
     end, moment = bd.Face("x_max", depth=1.0), np.array([0.02, 0.0, 0.0])
     pull, twist = bd.Load(end, force=(0.0, 9e-3, 0.0)), bd.Load(end, moment=moment)
     law = bd.EulerBernoulli(E=1.0, nu=NU, radius_ratio=0.8)

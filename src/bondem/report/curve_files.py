@@ -2,19 +2,15 @@
 
 import csv
 from collections.abc import Mapping
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from bondem.errors import InputError
 from bondem.io.atomic import replacing
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.outcome import Outcome
 from bondem.report.findings import Examined, Findings
-from bondem.specimen.layering import wall_layering
-from bondem.specimen.radial_distribution import radial_distribution
 
 #: Folder of the files within that of the results.
 CURVES = "curves"
@@ -68,13 +64,13 @@ def _of_test(name: str, outcome: Outcome) -> dict[str, _Columns]:
 
 def _of_specimen(one: Examined) -> dict[str, _Columns]:
     """Layering at the walls, and the radial distribution of the centres."""
-    particles, found = one.lattice.particles, {}
-    for face, layers in (wall_layering(particles) or {}).items():
+    found: dict[str, _Columns] = {}
+    for face, layers in one.layering.items():
         found[f"layering_{face}"] = {
             "distance over mean diameter [-]": layers.distance, "solid fraction [-]": layers.volume_fraction
         }  # fmt: skip
-    with suppress(InputError):  # too few elements away from the walls
-        centres = radial_distribution(particles)
+    centres = one.distribution
+    if centres is not None:
         found["distribution"] = {"distance over mean diameter [-]": centres.distance, "g(r) [-]": centres.density}
     return found
 

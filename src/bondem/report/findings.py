@@ -2,10 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 from bondem.calibration.elastic import Calibration, Trial
 from bondem.damage.criteria.criterion import Criterion
+from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.labtests.arguments import AnyLaw
@@ -15,7 +17,9 @@ from bondem.labtests.tension import Tension
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.fabric import Fabric
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.layering import Layering, wall_layering
 from bondem.specimen.material import Material
+from bondem.specimen.radial_distribution import RadialDistribution, radial_distribution
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +62,19 @@ class Examined:
     frequencies: NaturalFrequencies | None = None
     law: AnyLaw | None = None
     aggregates: Aggregates | None = None
+
+    @cached_property
+    def layering(self) -> Mapping[str, Layering]:
+        """Effect of each wall on the packing; empty for a periodic cell."""
+        return wall_layering(self.lattice.particles)
+
+    @cached_property
+    def distribution(self) -> RadialDistribution | None:
+        """Radial distribution of the centres, or None if too few elements are away from the walls."""
+        try:
+            return radial_distribution(self.lattice.particles)
+        except InputError:
+            return None
 
 
 @dataclass(frozen=True, eq=False)

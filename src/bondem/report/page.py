@@ -2,9 +2,9 @@
 
 import base64
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from datetime import date
+from functools import cache
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -13,7 +13,6 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from PIL import Image
 
-from bondem.errors import InputError
 from bondem.interactions.law_catalogue import named
 from bondem.io.atomic import write_text
 from bondem.io.commit import commit
@@ -35,8 +34,6 @@ from bondem.report.style import narrow
 from bondem.report.summary_figures import draw_errors
 from bondem.report.turning import turning_of
 from bondem.report.turning_cells import turning_cells_of
-from bondem.specimen.layering import wall_layering
-from bondem.specimen.radial_distribution import radial_distribution
 
 #: Folder of the figures for phones within that of the figures.
 PHONE = "phone"
@@ -121,11 +118,10 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
         "geode": lambda path: draw_geode(path, first.quality),
         "contacts": lambda path: draw_contacts(path, first.lattice),
     }
-    layering = wall_layering(first.lattice.particles)
-    if layering:
-        drawings["layering"] = lambda path: draw_layering(path, layering, first.quality.core_volume_fraction)
-    with suppress(InputError):  # too few elements away from the walls
-        distribution = radial_distribution(first.lattice.particles)
+    if first.layering:
+        drawings["layering"] = lambda path: draw_layering(path, first.layering, first.quality.core_volume_fraction)
+    distribution = first.distribution
+    if distribution is not None:
         drawings["distribution"] = lambda path: draw_distribution(path, distribution)
     if findings.fit is not None:
         drawings["calibration"] = lambda path: draw_free_parameter(path, findings)
@@ -153,27 +149,25 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
     return drawings
 
 
+@cache
 def templates() -> Environment:
-    """Template environment of the pages, in which undefined names raise errors."""
-    return Environment(
+    """Template environment of the pages, in which undefined names raise errors; a template is compiled once."""
+    environment = Environment(
         loader=PackageLoader("bondem.report"), autoescape=select_autoescape(), undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
+    environment.filters |= {
+        "quantity": with_unit, "percent": percent, "signed": signed_percent, "difference": signed
+    }  # fmt: skip
+    return environment
 
 
 def page(findings: Findings, pictures: dict[str, Picture]) -> str:
     """HTML text of the report."""
-    environment = templates()
-    environment.filters |= {
-        "quantity": with_unit,
-        "percent": percent,
-        "signed": signed_percent,
-        "difference": signed,
-    }
     rows = rows_of(findings)
     solid = bool(pictures) and findings.specimens[0].lattice.cells is not None
     law = findings.bonds.law if findings.bonds is not None else None
-    return environment.get_template("report.html").render(
+    return templates().get_template("report.html").render(
         findings=findings,
         results=findings.results,
         pictures=pictures,

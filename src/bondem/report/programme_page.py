@@ -11,7 +11,6 @@ from bondem.io.atomic import write_text
 from bondem.io.commit import commit
 from bondem.report.captions import CAPTIONS
 from bondem.report.criterion_told import told
-from bondem.report.numbers import percent, signed_percent, with_unit
 from bondem.report.page import PHONE, Picture, templates
 from bondem.report.programme_figure import draw_targets
 from bondem.report.style import narrow
@@ -75,9 +74,7 @@ def write_programme(
         scattered = any(row["scatter"] for row in rows)
         summary = Picture.of(out / "figures" / "targets.png", _TARGETS + (_BARS if scattered else ""))
     pictures = {one.name: _pictures(out / one.folder) if figures else [] for one in chapters}
-    environment = templates()
-    environment.filters |= {"quantity": with_unit, "percent": percent, "signed": signed_percent}
-    page = environment.get_template("programme.html").render(
+    page = templates().get_template("programme.html").render(
         title=title,
         material=material,
         failures=[(part, type(one).__name__, told(one)) for part, one in failures.items()],
