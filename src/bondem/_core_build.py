@@ -27,8 +27,9 @@ PROBE = "level"
 # makes the passes over lanes slower.
 _FLAGS = [
     "-x", "c++", "-std=c++17", "-O3", "-fno-math-errno", "-ffp-contract=on", "-fno-exceptions", "-fno-rtti",
-    "-fno-slp-vectorize", "-fno-sanitize=undefined", "-fvisibility=hidden", "-fPIC", "-shared", "-s",
+    "-fno-slp-vectorize", "-fno-sanitize=undefined", "-fvisibility=hidden", "-fPIC",
 ]  # fmt: skip
+_LINKED = ["-shared", "-s"]
 _LEVELS = {
     "x86_64": {
         "x86_64_v2": ["-mcpu=x86_64_v2"],
@@ -119,14 +120,25 @@ class Platform:
 
     def flags(self, level: str) -> list[str]:
         """Flags of the compiler for a level."""
+        levels = _ON_WINDOWS | _LEVELS["aarch64"] if self.system == "windows" else _LEVELS[self.machine]
+        return ["-target", self.triple, *levels[level]]
+
+    @property
+    def linked(self) -> list[str]:
+        """Flags of the linker, for all levels."""
         if self.system == "windows":
-            return ["-target", self.triple, *(_ON_WINDOWS | _LEVELS["aarch64"])[level]]
-        return ["-target", self.triple, *_LEVELS[self.machine][level], "-lpthread", "-lm"]
+            needed = []
+        elif (self.machine, self.system) == ("x86_64", "linux"):
+            # The compiler would make a runtime of its own first, of which the core needs nothing: ten seconds.
+            needed = ["-nostdlib", "-lc", "-lm", "-lpthread", "-Wl,-z,defs"]
+        else:
+            needed = ["-lpthread", "-lm"]
+        return [*self.flags(self.levels[0]), *_LINKED, *needed]
 
 
 def source_digest(folder: Path = SOURCES) -> str:
     """Hash of all sources and of the flags, 12 hexadecimal digits: part of the name of each library."""
-    digest = hashlib.sha256(" ".join([*_FLAGS, str(_LEVELS), str(_ON_WINDOWS)]).encode())
+    digest = hashlib.sha256(" ".join([*_FLAGS, *_LINKED, str(_LEVELS), str(_ON_WINDOWS)]).encode())
     for path in core_sources("*.cpp", "*.hpp", folder=folder):
         digest.update(f"{path.relative_to(folder)}\n".encode() + path.read_bytes())
     return digest.hexdigest()[:12]
@@ -138,9 +150,10 @@ def compiler() -> list[str] | None:
 
 
 def compile_core(target: Platform, levels: Iterable[str], *, folder: Path = SOURCES) -> list[Path]:
-    """Compile libraries of some levels, and remove older ones of these levels.
+    """Compile libraries of some levels, unless they are there, and remove older ones of these levels.
 
-    The compiler keeps the objects of sources in the folder `build`, and compiles those again that have changed.
+    Sources are compiled side by side, on all cores. The compiler keeps their objects in the folder `build`, and
+    compiles those again that have changed.
 
     Args:
         target: the machine to compile for.
@@ -160,22 +173,32 @@ def compile_core(target: Platform, levels: Iterable[str], *, folder: Path = SOUR
     environment = {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache), **os.environ}
     out = folder / LIBRARIES
     out.mkdir(exist_ok=True)
-    digest, sources = source_digest(folder), [str(path) for path in core_sources("*.cpp", folder=folder)]
+    digest, sources = source_digest(folder), core_sources("*.cpp", folder=folder)
+    libraries = {level: out / f"{level}.{digest}{target.suffix}" for level in levels}
 
-    def make(level: str) -> Path:
-        library = out / f"{level}.{digest}{target.suffix}"
-        source = [str(folder / f"{PROBE}.cpp")] if level == PROBE else sources
-        flags = target.flags(target.levels[0] if level == PROBE else level)
-        with tempfile.TemporaryDirectory(dir=out) as aside:
-            made = Path(aside) / library.name
-            _run([*command, *_FLAGS, *flags, *source, "-o", str(made)], environment)
+    with tempfile.TemporaryDirectory(dir=out) as aside, ThreadPoolExecutor(os.cpu_count()) as pool:
+
+        def compiled(level: str, source: Path) -> str:
+            made = Path(aside) / level / source.relative_to(folder).with_suffix(".o")
+            made.parent.mkdir(parents=True, exist_ok=True)
+            flags = target.flags(target.levels[0] if level == PROBE else level)
+            _run([*command, *_FLAGS, *flags, "-c", str(source), "-o", str(made)], environment)
+            return str(made)
+
+        def linked(level: str, objects: list[str]) -> None:
+            made = Path(aside) / libraries[level].name
+            _run([*command, *target.linked, *objects, "-o", str(made)], environment)
             for old in out.glob(f"{level}.*{target.suffix}"):
                 old.unlink(missing_ok=True)
-            shutil.move(made, library)
-        return library
+            shutil.move(made, libraries[level])
 
-    with ThreadPoolExecutor() as pool:
-        return list(pool.map(make, levels))
+        # pip asks a build twice
+        lacking = [level for level, library in libraries.items() if not library.is_file()]
+        parts = {level: [folder / f"{PROBE}.cpp"] if level == PROBE else sources for level in lacking}
+        objects = {level: [pool.submit(compiled, level, one) for one in those] for level, those in parts.items()}
+        for level, made in objects.items():
+            linked(level, [one.result() for one in made])
+    return list(libraries.values())
 
 
 def _run(command: list[str], environment: Mapping[str, str]) -> None:
