@@ -192,10 +192,9 @@ def test_radial_distribution_of_the_crystal_counts_its_shells():
     assert shell.sum() == pytest.approx(42.0, rel=1e-9)
 
 
-@pytest.mark.parametrize(
-    "shape", [bd.Cylinder(1.0, 6.0), bd.Ball(1.0), pytest.param(bd.Cell((1.0, 1.0, 1.0)), marks=pytest.mark.validate)],
-    ids=repr,
-)
+@pytest.mark.parametrize("shape", [
+    bd.Cylinder(1.0, 6.0), bd.Ball(1.0), pytest.param(bd.Cell((1.0, 1.0, 1.0)), marks=pytest.mark.validate)
+], ids=repr)  # fmt: skip
 def test_radial_distribution_of_points_without_order_is_one_up_to_the_walls(shape):
     points, _ = points_inside(shape, 1 << 15, 0.0)
     random = np.random.default_rng(5)
