@@ -12,7 +12,9 @@ from validation.measures.cohesive_crack import cohesive_crack
 PETERSSON, BEAM = petersson.PETERSSON, petersson.BEAM
 
 
-@pytest.mark.parametrize("curve", [None, bd.Bilinear()], ids=["straight", "two lines"])
+@pytest.mark.parametrize("curve", [
+    pytest.param(None, id="straight", marks=pytest.mark.validate), pytest.param(bd.Bilinear(), id="two lines"),
+])  # fmt: skip
 def test_peaks_do_not_depend_on_the_mesh(curve):
     for one, beam in ((PETERSSON, BEAM), (gregoire.GREGOIRE, gregoire.BEAM)):
         coarse, fine = (cohesive_crack(one, beam, curve, across).peak for across in (40, 80))

@@ -50,6 +50,7 @@ def test_mass_is_that_of_the_mesh(cylinder):
     assert cylinder.bar.section.area == pytest.approx(octagon, rel=1e-9)
 
 
+@pytest.mark.validate
 def test_the_first_frequencies_are_those_of_the_bar(cylinder):
     x, y, z = cylinder.points.T
     solve = cylinder.solver(x < 1e-9)

@@ -91,7 +91,7 @@ def test_pausing_changes_no_bit(case: str) -> None:
     "case",
     [
         "peripheral", "brittle cells", "cells break and touch", "beams break, stressed", "spheres and walls",
-        "warming cells", "non-local, bonds break, contact",
+        "warming cells", pytest.param("non-local, bonds break, contact", marks=pytest.mark.validate),
     ],
 )  # fmt: skip
 def test_the_order_of_indices_changes_no_bit(case: str) -> None:

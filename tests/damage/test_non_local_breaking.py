@@ -214,6 +214,7 @@ def crushing(share: float, steps: int, failure: bd.Criterion = STEEP, **options)
     return bd.solve_explicit(model, duration=steps * dt, dt=dt, damping=damping, **options)
 
 
+@pytest.mark.validate
 def test_the_ledger_closes_through_breakage_and_friction(one_thread: None, record: Record) -> None:
     """With the non-local work as an entry of its own; what is missed falls with the step as the lag does."""
     missed = []

@@ -90,8 +90,8 @@ def clone(tmp_path, monkeypatch):
     return tmp_path
 
 
-# Pages whose code calibrates bodies of real sizes and takes 5 to 30 seconds.
-LONG = {"calibration.md", "fracture.md", "own_part.md"}
+# Pages whose code calibrates bodies of real sizes and takes 5 to 30 seconds, and the one that has the README's code.
+LONG = {"index.md", "calibration.md", "fracture.md", "own_part.md"}
 
 
 @pytest.mark.parametrize("page", [

@@ -94,6 +94,7 @@ def test_the_energy_ledger_closes(compacted):
         assert energy["translation"][-1] < 1e-3 * energy["contact"][-1]
 
 
+@pytest.mark.validate
 def test_same_seed_same_bits_and_the_share_done_rises():
     def once(seed: int, told: list[float]) -> Compaction:
         random = draw(seed)

@@ -24,7 +24,7 @@ from hypothesis.extra import numpy as npst
 import bondem as bd
 from bondem.errors import BondemError
 
-EXAMPLES = 12  # an argument
+EXAMPLES = 8  # an argument
 SECONDS = 20
 
 

@@ -123,7 +123,7 @@ def test_a_free_chain_in_tension_stretches_about_its_middle(bonds):
 @pytest.fixture(scope="module")
 def block() -> bd.Lattice:
     """More than elimination is used for."""
-    return crooked_block((20, 10, 10), edge=1e-3, jitter=0.2, radius=0.35, reach=1.83, seed=0, walled=True)
+    return crooked_block((12, 8, 8), edge=1e-3, jitter=0.2, radius=0.35, reach=1.83, seed=0, walled=True)
 
 
 LAW = bd.EulerBernoulli(E=E, nu=NU, radius_ratio=0.6)
