@@ -47,7 +47,7 @@ def fastest_decay(model: Model, terms: DampingTerms) -> float:
     held = np.bincount(layout.i, weights=cn + cs, minlength=n) + np.bincount(layout.j, weights=cn + cs, minlength=n)
     held *= root[:, 0] ** 2
     start = np.random.default_rng(0).standard_normal((n, 6)) * (held / held.max())[:, None] ** 2
-    operator: Any = LinearOperator((6 * n, 6 * n), matvec=answer, dtype=float)  # type: ignore
+    operator: Any = LinearOperator((6 * n, 6 * n), matvec=answer, dtype=float)
     options = {"tol": _TOLERANCE, "v0": start.ravel(), "return_eigenvectors": False}
     found = np.asarray(eigsh(operator, k=1, which="LA", **options))
     return (1.0 + 2.0 * _TOLERANCE) * float(found[0])
