@@ -27,6 +27,7 @@ def beam():
     return Continuum.box(BEAM, cell=1.67e-3)
 
 
+@pytest.mark.validate
 def test_a_cube_has_its_lame_modes():
     # u = (cos πx/a sin πy/a, -sin πx/a cos πy/a, 0) has no dilation and no traction on any face, whatever ν
     edge = 10e-3

@@ -19,7 +19,9 @@ DOCS = Path(__file__).parents[2] / "docs"
 
 @pytest.fixture(scope="module")
 def pages(tmp_path_factory):
-    """Folder of the trees of the pages that Sphinx makes."""
+    """Folder of the trees of the pages that Sphinx makes; the extra `docs` brings it."""
+    for needed in ("sphinx", "myst_parser", "furo"):
+        pytest.importorskip(needed)
     folder = tmp_path_factory.mktemp("pages")
     command = [sys.executable, "-m", "sphinx", "-b", "dummy", "-q", "-W", "--keep-going", "-d", str(folder / "trees")]
     done = subprocess.run(

@@ -91,7 +91,7 @@ def clone(tmp_path, monkeypatch):
 
 
 # Pages whose code calibrates bodies of real sizes and takes 5 to 30 seconds, and the one that has the README's code.
-LONG = {"index.md", "calibration.md", "fracture.md", "own_part.md"}
+LONG = {"index.md", "calibration.md", "fracture.md", "laws.md", "own_part.md"}
 
 
 @pytest.mark.parametrize("page", [

@@ -176,6 +176,7 @@ def test_grains_above_the_limit_are_stopped() -> None:
     assert len(kinetic) <= np.argmax(~(kinetic <= 1000.0 * kinetic[0])) + 1 + GUARD_INTERVAL / 10
 
 
+@pytest.mark.validate
 def test_a_block_thrown_against_a_wall_is_not_stopped() -> None:
     wall = bd.PlaneWall((-1.0, 0, 0), (1, 0, 0))
     model = block(contact=bd.LinearContact(E=2e6, friction=0.3), walls=[wall])

@@ -68,6 +68,7 @@ def test_the_component_resists_a_push_and_not_a_pull(chen) -> None:
         assert run.pressed_at_rest == pytest.approx(max(0.0, 0.5 * push), rel=1e-5)
 
 
+@pytest.mark.validate
 def test_the_load_of_the_cases_opens_the_contact_and_a_push_closes_it(chen) -> None:
     loop, unbonded, lattice = chen["loop"], chen["unbonded"], row(3, 2.0 * R)
     ks = G * A / (2.0 * R)

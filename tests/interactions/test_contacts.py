@@ -270,7 +270,9 @@ def test_a_growing_vessel_pushes_what_is_in_it() -> None:
     assert abs(ledger["balance"][-1]) < 1e-3 * ledger["work"].max()
 
 
-@pytest.mark.parametrize("mass", [None, 5e4], ids=["usual", "light"])
+@pytest.mark.parametrize("mass", [
+    pytest.param(None, id="usual"), pytest.param(5e4, id="light", marks=pytest.mark.validate),
+])  # fmt: skip
 def test_a_servo_holds_the_force(mass: float | None) -> None:
     force = 2e5
     piston = bd.Servo(bd.Ramp(force, 2 * force, 0.5, begin=20.0), speed=1.0, mass=mass)

@@ -15,7 +15,7 @@ from tests.specimens import spheres
 
 EXAMPLES = sorted(Path("examples").glob("*.toml"))
 QUIET = settings(
-    max_examples=150, deadline=None, derandomize=True,
+    max_examples=100, deadline=None, derandomize=True,
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )  # fmt: skip
 EDIT = st.tuples(

@@ -86,7 +86,7 @@ def bent(body):
     return curvature(bimetal(body, bd.Fix(bd.Face("x_min")), load)) / (1e-3 / stiffness) - 1.0
 
 
-@pytest.mark.parametrize("seed", [1, 2, *(pytest.param(seed, marks=pytest.mark.validate) for seed in (3, 4, 5))])
+@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.validate) for seed in (2, 3, 4, 5))])
 def test_a_bimetal_strip_bends_as_timoshenko_says(seed):
     """Within 1 % on every packing; with cells that know nothing of the plane +3 to +15 %."""
     body = strip(seed)
