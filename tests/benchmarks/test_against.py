@@ -67,6 +67,7 @@ def test_the_smallest_difference_is_found(benchmarks, tmp_path, change) -> None:
     assert found.array == next(iter(change))
 
 
+@pytest.mark.validate
 def test_sides_import_the_bondem_they_are_given_and_take_turns(benchmarks, tmp_path) -> None:
     paired = benchmarks["paired"]
     path = str(tmp_path / "specimen.npz")

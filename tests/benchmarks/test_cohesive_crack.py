@@ -21,6 +21,7 @@ def test_peaks_do_not_depend_on_the_mesh(curve):
         assert coarse == pytest.approx(fine, rel=0.003)
 
 
+@pytest.mark.validate
 @pytest.mark.parametrize("curve", [
     pytest.param(None, id="straight"), pytest.param(bd.Bilinear(), id="two lines", marks=pytest.mark.validate),
 ])  # fmt: skip

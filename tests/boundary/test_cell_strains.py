@@ -73,6 +73,7 @@ def test_a_free_body_grows_without_stress(body: bd.Lattice) -> None:
     assert np.abs(bd.cell_stress(model, run.state)).max() < 1e-6 * E * 1e-2
 
 
+@pytest.mark.validate
 def test_shrinkage_cracks_a_bar_between_walls(body: bd.Lattice) -> None:
     """It cracks as E times the strain is its strength, through one section, for G_f times that."""
     strength, energy = 1e6, 900.0

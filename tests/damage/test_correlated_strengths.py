@@ -54,6 +54,7 @@ def test_correlated_strengths_have_the_distribution_put_in() -> None:
     assert abs(n - 1.0).max() <= 0.6
 
 
+@pytest.mark.validate
 def test_the_volume_is_that_of_a_patch_where_bonds_are_smaller() -> None:
     x = places(500, 5.0)
     fine, coarse, large = (

@@ -44,6 +44,7 @@ def test_a_crushing_test_is_in_balance(traverses: float):
     assert after[-1] < 0.2 <= after[:-1].min()  # it ends as the load has dropped to a fifth
 
 
+@pytest.mark.validate
 def test_rough_plates_hold_the_ball_across() -> None:
     """By at most their friction; smooth ones by nothing."""
     smooth = crushed()

@@ -206,6 +206,7 @@ def test_radial_distribution_of_points_without_order_is_one_up_to_the_walls(shap
     np.testing.assert_allclose(found.density[1:], 1.0, atol=0.04)
 
 
+@pytest.mark.validate
 def test_radial_distribution_between_walls_is_that_without(cell, cylinder):
     cell, walled = bd.radial_distribution(cell, bins=40), bd.radial_distribution(cylinder, bins=40)
     np.testing.assert_allclose(cell.distance, walled.distance)

@@ -320,6 +320,7 @@ def test_a_region_is_a_region() -> None:
         bd.solve_quasistatic(pulled(two_cubes(SIZE)), bd.Face("x_max"), gauges={"CMOD": bd.Face("x_max")})
 
 
+@pytest.mark.validate
 def test_elements_that_are_driven_themselves_feel_the_same_load() -> None:
     """A bar of cubes pulled by the middle of its last cube, half a cube nearer than its face."""
     model = pulled(cubes((4, 1, 1), SIZE), nu=0.0)
