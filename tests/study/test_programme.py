@@ -193,44 +193,42 @@ def test_one_report_shows_all_specimens(finished: Any) -> None:
     assert drawn >= {"strength", "broken", "pieces", "energies"}
 
 
-def test_what_is_finished_is_not_run_again(finished: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    out, results, _ = finished
-    ran: list[str] = []
+#: Two specimens that are not broken.
+WHOLE = PRISM | {"tests": ["static_tension"]}
+ELASTIC = {key: value for key, value in PROGRAMME.items() if key not in ("failure", "targets")} | {
+    "specimens": [WHOLE, WHOLE | {"name": "other"}], "output": {"figures": False},
+}  # fmt: skip
+
+
+@pytest.fixture
+def ran(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Names of the studies that are run."""
+    names: list[str] = []
     real = programme_run.run_study
 
     def counted(study: Study, *given: Any, **named: Any) -> Any:
-        ran.append(study.name)
+        names.append(study.name)
         return real(study, *given, **named)
 
     monkeypatch.setattr(programme_run, "run_study", counted)
+    return names
+
+
+def test_what_is_finished_is_not_run_again(finished: Any, ran: list[str], tmp_path: Path) -> None:
+    out, results, _ = finished
     assert run_programme(parse_programme(PROGRAMME), out) == results
     assert ran == []
-    # specimens that are not broken
-    whole = PRISM | {"tests": ["static_tension"], "count": 100}
-    elastic = PROGRAMME | {"specimens": [whole, whole | {"name": "other"}], "output": {"figures": False}}
-    del elastic["failure"], elastic["targets"]
-    results = run_programme(parse_programme(elastic), tmp_path)
+    results = run_programme(parse_programme(ELASTIC), tmp_path)
     (tmp_path / "small-prism" / "finished.json").unlink()  # as a kill leaves it
-    again = run_programme(parse_programme(elastic), tmp_path)
+    again = run_programme(parse_programme(ELASTIC), tmp_path)
     assert ran[2:] == ["concrete: Small prism"]
     assert again["rows"] == results["rows"]
 
 
 @pytest.mark.validate
-def test_what_has_changed_is_run_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    ran: list[str] = []
-    real = programme_run.run_study
-
-    def counted(study: Study, *given: Any, **named: Any) -> Any:
-        ran.append(study.name)
-        return real(study, *given, **named)
-
-    monkeypatch.setattr(programme_run, "run_study", counted)
-    whole = PRISM | {"tests": ["static_tension"], "count": 100}
-    elastic = PROGRAMME | {"specimens": [whole, whole | {"name": "other"}], "output": {"figures": False}}
-    del elastic["failure"], elastic["targets"]
-    run_programme(parse_programme(elastic), tmp_path)
-    changed = elastic | {"specimens": [whole | {"count": 110}, whole | {"name": "other", "count": 110}]}
+def test_what_has_changed_is_run_again(ran: list[str], tmp_path: Path) -> None:
+    run_programme(parse_programme(ELASTIC), tmp_path)
+    changed = ELASTIC | {"specimens": [WHOLE | {"count": 110}, WHOLE | {"name": "other", "count": 110}]}
     run_programme(parse_programme(changed), tmp_path)
     assert ran[2:] == ["concrete: Small prism", "concrete: other"]
     run_programme(parse_programme(changed).changed(packings=2), tmp_path, fresh=True)
