@@ -1,4 +1,7 @@
-"""Compile the core when bondem is installed, and put it into the wheel."""
+"""Compile the core when bondem is installed, and put it into the wheel.
+
+As a script it compiles what an editable installation needs, which finds it then: `.ci/run` does so beside downloads.
+"""
 
 import ctypes
 import os
@@ -10,31 +13,48 @@ from typing import Any
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface  # type: ignore
 
 
-class CompiledCore(BuildHookInterface):
-    """Build hook of hatch: libraries for all levels of instructions of the machine that BONDEM_TARGET names.
+def _builder(root: Path) -> Any:
+    """The module that compiles, without the package around it, which needs NumPy."""
+    spec = spec_from_file_location("bondem_core_build", root / "src/bondem/_core_build.py")
+    assert spec is not None
+    assert spec.loader is not None
+    build = module_from_spec(spec)
+    sys.modules[spec.name] = build  # dataclasses look their module up
+    spec.loader.exec_module(build)
+    return build
 
-    An editable installation has those of this CPU alone; `bondem._core` compiles others where they are asked for.
+
+def _compiled(build: Any, *, editable: bool) -> list[Path]:
+    """Compile the libraries of the target, of this machine unless the environment names another.
+
+    An editable installation has those of this CPU alone, with what simulates a device in tests; `bondem._core`
+    compiles others where they are asked for.
     """
+    foreign = os.environ.get("BONDEM_TARGET")
+    target = build.Platform.named(foreign)
+    names = target.levels
+    made = build.compile_core(target, [build.PROBE]) if len(names) > 1 else []
+    if editable and foreign is None:
+        if made:
+            names = target.offered(ctypes.CDLL(str(made[0])).bondem_level())[-1:]
+        names = tuple(name + build.LOOPS for name in names)
+    return made + build.compile_core(target, names)
+
+
+class CompiledCore(BuildHookInterface):
+    """Build hook of hatch: the libraries of all levels of instructions of the machine that BONDEM_TARGET names."""
 
     PLUGIN_NAME = "custom"
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Compile the libraries of the target, of this machine unless the environment names another."""
-        root = Path(self.root)
-        spec = spec_from_file_location("bondem_core_build", root / "src/bondem/_core_build.py")
-        assert spec is not None
-        assert spec.loader is not None
-        build = module_from_spec(spec)
-        sys.modules[spec.name] = build  # dataclasses look their module up
-        spec.loader.exec_module(build)
-        foreign = os.environ.get("BONDEM_TARGET")
-        target = build.Platform.named(foreign)
-        levels = target.levels
-        made = build.compile_core(target, [build.PROBE]) if len(levels) > 1 else []
-        if version == "editable" and made and foreign is None:
-            levels = target.offered(ctypes.CDLL(str(made[0])).bondem_level())[-1:]
-        made += build.compile_core(target, levels)
+        """Compile the libraries, and put them into a wheel that is not editable."""
+        build = _builder(Path(self.root))
+        made = _compiled(build, editable=version == "editable")
         if version != "editable":
             build_data["force_include"] |= {str(path): f"bondem/core/{build.LIBRARIES}/{path.name}" for path in made}
         build_data["pure_python"] = False
-        build_data["tag"] = target.tag
+        build_data["tag"] = build.Platform.named(os.environ.get("BONDEM_TARGET")).tag
+
+
+if __name__ == "__main__":
+    _compiled(_builder(Path(__file__).parent), editable=True)

@@ -21,15 +21,15 @@ from typing import Any
 
 import numpy as np
 
-from bondem._core_build import LIBRARIES, PROBE, SOURCES, Platform, compile_core, source_digest
+from bondem._core_build import LIBRARIES, LOOPS, PROBE, SOURCES, Platform, compile_core, source_digest
 from bondem._core_fields import Field, filled_table
 from bondem._core_functions import address_of
 from bondem._lock import alone
 from bondem.errors import InputError
 
 __all__ = [
-    "Pass", "checked_fields", "compiled_level", "core_lanes", "filled_table", "index_pass", "index_pass_names",
-    "room_for", "step_pass", "table_fields",
+    "Pass", "checked_fields", "compiled_level", "core_lanes", "filled_table", "index_loop", "index_pass_names",
+    "index_tables", "room_for", "step_pass", "table_fields",
 ]  # fmt: skip
 
 # How long a process waits for what another one compiles [s].
@@ -46,37 +46,37 @@ def _is_source_tree() -> bool:
     return (SOURCES.parents[2] / "hatch_build.py").is_file()
 
 
-def _found(level: str, suffix: str, digest: str = "*") -> Path | None:
-    """A compiled library of a level, the newest one."""
-    made = list((SOURCES / LIBRARIES).glob(f"{level}.{digest}{suffix}"))
+def _found(name: str, suffix: str, digest: str = "*") -> Path | None:
+    """A compiled library, the newest one of its name."""
+    made = list((SOURCES / LIBRARIES).glob(f"{name}.{digest}{suffix}"))
     return max(made, key=lambda path: path.stat().st_mtime_ns, default=None)
 
 
-def _compiled(target: Platform, level: str) -> Path:
-    """The library of a level, of the sources as they are.
+def _compiled(target: Platform, name: str) -> Path:
+    """A library of the sources as they are.
 
     Raises:
         ImportError: there is none, and none can be compiled.
     """
     if not _is_source_tree():
-        found = _found(level, target.suffix)
+        found = _found(name, target.suffix)
         if found is None:
             raise ImportError(
-                f"bondem was installed without the library {level}{target.suffix} of its core: install a wheel for"
+                f"bondem was installed without the library {name}{target.suffix} of its core: install a wheel for"
                 " this machine, or install bondem from its sources"
             )
         return found
     digest = source_digest()
-    found = _found(level, target.suffix, digest)
+    found = _found(name, target.suffix, digest)
     if found is not None:
         return found
     with alone(SOURCES / LIBRARIES / "lock", patience=_PATIENCE):
-        found = _found(level, target.suffix, digest)
+        found = _found(name, target.suffix, digest)
         if found is not None:
             return found
-        print(f"bondem: compiling its core ({level}), whose sources have changed", file=sys.stderr)
+        print(f"bondem: compiling its core ({name}), whose sources have changed", file=sys.stderr)
         try:
-            return compile_core(target, [level])[0]
+            return compile_core(target, [name])[0]
         except RuntimeError as error:
             raise ImportError(str(error)) from None
 
@@ -135,7 +135,8 @@ class _Library:
         tables: fields of each table.
         passes: of each, its function, its tables and how it may end.
         step_passes: of each, its address and kind, and its tables.
-        index_passes: passes over an index; of each, its loop on the CPU and its tables.
+        index_passes: tables of each pass over an index.
+        index_loops: the loop on the CPU of each pass over an index; none in a wheel.
         lanes: numbers of a register.
     """
 
@@ -143,7 +144,8 @@ class _Library:
     tables: dict[str, tuple[Field, ...]]
     passes: dict[str, tuple[Any, tuple[str, ...], tuple[str, ...]]]
     step_passes: dict[str, tuple[tuple[int, int], tuple[str, ...]]]
-    index_passes: dict[str, tuple[Any, tuple[str, ...]]]
+    index_passes: dict[str, tuple[str, ...]]
+    index_loops: dict[str, Any]
     lanes: int
 
 
@@ -156,7 +158,8 @@ def _library() -> _Library:
     """
     target = Platform.named(None)
     level = _level(target)
-    loaded = ctypes.CDLL(os.environ.get("BONDEM_CORE") or str(_compiled(target, level)))
+    named = level + LOOPS if _is_source_tree() else level
+    loaded = ctypes.CDLL(os.environ.get("BONDEM_CORE") or str(_compiled(target, named)))
     tables = {}
     for table in _described(loaded.bondem_tables, _TableDescription):
         fields = tuple(Field.of(table.fields[k]) for k in range(table.count))
@@ -172,10 +175,15 @@ def _library() -> _Library:
         names = tuple(one.tables[k].decode() for k in range(one.count))
         step_passes[one.name.decode()] = (one.address, one.kind), names
     index_passes = {}
-    loop = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)
     for one in _described(loaded.bondem_index_passes, _PassDescription):
-        index_passes[one.name.decode()] = loop(one.address), tuple(one.tables[k].decode() for k in range(one.count))
-    return _Library(level, tables, passes, step_passes, index_passes, int(loaded.bondem_lanes()))
+        index_passes[one.name.decode()] = tuple(one.tables[k].decode() for k in range(one.count))
+    index_loops = {}
+    if hasattr(loaded, "bondem_index_loops"):
+        loop = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)
+        loaded.bondem_index_loops.restype = ctypes.POINTER(ctypes.c_void_p)
+        addresses = loaded.bondem_index_loops()
+        index_loops = {name: loop(addresses[k]) for k, name in enumerate(index_passes)}
+    return _Library(level, tables, passes, step_passes, index_passes, index_loops, int(loaded.bondem_lanes()))
 
 
 def _described(function: Any, kind: type[ctypes.Structure]) -> Iterable[Any]:
@@ -276,13 +284,24 @@ def index_pass_names() -> tuple[str, ...]:
     return tuple(_library().index_passes)
 
 
-def index_pass(name: str) -> tuple[Any, tuple[str, ...]]:
-    """The loop on the CPU of a pass over an index, and names of its tables.
-
-    The loop is a function of how many indices there are, of the address of a number that is 0 unless nothing is to be
-    done, or 0, and of the address of a list of addresses of tables.
-    """
+def index_tables(name: str) -> tuple[str, ...]:
+    """Names of the tables of a pass over an index."""
     return _library().index_passes[name]
+
+
+def index_loop(name: str) -> Callable[[int, int, int], int]:
+    """The loop on the CPU of a pass over an index, which simulates a device.
+
+    It is a function of how many indices there are, of the address of a number that is 0 unless nothing is to be done,
+    or 0, and of the address of a list of addresses of tables.
+
+    Raises:
+        ImportError: bondem was installed from a wheel, which does not contain the loops.
+    """
+    loops = _library().index_loops
+    if not loops:
+        raise ImportError("bondem's core has no loops over indices: only a source tree simulates a device")
+    return loops[name]
 
 
 def checked_kinds(

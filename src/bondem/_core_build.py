@@ -22,6 +22,9 @@ SOURCES = Path(__file__).parent / "core"
 LIBRARIES = "libraries"
 #: Library that says what a CPU offers; it is small, and compiled for the lowest level.
 PROBE = "level"
+#: Behind the name of a level: its library with the loops over indices, by which the tests simulate a device. Wheels
+#: do not contain it, since these loops are a third of what is to be compiled.
+LOOPS = "_with_loops"
 
 # Contraction within expressions only: the same bits on every level that has fused multiply-add. The SLP vectoriser
 # makes the passes over lanes slower.
@@ -123,6 +126,15 @@ class Platform:
         levels = _ON_WINDOWS | _LEVELS["aarch64"] if self.system == "windows" else _LEVELS[self.machine]
         return ["-target", self.triple, *levels[level]]
 
+    def made_of(self, library: str, folder: Path) -> tuple[str, list[Path]]:
+        """The level that a library is compiled for, and its sources."""
+        if library == PROBE:
+            return self.levels[0], [folder / f"{PROBE}.cpp"]
+        sources = core_sources("*.cpp", folder=folder)
+        if library.endswith(LOOPS):
+            return library.removesuffix(LOOPS), sources
+        return library, [source for source in sources if source != folder / "loops.cpp"]
+
     @property
     def linked(self) -> list[str]:
         """Flags of the linker, for all levels."""
@@ -149,15 +161,15 @@ def compiler() -> list[str] | None:
     return [sys.executable, "-m", "ziglang", "cc"] if importlib.util.find_spec("ziglang") else None
 
 
-def compile_core(target: Platform, levels: Iterable[str], *, folder: Path = SOURCES) -> list[Path]:
-    """Compile libraries of some levels, unless they are there, and remove older ones of these levels.
+def compile_core(target: Platform, names: Iterable[str], *, folder: Path = SOURCES) -> list[Path]:
+    """Compile some libraries, unless they are there, and remove older ones of their names.
 
     Sources are compiled side by side, on all cores. The compiler keeps their objects in the folder `build`, and
     compiles those again that have changed.
 
     Args:
         target: the machine to compile for.
-        levels: some of its levels, or `PROBE`.
+        names: some of its levels, a level followed by `LOOPS`, or `PROBE`.
         folder: folder of the sources.
 
     Returns:
@@ -173,31 +185,33 @@ def compile_core(target: Platform, levels: Iterable[str], *, folder: Path = SOUR
     environment = {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache), **os.environ}
     out = folder / LIBRARIES
     out.mkdir(exist_ok=True)
-    digest, sources = source_digest(folder), core_sources("*.cpp", folder=folder)
-    libraries = {level: out / f"{level}.{digest}{target.suffix}" for level in levels}
+    digest = source_digest(folder)
+    libraries = {name: out / f"{name}.{digest}{target.suffix}" for name in names}
 
     with tempfile.TemporaryDirectory(dir=out) as aside, ThreadPoolExecutor(os.cpu_count()) as pool:
 
-        def compiled(level: str, source: Path) -> str:
-            made = Path(aside) / level / source.relative_to(folder).with_suffix(".o")
+        def compiled(name: str, level: str, source: Path) -> str:
+            made = Path(aside) / name / source.relative_to(folder).with_suffix(".o")
             made.parent.mkdir(parents=True, exist_ok=True)
-            flags = target.flags(target.levels[0] if level == PROBE else level)
-            _run([*command, *_FLAGS, *flags, "-c", str(source), "-o", str(made)], environment)
+            _run([*command, *_FLAGS, *target.flags(level), "-c", str(source), "-o", str(made)], environment)
             return str(made)
 
-        def linked(level: str, objects: list[str]) -> None:
-            made = Path(aside) / libraries[level].name
+        def linked(name: str, objects: list[str]) -> None:
+            made = Path(aside) / libraries[name].name
             _run([*command, *target.linked, *objects, "-o", str(made)], environment)
-            for old in out.glob(f"{level}.*{target.suffix}"):
+            for old in out.glob(f"{name}.*{target.suffix}"):
                 old.unlink(missing_ok=True)
-            shutil.move(made, libraries[level])
+            shutil.move(made, libraries[name])
 
         # pip asks a build twice
-        lacking = [level for level, library in libraries.items() if not library.is_file()]
-        parts = {level: [folder / f"{PROBE}.cpp"] if level == PROBE else sources for level in lacking}
-        objects = {level: [pool.submit(compiled, level, one) for one in those] for level, those in parts.items()}
-        for level, made in objects.items():
-            linked(level, [one.result() for one in made])
+        lacking = [name for name, library in libraries.items() if not library.is_file()]
+        made_of = {name: target.made_of(name, folder) for name in lacking}
+        objects = {
+            name: [pool.submit(compiled, name, level, one) for one in sources]
+            for name, (level, sources) in made_of.items()
+        }
+        for name, made in objects.items():
+            linked(name, [one.result() for one in made])
     return list(libraries.values())
 
 

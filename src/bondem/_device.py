@@ -11,7 +11,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from bondem._core import checked_kinds, filled_table, index_pass
+from bondem._core import checked_kinds, filled_table, index_loop, index_tables
 
 __all__ = ["Device", "DeviceTables", "Enqueue", "Host", "HostCall", "IndexPass", "Launch", "passes_of"]
 
@@ -34,8 +34,7 @@ class IndexPass:
 
     def __init__(self, name: str, *kinds: type[tuple[Any, ...]]) -> None:
         self.name = name
-        self.on_host, tables = index_pass(name)
-        self.fields = checked_kinds(name, tables, kinds)
+        self.fields = checked_kinds(name, index_tables(name), kinds)
 
 
 @dataclass(frozen=True)
@@ -213,8 +212,8 @@ class Host:
 
     def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
         """See `Device`."""
-        addresses = np.array(tables, dtype=np.int64)
-        return lambda _: one.on_host(count, halted, addresses.ctypes.data)
+        addresses, loop = np.array(tables, dtype=np.int64), index_loop(one.name)
+        return lambda _: loop(count, halted, addresses.ctypes.data)
 
     def recorded(self, work: Sequence[Enqueue]) -> Callable[[], None]:
         """See `Device`."""

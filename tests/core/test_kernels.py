@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._core import index_pass, index_pass_names
+from bondem._core import index_loop, index_pass_names, index_tables
 from bondem._device import DeviceTables, HostCall, Launch
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
@@ -129,7 +129,7 @@ class FakeDevice:
 def fake_launch(stream: Any, config: Any, kernel: Any, count: Any, halted: Any, *tables: Any) -> None:
     assert config.grid * config.block >= count > (config.grid - 1) * config.block
     assert len(tables) == 8
-    on_host, names = index_pass(kernel)
+    on_host, names = index_loop(kernel), index_tables(kernel)
     assert all((int(table) != 0) == (k < len(names)) for k, table in enumerate(tables))
     addresses = np.array([int(table) for table in tables], dtype=np.int64)
     stream.calls.append(lambda: on_host(int(count), int(halted), addresses.ctypes.data))

@@ -38,13 +38,12 @@ BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
         described<WallEnergy>(), described<FoldedPortions>(), described<GaugeParts>(), \
         described<LossesOfCracks>(), described<FacetArms>(), described<CrackPortions>()
 
-// The loop of a pass over all its indices.
+// Name and tables of a pass over an index. Its loop on the CPU is in `loops.cpp`.
 template <auto pass> struct IndexPass;
 template <class... Tables, void (*pass)(Index, const Tables &...)> struct IndexPass<pass> {
     static PassDescription described(const char *name) {
         static_assert(sizeof...(Tables) <= tables_of_index_pass);
-        return {name, "", reinterpret_cast<void *>(&ForEach<pass>::on_host), TableNames<Tables...>::names,
-                Index(sizeof...(Tables))};
+        return {name, "", nullptr, TableNames<Tables...>::names, Index(sizeof...(Tables))};
     }
 };
 

@@ -1,0 +1,19 @@
+// The loops of all passes over an index: a device that the CPU simulates, for the tests. A library by itself, which
+// wheels do not contain.
+#include "exported.hpp"
+#include "gpu/for_each.hpp"
+#include "gpu/index_passes.hpp"
+
+namespace bondem {
+namespace {
+
+#define X(pass) &ForEach<pass>::on_host,
+using Loop = Index(Index, const Index *, const void *const *);
+Loop *const loops[] = {BONDEM_INDEX_PASSES(X)};
+#undef X
+
+}  // namespace
+}  // namespace bondem
+
+// In the order in which `bondem_index_passes` describes the passes.
+BONDEM_EXPORT const void *bondem_index_loops() { return bondem::loops; }
