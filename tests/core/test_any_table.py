@@ -18,7 +18,8 @@ KINDS = [np.float64, np.float32, np.int64, np.uint32, np.int32, np.uint8, bool, 
 
 # Tables of each pass, of every kind of pass.
 PASSES = {
-    name: one[1] for kind in (LIBRARY.passes, LIBRARY.step_passes, LIBRARY.index_passes) for name, one in kind.items()
+    **{name: one[1] for kind in (LIBRARY.passes, LIBRARY.step_passes) for name, one in kind.items()},
+    **LIBRARY.index_passes,
 }
 
 
