@@ -1,3 +1,13 @@
+  // Pixels of a unit of places, by which the body fills the canvas in whatever way it is turned.
+  const fitted = (places, margin, width, height) => {
+    const reach = row => {
+      let most = 1;
+      for (let k = 0; k < places.length; k += 3)
+        most = Math.max(most, Math.abs(row[0] * places[k] + row[1] * places[k + 1] + row[2] * places[k + 2]));
+      return most + margin;
+    };
+    return 0.48 * zoom * Math.min(width / reach(R[0]), height / reach(R[1]));
+  };
   const plan = () => { if (!planned) { planned = true; requestAnimationFrame(draw); } };
   const turn = (dx, dy) => {
     const mix = (p, q, angle) => {
