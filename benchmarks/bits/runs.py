@@ -44,7 +44,7 @@ def run(name: str, size: int, threads: list[int], pauses: list[str], steps: int,
         and how many contacts there were.
     """
     case = CASES[name](size)
-    chosen = _explicit(case.model, case, duration=0.0, safety=case.share, every=0).dt
+    chosen = explicit(case.model, case, duration=0.0, safety=case.share, every=0).dt
     dt = chosen if dt is None else dt
     faults: dict[str, str] = {}
     moved, touching = 0.0, 0
@@ -82,21 +82,22 @@ def _paused(case: Case, pause: str, steps: int, dt: float) -> Iterator[Any]:
     start = case.start(dt)
     if pause == "two runs":
         part = ROUND if case.rounds else round(_FIRST * steps)
-        first = _explicit(case.model, case, duration=part * dt, dt=dt, every=30, state=start)
+        first = explicit(case.model, case, duration=part * dt, dt=dt, every=30, state=start)
         yield first
         again = case.model if case.then is None else case.then
-        yield _explicit(again, case, duration=(steps - part) * dt, dt=dt, every=30, state=first.state)
+        yield explicit(again, case, duration=(steps - part) * dt, dt=dt, every=30, state=first.state)
     elif pause.startswith("saved"):
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "run.h5"
             options = {"every": 30, "save_every": int(pause.split()[-1]), "out": out}
-            yield _explicit(case.model, case, duration=steps * dt, dt=dt, state=start, **options)
+            yield explicit(case.model, case, duration=steps * dt, dt=dt, state=start, **options)
     else:
         every = int(pause.split()[-1])
-        yield _explicit(case.model, case, duration=steps * dt, dt=dt, every=every, state=start)
+        yield explicit(case.model, case, duration=steps * dt, dt=dt, every=every, state=start)
 
 
-def _explicit(model: bd.Model, case: Case, **options) -> Any:
+def explicit(model: bd.Model, case: Case, **options) -> Any:
+    """Run `solve_explicit` with the options of a case, and gauges of all that it can measure."""
     held = GRIP if len(model.constraints.element) else {}
     gauges = GAUGES | held | case.options.get("gauges", {})
     with warnings.catch_warnings():
