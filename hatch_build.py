@@ -24,17 +24,15 @@ def _builder(root: Path) -> Any:
     return build
 
 
-def _compiled(build: Any, *, editable: bool) -> list[Path]:
-    """Compile the libraries of the target, of this machine unless the environment names another.
+def _compiled(build: Any, target: Any, *, for_tree: bool) -> list[Path]:
+    """Compile the libraries of a target.
 
-    An editable installation has those of this CPU alone, with what simulates a device in tests; `bondem._core`
+    Those for the source tree itself are of this CPU alone, with what simulates a device in tests; `bondem._core`
     compiles others where they are asked for.
     """
-    foreign = os.environ.get("BONDEM_TARGET")
-    target = build.Platform.named(foreign)
     names = target.levels
     made = build.compile_core(target, [build.PROBE]) if len(names) > 1 else []
-    if editable and foreign is None:
+    if for_tree:
         if made:
             names = target.offered(ctypes.CDLL(str(made[0])).bondem_level())[-1:]
         names = tuple(name + build.LOOPS for name in names)
@@ -48,13 +46,15 @@ class CompiledCore(BuildHookInterface):
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Compile the libraries, and put them into a wheel that is not editable."""
-        build = _builder(Path(self.root))
-        made = _compiled(build, editable=version == "editable")
+        build, foreign = _builder(Path(self.root)), os.environ.get("BONDEM_TARGET")
+        target = build.Platform.named(foreign)
+        made = _compiled(build, target, for_tree=version == "editable" and foreign is None)
         if version != "editable":
             build_data["force_include"] |= {str(path): f"bondem/core/{build.LIBRARIES}/{path.name}" for path in made}
         build_data["pure_python"] = False
-        build_data["tag"] = build.Platform.named(os.environ.get("BONDEM_TARGET")).tag
+        build_data["tag"] = target.tag
 
 
 if __name__ == "__main__":
-    _compiled(_builder(Path(__file__).parent), editable=True)
+    _build = _builder(Path(__file__).parent)
+    _compiled(_build, _build.Platform.named(None), for_tree=True)

@@ -289,7 +289,7 @@ def index_tables(name: str) -> tuple[str, ...]:
     return _library().index_passes[name]
 
 
-def index_loop(name: str) -> Callable[[int, int, int], int]:
+def index_loop(name: str) -> Callable[[int, int, int], Any]:
     """The loop on the CPU of a pass over an index, which simulates a device.
 
     It is a function of how many indices there are, of the address of a number that is 0 unless nothing is to be done,

@@ -4,12 +4,13 @@ import os
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from bondem import _core_build
-from bondem._core_build import SOURCES, Platform, compile_core, source_digest
+from bondem import _core, _core_build
+from bondem._core_build import LOOPS, SOURCES, Platform, compile_core, source_digest
 
 ROOT = Path(__file__).resolve().parents[2]
 SMALL = 'extern "C" __attribute__((visibility("default"))) int answer() { return %s; }\n'
@@ -43,6 +44,17 @@ def test_a_source_that_does_not_compile_is_named(tmp_path, monkeypatch):
     (folder / "index.cpp").write_text("int answer() { return unknown; }\n")
     with pytest.raises(RuntimeError, match=r"(?s)does not compile.*index.cpp:1.*unknown"):
         compile_core(target, target.levels[:1], folder=folder)
+
+
+def test_wheels_leave_out_the_loops_by_which_tests_simulate_a_device(monkeypatch):
+    target = Platform.named(None)
+    level = target.levels[-1]
+    whole, shipped = (set(target.made_of(name, SOURCES)[1]) for name in (level + LOOPS, level))
+    assert whole - shipped == {SOURCES / "loops.cpp"}
+    of_a_wheel = replace(_core._library(), index_loops={})
+    monkeypatch.setattr(_core, "_library", lambda: of_a_wheel)
+    with pytest.raises(ImportError, match="only a source tree"):
+        _core.index_loop("load_beam")
 
 
 def test_without_a_compiler_it_is_said_what_to_install(tmp_path, monkeypatch):

@@ -1,5 +1,5 @@
-// The loops of all passes over an index: a device that the CPU simulates, for the tests. A library by itself, which
-// wheels do not contain.
+// The loops of all passes over an index: a device that the CPU simulates, for the tests. Libraries of source trees
+// contain them, those of wheels do not.
 #include "exported.hpp"
 #include "gpu/for_each.hpp"
 #include "gpu/index_passes.hpp"
