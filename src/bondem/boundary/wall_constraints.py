@@ -92,7 +92,7 @@ class WallConstraints(NamedTuple):
     k: Floats  #: 2 G A / d [N/m], (g,)
     lever: Floats  #: from the centre of the cell to the facet in the reference [m], (g, 3)
     arm: Floats  #: the same with stress-free and plastic strains of the cell [m], (g, 3)
-    share: Floats  #: A M⁻¹n along the held axes [m²], (g, 3)
+    share: Floats  #: A m along the held axes [m²], (g, 3)
     H: Floats  #: resistance to rotation, xx, yy, zz, xy, xz, yz [N·m], (g, 6)
     base: Floats  #: origin of the motion of the wall [m], and the quaternion of the cell there, (g, 7)
     axes: Floats  #: 1 where held, along x, y, z, (g, 3)
@@ -116,14 +116,14 @@ class Grips:
         k: 2 G A / d [N/m], shape (g,).
         lever: lever from the centre of mass of the cell to the centroid of the facet [m], shape (g, 3).
         arm: lever without stress, longer for cells with a stress-free strain [m], shape (g, 3).
-        share: A M⁻¹n along the held axes: V θ of the cell is Σ share·δ [m²], shape (g, 3).
+        share: A m along the held axes: V θ of the cell is Σ share·δ [m²], shape (g, 3).
         H: resistance to rotation if the normal is held [N·m], shape (g, 3, 3).
         axes: 1 for held and 0 for free axes x, y, z, shape (g, 3).
         motion: displacement of the wall at the end of all schedules [m], shape (g, 3).
         holds: motion of the walls.
         area: areas of the facets [m²], shape (g,).
         normal: normals of the facets [-], shape (g, 3).
-        way: M⁻¹n [-], shape (g, 3).
+        way: m [-], shape (g, 3).
         bend: H if the whole normal is held [N·m], shape (g, 3, 3).
     """
 

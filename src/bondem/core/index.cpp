@@ -12,6 +12,7 @@
 #include "passes/packing/neighbours.hpp"
 #include "passes/packing/relaxation.hpp"
 #include "passes/surface/nearest_triangle.hpp"
+#include "passes/tessellation/balance.hpp"
 #include "passes/tessellation/clip_to_shape.hpp"
 #include "passes/tessellation/interfaces.hpp"
 #include "passes/tessellation/laguerre.hpp"
@@ -58,6 +59,8 @@ BONDEM_TABLE(PolygonMeasures, F(corner, "polygons+1"), F(vertex, "corners 3"), F
              F(centroid, "polygons 3"), F(moment, "polygons 3 3"))
 BONDEM_TABLE(Bulk, F(volume, "solids"), F(first, "solids 3"), F(second, "solids 3 3"), F(middle, "solids 3"),
              F(farthest, "solids"), F(beyond, "solids"))
+BONDEM_TABLE(CellBranches, F(start, "n+1"), F(other, "sides"), F(branch, "sides 3"))
+BONDEM_TABLE(BalanceField, F(given, "n 6"), F(found, "n 6"))
 
 BONDEM_TABLE(BeamRows, F(i, "m"), F(j, "m"), F(direction, "3 m"), F(length, "m"), F(lever, "m"), F(kn, "m"), F(ks, "m"),
              F(kb, "m"), F(kt, "m"))
@@ -80,6 +83,7 @@ const TableDescription tables[] = {
     described<Flight>(), described<SphereGrid>(), described<NeighbourLists>(), described<Bins>(), described<Solids>(),
     described<Pile>(), described<CellRequest>(), described<CellRoom>(), described<WallTree>(), described<Splitting>(),
     described<Dividing>(), described<FaceGroups>(), described<PolygonMeasures>(), described<Bulk>(),
+    described<CellBranches>(), described<BalanceField>(),
     described<BeamRows>(), described<FacetRows>(), described<BlockRows>(), described<DilatationRows>(),
     described<TriangleTree>(), described<Nearest>(),
     described<Moving>(), described<Beams>(), described<AlikeBeams>(), described<Dashpots>(), described<StepCut>(),
@@ -110,6 +114,7 @@ const PassDescription passes[] = {
     P(match_faces, "all_matched patches_full rest_full"),
     P(measure_polygons, ""),
     P(measure_solids, ""),
+    P(apply_balance, ""),
     P(assemble_beams, ""),
     P(assemble_facets, ""),
     P(find_nearest_triangles, ""),

@@ -89,20 +89,14 @@ def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
     """Return displacements of facets that were free, (g, 3): that of the rigid cell, and the opening by its stress.
 
     `fresh` is 1 along the axes along which walls begin to hold them, (g, 3). Loads that continue there act on the
-    cell itself from now on, and do not open the facet: its stress becomes that without these loads. A facet that a
-    smooth platen held opened by the shares of that platen, which have no part along it.
+    cell itself from now on, and do not open the facet: its stress becomes that without these loads.
     """
     grips, constants, q = model.cell_constants.grips, model.cell_constants, state.orientation
-    shares = grips.way
     facet, area = grips.holds.facet, body_of(model.lattice)[1].free.area[:, None]
     rigid = state.displacement[grips.cell] + held_arms(model, state) - grips.lever
     going_on = loads_on_facets(model, state.time, q)
     force, stress = -going_on, np.zeros(len(q))
-    if state.model.cells is not None:
-        mine, theirs = _both(grips, state.model.cell_constants.grips)
-        shares = shares.copy()
-        shares[mine] = state.model.cell_constants.grips.way[theirs]
-    soft, way = constants.softness[facet, None], turned_vectors(q[grips.cell], shares)
+    soft, way = constants.softness[facet, None], turned_vectors(q[grips.cell], grips.way)
     if state.model.cells is not None:
         before = cast(Model, state.model)
         force += loads_on_facets(before, state.time, q)

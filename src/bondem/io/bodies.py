@@ -9,6 +9,7 @@ from dataclasses import fields
 import h5py
 import numpy as np
 
+from bondem.io.older_bodies import LACKING, balanced_body
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.tessellation.facets import Cells, Facets, FreeFacets
@@ -17,17 +18,24 @@ from bondem.specimen.tessellation.facets import Cells, Facets, FreeFacets
 def write_bonds(file: h5py.File, lattice: Lattice) -> None:
     """Write the pairs, and the facets and cells of a body."""
     file["bonds/pairs"] = lattice.pairs
+    complete_body(file, lattice)
+
+
+def complete_body(file: h5py.File, lattice: Lattice) -> None:
+    """Write the tables of a body that a file does not yet have."""
     if lattice.facets is None or lattice.cells is None:
         return
     for place, table in (("facets", lattice.facets), ("cells", lattice.cells), ("cells/free", lattice.cells.free)):
         group = file.require_group(place)
         for item in fields(table):
-            if item.name != "free":
+            if item.name != "free" and item.name not in group:
                 group[item.name] = getattr(table, item.name)
 
 
 def read_bonds(file: h5py.File, particles: Particles) -> Lattice:
     """Read the lattice that `write_bonds` wrote, for given particles.
+
+    A body of an older file, without shares, gets balanced shares.
 
     Raises:
         KeyError: an array is missing.
@@ -37,17 +45,21 @@ def read_bonds(file: h5py.File, particles: Particles) -> Lattice:
     if "facets" not in file:
         return Lattice(particles, pairs)
     n, m = len(particles), len(pairs)
-    free = FreeFacets(**_table(file, "cells/free", FreeFacets, len(_array(file, "cells/free/cell"))))
-    if len(free.cell) and not 0 <= free.cell.min() <= free.cell.max() < n:
+    older = "facets/share_i" not in file
+    free = _table(file, "cells/free", FreeFacets, len(_array(file, "cells/free/cell")), older)
+    cell = free["cell"]
+    if len(cell) and not 0 <= cell.min() <= cell.max() < n:
         raise ValueError(f"cells/free/cell has numbers beyond 0 … {n - 1}")
-    facets, cells = Facets(**_table(file, "facets", Facets, m)), Cells(**_table(file, "cells", Cells, n), free=free)
-    return Lattice(particles, pairs, facets=facets, cells=cells)
+    facets, cells = _table(file, "facets", Facets, m, older), _table(file, "cells", Cells, n, older)
+    if older:
+        return balanced_body(particles, pairs, facets, cells, free)
+    return Lattice(particles, pairs, facets=Facets(**facets), cells=Cells(**cells, free=FreeFacets(**free)))
 
 
-def _table(file: h5py.File, place: str, kind: type, count: int) -> dict[str, np.ndarray]:
+def _table(file: h5py.File, place: str, kind: type, count: int, older: bool) -> dict[str, np.ndarray]:
     found: dict[str, np.ndarray] = {}
     for item in fields(kind):
-        if item.name == "free":
+        if item.name == "free" or (older and item.name in LACKING[kind]):
             continue
         found[item.name] = freeze(_array(file, f"{place}/{item.name}"))
         if len(found[item.name]) != count:

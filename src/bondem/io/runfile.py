@@ -34,10 +34,11 @@ from bondem.dynamics.history import FRACTURE, NON_LOCAL, PLASTIC, History
 from bondem.dynamics.plan import Plan
 from bondem.errors import RunFileError
 from bondem.io.atomic import require_writable
-from bondem.io.bodies import read_bonds, write_bonds
+from bondem.io.bodies import complete_body, read_bonds, write_bonds
 from bondem.io.codec import decode, encode
 from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
 from bondem.io.journal import JournaledFile, committed
+from bondem.io.older_bodies import with_corrected_normals
 from bondem.io.older_states import brought_up
 from bondem.io.snapshots import Outlined, Snapshots
 from bondem.model.model import Model
@@ -45,12 +46,12 @@ from bondem.model.state import State
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
-SCHEMA = 8
+SCHEMA = 9
 # From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells; from 4
 # on criteria of failure and what broke; from 5 on cracks that soften and cells that yield; from 6 on soft beams; from
 # 7 on digests, snapshots and provenance; from 8 on walls of cells that come from where a stage before left them,
-# and cracks judged by the strength of their facet.
-_OLDEST, _DIGESTED = 2, 7
+# and cracks judged by the strength of their facet; from 9 on shares of the facets of cells.
+_OLDEST, _DIGESTED, _SHARED = 2, 7, 9
 # Schema from which on an array of the state is there.
 _SINCE = {
     "stress": 3, "broken": 4, "released": 4, "cracks": 5, "plastic": 5, "facet_force": 5, "softened": 6, "grips": 8,
@@ -135,6 +136,7 @@ class RunFile:
             self._file = h5py.File(self._raw, "r+", libver=("v108", "v108"))
             if goes_on.schema < SCHEMA:  # its next checkpoint is of today
                 self._file.attrs["schema"] = SCHEMA
+                complete_body(self._file, model.lattice)
                 self._file.attrs["digest"] = fixed(_digest_of_rest(self._file))
             if "VTKHDF" in self._file:
                 self._snapshots = Snapshots.of(self._file, model, self._cracks)
@@ -347,8 +349,11 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
         Particles(_array(file, "elements/position"), _array(file, "elements/radius"), period), made_of["shape"]
     )
     density = _array(file, "elements/density")
+    lattice = read_bonds(file, particles)
+    if schema < _SHARED:
+        lattice = with_corrected_normals(lattice, made_of["boundary"])
     model = Model(
-        read_bonds(file, particles),
+        lattice,
         bond=made_of["bond"],
         density=float(density) if density.ndim == 0 else density,
         boundary=made_of["boundary"],

@@ -15,7 +15,7 @@ def surface_displacement(
     """Compute displacements of the centroids of the free facets [m], shape (k, 3), in the order of `cells.free`.
 
     A facet lies half a cell outside of its element, and that half is strained too. With the stress σ = λ θ of the
-    cell, the facet opens by (d / 2 G)(t - σ M⁻¹n). A facet that a wall holds moves with the wall.
+    cell, the facet opens by (d / 2 G)(t - σ m). A facet that a wall holds moves with the wall.
 
     Args:
         model: a body of cells.

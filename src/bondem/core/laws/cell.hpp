@@ -4,17 +4,18 @@
 // cell. Cells i and j share a facet of area A and unit normal n, from i to j, with a face on each cell. In the reference,
 // every orientation R is the identity, b is the lever from the centre of a cell to the centroid of the facet, and
 //
-//     s_p = A w_p M_p⁻¹ n      w_p = d_p / L      M_p = 1/V_p Σ A d_p n⊗n
+//     s_p = A w_p m_p      w_p = d_p / L      s_i + s_j = A n, with the normal n of cell i
 //
 // is the share of a facet in the swelling V θ of its cell p: d_p is the distance from the generator of the cell to the
-// plane of the facet, L = d_i + d_j, and M is the unit tensor on average. M⁻¹ makes θ exact under uniform strain. Then
+// plane of the facet, L = d_i + d_j, and m_p is n on average. Balanced shares make every uniform stress exact in every
+// cell (`bondem/specimen/tessellation/balanced_shares.py`). Then
 //
 //     δ = x_j + R_j b_j - x_i - R_i b_i                     gap of the two faces; needs no frame of reference
 //     V_p θ_p = Σ (R_p s_p) · δ                             over the facets of the cell
 //     U = Σ [½ k |δ|² + 2 v · H v] + Σ ½ V_p λ_p θ_p²       over facets, and over cells
 //
 //     k = 2 G A / L      H = (2 G / L) (tr S 1 - S)      λ_p = λ / (1 + c_p λ / 2 G)
-//     G = E / (2 (1 + ν))      λ = E ν / ((1 + ν) (1 - 2 ν))      c_p = 1/V_p Σ A d |M⁻¹ n|²   over free facets
+//     G = E / (2 (1 + ν))      λ = E ν / ((1 + ν) (1 - 2 ν))      c_p = 1/V_p Σ A d |m|²   over free facets
 //
 // v is the vector part of the relative rotation q_i* q_j and S the second moment of the facet about its centroid:
 // 2 v · H v is exactly (2 G / L) tr((1 - R_iᵀ R_j) S), the energy of a facet whose points do not open alike, and ½ ρ · H ρ
@@ -32,7 +33,7 @@
 // Signs: tension positive. `FacetLoads` has the force on j, as beams do; its opposite acts on i.
 //
 // U does not change under rigid motion, has no square root and no history, and is positive for -1 < ν < ½. Facets alone
-// are the lattice of Bolander and Saito (1998), whose ν is 0; with M = 1 the law is that of Mariotti (2007) and of Monasse
+// are the lattice of Bolander and Saito (1998), whose ν is 0; with m = n the law is that of Mariotti (2007) and of Monasse
 // and Mariotti (2012).
 //
 // Limits: relative rotations stay moderate, as for beams (`laws/beam.hpp`); θ is linear in δ, so strains stay small.

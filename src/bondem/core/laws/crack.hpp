@@ -3,7 +3,7 @@
 //
 // Half p of a facet of stiffness k has the part w_p of its compliance, so its own stiffness is k / w_p. Integrity s
 // puts a spring s / (1 - s) k / w_p in series with it, whose opening u_p is eliminated. With δ the gap of the two
-// faces, σ_p = λ θ of the cell, g_p = R_p (A w M⁻¹ n)_p its share in the swelling, and n the normal of the reference
+// faces, σ_p = λ θ of the cell, g_p = R_p (A w m)_p its share in the swelling, and n the normal of the reference
 // turned with both cells, in the middle,
 //
 //     F_p = k δ + σ_p g_p / w_p        the force of that half as if it were whole

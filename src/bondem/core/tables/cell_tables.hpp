@@ -18,7 +18,7 @@ struct ElasticFacets {
     Array<const double, 1> k;  // 2 G A / L [N/m]
     Array<const double, 1> pitch;  // unit of the levers along x, y, z [m], (3,)
     Array<int32_t, 2> lever_i, lever_j;  // from the centres of mass to the facet [pitch], (3, m)
-    Array<const float, 2> share_i, share_j;  // A w M⁻¹n [m²], (3, m)
+    Array<const float, 2> share_i, share_j;  // A w m [m²], (3, m)
     Array<const float, 2> H;  // resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], (6, m)
     Array<const double, 2> normal;  // from i to j in the reference [-], (3, m)
     Array<const double, 1> period;  // edges of the periodic cell and their inverses, zero where there is none, (6,)
@@ -80,7 +80,7 @@ struct WallConstraints {
     Array<const double, 1> k;  // 2 G A / d [N/m], (g,)
     Array<const double, 2> lever;  // from the centre of the cell to the facet in the reference [m], (g, 3)
     Array<double, 2> arm;  // the same with stress-free and plastic strains of the cell [m], (g, 3)
-    Array<const double, 2> share;  // A M⁻¹n along the held axes [m²], (g, 3)
+    Array<const double, 2> share;  // A m along the held axes [m²], (g, 3)
     Array<const double, 2> H;  // resistance to rotation, xx, yy, zz, xy, xz, yz [N·m], (g, 6)
     Array<const double, 2> base;  // where the motion of the wall counts from [m], and the quaternion of the cell there, (g, 7)
     Array<const double, 2> axes;  // 1 where held, along x, y, z, (g, 3)

@@ -14,7 +14,7 @@ struct WeakenedFacets {
     Array<const double, 1> area;  // [m²]
     Array<const double, 1> part;  // part of cell i in the compliance [-]
     Array<const double, 2> lever_i, lever_j;  // [m], (m, 3)
-    Array<const double, 2> share_i, share_j;  // A w M⁻¹n [m²]
+    Array<const double, 2> share_i, share_j;  // A w m [m²]
     Array<const double, 2> normal;  // [-]
     Array<const double, 3> H;  // [N·m], (m, 3, 3)
     Array<const double, 1> integrity;  // [-]

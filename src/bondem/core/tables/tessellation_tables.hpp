@@ -115,4 +115,18 @@ struct Bulk {
     Array<double, 1> beyond;  // how far the centre lies outside, at most 0 if it lies inside [m], (k,)
 };
 
+// The facets of each cell as the operator of the balanced shares takes them; see
+// `bondem/specimen/tessellation/balanced_shares.py`.
+struct CellBranches {
+    Array<const Index, 1> start;  // facets of cell p are start[p] … start[p + 1] - 1, (n + 1,)
+    Array<const Short, 1> other;  // cell on the other side, (2 m,)
+    Array<const double, 2> branch;  // weighted branch √(4 w w' A / L) L [m^1.5], (2 m, 3)
+};
+
+// A symmetric tensor of each cell, xx, yy, zz, √2 xy, √2 xz, √2 yz, and the operator applied to it.
+struct BalanceField {
+    Array<const double, 2> given;  // (n, 6)
+    Array<double, 2> found;  // (n, 6)
+};
+
 }  // namespace bondem

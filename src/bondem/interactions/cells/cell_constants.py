@@ -35,15 +35,16 @@ class CellConstants:
         k: 2 G A / L, of halves in series between different materials [N/m], shape (m,).
         lever_i, lever_j: levers from the centres of mass to the centroid of the facet [m], shape (m, 3).
         H: resistance to relative rotation [N·m], shape (m, 3, 3).
-        share_i, share_j: A w_p M_p⁻¹ n: V θ of each side is Σ share·δ [m²], shape (m, 3).
+        share_i, share_j: A w_p m, balanced shares of the facet: V θ of each side is Σ share·δ [m²], shape (m, 3).
         volume: V [m³], shape (n,).
         weight: λ_p / V_p, the factor from V_p θ_p to the stress λ_p θ_p [Pa/m³], shape (n,).
         normal: normals of the facets, from i to j [-], shape (m, 3).
-        slack_i, slack_j: increase of 1 / weight of each side if the facet breaks, A d |M⁻¹n|² / 2G [m³/Pa], (m,).
+        slack_i, slack_j: increase of 1 / weight of each side if the facet breaks, A d |m|² / 2G [m³/Pa], (m,).
         G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
         grips: facets that walls hold; their cells in the user's order.
         softness: d / 2 G of each free facet, the opening per traction [m/Pa], shape (k,).
-        way: M⁻¹n along its free axes: the stress of the cell opens it by -softness · stress · way [-], shape (k, 3).
+        way: m along its free axes, n for balanced shares [-], shape (k, 3): the stress of the cell opens the facet by
+            -softness · stress · way.
         free_cell: cell of each free facet, user's order, shape (k,).
         pressed: contribution of tractions on its free facets to V θ of each cell [m³], shape (n,).
         pitch: levers are whole multiples of it along x, y, z [m], shape (3,).
@@ -90,14 +91,13 @@ class CellConstants:
         half_i, half_j = facets.depth_i / (2.0 * G[i]), facets.depth_j / (2.0 * G[j])
         k = area / (half_i + half_j)
         w_i, w_j = half_i / (half_i + half_j), half_j / (half_i + half_j)
-        inverse = _corrections(body, facets, cells)
-        n_i = np.einsum("mab,mb->ma", inverse[i], normal)
-        n_j = np.einsum("mab,mb->ma", inverse[j], normal)
+        way_i, way_j = ways(facets)
         free = cells.free
-        n_free = _at_platens(np.einsum("kab,kb->ka", inverse[free.cell], free.normal), free.normal, holds)
+        n_free = free.share / free.area[:, None]
         open_axes = np.ones((len(free.cell), 3))
         open_axes[holds.facet] -= holds.axes
         soft = free.area * free.depth * (open_axes * n_free**2).sum(axis=1)
+        lame = np.maximum(lame, -2.0 * G / compliance(body))
         slack = 1.0 + np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume * lame / (2.0 * G)
         arm = facets.centroid - cells.centroid[i]
         other = arm - body.branch
@@ -111,13 +111,13 @@ class CellConstants:
                 _resistance(facets.moment, normal, k / area, rotation)
                 + _layer_twist(facets.moment, normal, k / area, layer[i], layer[j])
             ),
-            share_i=_single((area * w_i)[:, None] * n_i),
-            share_j=_single((area * w_j)[:, None] * n_j),
+            share_i=_single((area * w_i)[:, None] * way_i),
+            share_j=_single((area * w_j)[:, None] * way_j),
             volume=cells.volume,
             weight=lame / slack / cells.volume,
             normal=normal,
-            slack_i=area * half_i * (n_i**2).sum(axis=1),
-            slack_j=area * half_j * (n_j**2).sum(axis=1),
+            slack_i=area * half_i * (way_i**2).sum(axis=1),
+            slack_j=area * half_j * (way_j**2).sum(axis=1),
             G=G,
             lame=lame,
             grips=_grips(cells, holds, G, n_free, rotation, layer),
@@ -129,7 +129,7 @@ class CellConstants:
         )
 
     def pressed_by(self, force: Floats) -> PerElement:
-        """Return Σ (d / 2 G) F·M⁻¹n, the contribution of forces F on free facets [N], (k, 3), to V θ [m³], (n,)."""
+        """Return Σ (d / 2 G) F·m, the contribution of forces F on free facets [N], (k, 3), to V θ [m³], (n,)."""
         opened = self.softness * (self.way * force).sum(axis=1)
         return np.bincount(self.free_cell, weights=opened, minlength=len(self.pressed)).astype(float)
 
@@ -237,35 +237,28 @@ def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str
     return G, lame, rotations.pop()
 
 
-def _corrections(body: Lattice, facets: Facets, cells: Cells) -> Floats:
-    """Return M⁻¹ of each cell [-], (n, 3, 3): M = (1/V) Σ A d n⊗n over all its facets, 1 on average."""
-    n = len(cells.volume)
-    M = np.zeros((n, 3, 3))
-    free = cells.free
-    for cell, weight, normal in (
-        (body.pairs[:, 0], facets.area * facets.depth_i, facets.normal),
-        (body.pairs[:, 1], facets.area * facets.depth_j, facets.normal),
-        (free.cell, free.area * free.depth, free.normal),
-    ):
-        for a in range(3):
-            for b in range(a, 3):
-                M[:, a, b] += np.bincount(cell, weights=weight * normal[:, a] * normal[:, b], minlength=n)
-    M = np.triu(M) + np.swapaxes(np.triu(M, 1), 1, 2)
-    return np.asarray(np.linalg.inv(M / cells.volume[:, None, None]), dtype=float)
+def ways(facets: Facets) -> tuple[PerBond3, PerBond3]:
+    """Return the ways m of both halves of each facet, by which they add A m·δ_p to V θ of their cells [-], (m, 3)."""
+    area = facets.area[:, None]
+    return tuple(
+        share / (area * (depth / facets.span)[:, None])
+        for share, depth in ((facets.share_i, facets.depth_i), (facets.share_j, facets.depth_j))
+    )
 
 
-def _at_platens(way: Floats, normal: Floats, holds: Holds) -> Floats:
-    """Return M⁻¹n of free facets, (k, 3), along n alone where a smooth platen holds them: normal, but free to slide.
+def compliance(body: Lattice) -> PerElement:
+    """Return q = Σ A d |m|² / V over all facets of each cell [-], shape (n,); 3 for m = n.
 
-    Such a facet has no traction along the platen, so that no uniform strain opens it that way. The rest of M⁻¹n would
-    let it slide under the pressure of its cell. This would soften a body between platens, more so the nearer ν is to
-    ½.
+    V θ² ≤ q Σ A |δ_p|² / d over the openings δ_p of its halves, so that the energy of the cell is positive for every
+    motion where λ > -2 G / q.
     """
-    flat = ((holds.axes * normal[holds.facet]) ** 2).sum(axis=1)
-    smooth = holds.facet[(flat > 0.5) & ~holds.axes.all(axis=1)]
-    way = way.copy()
-    way[smooth] = normal[smooth] * (normal[smooth] * way[smooth]).sum(axis=1, keepdims=True)
-    return way
+    facets, cells = body_of(body)
+    free, n = cells.free, len(cells.volume)
+    way_i, way_j = ways(facets)
+    total = np.bincount(body.pairs[:, 0], facets.area * facets.depth_i * (way_i**2).sum(axis=1), n)
+    total += np.bincount(body.pairs[:, 1], facets.area * facets.depth_j * (way_j**2).sum(axis=1), n)
+    total += np.bincount(free.cell, free.depth / free.area * (free.share**2).sum(axis=1), n)
+    return np.asarray(total / cells.volume, dtype=float)
 
 
 def _resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> Floats:

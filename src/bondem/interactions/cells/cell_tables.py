@@ -29,7 +29,7 @@ class ElasticFacets(NamedTuple):
     pitch: Floats  #: unit of the levers along x, y, z [m], (3,)
     lever_i: np.ndarray  #: from the centres of mass to the facet [pitch], int32, (3, m)
     lever_j: np.ndarray
-    share_i: np.ndarray  #: A w M⁻¹n [m²], float32, (3, m)
+    share_i: np.ndarray  #: A w m [m²], float32, (3, m)
     share_j: np.ndarray
     H: np.ndarray  #: resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], float32, (6, m)
     normal: Floats  #: from i to j in the reference [-], (3, m)

@@ -234,30 +234,18 @@ def tessellate(
     b = np.where(found.other >= 0, owner[found.other], found.element)
     shared = Polygons(a, b, found.area, found.normal, found.centroid, found.moment)
     every = together([made.faces, shared.chosen(a != b)])
-    pairs, between = facets(particles, every.chosen(every.b >= 0).facing())
-    _check_depths(pairs, between)
     free = free_facets(particles.envelope, made.centres.position, made.centres.reach, every.chosen(every.b < 0))
     volume, centroid, inertia = _solid_tables(made)
     _check_volume(particles.envelope, float(volume.sum()))
+    pairs, between, remainder = facets(particles, every.chosen(every.b >= 0).facing(), free, volume)
     told(1.0)
     grid = pitch(made.centres.reach, particles.period, CENTRE_BITS)
-    return pairs, between, Cells(volume, freeze(on_raster(centroid, grid)), inertia, free)
+    return pairs, between, Cells(volume, freeze(on_raster(centroid, grid)), inertia, remainder, free)
 
 
 def cell_centroids(particles: Particles) -> PerElement3:
     """Return the centroids of the cells alone [m], shape (n, 3); see `tessellate`."""
     return _solid_tables(tessellation(particles))[1]
-
-
-def _check_depths(pairs: Pairs, between: Facets) -> None:
-    """Reject facets that do not lie between their centres, because their springs would have a negative length."""
-    bad = np.flatnonzero(~((between.depth_i > 0.0) & (between.depth_j > 0.0)))
-    if bad.size:
-        i, j = map(int, pairs[bad[0]])
-        raise InputError(
-            f"the facet of elements {i} and {j} does not lie between their centres ({bad.size} such facets): one"
-            " sphere holds most of the other; remove the smaller one, or make radii more alike"
-        )
 
 
 def _check_volume(shape: Shape, volume: float) -> None:

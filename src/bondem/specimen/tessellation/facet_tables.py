@@ -4,9 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Floats, Ints, Pairs, PerElement3
+from bondem._types import Floats, Ints, Pairs, PerBond, PerElement, PerElement3
+from bondem.errors import InputError
 from bondem.geometry.shape import Shape
 from bondem.specimen.particles import Particles, freeze
+from bondem.specimen.tessellation.balanced_shares import balanced_shares
 from bondem.specimen.tessellation.facets import Facets, FreeFacets
 
 # Directions and places of free polygons that count as one wall: relative to 1 and to the width of a cell.
@@ -69,19 +71,51 @@ def _merged(polygons: Polygons, key: Ints) -> Polygons:
     return Polygons(polygons.a[start], polygons.b[start], size, normal, centroid, np.add.reduceat(moment, start))
 
 
-def facets(particles: Particles, polygons: Polygons) -> tuple[Pairs, Facets]:
-    """Convert the polygons between elements to facets, one per pair."""
+def facets(
+    particles: Particles, polygons: Polygons, free: FreeFacets, volume: PerElement
+) -> tuple[Pairs, Facets, PerElement]:
+    """Convert the polygons between elements to facets, one per pair, with their shares in the dilatation of cells.
+
+    Args:
+        particles: the elements.
+        polygons: polygons from the element of lower number to that of higher number.
+        free: facets on the surface.
+        volume: volumes of the cells [m³], (n,).
+
+    Returns:
+        Pairs of elements, facets, and the remainders of the shares [-], (n,).
+
+    Raises:
+        InputError: A facet does not lie between its centres.
+    """
     order = np.lexsort((polygons.b, polygons.a))
     polygons = polygons.chosen(order)
     one = _merged(polygons, polygons.a * len(particles) + polygons.b)
     i, j = one.a, one.b
+    pairs, branch = np.column_stack([i, j]), particles.separation(i, j)
     depth_i = ((one.centroid - particles.position[i]) * one.normal).sum(axis=1)
-    depth_j = (particles.separation(i, j) * one.normal).sum(axis=1) - depth_i
-    table = Facets(
-        freeze(one.area), freeze(one.normal), freeze(one.centroid), freeze(one.moment), freeze(depth_i),
-        freeze(depth_j),
+    span = (branch * one.normal).sum(axis=1)
+    depth_j = span - depth_i
+    _check_depths(pairs, depth_i, depth_j)
+    shares = balanced_shares(
+        pairs, one.area[:, None] * one.normal, (depth_i / span, depth_j / span), branch, free, volume,
+        particles.position,
     )  # fmt: skip
-    return np.column_stack([i, j]), table
+    table = Facets(*map(freeze, (
+        one.area, one.normal, one.centroid, one.moment, depth_i, depth_j, shares.i, shares.j,
+    )))  # fmt: skip
+    return pairs, table, freeze(shares.remainder)
+
+
+def _check_depths(pairs: Pairs, depth_i: PerBond, depth_j: PerBond) -> None:
+    """Reject facets that do not lie between their centres, because their springs would have a negative length."""
+    bad = np.flatnonzero(~((depth_i > 0.0) & (depth_j > 0.0)))
+    if bad.size:
+        i, j = map(int, pairs[bad[0]])
+        raise InputError(
+            f"the facet of elements {i} and {j} does not lie between their centres ({bad.size} such facets): one"
+            " sphere holds most of the other; remove the smaller one, or make radii more alike"
+        )
 
 
 def free_facets(shape: Shape, position: PerElement3, width: float, polygons: Polygons) -> FreeFacets:
@@ -101,7 +135,8 @@ def free_facets(shape: Shape, position: PerElement3, width: float, polygons: Pol
     one = _merged(polygons.chosen(order), key)
     depth = ((one.centroid - position[one.a]) * one.normal).sum(axis=1)
     face = _faces(shape, one.centroid, one.normal, _INSIDE * width)
-    return FreeFacets(*map(freeze, (one.a, one.area, one.normal, one.centroid, one.moment, depth, face)))
+    share = one.area[:, None] * one.normal
+    return FreeFacets(*map(freeze, (one.a, one.area, one.normal, one.centroid, one.moment, depth, face, share)))
 
 
 def _faces(shape: Shape, centroid: Floats, normal: Floats, inside: float) -> Ints:

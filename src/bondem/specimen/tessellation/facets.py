@@ -19,6 +19,8 @@ class Facets:
         centroid: centroids in the image next to centre i [m], shape (m, 3).
         moment: second moments of area about the centroid, ∫ r⊗r dA [m⁴], shape (m, 3, 3).
         depth_i, depth_j: distances of centres i and j from the plane, positive on their own sides [m], shape (m,).
+        share_i, share_j: shares of the facet in the dilatation of cells i and j [m²], shape (m, 3): V θ is Σ share·δ
+            over the facets of a cell. See `bondem.specimen.tessellation.balanced_shares`.
     """
 
     area: PerBond
@@ -27,6 +29,8 @@ class Facets:
     moment: Floats
     depth_i: PerBond
     depth_j: PerBond
+    share_i: PerBond3
+    share_j: PerBond3
 
     @property
     def span(self) -> PerBond:
@@ -46,6 +50,7 @@ class FreeFacets:
         moment: second moments of area about the centroid, ∫ r⊗r dA [m⁴], shape (k, 3, 3).
         depth: distance of the cell's centre from the plane of the facet, positive inside [m], shape (k,).
         face: index of the face in `Shape.faces`, or -1 for walls that belong to none, shape (k,).
+        share: share of the facet in the dilatation of its cell, A n for balanced shares [m²], shape (k, 3).
     """
 
     cell: Ints
@@ -55,6 +60,7 @@ class FreeFacets:
     moment: Floats
     depth: Floats
     face: Ints
+    share: Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,12 +71,15 @@ class Cells:
         volume: V [m³], shape (n,).
         centroid: centre of mass [m], shape (n, 3); in a periodic cell in the image next to the centre.
         inertia: tensor of inertia about the centroid at density 1 [m⁵], shape (n, 3, 3).
+        remainder: error of the dilatation under a unit uniform strain that the shares leave [-], shape (n,); below
+            1e-7, except where a cell has too few facets to satisfy all six equations.
         free: facets on the walls.
     """
 
     volume: PerElement
     centroid: PerElement3
     inertia: Floats
+    remainder: PerElement
     free: FreeFacets
 
     @cached_property

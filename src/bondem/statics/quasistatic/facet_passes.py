@@ -21,7 +21,7 @@ class WeakenedFacets(NamedTuple):
     part: Floats  #: part of cell i in the compliance [-]
     lever_i: Floats  #: [m], (m, 3)
     lever_j: Floats
-    share_i: Floats  #: A w M⁻¹n [m²], (m, 3)
+    share_i: Floats  #: A w m [m²], (m, 3)
     share_j: Floats
     normal: Floats  #: [-], (m, 3)
     H: Floats  #: [N·m], (m, 3, 3)

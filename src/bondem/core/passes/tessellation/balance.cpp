@@ -1,0 +1,41 @@
+// The operator of the balanced shares (`bondem/specimen/tessellation/balanced_shares.py`): with a symmetric tensor Y of
+// each cell and the weighted branch b of each facet, N Y = Σ sym((Y_p - Y_q) b ⊗ b) over the facets of cell p. Every cell
+// sums its own facets, so that no result depends on the number of threads.
+#include "balance.hpp"
+
+#include "../../symmetric3.hpp"
+#include "../../threads.hpp"
+
+namespace bondem {
+namespace {
+
+constexpr Index cells_of_a_task = 256;
+// Off-diagonal components are stored √2 times as large, which makes the inner product of rows that of tensors.
+constexpr double root_half = 0.70710678118654752440;
+
+Symmetric3<double> tensor(const double *row) {
+    return {row[0], row[1], row[2], root_half * row[3], root_half * row[4], root_half * row[5]};
+}
+
+}  // namespace
+
+Index apply_balance(Index threads, const CellBranches &branches, const BalanceField &field) {
+    const Index n = field.given.size();
+    for_each_task(threads, (n + cells_of_a_task - 1) / cells_of_a_task, [&](Index task) {
+        for (Index p = task * cells_of_a_task; p < least((task + 1) * cells_of_a_task, n); p++) {
+            const Symmetric3<double> own = tensor(&field.given(p, 0));
+            Symmetric3<double> sum = {};
+            for (Index e = branches.start(p); e < branches.start(p + 1); e++) {
+                const Vector b = branches.branch.row<const Vector>(e);
+                const Symmetric3<double> difference = own + -1.0 * tensor(&field.given(Index(branches.other(e)), 0));
+                sum = sum + symmetric_product(difference * b, b);
+            }
+            double *const to = &field.found(p, 0);
+            to[0] = sum.xx, to[1] = sum.yy, to[2] = sum.zz;
+            to[3] = sum.xy / root_half, to[4] = sum.xz / root_half, to[5] = sum.yz / root_half;
+        }
+    });
+    return 0;
+}
+
+}  // namespace bondem

@@ -1,0 +1,78 @@
+"""Shares of bodies in files older than the balanced shares (run files before schema 9).
+
+A run continues with the law it began with: the share of a facet in the dilatation of its cell was A w_p M_p⁻¹ n, with
+M_p = (1/V_p) Σ A d n⊗n over all facets of the cell. Bodies of particle files get balanced shares.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from bondem._types import Floats, Ints
+from bondem.boundary.conditions import BoundaryCondition
+from bondem.boundary.wall_constraints import Holds
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.particles import Particles, freeze
+from bondem.specimen.tessellation.balanced_shares import balanced_shares
+from bondem.specimen.tessellation.facets import Cells, Facets, FreeFacets
+
+#: Fields that older files lack, by table.
+LACKING = {Facets: ("share_i", "share_j"), Cells: ("remainder",), FreeFacets: ("share",)}
+
+
+def balanced_body(
+    particles: Particles, pairs: Ints, facets: dict[str, Any], cells: dict[str, Any], free: dict[str, Any]
+) -> Lattice:
+    """Return the body of the tables of an older file, with balanced shares."""
+    surface = FreeFacets(**free, share=freeze(free["area"][:, None] * free["normal"]))
+    span = facets["depth_i"] + facets["depth_j"]
+    shares = balanced_shares(
+        pairs, facets["area"][:, None] * facets["normal"], (facets["depth_i"] / span, facets["depth_j"] / span),
+        particles.separation(*pairs.T), surface, cells["volume"], particles.position,
+    )  # fmt: skip
+    return Lattice(
+        particles, pairs, facets=Facets(**facets, share_i=freeze(shares.i), share_j=freeze(shares.j)),
+        cells=Cells(**cells, remainder=freeze(shares.remainder), free=surface),
+    )  # fmt: skip
+
+
+def with_corrected_normals(body: Lattice, boundary: Sequence[BoundaryCondition]) -> Lattice:
+    """Return a body with the shares A w M⁻¹n of run files before schema 9.
+
+    At a smooth platen, which holds the normal of a facet and lets it slide, the share of the facet is along n alone.
+
+    Args:
+        body: body of the run.
+        boundary: conditions of the run.
+    """
+    facets, cells = body.facets, body.cells
+    if facets is None or cells is None:
+        return body
+    free, (i, j) = cells.free, body.pairs.T
+    sides = ((i, facets.area * facets.depth_i, facets.normal), (j, facets.area * facets.depth_j, facets.normal))
+    M = sum(_moments(*side, len(cells.volume)) for side in (*sides, (free.cell, free.area * free.depth, free.normal)))
+    inverse = np.linalg.inv(M / cells.volume[:, None, None])
+    share_i, share_j = (
+        (weight / facets.span)[:, None] * np.einsum("mab,mb->ma", inverse[cell], normal)
+        for cell, weight, normal in sides
+    )
+    outer = np.einsum("kab,kb->ka", inverse[free.cell], free.normal)
+    holds = Holds.of(body, boundary)
+    normal = free.normal[holds.facet]
+    smooth = (((holds.axes * normal) ** 2).sum(axis=1) > 0.5) & ~holds.axes.all(axis=1)
+    at, normal = holds.facet[smooth], normal[smooth]
+    outer[at] = normal * (normal * outer[at]).sum(axis=1, keepdims=True)
+    free = replace(free, share=freeze(free.area[:, None] * outer))
+    return Lattice(
+        body.particles, body.pairs, facets=replace(facets, share_i=freeze(share_i), share_j=freeze(share_j)),
+        cells=replace(cells, free=free),
+    )  # fmt: skip
+
+
+def _moments(cell: Ints, weight: Floats, normal: Floats, n: int) -> Floats:
+    """Return Σ weight n⊗n of each cell [m³], (n, 3, 3)."""
+    found = np.zeros((n, 3, 3))
+    np.add.at(found, cell, weight[:, None, None] * normal[:, :, None] * normal[:, None, :])
+    return found

@@ -1,0 +1,109 @@
+"""Solution of the equations of the balanced shares: symmetric tensors Y of the cells, by conjugate gradients.
+
+The operator is N Y = Σ sym((Y_p - Y_q) b ⊗ b) over the facets of cell p, a Laplacian of tensors on the graph of the
+cells. Averaged over all directions of b it is the scalar Laplacian of weights |b|² / 3 for each component. The
+preconditioner is the diagonal of that, plus the same Laplacian between groups of neighbouring cells, which reduces
+errors of long wavelength.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.sparse import csc_array, dia_array
+from scipy.sparse.linalg import LinearOperator, cg, splu
+
+from bondem._blas import one_blas_thread
+from bondem._core import Pass
+from bondem._threads import current_threads
+from bondem._types import Floats, Ints, Pairs, PerBond3, PerElement3
+from bondem.geometry.morton import morton_code
+
+# Iterations that are carried out at most; bodies of 1e5 cells take about a hundred.
+_MOST = 5000
+# Cells in a group, and what is added to the diagonal of their matrix, over its mean: constants are free.
+_GROUP, _FREE = 32, 1e-8
+#: Components of a symmetric tensor in the order of the core, and their scale in rows: √2 off the diagonal.
+ROW, COLUMN = np.array([0, 1, 2, 0, 0, 1]), np.array([0, 1, 2, 1, 2, 2])
+SCALE = np.where(ROW == COLUMN, 1.0, np.sqrt(2.0))
+
+
+class CellBranches(NamedTuple):
+    """Facets of each cell."""
+
+    start: Ints  #: facets of cell p are start[p] … start[p + 1] - 1, (n + 1,)
+    other: np.ndarray  #: cell on the other side, uint32, (2 m,)
+    branch: Floats  #: b of each facet [m^1.5], (2 m, 3)
+
+
+class BalanceField(NamedTuple):
+    """A symmetric tensor of each cell, and the operator applied to it."""
+
+    given: Floats  #: (n, 6)
+    found: Floats  #: (n, 6)
+
+
+_apply_balance = Pass("apply_balance", CellBranches, BalanceField)
+
+
+@one_blas_thread
+def solved_balance(position: PerElement3, pairs: Pairs, branch: PerBond3, right: Floats, most: float) -> Floats:
+    """Return the tensors Y of the cells, scaled as rows, shape (n, 6).
+
+    Args:
+        position: centres of the cells [m], (n, 3).
+        pairs: cells of each facet, (m, 2).
+        branch: b of each facet [m^1.5], (m, 3).
+        right: right-hand sides, scaled as rows [m³], (n, 6).
+        most: norm of the remainder at which the iteration ends [m³].
+    """
+    n = len(position)
+    order = np.argsort(morton_code(position), kind="stable")
+    rank = np.empty(n, dtype=np.int64)
+    rank[order] = np.arange(n)
+    ends = rank[pairs]
+    branches = _of_cells(n, ends, branch)
+    found = np.empty((n, 6))
+
+    def applied(given: Floats) -> Floats:
+        _apply_balance(branches, BalanceField(given.reshape(n, 6), found), threads=current_threads())
+        return found.ravel().copy()
+
+    shape = (6 * n, 6 * n)
+    y, _ = cg(
+        LinearOperator(shape, matvec=applied, dtype=float), right[order].ravel(), rtol=0.0, atol=most, maxiter=_MOST,
+        M=_preconditioner(n, ends, branch),
+    )  # fmt: skip
+    return np.asarray(y, dtype=float).reshape(n, 6)[rank]
+
+
+def _of_cells(n: int, ends: Pairs, branch: PerBond3) -> CellBranches:
+    """Return the facets of each cell, those of which it is the second cell last."""
+    near, far = ends.ravel(order="F"), ends[:, ::-1].ravel(order="F")
+    order = np.argsort(near, kind="stable")
+    start = np.concatenate([[0], np.cumsum(np.bincount(near, minlength=n))]).astype(np.int64)
+    both = np.concatenate([branch, branch])[order]
+    return CellBranches(start, far[order].astype(np.uint32), np.ascontiguousarray(both))
+
+
+def _preconditioner(n: int, ends: Pairs, branch: PerBond3) -> LinearOperator:
+    """Return the inverse of the scalar Laplacian on its diagonal alone, plus that on groups of cells."""
+    weight = (branch**2).sum(axis=1) / 3.0
+    diagonal = np.bincount(ends[:, 0], weight, n) + np.bincount(ends[:, 1], weight, n)
+    inverse = np.divide(1.0, diagonal, out=np.zeros(n), where=diagonal > 0.0)[:, None]
+    begin = np.arange(0, n, _GROUP)
+    groups = len(begin)
+    a, b = (ends // _GROUP).T
+    between = a != b
+    a, b, weight = a[between], b[between], weight[between]
+    half = csc_array((weight, (a, b)), shape=(groups, groups))
+    both = half + half.T
+    sums = np.asarray(both.sum(axis=0)).ravel()
+    coarse = dia_array((sums[None] + _FREE * diagonal.mean(), [0]), shape=both.shape) - both
+    solver = splu(csc_array(coarse))
+    group = np.arange(n) // _GROUP
+
+    def applied(residual: Floats) -> Floats:
+        rows = residual.reshape(n, 6)
+        return (inverse * rows + solver.solve(np.add.reduceat(rows, begin))[group]).ravel()
+
+    return LinearOperator((6 * n, 6 * n), matvec=applied, dtype=float)
