@@ -66,6 +66,10 @@ class Holds:
         facet = np.flatnonzero(axes.any(axis=1))
         return cls(facet, axes[facet], tuple(drives), drive[facet], tuple(rate))
 
+    def flat(self, normal: Floats) -> Ints:
+        """Return the facets whose normal is held, as indices into `cells.free`; `normal` is of all these, (k, 3)."""
+        return self.facet[((self.axes * normal[self.facet]) ** 2).sum(axis=1) > 0.5]
+
     def same(self, other: "Holds") -> bool:
         """Return True if the same facets are held and moved in the same way."""
         arrays = ((self.facet, other.facet), (self.axes, other.axes), (self.drive, other.drive))

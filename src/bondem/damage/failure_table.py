@@ -12,8 +12,8 @@ from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
 from bondem.damage.failure_assignment import FailurePart, criteria_of
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondLaw, BondStiffness
+from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.interactions.cells.cell_constants import body_of
 from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
 from bondem.interactions.non_local.non_local_law import NonLocal

@@ -9,7 +9,8 @@ from bondem._types import Ints, Mask, PerBond, PerElement
 from bondem.damage.cohesive_softening import SNAP, Softening, StressIndex
 from bondem.damage.failure_assignment import FailurePart
 from bondem.errors import InputError
-from bondem.interactions.cells.cell_constants import CellConstants, body_of
+from bondem.interactions.cells.cell_body import body_of
+from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
 

@@ -7,7 +7,7 @@ from bondem._types import Floats, PerBond
 from bondem.boundary.conditions import Load
 from bondem.boundary.loads import Pressure, is_face
 from bondem.damage.crack_columns import FACET, PARTED, STATUS, TOP
-from bondem.interactions.cells.cell_constants import body_of
+from bondem.interactions.cells.cell_body import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
 

@@ -7,7 +7,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.boundary.wall_constraints import Grips, reference_base
 from bondem.geometry.rotations import rotation_vector, turned_vectors
-from bondem.interactions.cells.cell_constants import body_of
+from bondem.interactions.cells.cell_body import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.cell_forces import CellForces, held_arms, wall_places

@@ -25,8 +25,9 @@ from bondem.errors import InputError
 from bondem.interactions.beams.assignment import BondAssignment, bond_stiffness
 from bondem.interactions.beams.bond_law import BondLaw, BondStiffness
 from bondem.interactions.beams.bond_table import BondTable
+from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.interactions.cells.cell_constants import CellAssignment, CellConstants, body_of
+from bondem.interactions.cells.cell_constants import CellAssignment, CellConstants
 from bondem.interactions.cells.cell_plausibility import question_cells
 from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.contact.contact_model import ContactModel

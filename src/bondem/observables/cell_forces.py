@@ -9,7 +9,8 @@ from bondem._checks import shown
 from bondem._types import Floats, Ints, PerBond3, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.geometry.rotations import turned_vectors
-from bondem.interactions.cells.cell_constants import CellConstants, body_of
+from bondem.interactions.cells.cell_body import body_of
+from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.interactions.cells.cell_tables import STRESS, place_held_walls
 from bondem.model.model import Model

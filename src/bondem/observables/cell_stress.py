@@ -4,7 +4,7 @@ import numpy as np
 
 from bondem._types import Floats, PerElement
 from bondem.geometry.rotations import add_force_moments
-from bondem.interactions.cells.cell_constants import body_of
+from bondem.interactions.cells.cell_body import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.cell_forces import CellForces, SmallMotion

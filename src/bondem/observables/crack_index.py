@@ -6,7 +6,7 @@ from bondem._types import Ints, PerBond, PerBond3, PerElement
 from bondem.damage.opened_facets import Opened
 from bondem.damage.softening_table import SofteningTable
 from bondem.geometry.rotations import turned_vectors
-from bondem.interactions.cells.cell_constants import body_of
+from bondem.interactions.cells.cell_body import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.cell_forces import CellForces

@@ -9,7 +9,7 @@ from bondem.damage.event_columns import SOFT_BOND
 from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import Beams, beam_energies, beam_tables
 from bondem.interactions.beams.bond_strain import BondStrain
-from bondem.interactions.cells.cell_constants import body_of
+from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.interactions.cells.cell_tables import CellPoses, body_energies, cell_tables, place_held_walls
 from bondem.model.model import Model

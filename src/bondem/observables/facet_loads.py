@@ -8,7 +8,7 @@ from bondem._types import Floats
 from bondem.boundary.conditions import Load
 from bondem.boundary.loads import Pressure, is_face
 from bondem.geometry.rotations import turned_vectors
-from bondem.interactions.cells.cell_constants import body_of
+from bondem.interactions.cells.cell_body import body_of
 from bondem.model.model import Model
 
 

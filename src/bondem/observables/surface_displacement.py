@@ -4,7 +4,7 @@ import numpy as np
 
 from bondem._checks import instance
 from bondem._types import Floats, PerElement3
-from bondem.interactions.cells.cell_constants import body_of
+from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.model.model import Model
 

@@ -120,7 +120,7 @@ struct Bulk {
 struct CellBranches {
     Array<const Index, 1> start;  // facets of cell p are start[p] … start[p + 1] - 1, (n + 1,)
     Array<const Short, 1> other;  // cell on the other side, (2 m,)
-    Array<const double, 2> branch;  // weighted branch √(4 w w' A / L) L [m^1.5], (2 m, 3)
+    Array<const double, 2> branch;  // weighted branch A / √W times the branch to its neighbour [m^1.5], (2 m, 3)
 };
 
 // A symmetric tensor of each cell, xx, yy, zz, √2 xy, √2 xz, √2 yz, and the operator applied to it.

@@ -10,8 +10,10 @@ from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement
 from bondem.boundary.wall_constraints import Grips, Holds
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
+from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.interactions.cells.cell_plausibility import layer_axes
+from bondem.interactions.cells.facet_resistance import resistance, twist_at_walls
+from bondem.interactions.cells.free_walls import FreeWalls
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
 from bondem.specimen.regions import Region, as_region
@@ -84,7 +86,6 @@ class CellConstants:
         """
         facets, cells = body_of(body)
         G, lame, rotation = _materials(body, bond)
-        layer = layer_axes(body) if rotation == "bending" else np.zeros((len(body.particles), 3))
         i, j = body.pairs.T
         normal, area = facets.normal, facets.area
         # compliance of each half over the area, and its share of the opening
@@ -99,6 +100,10 @@ class CellConstants:
         soft = free.area * free.depth * (open_axes * n_free**2).sum(axis=1)
         lame = np.maximum(lame, -2.0 * G / compliance(body))
         slack = 1.0 + np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume * lame / (2.0 * G)
+        walls = FreeWalls.of(body, holds.flat(free.normal))
+        H = resistance(facets.moment, normal, k / area, rotation)
+        if rotation == "bending":
+            H += twist_at_walls(facets.moment, area, normal, k / area, walls, (i, j))
         arm = facets.centroid - cells.centroid[i]
         other = arm - body.branch
         grid = pitch(float(max(np.abs(arm).max(), np.abs(other).max())), body.particles.period, LEVER_BITS)
@@ -107,10 +112,7 @@ class CellConstants:
             k=k,
             lever_i=arm,
             lever_j=arm - body.branch,
-            H=_single(
-                _resistance(facets.moment, normal, k / area, rotation)
-                + _layer_twist(facets.moment, normal, k / area, layer[i], layer[j])
-            ),
+            H=_single(H),
             share_i=_single((area * w_i)[:, None] * way_i),
             share_j=_single((area * w_j)[:, None] * way_j),
             volume=cells.volume,
@@ -120,7 +122,7 @@ class CellConstants:
             slack_j=area * half_j * (way_j**2).sum(axis=1),
             G=G,
             lame=lame,
-            grips=_grips(cells, holds, G, n_free, rotation, layer),
+            grips=_grips(cells, holds, G, n_free, rotation, walls),
             softness=free.depth / (2.0 * G[free.cell]),
             way=open_axes * n_free,
             free_cell=free.cell,
@@ -197,19 +199,6 @@ class CellConstants:
         )  # fmt: skip
 
 
-def body_of(lattice: Lattice) -> tuple[Facets, Cells]:
-    """Return the facets and cells of a body.
-
-    Raises:
-        InputError: The lattice has no cells.
-    """
-    if lattice.facets is None or lattice.cells is None:
-        raise InputError(
-            "CellBond needs a body cut into cells; connect particles with bd.connect(particles, method='laguerre')"
-        )
-    return lattice.facets, lattice.cells
-
-
 def _single(values: Floats) -> Floats:
     """Return the nearest numbers of single precision."""
     return values.astype(np.float32).astype(float)
@@ -261,36 +250,8 @@ def compliance(body: Lattice) -> PerElement:
     return np.asarray(total / cells.volume, dtype=float)
 
 
-def _resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> Floats:
-    """Return H [N·m], (m, 3, 3), of facets with second moments S and `stiffness` 2 G / L [Pa/m]."""
-    if rotation == "none":
-        return np.zeros_like(S)
-    unit = np.eye(3)
-    if rotation == "bending":
-        unit = unit - normal[:, :, None] * normal[:, None, :]
-    return stiffness[:, None, None] * (np.einsum("mii->m", S)[:, None, None] * unit - S)
-
-
-def _layer_twist(S: Floats, normal: Floats, stiffness: Floats, one: Floats, other: Floats) -> Floats:
-    """Return the addition to H about the normal of facets within a layer one cell thick [N·m], (m, 3, 3).
-
-    Where a layer bends, a facet oblique to the direction of bending turns about its normal. With the second moment of
-    the facet across the layer, the sum over the facets is the energy E t³ / 12 (1 + ν) |∇∇w|² / 2 of a plate,
-    whatever their directions; without it an uneven layer bends 40 % too much.
-
-    Args:
-        S: second moments of the facets [m⁴], (m, 3, 3).
-        normal: normals of the facets, (m, 3).
-        stiffness: 2 G / L [Pa/m], (m,).
-        one, other: directions across the layer of both cells, zero outside layers, (m, 3).
-    """
-    across = 0.5 * sum(np.einsum("ma,mab,mb->m", axis, S, axis) for axis in (one, other))
-    within = (one * one).sum(axis=1) * (other * other).sum(axis=1) > 0.5
-    return (stiffness * across * within)[:, None, None] * normal[:, :, None] * normal[:, None, :]
-
-
 def _grips(
-    cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: str, layer: Floats
+    cells: Cells, holds: Holds, G: PerElement, n_free: Floats, rotation: str, walls: FreeWalls
 ) -> Grips:
     """Return the half facets between cells and walls."""
     free, facet = cells.free, holds.facet
@@ -298,16 +259,17 @@ def _grips(
     stiffness = 2.0 * G[cell] / free.depth[facet]
     # a wall that holds the normal keeps the facet plane
     flat = ((axes * normal) ** 2).sum(axis=1)
-    H = _resistance(free.moment[facet], normal, stiffness * flat, rotation)
-    whole = _resistance(free.moment[facet], normal, stiffness, rotation)
+    H = resistance(free.moment[facet], normal, stiffness * flat, rotation)
+    whole = resistance(free.moment[facet], normal, stiffness, rotation)
     if rotation == "full":  # a wall that only keeps the facet plane lets it turn in its plane
-        bent = _resistance(free.moment[facet], normal, stiffness * flat, "bending")
+        bent = resistance(free.moment[facet], normal, stiffness * flat, "bending")
         every = np.all(axes, axis=1, keepdims=True)[:, :, None]
         H = np.where(every, H, bent)
-        whole = np.where(every, whole, _resistance(free.moment[facet], normal, stiffness, "bending"))
-    clamped = stiffness * np.all(axes, axis=1)
-    twist = _layer_twist(free.moment[facet], normal, clamped, layer[cell], layer[cell])
-    H, whole = H + twist, whole + twist
+        whole = np.where(every, whole, resistance(free.moment[facet], normal, stiffness, "bending"))
+    if rotation == "bending":
+        clamped = stiffness * np.all(axes, axis=1)
+        twist = twist_at_walls(free.moment[facet], free.area[facet], normal, clamped, walls, (cell, cell))
+        H, whole = H + twist, whole + twist
     lever = free.centroid[facet] - cells.centroid[cell]
     return Grips(
         cell=cell, k=stiffness * free.area[facet], lever=lever, arm=lever,

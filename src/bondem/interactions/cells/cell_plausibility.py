@@ -9,20 +9,18 @@ from bondem._names import users_line
 from bondem._types import Floats, PerElement3
 from bondem.errors import IncompressibleWarning, RaggedInterfaceWarning, ThinBodyWarning
 from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.free_walls import is_layer, thin_ways
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Difference, Intersection, Plane, Region, Union, Within
 
-# A cell is one of a layer where its facets without a neighbour are this share of all of them along some axis: 1 of a
-# plate one cell thick, 1/2 at a plain wall. So many of all cells, and as many in number, make a layer.
-_THIN, _PART, _FEW = 0.9, 0.1, 8
 # Poisson's ratio times this is what a layer bends too softly; less is no matter.
 _MATTERS = 0.01
 # Poisson's ratio from which bulk moduli of a confined body are off by half a per cent.
 _NEARLY = 0.45
 # Ratio of E that makes an interface, and distance of its facets from the surface, over the size of a cell, root mean
 # square: 0.02 to 0.12 where cells end on it, 0.2 to 0.3 where they do not.
-_CONTRAST, _ROUGH = 1.25, 0.15
+_CONTRAST, _ROUGH, _FEW_FACETS = 1.25, 0.15, 8
 
 
 def question_cells(body: Lattice, bond: object) -> None:
@@ -56,13 +54,13 @@ def _question_incompressible(nu: float) -> None:
 def _question_thin(body: Lattice, laws: list[CellBond]) -> None:
     """Warn about parts of a body that are one cell thick, and about those that are one cell wide as well."""
     assert body.cells is not None
-    thin = (free_shares(body) > _THIN).sum(axis=1)
+    thin = thin_ways(body)
     count = int((thin > 0).sum())
-    if count < max(_FEW, _PART * len(thin)):
+    if not is_layer(thin > 0):
         return
     nu = max((law.nu for law in laws), key=abs)
     rotation = laws[0].facet_rotation
-    if int((thin > 1).sum()) >= max(_FEW, _PART * len(thin)):
+    if is_layer(thin > 1):
         error = {"bending": "20 % too stiffly", "full": "2.4 times too stiffly"}.get(rotation, "without resistance")
         _warn(
             f"{count} of {len(thin)} cells have no neighbour on opposite sides, and the body is one cell thick both"
@@ -88,7 +86,7 @@ def _question_ragged(body: Lattice, bond: Mapping[object, object]) -> None:
             E[where.mask(body)] = law.E
     i, j = body.pairs.T
     border = np.flatnonzero(np.maximum(E[i], E[j]) > _CONTRAST * np.minimum(E[i], E[j]))
-    if not surfaces or len(border) < _FEW:
+    if not surfaces or len(border) < _FEW_FACETS:
         return
     at, area = body.facets.centroid[border], body.facets.area[border]
     off = np.min([np.abs(depth(at)) for depth in surfaces], axis=0) / np.cbrt(body.cells.volume.mean())
@@ -113,44 +111,6 @@ def _surfaces(where: object) -> list[Callable[[PerElement3], Floats]]:
             return _surfaces(where.first) + _surfaces(where.second)
         case _:
             return []
-
-
-def free_shares(body: Lattice) -> Floats:
-    """Return the part of free facets in (1/V) Σ A d n⊗n of each cell, along its three axes [-], (n, 3), ascending."""
-    return _free_axes(body)[0]
-
-
-def _free_axes(body: Lattice) -> tuple[Floats, Floats]:
-    """Return the shares of free facets, (n, 3), ascending, and their unit vectors, columns of (n, 3, 3)."""
-    cells, facets = body.cells, body.facets
-    assert cells is not None
-    assert facets is not None
-    n, free = len(cells.volume), cells.free
-    open_part = _sums(free.cell, free.area * free.depth, free.normal, n)
-    whole = open_part + _sums(body.pairs[:, 0], facets.area * facets.depth_i, facets.normal, n)
-    whole += _sums(body.pairs[:, 1], facets.area * facets.depth_j, facets.normal, n)
-    root = np.linalg.inv(np.linalg.cholesky(whole))
-    share, turned = np.linalg.eigh(root @ open_part @ np.swapaxes(root, 1, 2))
-    axis = np.swapaxes(root, 1, 2) @ turned
-    return share, axis / np.linalg.norm(axis, axis=1, keepdims=True)
-
-
-def layer_axes(body: Lattice) -> Floats:
-    """Return the direction in which a body is one cell thick at each cell, (n, 3); zero where it is thicker."""
-    share, axis = _free_axes(body)
-    thin = share[:, 2] > _THIN
-    if thin.sum() < max(_FEW, _PART * len(thin)):
-        return np.zeros((len(thin), 3))
-    return np.where(thin[:, None], axis[:, :, 2], 0.0)
-
-
-def _sums(cell: np.ndarray, weight: Floats, normal: Floats, n: int) -> Floats:
-    """Return Σ weight n⊗n of each cell, (n, 3, 3)."""
-    found = np.zeros((n, 3, 3))
-    for a in range(3):
-        for b in range(3):
-            found[:, a, b] = np.bincount(cell, weights=weight * normal[:, a] * normal[:, b], minlength=n)
-    return found
 
 
 def _warn(text: str, category: type[Warning]) -> None:

@@ -9,11 +9,12 @@ opening δ. Two conditions make every uniform stress an exact solution in every 
 g_p is the centre (generator) of the cell, B = g_q - g_p the branch to its neighbour, c the centroid of a facet. With
 s_i = A (w_i n + a) and s_j = A (w_j n - a), w_p = d_p / L, balance holds by itself. The corrections a, one vector per
 facet, follow from consistency. By the divergence theorem the equations of all cells add up to zero, so that they have
-solutions in every body. The solution is that of least Σ A L |a|² / (4 w_i w_j): this norm is Σ A d |m - n|² / 4 over
-the halves of all facets, with s_p = A w_p m. It keeps corrections small where a centre is close to its facet.
+solutions in every body. The solution is that of least Σ W |a|² with W = √(A Ā) L / (4 w_i w_j), Ā the mean area. With A
+in place of √(A Ā) this norm would be Σ A d |m - n|² / 4 over the halves of all facets, s_p = A w_p m; the root keeps
+corrections of small facets small, and the product of both w_p those of a facet close to a centre.
 
-With a symmetric tensor Y of each cell as multiplier, a = (4 w_i w_j / |B|) (Y_i - Y_j) B, and Y solves a symmetric
-system of six equations per cell (`balance_solver`). Y is determined up to a constant.
+With a symmetric tensor Y of each cell as multiplier, a = (A / W) (Y_i - Y_j) B, and Y solves a symmetric system of six
+equations per cell (`balance_solver`). Y is determined up to a constant.
 
 Related: face vectors of least norm that make a discrete divergence conservative and linearly exact (Chiu et al. 2012;
 Trask, Bochev and Perego 2020).
@@ -69,13 +70,15 @@ def balanced_shares(
     missing -= _sum(free.cell, _tensors(free.share, free.centroid - position[free.cell]), n)
     size = float(np.linalg.norm(volume))
     area = np.linalg.norm(vector, axis=1, keepdims=True)
-    freedom = 4.0 * w_i * w_j * area / np.linalg.norm(branch, axis=1, keepdims=True)
+    freedom = 4.0 * w_i * w_j * area * np.sqrt(area / area.mean()) / np.linalg.norm(branch, axis=1, keepdims=True)
     correction = np.zeros_like(branch)
     if np.linalg.norm(missing * SCALE) > _ROUNDING * size:
         y = solved_balance(position, pairs, np.sqrt(freedom) * branch, missing * SCALE, TOLERANCE * size) / SCALE
         correction = freedom * _times(y[i] - y[j], branch)
     shift = _tensors(correction, branch)
     left = missing - _sum(i, shift, n) + _sum(j, shift, n)
+    if not np.linalg.norm(left) <= np.linalg.norm(missing):  # no solution was found
+        correction, left = np.zeros_like(branch), missing
     remainder = np.linalg.norm(left * SCALE, axis=1) / volume
     return Shares(w_i * vector + correction, w_j * vector - correction, remainder)
 

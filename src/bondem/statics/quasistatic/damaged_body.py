@@ -11,7 +11,7 @@ import numpy as np
 
 from bondem._types import Floats, Ints, Mask
 from bondem.damage.crack_columns import CRACK_COLUMNS, FACET
-from bondem.interactions.cells.cell_constants import body_of
+from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.model.model import Model
 from bondem.model.state import State

@@ -1,0 +1,58 @@
+"""Resistance of facets to relative rotations of their cells: bending, and twist beside free walls.
+
+The opening of a facet varies over it where its cells turn. Openings along the normal n give the bending resistance
+H = (2 G / L)(tr S P - S), with the second moment S of the facet and P = 1 - n⊗n. Openings in the plane of the facet
+(twist) would give up to (2 G / L) tr S n⊗n. The curl of the shear on a facet is ∂ω_n/∂n in a continuum, and twice that
+on a rigid facet, so that only a part of this energy is right. Beside a free wall of normal a it is (2 G / L) a·S·a,
+the bending energy of a plate whatever the directions of its facets. In a column it is that of Saint-Venant's torsion.
+Inside a body, and where two walls meet, facets do not resist twist.
+"""
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.interactions.cells.free_walls import FreeWalls
+
+# cos² of the angle between the walls of two cells within which they are one wall.
+_ALIKE = 0.8
+# Torsion constant of a cross-section over A⁴ / I_p, exact for a square.
+_TORSION = 0.1406 / 6.0
+
+
+def resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> Floats:
+    """Return H without the twist at walls [N·m], (m, 3, 3), of facets with second moments S [m⁴], (m, 3, 3).
+
+    Args:
+        S: second moments of the facets.
+        normal: normals of the facets, (m, 3).
+        stiffness: 2 G / L [Pa/m], (m,).
+        rotation: "bending", "full" or "none".
+    """
+    if rotation == "none":
+        return np.zeros_like(S)
+    unit = np.eye(3)
+    if rotation == "bending":
+        unit = unit - normal[:, :, None] * normal[:, None, :]
+    return stiffness[:, None, None] * (np.einsum("mii->m", S)[:, None, None] * unit - S)
+
+
+def twist_at_walls(
+    S: Floats, area: Floats, normal: Floats, stiffness: Floats, walls: FreeWalls, cells: tuple[Floats, Floats]
+) -> Floats:
+    """Return the twisting part of H of facets between two cells at the same wall [N·m], (m, 3, 3).
+
+    Args:
+        S: second moments of the facets [m⁴], (m, 3, 3).
+        area: areas of the facets [m²], (m,).
+        normal: normals of the facets, (m, 3).
+        stiffness: 2 G / L [Pa/m], (m,).
+        walls: free walls of the cells.
+        cells: cells on both sides of each facet, (m,) each.
+    """
+    one, other = (walls.wall[cell] for cell in cells)
+    alike = (one * other).sum(axis=1) ** 2 > _ALIKE
+    moment = 0.5 * alike * (np.einsum("ma,mab,mb->m", one, S, one) + np.einsum("ma,mab,mb->m", other, S, other))
+    column = walls.column[cells[0]] & walls.column[cells[1]]
+    polar = np.einsum("mii->m", S)
+    moment = np.where(column, 0.5 * _TORSION * area**4 / np.where(column, polar, 1.0), moment)
+    return (stiffness * moment)[:, None, None] * normal[:, :, None] * normal[:, None, :]

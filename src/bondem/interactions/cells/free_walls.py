@@ -1,0 +1,93 @@
+"""Free walls beside each cell: layers and columns one cell thick, and cells at one plain wall."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem._types import Floats, Ints, Mask, PerElement3
+from bondem.interactions.cells.cell_body import body_of
+from bondem.specimen.lattice import Lattice
+
+# A cell is one of a layer where its facets without a neighbour are this share of all of them along some axis: 1 of a
+# plate one cell thick (0.83 and more where its cells are uneven), 1/2 at a plain wall. So many of all cells, and as
+# many in number, make a layer.
+_THIN, _PART, _FEW = 0.75, 0.1, 8
+# Share above which free facets along an axis are a wall of the cell.
+_WALL = 0.2
+
+
+@dataclass(frozen=True, eq=False)
+class FreeWalls:
+    """Directions across which cells are free, user's order.
+
+    Attributes:
+        layer: directions in which the body is one cell thick at each cell, the thinnest first [-], shape (n, 2, 3);
+            zero where it is thicker. Both are set in a column.
+        wall: normal of the free wall of each cell that touches one and no other, or of its layer [-], shape (n, 3);
+            zero elsewhere.
+    """
+
+    layer: Floats
+    wall: PerElement3
+
+    @classmethod
+    def of(cls, body: Lattice, held: Ints | None = None) -> "FreeWalls":
+        """Return the free walls of the cells of a body.
+
+        Args:
+            body: a lattice with facets and cells.
+            held: facets on the surface whose normal a wall holds, indices into `cells.free`, which are not free.
+        """
+        share, axis = _free_axes(body, held)
+        thin = share > _THIN
+        layer = np.zeros((len(share), 2, 3))
+        for place, column in enumerate((2, 1)):
+            if is_layer(thin[:, column]):
+                layer[:, place] = np.where(thin[:, column, None], axis[:, :, column], 0.0)
+        one = (share[:, 2] > _WALL) & (share[:, 1] < _WALL)
+        wall = np.where(one[:, None], axis[:, :, 2], 0.0)
+        return cls(layer, np.where(layer[:, 0].any(axis=1)[:, None], layer[:, 0], wall))
+
+    @property
+    def column(self) -> Mask:
+        """Mask of the cells of columns one cell wide, shape (n,)."""
+        return np.asarray(self.layer[:, 1].any(axis=1))
+
+
+def is_layer(thin: Mask) -> bool:
+    """Return True if cells without neighbours on opposite sides are numerous enough to be a layer."""
+    return int(thin.sum()) >= max(_FEW, _PART * len(thin))
+
+
+def thin_ways(body: Lattice) -> Ints:
+    """Return the number of axes along which each cell has no neighbours on opposite sides, shape (n,)."""
+    return np.asarray((_free_axes(body, None)[0] > _THIN).sum(axis=1))
+
+
+def _free_axes(body: Lattice, held: Ints | None) -> tuple[Floats, Floats]:
+    """Return the shares of free facets in Σ A d n⊗n, (n, 3), ascending, and the axes of free walls, (n, 3, 3).
+
+    The axes are columns in the order of the shares: principal axes of Σ A d n⊗n of the free facets alone.
+    """
+    facets, cells = body_of(body)
+    n, free = len(cells.volume), cells.free
+    outer = free.area * free.depth
+    whole = _sums(free.cell, outer, free.normal, n)
+    whole += _sums(body.pairs[:, 0], facets.area * facets.depth_i, facets.normal, n)
+    whole += _sums(body.pairs[:, 1], facets.area * facets.depth_j, facets.normal, n)
+    if held is not None:
+        outer = outer.copy()
+        outer[held] = 0.0
+    open_part = _sums(free.cell, outer, free.normal, n)
+    root = np.linalg.inv(np.linalg.cholesky(whole))
+    share = np.linalg.eigvalsh(root @ open_part @ np.swapaxes(root, 1, 2))
+    return share, np.linalg.eigh(open_part)[1]
+
+
+def _sums(cell: Ints, weight: Floats, normal: Floats, n: int) -> Floats:
+    """Return Σ weight n⊗n of each cell, (n, 3, 3)."""
+    found = np.zeros((n, 3, 3))
+    for a in range(3):
+        for b in range(3):
+            found[:, a, b] = np.bincount(cell, weights=weight * normal[:, a] * normal[:, b], minlength=n)
+    return found
