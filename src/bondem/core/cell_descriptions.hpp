@@ -6,6 +6,7 @@
 #include "passes/cells/cell_strains.hpp"
 #include "passes/cells/cell_stress.hpp"
 #include "passes/cells/dilatation.hpp"
+#include "passes/cells/dilatation_gradients.hpp"
 #include "passes/cells/facet_failure.hpp"
 #include "passes/cells/facet_loads.hpp"
 #include "passes/cells/facet_traction.hpp"
@@ -19,6 +20,9 @@ namespace bondem {
 BONDEM_TABLE(ElasticFacets, F(i, "m"), F(j, "m"), F(integrity, "m"), F(k, "m"), F(pitch, "3"), F(lever_i, "3 m"),
              F(lever_j, "3 m"), F(share_i, "3 m"), F(share_j, "3 m"), F(H, "6 m"), F(normal, "3 m"), F(period, "6"))
 BONDEM_TABLE(CellDilatation, F(weight, "n"), F(given, "n"), F(swelling, "*"), F(to_i, "m"))
+BONDEM_TABLE(DilatationGradients, F(start, "n+1"), F(other, "springs"), F(spring, "springs"), F(difference, "n"),
+             F(layer, "layered+1"), F(next, "turns"), F(way, "turns 12"), F(weight, "layered 2"), F(bend, "layered 2"),
+             F(torque, "layered 3"), F(energy, "element_portions"))
 BONDEM_TABLE(DilatationEnergy, F(energy, "element_portions"))
 BONDEM_TABLE(CellEnergies, F(energy, "4"))
 BONDEM_TABLE(CellPoses, F(pose, "n 8"), F(rest, "n 3"))
@@ -45,7 +49,8 @@ BONDEM_TABLE(MomentsOfForces, F(moment, "* 6"), F(owner, "vectors"), F(arm, "vec
 
 // Lines of the lists in `index.cpp`.
 #define BONDEM_CELL_TABLES                                                                                      \
-    described<ElasticFacets>(), described<CellDilatation>(), described<DilatationEnergy>(),                     \
+    described<ElasticFacets>(), described<CellDilatation>(), described<DilatationGradients>(),                  \
+        described<DilatationEnergy>(), \
         described<CellEnergies>(), described<CellPoses>(), described<FacetForces>(), described<FacetsOfCells>(), \
         described<WallConstraints>(), described<FacetTractions>(), described<CellStrains>(), described<WallTime>(), \
         described<FacetRelease>(), described<TurnedVectors>(), described<MomentsOfForces>()
@@ -63,6 +68,9 @@ BONDEM_TABLE(MomentsOfForces, F(moment, "* 6"), F(owner, "vectors"), F(arm, "vec
         S(bonds_of_blocks, add_and_keep_facet_loads), S(parts_of_shared, collect_facet_moments),               \
         S(elements_of_blocks, take_moments), S(of_elements, sum_moments), S(of_bonds, check_facets),     \
         S(of_bonds, sum_facet_energies), S(of_elements, sum_dilatation_energies),                        \
+        S(of_elements, sum_stress_differences), S(of_elements, add_stress_differences),                   \
+        S(of_elements, bend_layers), S(of_elements, twist_layers), S(elements_of_blocks, add_layer_torques), \
+        S(of_elements, sum_gradient_energies), S(serial, add_gradient_energies),                          \
         S(serial, add_cell_energies), S(serial, follow_walls), S(serial, add_wall_dilatation),           \
         S(serial, apply_walls), S(elements_of_blocks, add_wall_loads), S(serial, follow_tractions),      \
         S(serial, add_traction_work), S(serial, follow_cell_strains), S(serial, begin_strain_work), \

@@ -51,5 +51,13 @@ def rotation_vector(quaternion: Floats) -> Floats:
     return q[:, 1:] * ratio
 
 
+def relative_rotations(p: Floats, q: Floats) -> tuple[Floats, Floats]:
+    """Return scalar, (k,), and vector part, (k, 3), of p* q of unit quaternions (k, 4), with a positive scalar."""
+    scalar = (p * q).sum(axis=1)
+    vector = p[:, :1] * q[:, 1:] - q[:, :1] * p[:, 1:] - np.cross(p[:, 1:], q[:, 1:])
+    sign = np.where(scalar < 0.0, -1.0, 1.0)
+    return sign * scalar, sign[:, None] * vector
+
+
 def _contiguous(values: Floats) -> Floats:
     return np.ascontiguousarray(values, dtype=float)

@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import bsr_array
+from scipy.sparse import bsr_array, csr_array
 
 from bondem._cache_lines import lines
 from bondem._types import Floats, PerBond
-from bondem.geometry.rotations import turned_vectors
+from bondem.geometry.rotations import relative_rotations, turned_vectors
 from bondem.interactions.beams.beam_tables import BeamSums
 from bondem.interactions.beams.bond_table import with_twins
 from bondem.interactions.cells.cell_constants import CellConstants
@@ -15,9 +15,11 @@ from bondem.interactions.cells.cell_tables import (
     STRESS,
     CellDilatation,
     CellPoses,
+    DilatationGradients,
     ElasticFacets,
     WallConstraints,
     cell_tables,
+    gradient_tables,
     load_all_facets,
     load_body,
 )
@@ -34,11 +36,13 @@ class BodyTables:
     Attributes:
         facets: facets of the body.
         cells: cells of the body.
+        gradients: gradients of the dilatation.
         walls: facets that walls hold.
     """
 
     facets: ElasticFacets
     cells: CellDilatation
+    gradients: DilatationGradients
     walls: WallConstraints
 
     @classmethod
@@ -47,11 +51,12 @@ class BodyTables:
         layout, constants = model.layout, _cells(model)
         walls = constants.grips.table(layout, model.constraints.row_of, 0)
         walls.wall[:] = constants.grips.motion
-        return cls(*cell_tables(constants, layout, model.period, integrity, layout.i), walls)
+        facets, cells = cell_tables(constants, layout, model.period, integrity, layout.i)
+        return cls(facets, cells, gradient_tables(constants.gradients, len(layout.order)), walls)
 
     def load(self, pose: Floats, rest: Floats, sums: Floats) -> None:
         """Add force and torque of facets and walls on all cells to `sums`, (n, 8); store stresses in the poses."""
-        load_body(CellPoses(pose, rest), self.facets, self.cells, self.walls, sums)
+        load_body(CellPoses(pose, rest), self.facets, self.cells, self.gradients, self.walls, sums)
 
 
 def _cells(model: Model) -> CellConstants:
@@ -122,3 +127,21 @@ def grip_blocks(model: Model, pose: Floats) -> tuple[np.ndarray, Floats]:
     along = (arm * force).sum(axis=1)[:, None, None] * np.eye(3) - arm[:, :, None] * force[:, None, :]
     own[:, 3:, 3:] += 0.5 * (along + np.swapaxes(along, 1, 2))
     return held, own
+
+
+def gradients_at(model: Model, pose: Floats) -> tuple[csr_array | None, bsr_array | None]:
+    """Return the gradients of the dilatation as `Stiffness` takes them, in the present pose.
+
+    The change of the ways of bent layers with the rotation of their cells is left out.
+    """
+    cells = _cells(model)
+    gradients = cells.gradients
+    w, v = relative_rotations(pose[gradients.a, 4:], pose[gradients.b, 4:])
+    ways = tuple(
+        turned_vectors(
+            np.repeat(pose[gradients.a, 4:], 2, axis=0),
+            (w[:, None, None] * way + np.cross(v[:, None], way)).reshape(-1, 3),
+        ).reshape(-1, 2, 3)
+        for way in (gradients.way_a, gradients.way_b)
+    )  # fmt: skip
+    return gradients.coupling(cells.weight), gradients.turns((ways[0], ways[1]), len(pose))

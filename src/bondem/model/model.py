@@ -143,7 +143,8 @@ class Model:
         if not any(isinstance(law, CellBond) for law in laws):
             return None
         body_of(self.lattice)
-        return CellConstants.of(self.lattice, cast(CellAssignment, self.bond), Holds.of(self.lattice, self.boundary))
+        holds, laws_of_cells = Holds.of(self.lattice, self.boundary), cast(CellAssignment, self.bond)
+        return CellConstants.of(self.lattice, laws_of_cells, holds, may_fail=self.failure is not None)
 
     @cached_property
     def non_local(self) -> NonLocalConstants | None:

@@ -11,20 +11,24 @@ from bondem._types import Floats
 
 @dataclass(frozen=True, eq=False)
 class Stiffness:
-    """The matrix K = B + Fᵀ W F, with degrees of freedom (u, θ) per element.
+    """The matrix K = B + Fᵀ (W + S) F + Tᵀ T, with degrees of freedom (u, θ) per element.
 
     Bonds couple two elements, B. The dilatation of a cell couples all its neighbours with each other. An explicit
-    matrix for it would have four times the blocks, so it remains a product.
+    matrix for it would have four times the blocks, so it remains a product. So do its gradients S and T.
 
     Attributes:
         bonds: B, 6×6 blocks, with a diagonal block in every row, (6 n, 6 n).
         forms: F, V θ of each cell under unit motions [m², m³], 1×6 blocks, (n, 6 n), or None.
         weight: W, λ / V of each cell [Pa/m³], (n,), or (0,).
+        spread: S, springs between the dilatations of neighbouring cells [Pa/m³], (n, n), or None.
+        turns: T, bending of layers one cell thick, 1×6 blocks, (2 n, 6 n), or None.
     """
 
     bonds: bsr_array
     forms: bsr_array | None = None
     weight: Floats = field(default_factory=lambda: np.zeros(0))
+    spread: csr_array | None = None
+    turns: bsr_array | None = None
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -44,8 +48,9 @@ class Stiffness:
         return rows, csr_array(rows.T.tocsr())
 
     @property
-    def _weights(self) -> dia_array:
-        return dia_array((self.weight[None], [0]), shape=(len(self.weight),) * 2)
+    def _weights(self) -> dia_array | csr_array:
+        own = dia_array((self.weight[None], [0]), shape=(len(self.weight),) * 2)
+        return own if self.spread is None else csr_array(own + self.spread)
 
     def __matmul__(self, motion: Floats) -> Floats:
         """Return K u of motions (6 n,) or (6 n, k)."""
@@ -54,21 +59,26 @@ class Stiffness:
             return force
         rows, columns = self._rows
         weight = self.weight if motion.ndim == 1 else self.weight[:, None]
-        return np.asarray(force + columns @ (weight * (rows @ motion)), dtype=float)
+        swelling = rows @ motion
+        stress = weight * swelling
+        if self.spread is not None:
+            stress += self.spread @ swelling
+        force += columns @ stress
+        if self.turns is not None:
+            force += self.turns.T @ (self.turns @ motion)
+        return np.asarray(force, dtype=float)
 
     def diagonal_blocks(self) -> Floats:
-        """Return the diagonal blocks, (n, 6, 6)."""
+        """Return the diagonal blocks without S, (n, 6, 6)."""
         n = self.shape[0] // 6
         row = np.repeat(np.arange(n), np.diff(self.bonds.indptr))
         blocks = self.bonds.data[self.bonds.indices == row]
         if self.forms is None:
             return np.asarray(blocks, dtype=float)
-        form = self.forms.data[:, 0]
-        weighted = np.repeat(self.weight, np.diff(self.forms.indptr))[:, None] * form
-        order = np.argsort(self.forms.indices, kind="stable")
-        start = np.searchsorted(self.forms.indices[order], np.arange(n))
-        squares = np.add.reduceat(weighted[order][:, :, None] * form[order][:, None, :], start)
-        return np.asarray(blocks + squares, dtype=float)
+        blocks = blocks + _squares(self.forms, self.weight)
+        if self.turns is not None:
+            blocks += _squares(self.turns, np.ones(2 * n))
+        return np.asarray(blocks, dtype=float)
 
     def scaled(self, root: Floats) -> "Stiffness":
         """Return Sᵀ K S with blocks `root` S of each element, (n, 6, 6)."""
@@ -78,8 +88,8 @@ class Stiffness:
         bonds = bsr_array((turned[row] @ B.data @ root[B.indices], B.indices, B.indptr), shape=B.shape)
         if F is None:
             return Stiffness(bonds)
-        forms = bsr_array((F.data @ root[F.indices], F.indices, F.indptr), shape=F.shape)
-        return Stiffness(bonds, forms, self.weight)
+        turns = None if self.turns is None else _by_columns(self.turns, root)
+        return Stiffness(bonds, _by_columns(F, root), self.weight, self.spread, turns)
 
     def projected(self, basis: bsr_array) -> csc_array:
         """Return Pᵀ K P of a basis P, (6 n, k)."""
@@ -87,7 +97,11 @@ class Stiffness:
         if self.forms is None:
             return coarse
         forms = csr_array(csr_array(self.forms.tocsr()) @ csr_array(basis.tocsr()))
-        return csc_array(coarse + forms.T @ (self._weights @ forms))
+        coarse = csc_array(coarse + forms.T @ (self._weights @ forms))
+        if self.turns is None:
+            return coarse
+        turns = csr_array(csr_array(self.turns.tocsr()) @ csr_array(basis.tocsr()))
+        return csc_array(coarse + turns.T @ turns)
 
     def tocsc(self) -> csc_array:
         """Return K as one matrix."""
@@ -95,4 +109,25 @@ class Stiffness:
         if self.forms is None:
             return whole
         rows, columns = self._rows
-        return csc_array(whole + columns @ (self._weights @ rows))
+        whole = csc_array(whole + columns @ (self._weights @ rows))
+        if self.turns is None:
+            return whole
+        turns = csr_array(self.turns.tocsr())
+        return csc_array(whole + turns.T @ turns)
+
+
+def _squares(forms: bsr_array, weight: Floats) -> Floats:
+    """Return Σ weight f⊗f over the rows of forms, for each element, (n, 6, 6)."""
+    form, n = forms.data[:, 0], forms.shape[1] // 6
+    weighted = np.repeat(weight, np.diff(forms.indptr))[:, None] * form
+    found = np.zeros((n, 6, 6))
+    order = np.argsort(forms.indices, kind="stable")
+    element, start = np.unique(forms.indices[order], return_index=True)
+    if len(element):
+        found[element] = np.add.reduceat(weighted[order][:, :, None] * form[order][:, None, :], start)
+    return found
+
+
+def _by_columns(forms: bsr_array, root: Floats) -> bsr_array:
+    """Return F S with blocks `root` S of each element, (n, 6, 6)."""
+    return bsr_array((forms.data @ root[forms.indices], forms.indices, forms.indptr), shape=forms.shape)

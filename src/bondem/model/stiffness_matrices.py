@@ -102,6 +102,8 @@ def stiffness_matrix(model: Model) -> Stiffness:
         bsr_array((data, indices, indptr), shape=(size, size)),
         bsr_array((forms, indices, indptr), shape=(size // 6, size)),
         c.weight,
+        c.gradients.coupling(c.weight),
+        c.gradients.turns((c.gradients.way_a, c.gradients.way_b), size // 6),
     )
 
 

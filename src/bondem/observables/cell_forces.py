@@ -116,7 +116,7 @@ def _turned(model: Model, state: State) -> CellForces:
     swelling += np.bincount(i, weights=whole * (share_i * gap).sum(axis=1), minlength=n)
     swelling += np.bincount(j, weights=whole * (share_j * gap).sum(axis=1), minlength=n)
     swelling += np.bincount(grips.cell, weights=(grips.share * opened).sum(axis=1), minlength=n)
-    stress = constants.weight * swelling
+    stress = constants.stress_of(swelling)
     force = constants.k[:, None] * gap + stress[i, None] * share_i + stress[j, None] * share_j
     free = cells.free
     outwards = free.centroid - cells.centroid[free.cell]

@@ -11,7 +11,13 @@ from bondem.interactions.beams.beam_tables import Beams, beam_energies, beam_tab
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_strain import CellStrain
-from bondem.interactions.cells.cell_tables import CellPoses, body_energies, cell_tables, place_held_walls
+from bondem.interactions.cells.cell_tables import (
+    CellPoses,
+    body_energies,
+    cell_tables,
+    gradient_tables,
+    place_held_walls,
+)
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.facet_loads import loads_on_facets
@@ -79,9 +85,10 @@ def _cell_energy(
     turned = (found.turn * facets.normal).sum(axis=1)
     along = np.einsum("ma,mab,mb->m", facets.normal, constants.H, facets.normal) * turned**2
     whole = np.einsum("ma,mab,mb->m", found.turn, constants.H, found.turn)
+    whole += (constants.gradients.moments(found.turn) * found.turn).sum(axis=1)
     own = rotation[grips.cell]
     gripped = (grips.k[:, None] * found.held**2).sum() + np.einsum("ga,gab,gb->", own, grips.H, own)
-    stretched = (constants.k * normal**2).sum() + (constants.weight * found.swelling**2).sum()
+    stretched = (constants.k * normal**2).sum() + found.stress(constants) @ found.swelling
     return EnergyParts(
         normal=0.5 * float(stretched + gripped + opened),
         shear=0.5 * float((constants.k * ((found.gap**2).sum(axis=1) - normal**2)).sum()),
@@ -146,7 +153,8 @@ def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | Non
         cells.given[:] = model.cell_constants.pressed_by(loads_on_facets(model, state.time))[layout.order]
     else:
         walls.wall[:] = wall
-    return EnergyParts(*body_energies(CellPoses(state.pose, state.rest), facets, cells, walls))
+    gradients = gradient_tables(whole.gradients, len(state.pose))
+    return EnergyParts(*body_energies(CellPoses(state.pose, state.rest), facets, cells, gradients, walls))
 
 
 def _pressed_energy(model: Model, state: State, beams: Beams) -> float:

@@ -18,7 +18,7 @@ from bondem.errors import ConvergenceError, InputError
 from bondem.geometry.rotations import rotation_vector
 from bondem.interactions.beams.beam_tables import beam_tables, count_turned, loads_of_each
 from bondem.interactions.beams.bond_table import with_twins
-from bondem.model.cell_tangent import cell_forces, current_forms, facet_gradient, grip_blocks
+from bondem.model.cell_tangent import cell_forces, current_forms, facet_gradient, gradients_at, grip_blocks
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.model.stiffness import Stiffness
@@ -238,7 +238,10 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
     held, own = grip_blocks(model, pose)
     np.add.at(data, diagonal[held], own)
     forms = current_forms(model, pose, pattern)
-    return Stiffness(bsr_array((data, pattern.indices, start), shape=pattern.shape), forms, model.cells.weight)
+    return Stiffness(
+        bsr_array((data, pattern.indices, start), shape=pattern.shape), forms, model.cells.weight,
+        *gradients_at(model, pose),
+    )  # fmt: skip
 
 
 def at_pose(model: Model, system: System, pose: Floats) -> Stiffness:

@@ -4,7 +4,9 @@
 #pragma once
 #include "../passes/cells/accumulation.hpp"
 #include "../passes/cells/cell_report.hpp"
+#include "../passes/cells/dilatation_gradients.hpp"
 #include "../passes/cells/energies.hpp"
+#include "../passes/cells/gradients.hpp"
 #include "../passes/cells/walls.hpp"
 #include "turns.hpp"
 
@@ -28,6 +30,37 @@ inline void gather_dilatation(Index p, const CellDilatation &cells, const BondsO
     cells.swelling(p) = sum;
 }
 inline void set_stress(Index p, const Moving &all, const CellDilatation &cells) { stress_cell(all.pose, cells, p); }
+
+// ---- gradients of the dilatation
+
+inline void sum_stress_difference(Index p, const Moving &all, const DilatationGradients &gradients) {
+    gradients.difference(p) = difference_of(gradients, p, [&](Index q) { return all.pose(q, stress_column); });
+}
+inline void add_stress_difference(Index p, const Moving &all, const CellDilatation &cells,
+                                  const DilatationGradients &gradients) {
+    all.pose(p, stress_column) += cells.weight(p) * gradients.difference(p);
+}
+inline void bend_layer(Index p, const Moving &all, const DilatationGradients &gradients) {
+    bend_cell(all.pose.data, gradients, p);
+}
+inline void twist_layer(Index p, const Moving &all, const DilatationGradients &gradients) {
+    twist_cell(all.pose.data, gradients, p);
+}
+inline void add_layer_torque(Index e, const DilatationGradients &gradients, const StepCut &cut) {
+    for (Index axis = 0; axis < 3; axis++) cut.sums(cut.ready_row(e), 4 + axis) += gradients.torque(cut.ready(e), axis);
+}
+inline void sum_portion_of_gradients(Index b, const DeviceSpan &span, const Moving &all, const CellDilatation &cells,
+                                     const DilatationGradients &gradients) {
+    const Turn turn = portion_of(span, b, elements_of_portion, span.n);
+    double sum = 0.0;
+    for (Index p = turn.first; p < turn.last; p++) sum += energy_of_gradients(all.pose.data, cells, gradients, p);
+    gradients.energy(turn.block) = sum;
+}
+inline void add_gradient_energy(Index, const DilatationGradients &gradients, const Portions &portions) {
+    double sum = 0.0;
+    for (Index q = 0; q < gradients.energy.size(); q++) sum += gradients.energy(q);
+    if (portions.bonds.size() > 0) portions.bonds(0, 0) += sum;
+}
 
 // ---- forces
 

@@ -61,6 +61,13 @@
     X(dilate_facet)                     \
     X(gather_dilatation)                \
     X(set_stress)                       \
+    X(sum_stress_difference)            \
+    X(add_stress_difference)            \
+    X(bend_layer)                       \
+    X(twist_layer)                      \
+    X(add_layer_torque)                 \
+    X(sum_portion_of_gradients)         \
+    X(add_gradient_energy)              \
     X(load_facet)                       \
     X(place_wall)                       \
     X(begin_walls_of_row)               \

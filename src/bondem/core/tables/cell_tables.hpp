@@ -30,6 +30,22 @@ struct CellDilatation {
     Array<double, 1> swelling;  // the rest of V θ [m³], zero between passes: of n cells, then of shared cells by domains
     Array<const Short, 1> to_i;  // where in `swelling` a facet adds to its cell i, (m,)
 };
+// Gradients of the dilatation: springs between the stresses λ θ of neighbouring cells, and bending of layers one cell
+// thick (`laws/cell.hpp`). Cells without springs, and bodies without layers, have empty lists.
+struct DilatationGradients {
+    Array<const Index, 1> start;  // springs of cell p are start[p] … start[p + 1] - 1, (n + 1,)
+    Array<const Short, 1> other;  // cell on the other side, (springs,)
+    Array<const double, 1> spring;  // c [m³/Pa], (springs,)
+    Array<double, 1> difference;  // Σ c (σ_p - σ_q) of each cell [m³], (n,)
+    Array<const Index, 1> layer;  // facets of cell p within its layer, (layered + 1,); layered is n, or 0
+    Array<const Short, 1> next;  // cell on the other side, (turns,)
+    Array<const double, 2> way;  // n × s of the cell and of the other, for both directions across, turned to the cell
+                                 // as i [m²], (turns, 12)
+    Array<const double, 2> weight;  // J λ / V² for both directions [Pa/m], (layered, 2)
+    Array<double, 2> bend;  // J λ χ / V, for both directions [Pa·m], (layered, 2)
+    Array<double, 2> torque;  // on each cell by bent layers [N·m], (layered, 3)
+    Array<double, 1> energy;  // of both in portions of cells [J]
+};
 // Energy of dilatation in portions of cells [J].
 struct DilatationEnergy {
     Array<double, 1> energy;  // (element portions,)

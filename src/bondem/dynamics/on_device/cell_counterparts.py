@@ -11,13 +11,14 @@ from bondem.dynamics.on_device.device_tables import (
     RowOrder,
     WallEnergy,
 )
-from bondem.dynamics.on_device.translation import Counterpart, Translation
+from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
 from bondem.dynamics.step_tables import Moving, Portions, Timeline
 from bondem.interactions.beams.beam_tables import Beams
 from bondem.interactions.cells.cell_tables import (
     CellDilatation,
     CellStrains,
     DilatationEnergy,
+    DilatationGradients,
     ElasticFacets,
     FacetTractions,
     WallConstraints,
@@ -28,6 +29,15 @@ from bondem.model.domain_blocks import StepCut
 _dilate_facet = IndexPass("dilate_facet", Moving, ElasticFacets, LoadsOfBonds)
 _gather_dilatation = IndexPass("gather_dilatation", CellDilatation, BondsOfElements, LoadsOfBonds)
 _set_stress = IndexPass("set_stress", Moving, CellDilatation)
+_sum_difference = IndexPass("sum_stress_difference", Moving, DilatationGradients)
+_add_difference = IndexPass("add_stress_difference", Moving, CellDilatation, DilatationGradients)
+_bend_layer = IndexPass("bend_layer", Moving, DilatationGradients)
+_twist_layer = IndexPass("twist_layer", Moving, DilatationGradients)
+_add_layer_torque = IndexPass("add_layer_torque", DilatationGradients, StepCut)
+_sum_portion_of_gradients = IndexPass(
+    "sum_portion_of_gradients", DeviceSpan, Moving, CellDilatation, DilatationGradients
+)  # fmt: skip
+_add_gradient_energy = IndexPass("add_gradient_energy", DilatationGradients, Portions)
 _load_facet = IndexPass("load_facet", Moving, ElasticFacets, LoadsOfBonds)
 _place_wall = IndexPass("place_wall", DeviceSpan, WallConstraints)
 _begin_walls_of_row = IndexPass("begin_walls_of_row", DeviceSpan, Moving, WallConstraints, RowOrder, Rows)
@@ -69,6 +79,12 @@ def _stress(run: Translation, moving: Moving, cells: CellDilatation) -> list[Lau
 
 def _load(run: Translation, moving: Moving, facets: ElasticFacets, _: StepCut) -> list[Launch]:
     return [(_load_facet, run.span.m, (moving, facets, run.loads))]
+
+
+def _gradient_energies(
+    run: Translation, moving: Moving, cells: CellDilatation, gradients: DilatationGradients
+) -> list[Launch]:
+    return [(_sum_portion_of_gradients, len(gradients.energy), (run.span, moving, cells, gradients))]
 
 
 # ---- walls and tractions
@@ -167,6 +183,13 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "accumulate_left_dilatation": _dilate,
     "collect_dilatation": _gather,
     "stress_cells": _stress,
+    "sum_stress_differences": over(_sum_difference, elements, spans=False),
+    "add_stress_differences": over(_add_difference, elements, spans=False),
+    "bend_layers": over(_bend_layer, elements, spans=False),
+    "twist_layers": over(_twist_layer, elements, spans=False),
+    "add_layer_torques": over(_add_layer_torque, elements, spans=False),
+    "sum_gradient_energies": _gradient_energies,
+    "add_gradient_energies": over(_add_gradient_energy, lambda _: 1, spans=False),
     "add_facet_loads": _load,
     "follow_walls": _follow_walls,
     "add_wall_dilatation": _dilate_walls,

@@ -28,7 +28,10 @@ from bondem.dynamics.on_device.translation import Counterpart, Translation
 from bondem.dynamics.parts.part import Passes
 
 #: Passes that act on elements beside the loads of their bonds.
-FURTHER = {"add_dashpot_loads", "add_body_forces", "add_wall_loads", "add_contact_loads", "add_crack_loads"}
+FURTHER = {
+    "add_dashpot_loads", "add_body_forces", "add_wall_loads", "add_contact_loads", "add_crack_loads",
+    "add_layer_torques",
+}  # fmt: skip
 
 #: Counterparts by the names of the passes of the CPU.
 COUNTERPARTS = {

@@ -18,11 +18,13 @@ from bondem.interactions.cells.cell_tables import (
     CellDilatation,
     CellStrains,
     DilatationEnergy,
+    DilatationGradients,
     ElasticFacets,
     FacetForces,
     FacetTractions,
     WallConstraints,
     cell_tables,
+    gradient_tables,
 )
 from bondem.model.constraints import Rows
 from bondem.model.domain_blocks import StepCut
@@ -36,6 +38,13 @@ _accumulate_and_mark = StepPass(
 )
 _collect_dilatation = StepPass("collect_dilatation", StepCut, CellDilatation)
 _stress_cells = StepPass("stress_cells", Moving, CellDilatation)
+_sum_stress_differences = StepPass("sum_stress_differences", Moving, DilatationGradients)
+_add_stress_differences = StepPass("add_stress_differences", Moving, CellDilatation, DilatationGradients)
+_bend_layers = StepPass("bend_layers", Moving, DilatationGradients)
+_twist_layers = StepPass("twist_layers", Moving, DilatationGradients)
+_add_layer_torques = StepPass("add_layer_torques", DilatationGradients, StepCut)
+_sum_gradient_energies = StepPass("sum_gradient_energies", Moving, CellDilatation, DilatationGradients)
+_add_gradient_energies = StepPass("add_gradient_energies", DilatationGradients, Portions)
 _add_facet_loads = StepPass("add_facet_loads", Moving, ElasticFacets, StepCut)
 _add_and_keep_facet_loads = StepPass("add_and_keep_facet_loads", Moving, ElasticFacets, FacetForces, StepCut)
 _collect_facet_moments = StepPass("collect_facet_moments", StepCut, FacetForces)
@@ -63,6 +72,7 @@ class BodyOfCells(NamedTuple):
     beams: Beams  #: directions between the centres of cells, for the guard and dashpots
     facets: ElasticFacets
     cells: CellDilatation
+    gradients: DilatationGradients
     walls: WallConstraints
     tractions: FacetTractions | None
     strains: CellStrains | None
@@ -79,7 +89,9 @@ class BodyOfCells(NamedTuple):
         walls = constants.grips.table(layout, held.row_of, held.works[2], state.grips)
         integrity = beams.integrity if model.softening is None else beams.integrity.copy()
         return cls(
-            beams, facets._replace(integrity=integrity), cells, walls, _tractions(model),
+            beams, facets._replace(integrity=integrity), cells,
+            gradient_tables(constants.gradients, len(layout.order), len(shared.portions.elements)), walls,
+            _tractions(model),
             _strains(model, state, shared.portions),
         )  # fmt: skip
 
@@ -128,18 +140,39 @@ def cells(
     present, beside, behind = _changing(shared, body, stretch, powers)
     constrain: Passes = [*beside, (_apply_walls, moving, walls, rows)] if held else [*beside]
     energy = DilatationEnergy(np.zeros(len(portions.elements)))
+    gradients, torques, sums, further = _of_gradients(shared, body)
     energies: Passes = [
-        *before, *dilate, *collect, (_sum_dilatation_energies, body.cells, energy),
+        *before, *dilate, *collect, *sums, (_sum_dilatation_energies, body.cells, energy),
         (_sum_facet_energies, moving, body.facets, portions), (_add_cell_energies, moving, walls, energy, portions),
     ]  # fmt: skip
     return Part(
         {
             "present": present, "prepare": [*beside, *before, *mark, *collect, (_stress_cells, moving, body.cells)],
+            "stress": gradients,
             "constrain": [*constrain, *behind], "loads": loads, "gather": gather,
-            "add": [(_add_wall_loads, rows, cut)] if held else [],
+            "add": [*([(_add_wall_loads, rows, cut)] if held else []), *torques],
             "guard": [(_check_facets, moving, body.beams, body.facets, portions)],
         },
-        record=lambda _: energies if kept is None else energies[-2:-1],
+        record=lambda _: [*energies, *further] if kept is None else energies[-2:-1],
+    )  # fmt: skip
+
+
+def _of_gradients(shared: SharedTables, body: BodyOfCells) -> tuple[Passes, Passes, Passes, Passes]:
+    """Return passes of gradients of the dilatation: of stresses, torques, and energies before and after others."""
+    moving, gradients = shared.moving, body.gradients
+    stresses: Passes = []
+    torques: Passes = []
+    if len(gradients.spring):
+        stresses.append((_sum_stress_differences, moving, gradients))
+        stresses.append((_add_stress_differences, moving, body.cells, gradients))
+    if len(gradients.weight):
+        stresses += [(_bend_layers, moving, gradients), (_twist_layers, moving, gradients)]
+        torques.append((_add_layer_torques, gradients, shared.cut))
+    if not stresses:
+        return [], [], [], []
+    return (
+        stresses, torques, [(_sum_gradient_energies, moving, body.cells, gradients)],
+        [(_add_gradient_energies, gradients, shared.portions)],
     )  # fmt: skip
 
 

@@ -12,6 +12,7 @@ from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.dilatation_gradients import DilatationGradients
 from bondem.interactions.cells.facet_resistance import resistance, twist_at_walls
 from bondem.interactions.cells.free_walls import FreeWalls
 from bondem.specimen.lattice import Lattice
@@ -50,6 +51,7 @@ class CellConstants:
         free_cell: cell of each free facet, user's order, shape (k,).
         pressed: contribution of tractions on its free facets to V θ of each cell [m³], shape (n,).
         pitch: levers are whole multiples of it along x, y, z [m], shape (3,).
+        gradients: constants of the gradients of the dilatation.
     """
 
     k: PerBond
@@ -71,15 +73,19 @@ class CellConstants:
     free_cell: Ints
     pressed: PerElement
     pitch: Floats
+    gradients: DilatationGradients
 
     @classmethod
-    def of(cls, body: Lattice, bond: CellAssignment, holds: Holds) -> "CellConstants":
+    def of(
+        cls, body: Lattice, bond: CellAssignment, holds: Holds, *, may_fail: bool = False
+    ) -> "CellConstants":
         """Return the constants of a body.
 
         Args:
             body: a lattice with facets and cells.
             bond: law of its material.
             holds: free facets that walls hold.
+            may_fail: True for facets that may fail, whose cells have no gradients of the dilatation.
 
         Raises:
             InputError: The lattice has no cells, or cells are covered by no law.
@@ -100,7 +106,11 @@ class CellConstants:
         soft = free.area * free.depth * (open_axes * n_free**2).sum(axis=1)
         lame = np.maximum(lame, -2.0 * G / compliance(body))
         slack = 1.0 + np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume * lame / (2.0 * G)
+        share_i, share_j = _single((area * w_i)[:, None] * way_i), _single((area * w_j)[:, None] * way_j)
         walls = FreeWalls.of(body, holds.flat(free.normal))
+        gradients = DilatationGradients.none()
+        if not may_fail and rotation == "bending":
+            gradients = DilatationGradients.of(body, G, lame, lame / slack, walls, (share_i, share_j))
         H = resistance(facets.moment, normal, k / area, rotation)
         if rotation == "bending":
             H += twist_at_walls(facets.moment, area, normal, k / area, walls, (i, j))
@@ -113,8 +123,8 @@ class CellConstants:
             lever_i=arm,
             lever_j=arm - body.branch,
             H=_single(H),
-            share_i=_single((area * w_i)[:, None] * way_i),
-            share_j=_single((area * w_j)[:, None] * way_j),
+            share_i=share_i,
+            share_j=share_j,
             volume=cells.volume,
             weight=lame / slack / cells.volume,
             normal=normal,
@@ -128,7 +138,16 @@ class CellConstants:
             free_cell=free.cell,
             pressed=np.zeros(len(cells.volume)),
             pitch=grid,
+            gradients=gradients,
         )
+
+    def stress_of(self, swelling: PerElement) -> PerElement:
+        """Return σ_p = ∂U/∂θ_p / V_p of each cell [Pa], (n,), for V θ without the openings of free facets [m³], (n,).
+
+        It is λ_p θ_p, and with gradients of the dilatation the forces of the springs between cells.
+        """
+        stress = self.weight * swelling
+        return np.asarray(stress + self.weight * self.gradients.differences(stress), dtype=float)
 
     def pressed_by(self, force: Floats) -> PerElement:
         """Return Σ (d / 2 G) F·m, the contribution of forces F on free facets [N], (k, 3), to V θ [m³], (n,)."""
@@ -160,6 +179,7 @@ class CellConstants:
             free_cell=self.free_cell,
             pressed=self.pressed[element],
             pitch=self.pitch,
+            gradients=self.gradients.ordered(layout),
         )
 
     def stretched(self, strain: PerBond, layout: Layout) -> "CellConstants":

@@ -67,8 +67,8 @@ class CellStrain:
         return cls(gap, rotation[j] - rotation[i], held, rotation, swelling)
 
     def stress(self, constants: CellConstants) -> PerElement:
-        """Return λ_p θ_p of each cell [Pa], (n,)."""
-        return constants.weight * self.swelling
+        """Return the stress of each cell that its dilatation causes [Pa], (n,)."""
+        return constants.stress_of(self.swelling)
 
     def forces(self, body: Lattice, constants: CellConstants) -> Floats:
         """Return the force of each facet on its element i, tension pointing to j [N], (m, 3)."""
@@ -80,7 +80,7 @@ class CellStrain:
         """Return forces and torques of the facets on the elements [N, N·m], (n, 6)."""
         i, j = body.pairs.T
         force = self.forces(body, constants)
-        moment = np.einsum("mab,mb->ma", constants.H, self.turn)
+        moment = np.einsum("mab,mb->ma", constants.H, self.turn) + constants.gradients.moments(self.turn)
         load = np.zeros((len(body.particles), 6))
         for end, lever, sign in ((i, constants.lever_i, 1.0), (j, constants.lever_j, -1.0)):
             both = sign * np.hstack([force, np.cross(lever, force) + moment])
@@ -99,7 +99,8 @@ class CellStrain:
         """Return the work of the stresses of one deformation on another [J]; for equal ones twice the energy."""
         grips = constants.grips
         bent = np.einsum("ma,mab,mb->", self.turn, constants.H, other.turn)
+        bent += (constants.gradients.moments(self.turn) * other.turn).sum()
         bent += np.einsum("ga,gab,gb->", self.rotation[grips.cell], grips.H, other.rotation[grips.cell])
         opened = (constants.k[:, None] * self.gap * other.gap).sum()
         opened += (grips.k[:, None] * self.held * other.held).sum()
-        return float(opened + bent + (constants.weight * self.swelling * other.swelling).sum())
+        return float(opened + bent + self.stress(constants) @ other.swelling)

@@ -13,6 +13,7 @@ from bondem.boundary.wall_constraints import WallConstraints
 from bondem.interactions.beams.beam_tables import BeamSums, Poses
 from bondem.interactions.beams.bond_table import with_twins, with_zeros
 from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.interactions.cells.dilatation_gradients import DilatationGradients as Gradients
 from bondem.specimen.ordering import Layout
 
 #: Column of a pose that holds the stress λ θ of a cell [Pa].
@@ -43,6 +44,22 @@ class CellDilatation(NamedTuple):
     given: Floats  #: part of V θ from tractions on free facets [m³], (n,)
     swelling: Floats  #: the rest of V θ [m³], zero between passes: of n cells, then of shared cells by domains
     to_i: np.ndarray  #: place in `swelling` where a facet adds to its cell i, uint32, (m,)
+
+
+class DilatationGradients(NamedTuple):
+    """Springs between the stresses λ θ of neighbouring cells, and bending of layers one cell thick."""
+
+    start: Ints  #: springs of cell p are start[p] … start[p + 1] - 1, (n + 1,)
+    other: np.ndarray  #: cell on the other side, uint32, (springs,)
+    spring: Floats  #: c [m³/Pa], (springs,)
+    difference: Floats  #: Σ c (σ_p - σ_q) of each cell [m³], (n,)
+    layer: Ints  #: facets of cell p within its layer, (layered + 1,); layered is n, or 0
+    next: np.ndarray  #: cell on the other side, uint32, (turns,)
+    way: Floats  #: n × s of the cell and of the other, for both directions, turned to the cell as i [m²], (turns, 12)
+    weight: Floats  #: J λ / V² for both directions [Pa/m], (layered, 2)
+    bend: Floats  #: J λ χ / V for both directions [Pa·m], (layered, 2)
+    torque: Floats  #: on each cell by bent layers [N·m], (layered, 3)
+    energy: Floats  #: of both in portions of cells [J]
 
 
 class DilatationEnergy(NamedTuple):
@@ -132,9 +149,14 @@ class WallTime(NamedTuple):
     time: float  #: [s]
 
 
-_load_body = Pass("load_body", CellPoses, ElasticFacets, CellDilatation, WallConstraints, BeamSums)
+_load_body = Pass(
+    "load_body", CellPoses, ElasticFacets, CellDilatation, DilatationGradients, WallConstraints, BeamSums
+)  # fmt: skip
 _load_facets = Pass("load_facets", Poses, ElasticFacets, BeamSums)
-_measure = Pass("measure_cell_energies", CellPoses, ElasticFacets, CellDilatation, WallConstraints, CellEnergies)
+_measure = Pass(
+    "measure_cell_energies", CellPoses, ElasticFacets, CellDilatation, DilatationGradients, WallConstraints,
+    CellEnergies,
+)  # fmt: skip
 _weigh_cells = Pass("weigh_cells", ElasticFacets, FacetRelease)
 _place_walls = Pass("place_walls", WallConstraints, WallTime)
 
@@ -169,6 +191,35 @@ def cell_tables(
     return facets, CellDilatation(cells.weight.copy(), cells.pressed.copy(), np.zeros(count), with_twins(to_i))
 
 
+def gradient_tables(gradients: Gradients, n: int, portions: int = 0) -> DilatationGradients:
+    """Return gradients of the dilatation as the core takes them.
+
+    Args:
+        gradients: constants in internal order.
+        n: number of cells.
+        portions: number of portions of cells whose energies are summed.
+    """
+    start, order, other = _of_cells(gradients.i, gradients.j, n)
+    layered = len(gradients.weight)
+    layer, rows, following = _of_cells(gradients.a, gradients.b, layered)
+    way = np.concatenate([
+        np.concatenate([gradients.way_a, gradients.way_b], axis=1),
+        -np.concatenate([gradients.way_b, gradients.way_a], axis=1),
+    ]).reshape(-1, 12)[rows]  # fmt: skip
+    return DilatationGradients(
+        start, other, np.tile(gradients.spring, 2)[order], np.zeros(n), layer, following, np.ascontiguousarray(way),
+        np.ascontiguousarray(gradients.weight), np.zeros((layered, 2)), np.zeros((layered, 3)), np.zeros(portions),
+    )  # fmt: skip
+
+
+def _of_cells(i: Ints, j: Ints, n: int) -> tuple[Ints, Ints, np.ndarray]:
+    """Return where the sides of each of n cells begin, the order of all sides, and the cells on the other sides."""
+    near, far = np.concatenate([i, j]), np.concatenate([j, i])
+    order = np.argsort(near, kind="stable")
+    start = np.concatenate([[0], np.cumsum(np.bincount(near, minlength=n))]).astype(np.int64)
+    return start, order, far[order].astype(np.uint32)
+
+
 def facet_release(
     constants: CellConstants, layout: Layout, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints
 ) -> FacetRelease:
@@ -193,10 +244,11 @@ def facet_release(
 
 
 def load_body(
-    all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints, sums: Floats
-) -> None:
+    all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, gradients: DilatationGradients,
+    walls: WallConstraints, sums: Floats,
+) -> None:  # fmt: skip
     """Set the stresses of the cells in the poses, and add the loads of facets and walls to the sums, (n, 8)."""
-    _load_body(all_cells, facets, cells, walls, BeamSums(facets.i, facets.j, sums))
+    _load_body(all_cells, facets, cells, gradients, walls, BeamSums(facets.i, facets.j, sums))
 
 
 def load_all_facets(pose: Floats, facets: ElasticFacets, sums: BeamSums) -> None:
@@ -205,11 +257,12 @@ def load_all_facets(pose: Floats, facets: ElasticFacets, sums: BeamSums) -> None
 
 
 def body_energies(
-    all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints
-) -> tuple[float, float, float, float]:
+    all_cells: CellPoses, facets: ElasticFacets, cells: CellDilatation, gradients: DilatationGradients,
+    walls: WallConstraints,
+) -> tuple[float, float, float, float]:  # fmt: skip
     """Return normal (with dilatation), shear, bending and twisting energy of facets, cells and walls [J]."""
     found = np.empty(4)
-    _measure(all_cells, facets, cells, walls, CellEnergies(found))
+    _measure(all_cells, facets, cells, gradients, walls, CellEnergies(found))
     normal, shear, bending, twisting = found.tolist()
     return normal, shear, bending, twisting
 

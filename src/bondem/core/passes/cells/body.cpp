@@ -4,6 +4,7 @@
 #include "accumulation.hpp"
 #include "energies.hpp"
 #include "facet_sums.hpp"
+#include "gradients.hpp"
 #include "walls.hpp"
 
 namespace bondem {
@@ -19,9 +20,20 @@ void dilate(const CellPoses &all, const ElasticFacets &facets, const CellDilatat
 }  // namespace
 
 Index load_body(Index, const CellPoses &all, const ElasticFacets &facets, const CellDilatation &cells,
-                const WallConstraints &walls, const BeamSums &to) {
+                const DilatationGradients &gradients, const WallConstraints &walls, const BeamSums &to) {
+    const Index n = all.pose.size();
     dilate(all, facets, cells, walls);
-    for (Index p = 0; p < all.pose.size(); p++) stress_cell(all.pose, cells, p);
+    for (Index p = 0; p < n; p++) stress_cell(all.pose, cells, p);
+    const auto stress = [&](Index q) { return all.pose(q, stress_column); };
+    for (Index p = 0; p < n; p++) gradients.difference(p) = difference_of(gradients, p, stress);
+    for (Index p = 0; p < n; p++) all.pose(p, stress_column) += cells.weight(p) * gradients.difference(p);
+    if (has_layers(gradients)) {
+        for (Index p = 0; p < n; p++) bend_cell(all.pose.data, gradients, p);
+        for (Index p = 0; p < n; p++) {
+            twist_cell(all.pose.data, gradients, p);
+            for (Index axis = 0; axis < 3; axis++) to.sums(p, 4 + axis) += gradients.torque(p, axis);
+        }
+    }
     add_loads_of_facets(0, facets.i.size(), all.pose.data, facets, to.row_i.data, to.row_j.data, to.sums.data);
     for (Index g = 0; g < walls.cell.size(); g++) {
         load_hold(all.pose, all.rest, walls, g);
@@ -39,10 +51,12 @@ Index load_facets(Index, const Poses &all, const ElasticFacets &facets, const Be
 }
 
 Index measure_cell_energies(Index, const CellPoses &all, const ElasticFacets &facets, const CellDilatation &cells,
-                            const WallConstraints &walls, const CellEnergies &found) {
+                            const DilatationGradients &gradients, const WallConstraints &walls,
+                            const CellEnergies &found) {
     dilate(all, facets, cells, walls);
     sum_energies(0, facets.i.size(), all.pose.data, facets, found.energy.data);
     double more = 0.0;
+    for (Index p = 0; p < all.pose.size(); p++) more += energy_of_gradients(all.pose.data, cells, gradients, p);
     for (Index g = 0; g < walls.cell.size(); g++) more += energy_of_hold(all.pose, all.rest, walls, g);
     for (Index p = 0; p < all.pose.size(); p++) more += take_dilatation_energy(cells, p);
     found.energy(0) += more;

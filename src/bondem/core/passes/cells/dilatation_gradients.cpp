@@ -1,0 +1,42 @@
+// Gradients of the dilatation in a step: after the stresses of the cells, before the loads of the facets.
+#include "dilatation_gradients.hpp"
+
+#include "gradients.hpp"
+
+namespace bondem {
+
+void sum_stress_differences(const Turn &turn, const Moving &all, const DilatationGradients &gradients) {
+    const auto stress = [&](Index q) { return all.pose(q, stress_column); };
+    for (Index p = turn.first; p < turn.last; p++) gradients.difference(p) = difference_of(gradients, p, stress);
+}
+void add_stress_differences(const Turn &turn, const Moving &all, const CellDilatation &cells,
+                            const DilatationGradients &gradients) {
+    for (Index p = turn.first; p < turn.last; p++)
+        all.pose(p, stress_column) += cells.weight(p) * gradients.difference(p);
+}
+
+void bend_layers(const Turn &turn, const Moving &all, const DilatationGradients &gradients) {
+    for (Index p = turn.first; p < turn.last; p++) bend_cell(all.pose.data, gradients, p);
+}
+void twist_layers(const Turn &turn, const Moving &all, const DilatationGradients &gradients) {
+    for (Index p = turn.first; p < turn.last; p++) twist_cell(all.pose.data, gradients, p);
+}
+void add_layer_torques(const Turn &turn, const DilatationGradients &gradients, const StepCut &cut) {
+    for (Index e = turn.first; e < turn.last; e++)
+        for (Index axis = 0; axis < 3; axis++)
+            cut.sums(turn.row[e], 4 + axis) += gradients.torque(turn.element[e], axis);
+}
+
+void sum_gradient_energies(const Turn &turn, const Moving &all, const CellDilatation &cells,
+                           const DilatationGradients &gradients) {
+    double sum = 0.0;
+    for (Index p = turn.first; p < turn.last; p++) sum += energy_of_gradients(all.pose.data, cells, gradients, p);
+    gradients.energy(turn.block) = sum;
+}
+void add_gradient_energies(const Turn &, const DilatationGradients &gradients, const Portions &portions) {
+    double sum = 0.0;
+    for (Index q = 0; q < gradients.energy.size(); q++) sum += gradients.energy(q);
+    if (portions.bonds.size() > 0) portions.bonds(0, 0) += sum;
+}
+
+}  // namespace bondem

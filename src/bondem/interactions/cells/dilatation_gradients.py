@@ -1,0 +1,161 @@
+"""Gradients of the dilatation: between cells, and across layers one cell thick.
+
+A cell has one dilatation θ, so that the energy ½ λ j |∇θ|² of its gradient within a cell is missing, j = ∫ z² dV / V.
+Two terms supply it.
+
+- Between cells: U = Σ ½ c (σ_i - σ_j)² over facets, with σ = λ_p θ_p. The difference between neighbours stands for the
+  gradient within: c = A L κ / λ², κ = λ j / L̄², with j and L̄² = Σ A L³ / Σ A L of the body. λ in κ is at most 2 G,
+  the stiffness of the facets. Beyond it the term would raise the highest frequency, and stiffen plates near ν = 0.4.
+- Across a layer of normal a, a relative rotation ρ opens a facet by ρ × a per height: V χ = Σ ρ·(a × s), with the
+  shares s of the facets within the layer, and U = ½ J λ_p χ², J = ∫ (a·(x - x_p))² dV. Columns have two of these.
+
+Both are for λ ≥ 0. Models whose facets may fail have neither: a facet that fails would change the stress of the
+neighbours of its cells.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import bsr_array, coo_array, csr_array
+
+from bondem._types import Floats, Ints, PerBond, PerElement
+from bondem.interactions.cells.cell_body import body_of
+from bondem.interactions.cells.free_walls import FreeWalls
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
+
+# Lamé's λ over G from which the gradient between cells does not grow any more.
+_STIFFEST = 2.0
+# Squared cosine of the angle between the normals of two cells within which they are one layer.
+_ALIKE = 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class DilatationGradients:
+    """Constants of both terms, user's or internal order.
+
+    Attributes:
+        i, j: cells of the facets with a spring, shape (k,).
+        spring: c [m³/Pa], shape (k,).
+        a, b: cells of the facets within layers, shape (l,).
+        facet: numbers of these facets, shape (l,).
+        way_a, way_b: ± n × s of both cells for each direction across their layer [m²], shape (l, 2, 3): V χ is
+            Σ ρ·way, with ρ = θ_b - θ_a.
+        weight: J λ_p / V² of each cell and direction, shape (n, 2); (0, 2) without layers [Pa/m].
+    """
+
+    i: Ints
+    j: Ints
+    spring: PerBond
+    a: Ints
+    b: Ints
+    facet: Ints
+    way_a: Floats
+    way_b: Floats
+    weight: Floats
+
+    @classmethod
+    def none(cls) -> "DilatationGradients":
+        """Return constants without terms."""
+        no = np.zeros(0, dtype=np.int64)
+        return cls(no, no, np.zeros(0), no, no, no, np.zeros((0, 2, 3)), np.zeros((0, 2, 3)), np.zeros((0, 2)))
+
+    @classmethod
+    def of(
+        cls, body: Lattice, G: PerElement, lame: PerElement, layered: PerElement, walls: FreeWalls,
+        shares: tuple[Floats, Floats],
+    ) -> "DilatationGradients":  # fmt: skip
+        """Return the constants of a body.
+
+        Args:
+            body: a lattice with facets and cells.
+            G, lame: shear modulus and Lamé's λ of each cell [Pa], (n,).
+            layered: λ_p of each cell [Pa], (n,).
+            walls: free walls of the cells.
+            shares: shares of the facets in both cells [m²], (m, 3) each.
+        """
+        facets, cells = body_of(body)
+        i, j = body.pairs.T
+        area, span = facets.area, facets.span
+        inner = np.flatnonzero((lame[i] == lame[j]) & (G[i] == G[j]) & (lame[i] > 0.0))
+        spread = np.einsum("naa->", cells.inertia) / 6.0 / cells.volume.sum()
+        reach = (area * span**3).sum() / (area * span).sum()
+        soft = np.minimum(lame[i], _STIFFEST * G[i])[inner] / lame[i][inner] ** 2
+        spring = (area * span)[inner] * soft * spread / reach
+        layer = walls.layer
+        alike = (np.einsum("mxa,mya->mxy", layer[i], layer[j]) ** 2).sum(axis=2) > _ALIKE
+        back = (np.einsum("mxa,mya->mxy", layer[j], layer[i]) ** 2).sum(axis=2) > _ALIKE
+        facet = np.flatnonzero((alike | back).any(axis=1))
+        way_a = np.cross(layer[i], shares[0][:, None]) * alike[:, :, None]
+        way_b = np.cross(layer[j], shares[1][:, None]) * back[:, :, None]
+        inertia = 0.5 * np.einsum("naa->n", cells.inertia)[:, None]
+        second = inertia - np.einsum("nxa,nab,nxb->nx", layer, cells.inertia, layer)
+        weight = second * np.maximum(layered / cells.volume**2, 0.0)[:, None] * layer.any(axis=2)
+        if not len(facet) or not weight.any():
+            facet, weight = facet[:0], weight[:0]
+        return cls(i[inner], j[inner], spring, i[facet], j[facet], facet, way_a[facet], way_b[facet], weight)
+
+    def ordered(self, layout: Layout) -> "DilatationGradients":
+        """Return the constants in internal order."""
+        place = np.empty(len(layout.bond_order), dtype=np.int64)
+        place[layout.bond_order] = np.arange(len(place))
+        weight = self.weight[layout.order] if len(self.weight) else self.weight
+        rank = layout.rank
+        return DilatationGradients(
+            rank[self.i], rank[self.j], self.spring, rank[self.a], rank[self.b], place[self.facet], self.way_a,
+            self.way_b, weight,
+        )  # fmt: skip
+
+    def differences(self, stress: PerElement) -> PerElement:
+        """Return Σ c (σ_p - σ_q) over the facets of each cell [m³], for stresses λ_p θ_p [Pa], (n,)."""
+        force, n = self.spring * (stress[self.i] - stress[self.j]), len(stress)
+        return np.asarray(np.bincount(self.i, force, n) - np.bincount(self.j, force, n), dtype=float)
+
+    def bends(self, turn: Floats) -> Floats:
+        """Return V χ of each cell and direction [m²], (n, 2), for relative rotations of all facets [rad], (m, 3)."""
+        found = np.zeros_like(self.weight)
+        np.add.at(found, self.a, np.einsum("la,lxa->lx", turn[self.facet], self.way_a))
+        np.add.at(found, self.b, np.einsum("la,lxa->lx", turn[self.facet], self.way_b))
+        return found
+
+    def moments(self, turn: Floats) -> Floats:
+        """Return moments of facets on their cells i by bent layers [N·m], (m, 3), for relative rotations [rad]."""
+        moment = np.zeros_like(turn)
+        if len(self.facet):
+            bent = self.weight * self.bends(turn)
+            moment[self.facet] = np.einsum("lx,lxa->la", bent[self.a], self.way_a)
+            moment[self.facet] += np.einsum("lx,lxa->la", bent[self.b], self.way_b)
+        return moment
+
+    def coupling(self, weight: PerElement) -> csr_array | None:
+        """Return W L W, (n, n), of W = λ_p / V_p [Pa/m³] and the Laplacian L of the springs; None without springs."""
+        if not len(self.spring):
+            return None
+        n, value = len(weight), self.spring * weight[self.i] * weight[self.j]
+        between = coo_array((value, (self.i, self.j)), shape=(n, n))
+        own = np.bincount(self.i, self.spring, n) + np.bincount(self.j, self.spring, n)
+        own_part = coo_array((own * weight**2, (np.arange(n), np.arange(n))), shape=(n, n))
+        return csr_array(own_part - between - between.T)
+
+    def turns(self, ways: tuple[Floats, Floats], n: int) -> bsr_array | None:
+        """Return √weight V χ under unit motions, 1×6 blocks, (2 n, 6 n); None without layers.
+
+        Args:
+            ways: ways of both cells in the present pose [m²], (l, 2, 3) each.
+            n: number of cells.
+        """
+        if not len(self.facet):
+            return None
+        root = np.sqrt(self.weight)
+        row, column, value = [], [], []
+        for own, way in ((self.a, ways[0]), (self.b, ways[1])):
+            for slot in range(2):
+                for end, sign in ((self.a, -1.0), (self.b, 1.0)):
+                    row.append(2 * own + slot)
+                    column.append(end)
+                    value.append(sign * root[own, slot, None] * way[:, slot])
+        blocks = np.concatenate(value)
+        rows = np.repeat(np.concatenate(row), 3)
+        columns = (6 * np.concatenate(column)[:, None] + np.arange(3, 6)).ravel()
+        found = coo_array((blocks.ravel(), (rows, columns)), shape=(2 * n, 6 * n))
+        return bsr_array(csr_array(found), blocksize=(1, 6))
