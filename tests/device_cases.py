@@ -126,6 +126,11 @@ def pressed_bar() -> bd.Model:
     return bd.Model(body(4, 2, 3), bd.CellBond(E=1e7, nu=0.45), density=1000.0, boundary=boundary)
 
 
+def sheet() -> bd.Model:
+    """A clamped sheet one cell thick, whose layer bends."""
+    return bd.Model(body(5, 4, 1), bd.CellBond(E=1e7, nu=0.3), density=1000.0, boundary=[bd.Fix(bd.Face("x_min"))])
+
+
 def cubes(nu: float, *, walls: bool) -> tuple[bd.Model, State]:
     """Two cubes side by side that move apart, or both the same way between two smooth walls."""
     particles = bd.Particles([[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]], 0.4, shape=bd.Box((2, 1, 1)))

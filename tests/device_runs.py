@@ -24,6 +24,7 @@ from tests.device_cases import (
     held_bar,
     moving,
     pressed_bar,
+    sheet,
 )
 
 DAMPED = bd.LocalDamping(0.1)
@@ -110,6 +111,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "pressed cells": lambda: (
         pressed_bar(), moving, 240, 8e-4, {"scheme": bd.TchamwaWielgosz(1.2), "gauges": CELL_GAUGES, "every": 5}
     ),
+    "layer of cells": lambda: (sheet(), moving, 150, 1e-3, {"damping": DAMPED, "every": 3}),
     "periodic cells": lambda: (
         bd.Model(body(3, 3, 3, periodic=True), bd.CellBond(E=1e7, nu=0.2), density=1000.0),
         lambda model: strained(model, 1e-2), 150, 1e-3, {"damping": DAMPED, "every": 3},

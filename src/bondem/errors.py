@@ -92,8 +92,8 @@ class RaggedInterfaceWarning(UserWarning):
     """Warning of facets between two materials that zigzag about their interface, because cells do not end on it."""
 
 
-class IncompressibleWarning(UserWarning):
-    """Warning of cells with a Poisson's ratio so near to ½ that a body that cannot bulge is too soft."""
+class AuxeticWarning(UserWarning):
+    """Warning of a negative Poisson's ratio too low for a positive energy of uneven cells."""
 
 
 class UnprotectedClusterWarning(UserWarning):

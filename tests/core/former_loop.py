@@ -3,6 +3,9 @@
 The files in `former/` hold, for each case of a test, what the loops of commit 7776233a computed that Numba compiled:
 on one thread, by the same tests with the former loop in place of the core. Of each array they hold the largest
 magnitude, some entries and two weighted sums, in which every entry counts; of whole numbers a digest.
+
+The numbers are of a machine with AVX2. Where NumPy and BLAS use AVX-512 they round otherwise, so that states and time
+steps differ in the last bits. Motions, cracks and local damping amplify that, to 2e-8 of spins and 1e-9 of places.
 """
 
 import hashlib
@@ -11,10 +14,18 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 
+import bondem as bd
+from bondem.interactions.cells import cell_constants
+from bondem.interactions.cells.dilatation_gradients import GradientConstants
+from bondem.io.older_bodies import with_corrected_normals
 from bondem.model.state import State
 
 SAMPLES = 24  #: most entries that are stored of an array
+#: Factor of tolerances where NumPy rounds otherwise than where the numbers were computed.
+_FOUND = np.show_config(mode="dicts")["SIMD Extensions"]["found"]
+_AMPLIFIED = 1e5 if any("512" in name or name == "X86_V4" for name in _FOUND) else 1.0
 
 
 def digest(*arrays: np.ndarray) -> str:
@@ -43,6 +54,15 @@ def movement(state: State) -> dict[str, np.ndarray]:
     }  # fmt: skip
 
 
+def with_former_law(
+    monkeypatch: pytest.MonkeyPatch, body: bd.Lattice, boundary: list[Any] | None = None
+) -> bd.Lattice:
+    """Return a body with the shares A w M⁻¹n of the former law, whose models lack twist at walls and gradients."""
+    monkeypatch.setattr(cell_constants, "twist_at_walls", lambda S, *_: np.zeros_like(S))
+    monkeypatch.setattr(GradientConstants, "of", lambda *_: GradientConstants.none())
+    return with_corrected_normals(body, boundary or [])
+
+
 class FormerLoop:
     """Numbers of the former loop for one case of a test.
 
@@ -62,6 +82,7 @@ class FormerLoop:
 
     def assert_close(self, within: float, **arrays: np.ndarray) -> None:
         """Assert that arrays differ by at most a share of their largest magnitude."""
+        within *= _AMPLIFIED
         for name, values in arrays.items():
             former, flat = self.numbers[name], np.asarray(values, dtype=float).ravel()
             atol = within * max(former["size"], 1e-300)
@@ -70,6 +91,7 @@ class FormerLoop:
 
     def assert_records(self, within: float, records: np.ndarray, *, alike: slice = slice(1, 14)) -> None:
         """Assert that records differ by at most a share of the largest of their column, or of all alike columns."""
+        within *= _AMPLIFIED
         former = self.numbers["records"]
         scale = np.array(former["size"])
         scale[alike] = scale[alike].max(initial=0.0)

@@ -134,13 +134,16 @@ def test_breakage_is_spread_over_bonds_and_steps(case: str) -> None:
 def test_two_cubes_move_as_one_oscillator(nu: float, walls: bool) -> None:
     """Free: U = ½ 2G δ² + 2 · ½ λ' (δ/2)², λ' of five free facets; between walls, of four: U = ½ (4G + λ') u² each.
 
+    Between walls the spring between the dilatations stores ½ c (2 λ' u)² more, c = min(λ, 2 G) / 12 λ² for cubes.
     With ω² from it and cos φ = 1 - ω² dt²/2, velocity Verlet gives u = v dt sin(n φ) / sin φ exactly.
     """
     E, rho, v = 1e7, 1000.0, 1.0
     G, lame = E / (2.0 * (1.0 + nu)), E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))
     # c = Σ A d / V over the free facets, each with A = 1 m² and d = ½ m
     relaxed = lame / (1.0 + (4 if walls else 5) * 0.5 * lame / (2.0 * G))
-    square = (4.0 * G + relaxed if walls else 2.0 * (2.0 * G + 0.5 * relaxed)) / rho
+    spring = min(lame, 2.0 * G) / (12.0 * lame**2) if lame > 0.0 else 0.0
+    held = 4.0 * G + relaxed + 2.0 * spring * relaxed**2
+    square = (held if walls else 2.0 * (2.0 * G + 0.5 * relaxed)) / rho
     phi = np.arccos(1.0 - 0.5 * square * CUBE_DT**2)
     moved = v * CUBE_DT * np.sin(CUBE_STEPS * phi) / np.sin(phi)
     model, state = cubes(nu, walls=walls)

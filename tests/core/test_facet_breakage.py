@@ -10,7 +10,7 @@ from bondem.dynamics.history import FRACTURE, TRANSLATION, TWISTING, WORK
 from bondem.observables.cell_forces import CellForces
 from bondem.observables.energy import elastic_energy
 from tests.bits import assert_same_bits
-from tests.core.former_loop import FormerLoop, movement
+from tests.core.former_loop import FormerLoop, movement, with_former_law
 from tests.core.test_cells import CONDITIONS, GRID, LAW, X_MAX, X_MIN, body, run_of
 from tests.specimens import crooked_cells
 
@@ -18,8 +18,12 @@ BRITTLE = bd.MohrCoulomb(tension=3e5, cohesion=6e5, friction_angle=0.5)
 pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
 
 
+def steady(conditions: str) -> list:
+    return [one for one in CONDITIONS[conditions] if not isinstance(one, bd.Eigenstrain)]
+
+
 def breaking(conditions: str, lattice: bd.Lattice | None = None, **options) -> bd.Model:
-    boundary = [one for one in CONDITIONS[conditions] if not isinstance(one, bd.Eigenstrain)]
+    boundary = steady(conditions)
     return bd.Model(lattice or body(120), LAW, density=2500.0, boundary=boundary, failure=BRITTLE, **options)
 
 
@@ -30,8 +34,8 @@ TOUCHING = {
 }
 
 
-def test_breakage_is_that_of_the_former_loop():
-    model = breaking("held", crooked_cells(**GRID), **TOUCHING)
+def test_breakage_is_that_of_the_former_loop(monkeypatch):
+    model = breaking("held", with_former_law(monkeypatch, crooked_cells(**GRID), steady("held")), **TOUCHING)
     result = run_of(model, 300, CoreLoop, every=50, damping=bd.BondDamping(eta=0.05))
     state, former = result.state, FormerLoop("cells", "facets break")
     assert len(state.broken) > 30

@@ -110,7 +110,6 @@ def test_uniform_strain_gives_exact_tractions_without_poisson_effect(shape):
     assert np.abs(traction - 3.0 * body.facets.normal @ strain).max() <= 1e-12 * 3.0
 
 
-@pytest.mark.filterwarnings("ignore::bondem.errors.IncompressibleWarning")
 @pytest.mark.parametrize("nu", [-0.3, 0.2, 0.4, 0.49])
 def test_uniform_strain_has_its_dilatation_in_every_cell_inside(nu):
     body = crooked_cells((5, 5, 5), spread=0.0, periodic=True)
@@ -122,7 +121,6 @@ def test_uniform_strain_has_its_dilatation_in_every_cell_inside(nu):
     assert found.swelling == pytest.approx(1.3 * body.cells.volume, rel=2.0**-23)  # shares are of single precision
 
 
-@pytest.mark.filterwarnings("ignore::bondem.errors.IncompressibleWarning")
 def test_bulk_moduli_are_those_of_the_material():
     body = crooked_cells((6, 6, 6), spread=0.0, periodic=True)
     for nu in (-0.3, 0.0, 0.2, 0.4, 0.49):

@@ -16,10 +16,12 @@ import bondem as bd
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.history import FIXED_COLUMNS, FRACTURE, NON_LOCAL, PLASTIC
 from bondem.errors import RunFileError
-from bondem.io.runfile import RunFile
+from bondem.io.digest import fixed
+from bondem.io.older_bodies import with_corrected_normals
+from bondem.io.runfile import SCHEMA, RunFile, _digest_of_rest
 from tests.bits import EnoughError, assert_same_bits
 from tests.models import cantilever
-from tests.specimens import row
+from tests.specimens import crooked_cells, row
 
 DATA = Path(__file__).parent / "data"
 # What a schema did not have: arrays of the state, columns of the records.
@@ -34,6 +36,17 @@ def file_of(schema: int, tmp_path: Path) -> Path:
     place = tmp_path / f"schema_{schema}.h5"
     place.write_bytes(gzip.decompress((DATA / f"run_schema_{schema}.h5.gz").read_bytes()))
     return place
+
+
+def cut_at(step: int) -> type[RunFile]:
+    """A writer of run files that ends a run at a step."""
+    class Cut(RunFile):
+        def checkpoint(self, state, history):
+            super().checkpoint(state, history)
+            if state.step == step:
+                raise EnoughError
+
+    return Cut
 
 
 @pytest.mark.parametrize("schema", MISSING)
@@ -92,22 +105,43 @@ def test_a_run_goes_on_from_an_older_file_to_the_bit(schema: int, tmp_path: Path
     dt = bd.solve_explicit(model, duration=0.0, **options).dt
     whole = bd.solve_explicit(model, duration=200 * dt, out=tmp_path / "whole.h5", **options)
 
-    class Cut(RunFile):
-        def checkpoint(self, state, history):
-            super().checkpoint(state, history)
-            if state.step == 100:
-                raise EnoughError
-
     place, plan = tmp_path / "cut.h5", bd.read_run(tmp_path / "whole.h5").plan
-    with pytest.raises(EnoughError), Cut(place, model, plan) as sink:
+    with pytest.raises(EnoughError), cut_at(100)(place, model, plan) as sink:
         integrate(model, plan, sink=sink)
     aged(place, schema)
     resumed = bd.resume(place)
     assert_same_bits(whole, resumed)
     np.testing.assert_array_equal(whole.history.records, resumed.history.records)
     with h5py.File(place) as file:  # what it leaves is of today
-        assert file.attrs["schema"] == 8
+        assert file.attrs["schema"] == SCHEMA
         assert "state/broken" in file
+
+
+def test_a_body_without_shares_goes_on_with_those_it_began_with(tmp_path: Path) -> None:
+    """Schema 8: shares A w M⁻¹n, along the normal alone at smooth platens; the resumed file stores them."""
+    ends = [bd.Fix(bd.Face("x_min"), translation="x", rotation=""), bd.Drive(bd.Face("x_max"), vx=0.01)]
+    body = with_corrected_normals(crooked_cells((4, 3, 3)), ends)
+    model = bd.Model(body, bd.CellBond(E=1e9, nu=0.4), 2500.0, boundary=ends)
+    options = {"every": 10, "save_every": 10}
+    dt = bd.solve_explicit(model, duration=0.0, **options).dt
+    whole = bd.solve_explicit(model, duration=40 * dt, out=tmp_path / "whole.h5", **options)
+    place, plan = tmp_path / "old.h5", bd.read_run(tmp_path / "whole.h5").plan
+    with pytest.raises(EnoughError), cut_at(20)(place, model, plan) as sink:
+        integrate(model, plan, sink=sink)
+    with h5py.File(place, "a") as file:
+        file.attrs["schema"] = 8
+        for name in ("facets/share_i", "facets/share_j", "cells/free/share", "cells/remainder"):
+            del file[name]
+        file.attrs["digest"] = fixed(_digest_of_rest(file))
+    read = bd.read_run(place)
+    np.testing.assert_allclose(read.model.lattice.facets.share_i, body.facets.share_i, rtol=1e-12, atol=1e-18)
+    np.testing.assert_allclose(read.model.lattice.cells.free.share, body.cells.free.share, rtol=1e-12, atol=1e-18)
+    resumed = bd.resume(place)
+    np.testing.assert_allclose(resumed.state.displacement, whole.state.displacement, rtol=1e-9, atol=1e-15)
+    with h5py.File(place) as file:
+        assert file.attrs["schema"] == SCHEMA
+        np.testing.assert_array_equal(file["facets/share_i"], read.model.lattice.facets.share_i)
+    assert bd.read_run(place).state.step == 40
 
 
 @pytest.mark.parametrize(("schema", "missing"), [(3, "state/stress"), (4, "state/broken"), (2, "state/loss")])

@@ -21,7 +21,8 @@ BONDEM_TABLE(ElasticFacets, F(i, "m"), F(j, "m"), F(integrity, "m"), F(k, "m"), 
              F(lever_j, "3 m"), F(share_i, "3 m"), F(share_j, "3 m"), F(H, "6 m"), F(normal, "3 m"), F(period, "6"))
 BONDEM_TABLE(CellDilatation, F(weight, "n"), F(given, "n"), F(swelling, "*"), F(to_i, "m"))
 BONDEM_TABLE(DilatationGradients, F(start, "n+1"), F(other, "springs"), F(spring, "springs"), F(difference, "n"),
-             F(layer, "layered+1"), F(next, "turns"), F(way, "turns 12"), F(weight, "layered 2"), F(bend, "layered 2"),
+             F(layer, "layered+1"), F(next, "turns"), F(way, "turns 12"), F(hold, "layered+1"),
+             F(wall, "layer_walls"), F(wall_way, "layer_walls 6"), F(weight, "layered 2"), F(bend, "layered 2"),
              F(torque, "layered 3"), F(energy, "element_portions"))
 BONDEM_TABLE(DilatationEnergy, F(energy, "element_portions"))
 BONDEM_TABLE(CellEnergies, F(energy, "4"))

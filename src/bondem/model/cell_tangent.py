@@ -52,7 +52,7 @@ class BodyTables:
         walls = constants.grips.table(layout, model.constraints.row_of, 0)
         walls.wall[:] = constants.grips.motion
         facets, cells = cell_tables(constants, layout, model.period, integrity, layout.i)
-        return cls(facets, cells, gradient_tables(constants.gradients, len(layout.order)), walls)
+        return cls(facets, cells, gradient_tables(constants.gradients, len(layout.order), walls), walls)
 
     def load(self, pose: Floats, rest: Floats, sums: Floats) -> None:
         """Add force and torque of facets and walls on all cells to `sums`, (n, 8); store stresses in the poses."""
@@ -144,4 +144,7 @@ def gradients_at(model: Model, pose: Floats) -> tuple[csr_array | None, bsr_arra
         ).reshape(-1, 2, 3)
         for way in (gradients.way_a, gradients.way_b)
     )  # fmt: skip
-    return gradients.coupling(cells.weight), gradients.turns((ways[0], ways[1]), len(pose))
+    own = pose[gradients.held_cell, 4:]
+    w, v = relative_rotations(own * [1.0, -1.0, -1.0, -1.0], np.eye(4)[np.zeros(len(own), dtype=np.int64)])
+    held = w[:, None, None] * gradients.held_way + np.cross(v[:, None], gradients.held_way)
+    return gradients.coupling(cells.weight), gradients.turns((ways[0], ways[1], held), len(pose))

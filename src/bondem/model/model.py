@@ -98,7 +98,7 @@ class Model:
         self.breaking  # noqa: B018  as is the criterion of failure
         self.beam_softening  # noqa: B018  and whether bonds are short enough to soften
         self._check_strain()
-        question_cells(self.lattice, self.bond)
+        question_cells(self.lattice, self.bond, may_fail=self.failure is not None)
         implied = self.implied_fracture
         if implied is not None:
             question_strength(implied.strength, implied.E, implied.density, implied.fracture_energy)

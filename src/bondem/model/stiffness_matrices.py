@@ -103,7 +103,7 @@ def stiffness_matrix(model: Model) -> Stiffness:
         bsr_array((forms, indices, indptr), shape=(size // 6, size)),
         c.weight,
         c.gradients.coupling(c.weight),
-        c.gradients.turns((c.gradients.way_a, c.gradients.way_b), size // 6),
+        c.gradients.turns((c.gradients.way_a, c.gradients.way_b, c.gradients.held_way), size // 6),
     )
 
 

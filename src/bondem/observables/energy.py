@@ -85,9 +85,11 @@ def _cell_energy(
     turned = (found.turn * facets.normal).sum(axis=1)
     along = np.einsum("ma,mab,mb->m", facets.normal, constants.H, facets.normal) * turned**2
     whole = np.einsum("ma,mab,mb->m", found.turn, constants.H, found.turn)
-    whole += (constants.gradients.moments(found.turn) * found.turn).sum(axis=1)
+    moments, held = constants.gradients.moments(found.turn, rotation)
+    whole += (moments * found.turn).sum(axis=1)
     own = rotation[grips.cell]
     gripped = (grips.k[:, None] * found.held**2).sum() + np.einsum("ga,gab,gb->", own, grips.H, own)
+    gripped -= (held * rotation).sum()
     stretched = (constants.k * normal**2).sum() + found.stress(constants) @ found.swelling
     return EnergyParts(
         normal=0.5 * float(stretched + gripped + opened),
@@ -153,7 +155,7 @@ def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | Non
         cells.given[:] = model.cell_constants.pressed_by(loads_on_facets(model, state.time))[layout.order]
     else:
         walls.wall[:] = wall
-    gradients = gradient_tables(whole.gradients, len(state.pose))
+    gradients = gradient_tables(whole.gradients, len(state.pose), walls)
     return EnergyParts(*body_energies(CellPoses(state.pose, state.rest), facets, cells, gradients, walls))
 
 

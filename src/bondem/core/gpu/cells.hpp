@@ -40,20 +40,22 @@ inline void add_stress_difference(Index p, const Moving &all, const CellDilatati
                                   const DilatationGradients &gradients) {
     all.pose(p, stress_column) += cells.weight(p) * gradients.difference(p);
 }
-inline void bend_layer(Index p, const Moving &all, const DilatationGradients &gradients) {
-    bend_cell(all.pose.data, gradients, p);
+inline void bend_layer(Index p, const Moving &all, const WallConstraints &walls,
+                       const DilatationGradients &gradients) {
+    bend_cell(all.pose, walls, gradients, p);
 }
-inline void twist_layer(Index p, const Moving &all, const DilatationGradients &gradients) {
-    twist_cell(all.pose.data, gradients, p);
+inline void twist_layer(Index p, const Moving &all, const WallConstraints &walls,
+                       const DilatationGradients &gradients) {
+    twist_cell(all.pose, walls, gradients, p);
 }
 inline void add_layer_torque(Index e, const DilatationGradients &gradients, const StepCut &cut) {
     for (Index axis = 0; axis < 3; axis++) cut.sums(cut.ready_row(e), 4 + axis) += gradients.torque(cut.ready(e), axis);
 }
 inline void sum_portion_of_gradients(Index b, const DeviceSpan &span, const Moving &all, const CellDilatation &cells,
-                                     const DilatationGradients &gradients) {
+                                     const WallConstraints &walls, const DilatationGradients &gradients) {
     const Turn turn = portion_of(span, b, elements_of_portion, span.n);
     double sum = 0.0;
-    for (Index p = turn.first; p < turn.last; p++) sum += energy_of_gradients(all.pose.data, cells, gradients, p);
+    for (Index p = turn.first; p < turn.last; p++) sum += energy_of_gradients(all.pose, cells, walls, gradients, p);
     gradients.energy(turn.block) = sum;
 }
 inline void add_gradient_energy(Index, const DilatationGradients &gradients, const Portions &portions) {

@@ -41,6 +41,9 @@ struct DilatationGradients {
     Array<const Short, 1> next;  // cell on the other side, (turns,)
     Array<const double, 2> way;  // n × s of the cell and of the other, for both directions across, turned to the cell
                                  // as i [m²], (turns, 12)
+    Array<const Index, 1> hold;  // walls that hold cell p of a layer, (layered + 1,)
+    Array<const Index, 1> wall;  // number of the wall, (layer_walls,)
+    Array<const double, 2> wall_way;  // n × s of the wall for both directions, in space [m²], (layer_walls, 6)
     Array<const double, 2> weight;  // J λ / V² for both directions [Pa/m], (layered, 2)
     Array<double, 2> bend;  // J λ χ / V, for both directions [Pa·m], (layered, 2)
     Array<double, 2> torque;  // on each cell by bent layers [N·m], (layered, 3)

@@ -31,11 +31,11 @@ _gather_dilatation = IndexPass("gather_dilatation", CellDilatation, BondsOfEleme
 _set_stress = IndexPass("set_stress", Moving, CellDilatation)
 _sum_difference = IndexPass("sum_stress_difference", Moving, DilatationGradients)
 _add_difference = IndexPass("add_stress_difference", Moving, CellDilatation, DilatationGradients)
-_bend_layer = IndexPass("bend_layer", Moving, DilatationGradients)
-_twist_layer = IndexPass("twist_layer", Moving, DilatationGradients)
+_bend_layer = IndexPass("bend_layer", Moving, WallConstraints, DilatationGradients)
+_twist_layer = IndexPass("twist_layer", Moving, WallConstraints, DilatationGradients)
 _add_layer_torque = IndexPass("add_layer_torque", DilatationGradients, StepCut)
 _sum_portion_of_gradients = IndexPass(
-    "sum_portion_of_gradients", DeviceSpan, Moving, CellDilatation, DilatationGradients
+    "sum_portion_of_gradients", DeviceSpan, Moving, CellDilatation, WallConstraints, DilatationGradients
 )  # fmt: skip
 _add_gradient_energy = IndexPass("add_gradient_energy", DilatationGradients, Portions)
 _load_facet = IndexPass("load_facet", Moving, ElasticFacets, LoadsOfBonds)
@@ -82,9 +82,9 @@ def _load(run: Translation, moving: Moving, facets: ElasticFacets, _: StepCut) -
 
 
 def _gradient_energies(
-    run: Translation, moving: Moving, cells: CellDilatation, gradients: DilatationGradients
+    run: Translation, moving: Moving, cells: CellDilatation, walls: WallConstraints, gradients: DilatationGradients
 ) -> list[Launch]:
-    return [(_sum_portion_of_gradients, len(gradients.energy), (run.span, moving, cells, gradients))]
+    return [(_sum_portion_of_gradients, len(gradients.energy), (run.span, moving, cells, walls, gradients))]
 
 
 # ---- walls and tractions

@@ -40,10 +40,12 @@ _collect_dilatation = StepPass("collect_dilatation", StepCut, CellDilatation)
 _stress_cells = StepPass("stress_cells", Moving, CellDilatation)
 _sum_stress_differences = StepPass("sum_stress_differences", Moving, DilatationGradients)
 _add_stress_differences = StepPass("add_stress_differences", Moving, CellDilatation, DilatationGradients)
-_bend_layers = StepPass("bend_layers", Moving, DilatationGradients)
-_twist_layers = StepPass("twist_layers", Moving, DilatationGradients)
+_bend_layers = StepPass("bend_layers", Moving, WallConstraints, DilatationGradients)
+_twist_layers = StepPass("twist_layers", Moving, WallConstraints, DilatationGradients)
 _add_layer_torques = StepPass("add_layer_torques", DilatationGradients, StepCut)
-_sum_gradient_energies = StepPass("sum_gradient_energies", Moving, CellDilatation, DilatationGradients)
+_sum_gradient_energies = StepPass(
+    "sum_gradient_energies", Moving, CellDilatation, WallConstraints, DilatationGradients
+)  # fmt: skip
 _add_gradient_energies = StepPass("add_gradient_energies", DilatationGradients, Portions)
 _add_facet_loads = StepPass("add_facet_loads", Moving, ElasticFacets, StepCut)
 _add_and_keep_facet_loads = StepPass("add_and_keep_facet_loads", Moving, ElasticFacets, FacetForces, StepCut)
@@ -90,7 +92,7 @@ class BodyOfCells(NamedTuple):
         integrity = beams.integrity if model.softening is None else beams.integrity.copy()
         return cls(
             beams, facets._replace(integrity=integrity), cells,
-            gradient_tables(constants.gradients, len(layout.order), len(shared.portions.elements)), walls,
+            gradient_tables(constants.gradients, len(layout.order), walls, len(shared.portions.elements)), walls,
             _tractions(model),
             _strains(model, state, shared.portions),
         )  # fmt: skip
@@ -166,12 +168,12 @@ def _of_gradients(shared: SharedTables, body: BodyOfCells) -> tuple[Passes, Pass
         stresses.append((_sum_stress_differences, moving, gradients))
         stresses.append((_add_stress_differences, moving, body.cells, gradients))
     if len(gradients.weight):
-        stresses += [(_bend_layers, moving, gradients), (_twist_layers, moving, gradients)]
+        stresses += [(one, moving, body.walls, gradients) for one in (_bend_layers, _twist_layers)]
         torques.append((_add_layer_torques, gradients, shared.cut))
     if not stresses:
         return [], [], [], []
     return (
-        stresses, torques, [(_sum_gradient_energies, moving, body.cells, gradients)],
+        stresses, torques, [(_sum_gradient_energies, moving, body.cells, body.walls, gradients)],
         [(_add_gradient_energies, gradients, shared.portions)],
     )  # fmt: skip
 

@@ -6,19 +6,19 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._checks import shown
-from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement
+from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3
 from bondem.boundary.wall_constraints import Grips, Holds
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.interactions.cells.dilatation_gradients import DilatationGradients
+from bondem.interactions.cells.dilatation_gradients import GradientConstants
 from bondem.interactions.cells.facet_resistance import resistance, twist_at_walls
 from bondem.interactions.cells.free_walls import FreeWalls
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
 from bondem.specimen.regions import Region, as_region
-from bondem.specimen.tessellation.facets import Cells, Facets
+from bondem.specimen.tessellation.facets import Cells, Facets, FreeFacets
 from bondem.specimen.tessellation.raster import LEVER_BITS, on_raster, pitch
 
 CellAssignment = CellBond | Mapping[Region, CellBond]
@@ -46,8 +46,9 @@ class CellConstants:
         G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
         grips: facets that walls hold; their cells in the user's order.
         softness: d / 2 G of each free facet, the opening per traction [m/Pa], shape (k,).
-        way: m along its free axes, n for balanced shares [-], shape (k, 3): the stress of the cell opens the facet by
-            -softness · stress · way.
+        way: (c - g) / d along its free axes, with the centroid c of the facet and the centre g of the cell [-], shape
+            (k, 3): a force F on it adds softness · F·way to V θ, the stress of the cell moves it by -softness · stress
+            · way. Its part along the facet makes tractions along the surface exact.
         free_cell: cell of each free facet, user's order, shape (k,).
         pressed: contribution of tractions on its free facets to V θ of each cell [m³], shape (n,).
         pitch: levers are whole multiples of it along x, y, z [m], shape (3,).
@@ -73,7 +74,7 @@ class CellConstants:
     free_cell: Ints
     pressed: PerElement
     pitch: Floats
-    gradients: DilatationGradients
+    gradients: GradientConstants
 
     @classmethod
     def of(
@@ -108,9 +109,10 @@ class CellConstants:
         slack = 1.0 + np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume * lame / (2.0 * G)
         share_i, share_j = _single((area * w_i)[:, None] * way_i), _single((area * w_j)[:, None] * way_j)
         walls = FreeWalls.of(body, holds.flat(free.normal))
-        gradients = DilatationGradients.none()
+        grips = _grips(cells, holds, G, n_free, rotation, walls)
+        gradients = GradientConstants.none()
         if not may_fail and rotation == "bending":
-            gradients = DilatationGradients.of(body, G, lame, lame / slack, walls, (share_i, share_j))
+            gradients = GradientConstants.of(body, G, lame, lame / slack, walls, (share_i, share_j), grips)
         H = resistance(facets.moment, normal, k / area, rotation)
         if rotation == "bending":
             H += twist_at_walls(facets.moment, area, normal, k / area, walls, (i, j))
@@ -132,9 +134,9 @@ class CellConstants:
             slack_j=area * half_j * (way_j**2).sum(axis=1),
             G=G,
             lame=lame,
-            grips=_grips(cells, holds, G, n_free, rotation, walls),
+            grips=grips,
             softness=free.depth / (2.0 * G[free.cell]),
-            way=open_axes * n_free,
+            way=open_axes * (n_free + _along_facets(free, body.particles.position)),
             free_cell=free.cell,
             pressed=np.zeros(len(cells.volume)),
             pitch=grid,
@@ -150,7 +152,7 @@ class CellConstants:
         return np.asarray(stress + self.weight * self.gradients.differences(stress), dtype=float)
 
     def pressed_by(self, force: Floats) -> PerElement:
-        """Return Σ (d / 2 G) F·m, the contribution of forces F on free facets [N], (k, 3), to V θ [m³], (n,)."""
+        """Return Σ (d / 2 G) F·way, the contribution of forces F on free facets [N], (k, 3), to V θ [m³], (n,)."""
         opened = self.softness * (self.way * force).sum(axis=1)
         return np.bincount(self.free_cell, weights=opened, minlength=len(self.pressed)).astype(float)
 
@@ -253,6 +255,18 @@ def ways(facets: Facets) -> tuple[PerBond3, PerBond3]:
         share / (area * (depth / facets.span)[:, None])
         for share, depth in ((facets.share_i, facets.depth_i), (facets.share_j, facets.depth_j))
     )
+
+
+def _along_facets(free: FreeFacets, position: PerElement3) -> Floats:
+    """Return τ / d of free facets, the part of (c - g) / d in their planes [-], (k, 3).
+
+    A uniform strain ε adds A n·ε (c - g) to V θ, and opens the facet by d ε n. A n·ε τ = A t·τ / 2 G is what is
+    missing where a traction t acts along the surface. Zero for shares that are not A n, as those of older files.
+    """
+    span = free.centroid - position[free.cell]
+    along = span / free.depth[:, None] - free.normal
+    plain = np.abs(free.share - free.area[:, None] * free.normal).max(axis=1) <= 1e-9 * free.area
+    return np.where(plain[:, None], along, 0.0)
 
 
 def compliance(body: Lattice) -> PerElement:

@@ -7,8 +7,9 @@ import numpy as np
 
 from bondem._names import users_line
 from bondem._types import Floats, PerElement3
-from bondem.errors import IncompressibleWarning, RaggedInterfaceWarning, ThinBodyWarning
+from bondem.errors import AuxeticWarning, RaggedInterfaceWarning, ThinBodyWarning
 from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.cell_constants import compliance
 from bondem.interactions.cells.free_walls import is_layer, thin_ways
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.lattice import Lattice
@@ -16,62 +17,65 @@ from bondem.specimen.regions import Difference, Intersection, Plane, Region, Uni
 
 # Poisson's ratio times this is what a layer bends too softly; less is no matter.
 _MATTERS = 0.01
-# Poisson's ratio from which bulk moduli of a confined body are off by half a per cent.
-_NEARLY = 0.45
 # Ratio of E that makes an interface, and distance of its facets from the surface, over the size of a cell, root mean
 # square: 0.02 to 0.12 where cells end on it, 0.2 to 0.3 where they do not.
 _CONTRAST, _ROUGH, _FEW_FACETS = 1.25, 0.15, 8
 
 
-def question_cells(body: Lattice, bond: object) -> None:
-    """Warn about a body of cells that is one cell thick somewhere, nearly incompressible, or has ragged interfaces.
+def question_cells(body: Lattice, bond: object, *, may_fail: bool) -> None:
+    """Warn about a body of cells that is too soft in bending, has ragged interfaces, or a ν too low for its cells.
 
     Args:
         body: lattice of a model.
         bond: laws of the body; only `CellBond` is considered.
+        may_fail: True for a model with failure.
     """
     laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
     if body.cells is None or body.facets is None or not all(isinstance(law, CellBond) for law in laws):
         return
     cell_laws = [law for law in laws if isinstance(law, CellBond)]
-    _question_thin(body, cell_laws)
-    _question_incompressible(max(law.nu for law in cell_laws))
+    _question_thin(body, cell_laws, may_fail)
+    _question_auxetic(body, min(law.nu for law in cell_laws))
     if isinstance(bond, Mapping):
         _question_ragged(body, bond)
 
 
-def _question_incompressible(nu: float) -> None:
-    """Warn about nearly incompressible cells, which are too compliant under uniform pressure."""
-    if nu > _NEARLY:
+def _question_auxetic(body: Lattice, nu: float) -> None:
+    """Warn about cells so uneven that their energy would not be positive for a negative ν."""
+    if nu >= 0.0:
+        return
+    most = compliance(body)
+    limit = -1.0 / (most - 2.0)  # λ = -2 G / q
+    count = int((limit > nu).sum())
+    if count:
         _warn(
-            f"CellBond: nu = {nu:g} is nearly incompressible: confined on all sides, 300 cells have a bulk modulus"
-            " 0.4, 1.9 and 15 % too small at 0.45, 0.49 and 0.499 (1500 cells: 0.3, 1.3, 11 %), and hoop stress at a"
-            " hole is 10 % too small with 4 cells across the wall and 4 % with 6; free bodies are right. Use"
-            " nu = 0.45 if the body cannot bulge, or compare with another nu", IncompressibleWarning,
+            f"CellBond: nu = {nu:g} is too low for {count} of {len(most)} cells, which are uneven: they keep λ = -2 G / q"
+            f" for a positive energy, as if nu were {limit.max():.2f} at worst; pack more even cells, for example with"
+            ' bd.pack(..., method="even")', AuxeticWarning,
         )  # fmt: skip
 
 
-def _question_thin(body: Lattice, laws: list[CellBond]) -> None:
-    """Warn about parts of a body that are one cell thick, and about those that are one cell wide as well."""
+def _question_thin(body: Lattice, laws: list[CellBond], may_fail: bool) -> None:
+    """Warn about parts of a body that are one cell thick, where facets alone resist bending."""
     assert body.cells is not None
+    nu, rotation = max((law.nu for law in laws), key=abs), laws[0].facet_rotation
     thin = thin_ways(body)
-    count = int((thin > 0).sum())
+    count, columns = int((thin > 0).sum()), is_layer(thin > 1)
     if not is_layer(thin > 0):
         return
-    nu = max((law.nu for law in laws), key=abs)
-    rotation = laws[0].facet_rotation
-    if is_layer(thin > 1):
-        error = {"bending": "20 % too stiffly", "full": "2.4 times too stiffly"}.get(rotation, "without resistance")
-        _warn(
-            f"{count} of {len(thin)} cells have no neighbour on opposite sides, and the body is one cell thick both"
-            f" ways there: it twists {error}, and bends with about E / (1 + ν); pack smaller cells, four across the"
-            " thickness", ThinBodyWarning,
+    where = f"{count} of {len(thin)} cells have no neighbour on opposite sides: the body is one cell thick there"
+    if rotation != "bending" and columns:
+        error = {"full": "2.4 times too stiffly"}.get(rotation, "without resistance")
+        _warn(f'{where} both ways, and twists {error}; use facet_rotation="bending"', ThinBodyWarning)
+    elif abs(nu) >= _MATTERS and (may_fail or nu < 0.0 or rotation != "bending"):
+        cause = (
+            "models with failure= lack the gradient of the dilatation across it" if may_fail
+            else "the gradient of the dilatation across it counts for nu >= 0 only" if nu < 0.0
+            else f'facet_rotation="{rotation}" lacks the gradient of the dilatation across it'
         )  # fmt: skip
-    elif abs(nu) >= _MATTERS:
         _warn(
-            f"{count} of {len(thin)} cells have no neighbour on opposite sides: the body is one cell thick there"
-            f" and bends with about E / (1 + ν), a deflection {100.0 * nu:+.0f} % off (two cells 3 %, four 0.2 %);"
-            " pack smaller cells, four across the thickness", ThinBodyWarning,
+            f"{where}, and bends with about E / (1 + ν), a deflection {100.0 * nu:+.0f} % off (two cells 3 %, four"
+            f" 0.2 %): {cause}; pack smaller cells, four across the thickness", ThinBodyWarning,
         )  # fmt: skip
 
 

@@ -80,12 +80,14 @@ class CellStrain:
         """Return forces and torques of the facets on the elements [N, N·m], (n, 6)."""
         i, j = body.pairs.T
         force = self.forces(body, constants)
-        moment = np.einsum("mab,mb->ma", constants.H, self.turn) + constants.gradients.moments(self.turn)
+        bent, held = constants.gradients.moments(self.turn, self.rotation)
+        moment = np.einsum("mab,mb->ma", constants.H, self.turn) + bent
         load = np.zeros((len(body.particles), 6))
         for end, lever, sign in ((i, constants.lever_i, 1.0), (j, constants.lever_j, -1.0)):
             both = sign * np.hstack([force, np.cross(lever, force) + moment])
             for d in range(6):
                 load[:, d] += np.bincount(end, weights=both[:, d], minlength=len(load))
+        load[:, 3:] += held
         return load + self.of_walls(len(load), constants)
 
     def of_walls(self, n: int, constants: CellConstants) -> PerElement6:
@@ -99,7 +101,8 @@ class CellStrain:
         """Return the work of the stresses of one deformation on another [J]; for equal ones twice the energy."""
         grips = constants.grips
         bent = np.einsum("ma,mab,mb->", self.turn, constants.H, other.turn)
-        bent += (constants.gradients.moments(self.turn) * other.turn).sum()
+        moments, held = constants.gradients.moments(self.turn, self.rotation)
+        bent += (moments * other.turn).sum() - (held * other.rotation).sum()
         bent += np.einsum("ga,gab,gb->", self.rotation[grips.cell], grips.H, other.rotation[grips.cell])
         opened = (constants.k[:, None] * self.gap * other.gap).sum()
         opened += (grips.k[:, None] * self.held * other.held).sum()

@@ -10,10 +10,11 @@ import numpy as np
 from bondem._core import Pass
 from bondem._types import Floats, Ints, PerBond
 from bondem.boundary.wall_constraints import WallConstraints
+from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.beams.beam_tables import BeamSums, Poses
 from bondem.interactions.beams.bond_table import with_twins, with_zeros
 from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.interactions.cells.dilatation_gradients import DilatationGradients as Gradients
+from bondem.interactions.cells.dilatation_gradients import GradientConstants
 from bondem.specimen.ordering import Layout
 
 #: Column of a pose that holds the stress λ θ of a cell [Pa].
@@ -56,6 +57,9 @@ class DilatationGradients(NamedTuple):
     layer: Ints  #: facets of cell p within its layer, (layered + 1,); layered is n, or 0
     next: np.ndarray  #: cell on the other side, uint32, (turns,)
     way: Floats  #: n × s of the cell and of the other, for both directions, turned to the cell as i [m²], (turns, 12)
+    hold: Ints  #: walls that hold cell p of a layer, (layered + 1,)
+    wall: Ints  #: number of the wall, (layer_walls,)
+    wall_way: Floats  #: n × s of the wall for both directions, in space [m²], (layer_walls, 6)
     weight: Floats  #: J λ / V² for both directions [Pa/m], (layered, 2)
     bend: Floats  #: J λ χ / V for both directions [Pa·m], (layered, 2)
     torque: Floats  #: on each cell by bent layers [N·m], (layered, 3)
@@ -191,12 +195,15 @@ def cell_tables(
     return facets, CellDilatation(cells.weight.copy(), cells.pressed.copy(), np.zeros(count), with_twins(to_i))
 
 
-def gradient_tables(gradients: Gradients, n: int, portions: int = 0) -> DilatationGradients:
+def gradient_tables(
+    gradients: GradientConstants, n: int, walls: WallConstraints, portions: int = 0
+) -> DilatationGradients:
     """Return gradients of the dilatation as the core takes them.
 
     Args:
         gradients: constants in internal order.
         n: number of cells.
+        walls: walls that hold facets of the cells.
         portions: number of portions of cells whose energies are summed.
     """
     start, order, other = _of_cells(gradients.i, gradients.j, n)
@@ -206,8 +213,14 @@ def gradient_tables(gradients: Gradients, n: int, portions: int = 0) -> Dilatati
         np.concatenate([gradients.way_a, gradients.way_b], axis=1),
         -np.concatenate([gradients.way_b, gradients.way_a], axis=1),
     ]).reshape(-1, 12)[rows]  # fmt: skip
+    held = gradients.held
+    cell = walls.cell[held]
+    by_cell = np.argsort(cell, kind="stable")
+    hold = np.concatenate([[0], np.cumsum(np.bincount(cell, minlength=layered))]).astype(np.int64)
+    turned = turned_vectors(np.repeat(walls.base[held, 3:], 2, axis=0), gradients.held_way.reshape(-1, 3))
     return DilatationGradients(
         start, other, np.tile(gradients.spring, 2)[order], np.zeros(n), layer, following, np.ascontiguousarray(way),
+        hold, held[by_cell], np.ascontiguousarray(turned.reshape(-1, 6)[by_cell]),
         np.ascontiguousarray(gradients.weight), np.zeros((layered, 2)), np.zeros((layered, 3)), np.zeros(portions),
     )  # fmt: skip
 

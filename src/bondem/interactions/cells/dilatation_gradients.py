@@ -3,8 +3,8 @@
 A cell has one dilatation θ, so that the energy ½ λ j |∇θ|² of its gradient within a cell is missing, j = ∫ z² dV / V.
 Two terms supply it.
 
-- Between cells: U = Σ ½ c (σ_i - σ_j)² over facets, with σ = λ_p θ_p. The difference between neighbours stands for the
-  gradient within: c = A L κ / λ², κ = λ j / L̄², with j and L̄² = Σ A L³ / Σ A L of the body. λ in κ is at most 2 G,
+- Between cells: U = Σ ½ c (σ_i - σ_j)² over facets, σ = λ_p θ_p. The difference between neighbours stands for the
+  gradient within: c = A L κ / λ², κ = λ j / L̄², with j and L̄² = Σ A L³ / Σ A L of the body. In κ, λ is at most 2 G,
   the stiffness of the facets. Beyond it the term would raise the highest frequency, and stiffen plates near ν = 0.4.
 - Across a layer of normal a, a relative rotation ρ opens a facet by ρ × a per height: V χ = Σ ρ·(a × s), with the
   shares s of the facets within the layer, and U = ½ J λ_p χ², J = ∫ (a·(x - x_p))² dV. Columns have two of these.
@@ -19,6 +19,7 @@ import numpy as np
 from scipy.sparse import bsr_array, coo_array, csr_array
 
 from bondem._types import Floats, Ints, PerBond, PerElement
+from bondem.boundary.wall_constraints import Grips
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.free_walls import FreeWalls
 from bondem.specimen.lattice import Lattice
@@ -31,7 +32,7 @@ _ALIKE = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class DilatationGradients:
+class GradientConstants:
     """Constants of both terms, user's or internal order.
 
     Attributes:
@@ -39,8 +40,11 @@ class DilatationGradients:
         spring: c [m³/Pa], shape (k,).
         a, b: cells of the facets within layers, shape (l,).
         facet: numbers of these facets, shape (l,).
-        way_a, way_b: ± n × s of both cells for each direction across their layer [m²], shape (l, 2, 3): V χ is
+        way_a, way_b: n × s of both cells for each direction across their layer [m²], shape (l, 2, 3): V χ is
             Σ ρ·way, with ρ = θ_b - θ_a.
+        held: numbers of the walls that hold cells of layers, as in `CellConstants.grips`, shape (h,).
+        held_cell: their cells, shape (h,).
+        held_way: n × s of these walls [m²], shape (h, 2, 3): V χ has -θ·way more.
         weight: J λ_p / V² of each cell and direction, shape (n, 2); (0, 2) without layers [Pa/m].
     """
 
@@ -52,19 +56,22 @@ class DilatationGradients:
     facet: Ints
     way_a: Floats
     way_b: Floats
+    held: Ints
+    held_cell: Ints
+    held_way: Floats
     weight: Floats
 
     @classmethod
-    def none(cls) -> "DilatationGradients":
+    def none(cls) -> "GradientConstants":
         """Return constants without terms."""
-        no = np.zeros(0, dtype=np.int64)
-        return cls(no, no, np.zeros(0), no, no, no, np.zeros((0, 2, 3)), np.zeros((0, 2, 3)), np.zeros((0, 2)))
+        no, ways = np.zeros(0, dtype=np.int64), np.zeros((0, 2, 3))
+        return cls(no, no, np.zeros(0), no, no, no, ways, ways, no, no, ways, np.zeros((0, 2)))
 
     @classmethod
     def of(
         cls, body: Lattice, G: PerElement, lame: PerElement, layered: PerElement, walls: FreeWalls,
-        shares: tuple[Floats, Floats],
-    ) -> "DilatationGradients":  # fmt: skip
+        shares: tuple[Floats, Floats], grips: Grips,
+    ) -> "GradientConstants":  # fmt: skip
         """Return the constants of a body.
 
         Args:
@@ -73,6 +80,7 @@ class DilatationGradients:
             layered: λ_p of each cell [Pa], (n,).
             walls: free walls of the cells.
             shares: shares of the facets in both cells [m²], (m, 3) each.
+            grips: walls that hold facets.
         """
         facets, cells = body_of(body)
         i, j = body.pairs.T
@@ -91,19 +99,24 @@ class DilatationGradients:
         inertia = 0.5 * np.einsum("naa->n", cells.inertia)[:, None]
         second = inertia - np.einsum("nxa,nab,nxb->nx", layer, cells.inertia, layer)
         weight = second * np.maximum(layered / cells.volume**2, 0.0)[:, None] * layer.any(axis=2)
+        held_way = np.cross(layer[grips.cell], grips.share[:, None])
+        held = np.flatnonzero(held_way.any(axis=(1, 2)))
         if not len(facet) or not weight.any():
-            facet, weight = facet[:0], weight[:0]
-        return cls(i[inner], j[inner], spring, i[facet], j[facet], facet, way_a[facet], way_b[facet], weight)
+            facet, held, weight = facet[:0], held[:0], weight[:0]
+        return cls(
+            i[inner], j[inner], spring, i[facet], j[facet], facet, way_a[facet], way_b[facet], held,
+            grips.cell[held], held_way[held], weight,
+        )  # fmt: skip
 
-    def ordered(self, layout: Layout) -> "DilatationGradients":
+    def ordered(self, layout: Layout) -> "GradientConstants":
         """Return the constants in internal order."""
         place = np.empty(len(layout.bond_order), dtype=np.int64)
         place[layout.bond_order] = np.arange(len(place))
         weight = self.weight[layout.order] if len(self.weight) else self.weight
         rank = layout.rank
-        return DilatationGradients(
+        return GradientConstants(
             rank[self.i], rank[self.j], self.spring, rank[self.a], rank[self.b], place[self.facet], self.way_a,
-            self.way_b, weight,
+            self.way_b, self.held, rank[self.held_cell], self.held_way, weight,
         )  # fmt: skip
 
     def differences(self, stress: PerElement) -> PerElement:
@@ -111,21 +124,31 @@ class DilatationGradients:
         force, n = self.spring * (stress[self.i] - stress[self.j]), len(stress)
         return np.asarray(np.bincount(self.i, force, n) - np.bincount(self.j, force, n), dtype=float)
 
-    def bends(self, turn: Floats) -> Floats:
-        """Return V χ of each cell and direction [m²], (n, 2), for relative rotations of all facets [rad], (m, 3)."""
+    def bends(self, turn: Floats, rotation: Floats) -> Floats:
+        """Return V χ of each cell and direction [m²], (n, 2).
+
+        Args:
+            turn: relative rotations of all facets [rad], (m, 3).
+            rotation: rotations of the cells [rad], (n, 3).
+        """
         found = np.zeros_like(self.weight)
         np.add.at(found, self.a, np.einsum("la,lxa->lx", turn[self.facet], self.way_a))
         np.add.at(found, self.b, np.einsum("la,lxa->lx", turn[self.facet], self.way_b))
+        np.add.at(found, self.held_cell, -np.einsum("ha,hxa->hx", rotation[self.held_cell], self.held_way))
         return found
 
-    def moments(self, turn: Floats) -> Floats:
-        """Return moments of facets on their cells i by bent layers [N·m], (m, 3), for relative rotations [rad]."""
-        moment = np.zeros_like(turn)
+    def moments(self, turn: Floats, rotation: Floats) -> tuple[Floats, Floats]:
+        """Return moments of bent layers on cells i of facets, (m, 3), and of walls on all cells, (n, 3) [N·m].
+
+        The arguments are those of `bends`.
+        """
+        moment, held = np.zeros_like(turn), np.zeros_like(rotation)
         if len(self.facet):
-            bent = self.weight * self.bends(turn)
+            bent = self.weight * self.bends(turn, rotation)
             moment[self.facet] = np.einsum("lx,lxa->la", bent[self.a], self.way_a)
             moment[self.facet] += np.einsum("lx,lxa->la", bent[self.b], self.way_b)
-        return moment
+            np.add.at(held, self.held_cell, np.einsum("hx,hxa->ha", bent[self.held_cell], self.held_way))
+        return moment, held
 
     def coupling(self, weight: PerElement) -> csr_array | None:
         """Return W L W, (n, n), of W = λ_p / V_p [Pa/m³] and the Laplacian L of the springs; None without springs."""
@@ -137,23 +160,27 @@ class DilatationGradients:
         own_part = coo_array((own * weight**2, (np.arange(n), np.arange(n))), shape=(n, n))
         return csr_array(own_part - between - between.T)
 
-    def turns(self, ways: tuple[Floats, Floats], n: int) -> bsr_array | None:
+    def turns(self, ways: tuple[Floats, Floats, Floats], n: int) -> bsr_array | None:
         """Return √weight V χ under unit motions, 1×6 blocks, (2 n, 6 n); None without layers.
 
         Args:
-            ways: ways of both cells in the present pose [m²], (l, 2, 3) each.
+            ways: ways of both cells, (l, 2, 3) each, and of walls, (h, 2, 3), in the present pose [m²].
             n: number of cells.
         """
         if not len(self.facet):
             return None
         root = np.sqrt(self.weight)
         row, column, value = [], [], []
-        for own, way in ((self.a, ways[0]), (self.b, ways[1])):
+        for own, way in ((self.a, ways[0]), (self.b, ways[1])):  # every facet turns by θ_b - θ_a
             for slot in range(2):
                 for end, sign in ((self.a, -1.0), (self.b, 1.0)):
                     row.append(2 * own + slot)
                     column.append(end)
                     value.append(sign * root[own, slot, None] * way[:, slot])
+        for slot in range(2):
+            row.append(2 * self.held_cell + slot)
+            column.append(self.held_cell)
+            value.append(-root[self.held_cell, slot, None] * ways[2][:, slot])
         blocks = np.concatenate(value)
         rows = np.repeat(np.concatenate(row), 3)
         columns = (6 * np.concatenate(column)[:, None] + np.arange(3, 6)).ravel()

@@ -28,9 +28,9 @@ Index load_body(Index, const CellPoses &all, const ElasticFacets &facets, const 
     for (Index p = 0; p < n; p++) gradients.difference(p) = difference_of(gradients, p, stress);
     for (Index p = 0; p < n; p++) all.pose(p, stress_column) += cells.weight(p) * gradients.difference(p);
     if (has_layers(gradients)) {
-        for (Index p = 0; p < n; p++) bend_cell(all.pose.data, gradients, p);
+        for (Index p = 0; p < n; p++) bend_cell(all.pose, walls, gradients, p);
         for (Index p = 0; p < n; p++) {
-            twist_cell(all.pose.data, gradients, p);
+            twist_cell(all.pose, walls, gradients, p);
             for (Index axis = 0; axis < 3; axis++) to.sums(p, 4 + axis) += gradients.torque(p, axis);
         }
     }
@@ -56,7 +56,7 @@ Index measure_cell_energies(Index, const CellPoses &all, const ElasticFacets &fa
     dilate(all, facets, cells, walls);
     sum_energies(0, facets.i.size(), all.pose.data, facets, found.energy.data);
     double more = 0.0;
-    for (Index p = 0; p < all.pose.size(); p++) more += energy_of_gradients(all.pose.data, cells, gradients, p);
+    for (Index p = 0; p < all.pose.size(); p++) more += energy_of_gradients(all.pose, cells, walls, gradients, p);
     for (Index g = 0; g < walls.cell.size(); g++) more += energy_of_hold(all.pose, all.rest, walls, g);
     for (Index p = 0; p < all.pose.size(); p++) more += take_dilatation_energy(cells, p);
     found.energy(0) += more;

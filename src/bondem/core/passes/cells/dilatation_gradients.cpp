@@ -15,11 +15,13 @@ void add_stress_differences(const Turn &turn, const Moving &all, const CellDilat
         all.pose(p, stress_column) += cells.weight(p) * gradients.difference(p);
 }
 
-void bend_layers(const Turn &turn, const Moving &all, const DilatationGradients &gradients) {
-    for (Index p = turn.first; p < turn.last; p++) bend_cell(all.pose.data, gradients, p);
+void bend_layers(const Turn &turn, const Moving &all, const WallConstraints &walls,
+                 const DilatationGradients &gradients) {
+    for (Index p = turn.first; p < turn.last; p++) bend_cell(all.pose, walls, gradients, p);
 }
-void twist_layers(const Turn &turn, const Moving &all, const DilatationGradients &gradients) {
-    for (Index p = turn.first; p < turn.last; p++) twist_cell(all.pose.data, gradients, p);
+void twist_layers(const Turn &turn, const Moving &all, const WallConstraints &walls,
+                 const DilatationGradients &gradients) {
+    for (Index p = turn.first; p < turn.last; p++) twist_cell(all.pose, walls, gradients, p);
 }
 void add_layer_torques(const Turn &turn, const DilatationGradients &gradients, const StepCut &cut) {
     for (Index e = turn.first; e < turn.last; e++)
@@ -28,9 +30,9 @@ void add_layer_torques(const Turn &turn, const DilatationGradients &gradients, c
 }
 
 void sum_gradient_energies(const Turn &turn, const Moving &all, const CellDilatation &cells,
-                           const DilatationGradients &gradients) {
+                           const WallConstraints &walls, const DilatationGradients &gradients) {
     double sum = 0.0;
-    for (Index p = turn.first; p < turn.last; p++) sum += energy_of_gradients(all.pose.data, cells, gradients, p);
+    for (Index p = turn.first; p < turn.last; p++) sum += energy_of_gradients(all.pose, cells, walls, gradients, p);
     gradients.energy(turn.block) = sum;
 }
 void add_gradient_energies(const Turn &, const DilatationGradients &gradients, const Portions &portions) {
