@@ -1,9 +1,9 @@
 """The cell law beside the variant of Mka3D, on the same bodies.
 
-Mka3D (Mariotti 2007; Monasse and Mariotti 2012) is the elastic cell law with M = 1; its facets bend with E I/L and
-twist with G I_p/L, where those of bondem bend with 2G I/L and, outside layers one cell thick, do not twist. The
-variant is made here by replacing the functions that form these constants; bodies, masses, walls, free facets and
-solvers are the same. Mka3D's papers use Voronoi cells and its mesh generator cuts boxes into cubes, so both are here
+Mka3D (Mariotti 2007; Monasse and Mariotti 2012) is the elastic cell law with plain shares A w n; its facets bend with
+E I/L and twist with G I_p/L, where those of bondem bend with 2G I/L and twist beside free walls only, and it has no
+gradients of the dilatation. The variant is made here by replacing the functions that form these constants; bodies,
+masses, walls, free facets and solvers are the same. Mka3D's papers use Voronoi cells and its mesh generator cuts boxes into cubes, so both are here
 beside Laguerre cells. Measured are E and ν in bulk and of a bar, the first bending of clamped strips one to four
 cells thick, free sheets of the same thicknesses, the celerity of plane waves, and free frequencies of a beam and a
 plate, against triquadratic finite elements.
@@ -35,11 +35,11 @@ from continuum import Continuum, Vibration
 from kept import RESULTS, keep, origin
 from matching import matched
 
-#: Variants: whether θ has M⁻¹, and how facets resist a relative rotation.
+#: Variants: whether shares are balanced, and how facets resist a relative rotation.
 VARIANTS = {
     "bondem": (True, "bending"),
     "bondem, facets with twist": (True, "full"),
-    "M⁻¹ with facets of Mka3D": (True, "Mka3D"),
+    "balanced shares with facets of Mka3D": (True, "Mka3D"),
     "Mka3D": (False, "Mka3D"),
 }
 #: Plane waves in the length of the periodic cell.
@@ -55,8 +55,8 @@ SHEET = (8, 7, 1)
 @contextmanager
 def variant(name: str, nu: float) -> Iterator[bd.CellBond]:
     """Law for E = 1 of a variant; models that are made inside have its constants."""
-    corrected, rotation = VARIANTS[name]
-    corrections, resistance = cell_constants._corrections, cell_constants._resistance
+    balanced, rotation = VARIANTS[name]
+    ways, resistance = cell_constants.ways, cell_constants.resistance
 
     def of_mka3d(S: np.ndarray, normal: np.ndarray, stiffness: np.ndarray, kind: str) -> np.ndarray:
         """E I/L about the axes in the plane, G I_p/L about the normal; `stiffness` is 2 G / L."""
@@ -65,14 +65,14 @@ def variant(name: str, nu: float) -> Iterator[bd.CellBond]:
         return bending + polar[:, None, None] * normal[:, :, None] * normal[:, None, :]
 
     try:
-        if not corrected:
-            cell_constants._corrections = lambda body, facets, cells: np.tile(np.eye(3), (len(cells.volume), 1, 1))
+        if not balanced:
+            cell_constants.ways = lambda facets: (facets.normal, facets.normal)
         if rotation == "Mka3D":
-            cell_constants._resistance = of_mka3d
-        # "full": without bondem's own twist in layers, and with twist of facets at walls that hold it
+            cell_constants.resistance = of_mka3d
+        # "full": without gradients of θ and twist at free walls, and with twist of facets at walls that hold it
         yield bd.CellBond(E=1.0, nu=nu, facet_rotation="full" if rotation == "Mka3D" else rotation)
     finally:
-        cell_constants._corrections, cell_constants._resistance = corrections, resistance
+        cell_constants.ways, cell_constants.resistance = ways, resistance
 
 
 def tessellated(particles: bd.Particles, cells: str) -> bd.Lattice:

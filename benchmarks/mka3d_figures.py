@@ -16,7 +16,7 @@ from kept import RESULTS, ROOT
 VARIANTS = {
     "bondem": (BLUE, "o", "bondem"),
     "bondem, facets with twist": (GREEN, "^", 'bondem, facet_rotation="full"'),
-    "M⁻¹ with facets of Mka3D": (ORANGE, "s", "M⁻¹ with facets of Mka3D"),
+    "balanced shares with facets of Mka3D": (ORANGE, "s", "balanced shares with facets of Mka3D"),
     "Mka3D": (INK, "x", "Mka3D's variant"),
 }
 #: Filled marks are for the smaller Poisson's ratio.

@@ -205,10 +205,10 @@ def test_a_bar_gives_back_its_fracture_energy() -> None:
 
 @pytest.mark.parametrize(("energy", "closes"), [(ENERGY, 2e-4), (None, 1e-3)], ids=["softening", "at once"])
 def test_the_ledger_closes_and_is_of_second_order(energy: float | None, closes: float) -> None:
-    coarse, fine = torn(0.9, energy), torn(0.45, energy)
+    coarse, fine = torn(0.9, energy), torn(0.225, energy)
     assert len(coarse.events) > 20
     assert coarse.residual < closes
-    assert fine.residual < 0.35 * coarse.residual
+    assert fine.residual < 0.35**2 * coarse.residual
 
 
 #: Cracks open, close and rub, and cells yield.

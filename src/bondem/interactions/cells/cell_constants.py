@@ -47,8 +47,8 @@ class CellConstants:
         grips: facets that walls hold; their cells in the user's order.
         softness: d / 2 G of each free facet, the opening per traction [m/Pa], shape (k,).
         way: (c - g) / d along its free axes, with the centroid c of the facet and the centre g of the cell [-], shape
-            (k, 3): a force F on it adds softness · F·way to V θ, the stress of the cell moves it by -softness · stress
-            · way. Its part along the facet makes tractions along the surface exact.
+            (k, 3): a force F on it adds softness · F·way to V θ, and the stress of the cell moves it by
+            -softness · stress · way. Its part along the facet makes tractions along the surface exact.
         free_cell: cell of each free facet, user's order, shape (k,).
         pressed: contribution of tractions on its free facets to V θ of each cell [m³], shape (n,).
         pitch: levers are whole multiples of it along x, y, z [m], shape (3,).

@@ -49,9 +49,9 @@ def _question_auxetic(body: Lattice, nu: float) -> None:
     count = int((limit > nu).sum())
     if count:
         _warn(
-            f"CellBond: nu = {nu:g} is too low for {count} of {len(most)} cells, which are uneven: they keep λ = -2 G / q"
-            f" for a positive energy, as if nu were {limit.max():.2f} at worst; pack more even cells, for example with"
-            ' bd.pack(..., method="even")', AuxeticWarning,
+            f"CellBond: nu = {nu:g} is too low for {count} of {len(most)} cells, which are uneven: they keep"
+            f" λ = -2 G / q for a positive energy, as if nu were {limit.max():.2f} at worst; pack more even cells, as"
+            ' bd.pack(..., method="even") does', AuxeticWarning,
         )  # fmt: skip
 
 
