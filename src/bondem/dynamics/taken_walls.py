@@ -102,7 +102,8 @@ def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
         force += loads_on_facets(before, state.time, q)
         opened = (fresh * soft * way * going_on[facet]).sum(axis=1)
         stress = CellForces.of(before, state).stress
-        stress -= before.cell_constants.stress_of(np.bincount(grips.cell, weights=opened, minlength=len(q)))
+        swelling = np.asarray(np.bincount(grips.cell, weights=opened, minlength=len(q)), dtype=float)
+        stress -= before.cell_constants.stress_of(swelling)
     return rigid + soft * ((force / area)[facet] - stress[grips.cell, None] * way)
 
 

@@ -250,11 +250,10 @@ def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str
 
 def ways(facets: Facets) -> tuple[PerBond3, PerBond3]:
     """Return the ways m of both halves of each facet, by which they add A m·δ_p to V θ of their cells [-], (m, 3)."""
-    area = facets.area[:, None]
-    return tuple(
-        share / (area * (depth / facets.span)[:, None])
-        for share, depth in ((facets.share_i, facets.depth_i), (facets.share_j, facets.depth_j))
-    )
+    per_depth = facets.span / facets.area
+    return (
+        facets.share_i * (per_depth / facets.depth_i)[:, None], facets.share_j * (per_depth / facets.depth_j)[:, None]
+    )  # fmt: skip
 
 
 def _along_facets(free: FreeFacets, position: PerElement3) -> Floats:

@@ -43,7 +43,7 @@ class GradientConstants:
         way_a, way_b: n × s of both cells for each direction across their layer [m²], shape (l, 2, 3): V χ is
             Σ ρ·way, with ρ = θ_b - θ_a.
         held: numbers of the walls that hold cells of layers, as in `CellConstants.grips`, shape (h,).
-        held_cell: their cells, shape (h,).
+        held_cell: cells that these walls hold, shape (h,).
         held_way: n × s of these walls [m²], shape (h, 2, 3): V χ has -θ·way more.
         weight: J λ_p / V² of each cell and direction, shape (n, 2); (0, 2) without layers [Pa/m].
     """

@@ -10,7 +10,7 @@ body, and where two walls meet, facets do not resist twist.
 
 import numpy as np
 
-from bondem._types import Floats
+from bondem._types import Floats, Ints
 from bondem.interactions.cells.free_walls import FreeWalls
 
 # cos² of the angle between the walls of two cells within which they are one wall.
@@ -37,7 +37,7 @@ def resistance(S: Floats, normal: Floats, stiffness: Floats, rotation: str) -> F
 
 
 def twist_at_walls(
-    S: Floats, area: Floats, normal: Floats, stiffness: Floats, walls: FreeWalls, cells: tuple[Floats, Floats]
+    S: Floats, area: Floats, normal: Floats, stiffness: Floats, walls: FreeWalls, cells: tuple[Ints, Ints]
 ) -> Floats:
     """Return the twisting part of H of facets between two cells at the same wall [N·m], (m, 3, 3).
 

@@ -46,7 +46,7 @@ class FreeWalls:
                 layer[:, place] = np.where(thin[:, column, None], axis[:, :, column], 0.0)
         one = (share[:, 2] > _WALL) & (share[:, 1] < _WALL)
         wall = np.where(one[:, None], axis[:, :, 2], 0.0)
-        return cls(layer, np.where(layer[:, 0].any(axis=1)[:, None], layer[:, 0], wall))
+        return cls(layer, np.where((layer[:, 0] ** 2).sum(axis=1, keepdims=True) > 0.0, layer[:, 0], wall))
 
     @property
     def column(self) -> Mask:
@@ -81,7 +81,7 @@ def _free_axes(body: Lattice, held: Ints | None) -> tuple[Floats, Floats]:
     open_part = _sums(free.cell, outer, free.normal, n)
     root = np.linalg.inv(np.linalg.cholesky(whole))
     share = np.linalg.eigvalsh(root @ open_part @ np.swapaxes(root, 1, 2))
-    return share, np.linalg.eigh(open_part)[1]
+    return np.asarray(share, dtype=float), np.asarray(np.linalg.eigh(open_part)[1], dtype=float)
 
 
 def _sums(cell: Ints, weight: Floats, normal: Floats, n: int) -> Floats:

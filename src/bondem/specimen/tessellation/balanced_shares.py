@@ -97,4 +97,5 @@ def _times(tensor: Floats, vector: Floats) -> Floats:
 
 def _sum(cell: Ints, value: Floats, n: int) -> Floats:
     """Return the sums of values (k, 6) over each cell, (n, 6)."""
-    return np.column_stack([np.bincount(cell, weights=column, minlength=n) for column in value.T])
+    sums = [np.bincount(cell, weights=column, minlength=n) for column in value.T]
+    return np.column_stack(sums).astype(float)

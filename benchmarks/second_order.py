@@ -1,0 +1,372 @@
+"""Plates, thin bodies and nearly incompressible tubes of cells, against finite elements and Lamé's solution.
+
+The cell law has balanced shares, twist of facets beside free walls and gradients of the dilatation. Packings with
+seeds 31 to 35, which were used for nothing before, show what it achieves. Nothing is fitted; E = ρ = 1.
+
+    modes      first six natural frequencies of plates, beams, sheets, strips, columns, an L-beam and a tube,
+               against triquadratic finite elements. Modes are matched by their shapes (benchmarks/matching.py)
+    lame       thick tube in plane strain with a pressure in the bore, against Lamé's solution
+    meshes     largest difference of six frequencies between the mesh of a body and one 1.5 times finer
+
+Bodies "cubes" are boxes of cubic cells of edge 1; in "moved" the centres are moved by up to 0.2 along every axis,
+also across layers. All others are packings: "quench" with κ = 25 %, or "even". Law "before" is that of bondem before
+the balanced shares: A w M⁻¹n, twist in layers one cell thick alone, no gradients. It has seeds 31 and 32.
+
+Run: python benchmarks/second_order.py [--parts modes lame meshes] [--bodies plate beam …] [--seeds …] [--out FILE]
+     python benchmarks/second_order.py --summary
+It writes benchmarks/results/second_order.json; cases that this file has already are not measured again.
+"""
+
+import argparse
+import json
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import groupby, product
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+from skfem import Basis, ElementHex2, ElementVector, MeshHex
+
+import bondem as bd
+from bondem.errors import AuxeticWarning, BondemError, FillingWarning, ThinBodyWarning, UnitWarning
+from bondem.interactions.cells import cell_constants
+from bondem.interactions.cells.dilatation_gradients import GradientConstants
+from bondem.interactions.cells.free_walls import FreeWalls
+from bondem.io.older_bodies import with_corrected_normals
+from continuum import Continuum, Corners, Vibration, _lines
+from kept import RESULTS, keep, origin
+from matching import matched
+
+SEEDS = (31, 32, 33, 34, 35)
+#: Packings of the former law, and of bodies that take long or are only stated.
+FEW = 2
+LAWS = ("bondem", "before")
+#: Modes of finite elements; the last group of equal frequencies is incomplete and is left out.
+MODES, FIRST = 9, 6
+#: Centres of moved cells are this far from those of cubes, at most, along each axis [edges].
+JITTER = 0.2
+#: Share of a mode's motion about the axis x above which it is torsion.
+TORSION = 0.8
+#: How much finer meshes are with which those of the bodies are compared.
+FINER = 1.5
+THIN_NU = (0.2, 0.4)
+#: Tube: inner and outer radius, length; the inner part of the wall whose mean hoop stress is compared.
+INNER, OUTER, LENGTH, INNERMOST = 1.0, 2.0, 0.6, 0.2
+LAME_NU = (0.3, 0.45, 0.49, 0.499, 0.4999)
+#: Numbers of cells of the tube and how many seeds each has.
+LAME_COUNTS = {600: 5, 2000: 3}
+
+
+@dataclass(frozen=True)
+class Body:
+    """A body of cells and its finite elements.
+
+    Attributes:
+        boxes: boxes that meet face to face, whose union is the body.
+        steps: edges of finite elements along x, y, z; they are halved twice beside `refined` places.
+        kinds: kinds of cells: "cubes", "moved", "quench", "even".
+        counts: numbers of cells of packings with the number of their seeds; of cubes and moved cells the edges say.
+        nus: Poisson's ratios.
+        thickness: of the thinnest part.
+        held: face that is clamped.
+        refined: places along x, y, z.
+    """
+
+    boxes: tuple[Corners, ...]
+    steps: tuple[float, float, float]
+    kinds: tuple[str, ...] = ("quench",)
+    counts: tuple[tuple[int, int], ...] = ((0, len(SEEDS)),)
+    nus: tuple[float, ...] = THIN_NU
+    thickness: float = 1.0
+    held: str | None = None
+    refined: tuple[tuple[float, ...], ...] = ((), (), ())
+
+    @property
+    def size(self) -> tuple[float, float, float]:
+        """Edges of the box around the body."""
+        x, y, z = np.array(self.boxes, dtype=float)[:, 1].max(axis=0)
+        return float(x), float(y), float(z)
+
+    @property
+    def shape(self) -> bd.Shape:
+        """Shape to pack."""
+        shape = bd.Box(self.boxes[0][1])
+        for lower, upper in self.boxes[1:]:
+            shape = shape | bd.Box(tuple(np.subtract(upper, lower))).moved(tuple(lower))
+        return shape
+
+    def solid(self, fine: float = 1.0) -> Continuum:
+        """Mesh the body; `fine` divides the steps."""
+        corners = np.array(self.boxes, dtype=float)
+        lines = [_lines(np.unique(corners[:, :, d]), self.steps[d] / fine, self.refined[d]) for d in range(3)]
+        mesh = MeshHex.init_tensor(*lines)
+        middle = mesh.p[:, mesh.t].mean(axis=1).T[:, None]
+        inside = ((middle > corners[:, 0]) & (middle < corners[:, 1])).all(axis=2).any(axis=1)
+        if not inside.all():
+            mesh = mesh.restrict(np.flatnonzero(inside))
+        return Continuum(Basis(mesh, ElementVector(ElementHex2()), intorder=4))
+
+
+def box(x: float, y: float, z: float) -> tuple[Corners, ...]:
+    return (((0.0, 0.0, 0.0), (x, y, z)),)
+
+
+PLATE, FLAT = (9.6, 6.4), (0.5, 0.5, 0.5)
+GRID = {"kinds": ("cubes", "moved")}
+ALL_NU = (0.0, 0.2, 0.3, 0.4)
+#: L-beam 10 × 3 × 3 with legs of 1, and a square tube 16 × 6 × 6 with a wall of 1.
+ANGLE: tuple[Corners, ...] = (((0, 0, 0), (10, 3, 1)), ((0, 0, 1), (10, 1, 3)))
+TUBE: tuple[Corners, ...] = (
+    ((0, 0, 0), (16, 6, 1)), ((0, 0, 5), (16, 6, 6)), ((0, 0, 1), (16, 1, 5)), ((0, 5, 1), (16, 6, 5)),
+)  # fmt: skip
+BODIES = {
+    "plate": Body(box(*PLATE, 1.0), FLAT, counts=((1200, 5), (2500, 5), (3900, FEW)), nus=ALL_NU,
+                  refined=((0.0, PLATE[0]), (0.0, PLATE[1]), ())),
+    "beam": Body(box(8.0, 1.0, 1.0), (0.5, 0.25, 0.25), counts=((350, 5), (700, 5), (2000, 5)), nus=ALL_NU),
+    "sheet": Body(box(8.0, 7.0, 1.0), FLAT, refined=((0.0, 8.0), (0.0, 7.0), ()), **GRID),
+    "clamped sheet": Body(box(8.0, 7.0, 1.0), FLAT, held="x_min", refined=((0.0, 8.0), (0.0, 7.0), ()), **GRID),
+    "strip": Body(box(12.0, 2.0, 1.0), (0.6, 0.25, 0.25), **GRID),
+    "column": Body(box(14.0, 1.0, 1.0), (0.7, 0.25, 0.25), **GRID),
+    "sheet of two layers": Body(box(16.0, 14.0, 2.0), (1.0, 1.0, 1.0), counts=((0, FEW),), thickness=2.0,
+                                refined=((0.0, 16.0), (0.0, 14.0), ()), **GRID),
+    "strip of two layers": Body(box(24.0, 3.0, 2.0), (1.0, 0.5, 0.5), thickness=2.0, **GRID),
+    "L-beam": Body(ANGLE, (0.6, 0.5, 0.5), kinds=("even",), counts=((1300, 5),), refined=((), (1.0,), (1.0,))),
+    "clamped plate": Body(box(*PLATE, 1.0), FLAT, counts=((1200, 5),), held="x_min",
+                          refined=((0.0, PLATE[0]), (0.0, PLATE[1]), ())),
+    "square tube": Body(TUBE, (1.0, 0.5, 0.5), counts=((1500, FEW),)),
+}  # fmt: skip
+
+
+@contextmanager
+def law_of(name: str) -> Iterator[None]:
+    """Models that are made inside have the law of this name; bodies come from `shared`."""
+    twist, of = cell_constants.twist_at_walls, vars(GradientConstants)["of"]
+    try:
+        if name == "before":
+            cell_constants.twist_at_walls = _twist_in_layers
+            GradientConstants.of = staticmethod(lambda *_: GradientConstants.none())
+        yield
+    finally:
+        cell_constants.twist_at_walls, GradientConstants.of = twist, of
+
+
+def shared(body: bd.Lattice, law: str, boundary: Sequence[Any]) -> bd.Lattice:
+    """Return a body with the shares of a law."""
+    return body if law == "bondem" else with_corrected_normals(body, boundary)
+
+
+def _twist_in_layers(
+    S: np.ndarray, area: np.ndarray, normal: np.ndarray, stiffness: np.ndarray, walls: FreeWalls, cells: Any
+) -> np.ndarray:
+    """Twist of facets as it was before: within layers one cell thick, of one direction, and nowhere else."""
+    del area
+    one, other = (walls.layer[cell, 0] for cell in cells)
+    across = 0.5 * (np.einsum("ma,mab,mb->m", one, S, one) + np.einsum("ma,mab,mb->m", other, S, other))
+    within = (one**2).sum(axis=1) * (other**2).sum(axis=1) > 0.5
+    return (stiffness * across * within)[:, None, None] * normal[:, :, None] * normal[:, None, :]
+
+
+@lru_cache(maxsize=1)
+def cut(name: str, kind: str, count: int, seed: int | None) -> bd.Lattice:
+    """Body of cells of a name."""
+    body = BODIES[name]
+    if kind in ("cubes", "moved"):
+        edges = [round(edge) for edge in body.size]
+        centre = np.stack(np.meshgrid(*map(np.arange, edges), indexing="ij"), axis=-1).reshape(-1, 3) + 0.5
+        if kind == "moved":
+            centre += np.random.default_rng(seed).uniform(-JITTER, JITTER, centre.shape)
+        particles = bd.Particles(centre, 0.25, shape=body.shape)
+    elif kind == "even":
+        particles = bd.pack(body.shape, count=count, method="even", seed=seed)
+    else:
+        particles = bd.pack(body.shape, count=count, spread=0.25, seed=seed)
+    return bd.connect(particles, method="laguerre")
+
+
+@lru_cache(maxsize=2)
+def mesh(name: str, fine: float = 1.0) -> Continuum:
+    return BODIES[name].solid(fine)
+
+
+@lru_cache(maxsize=8)
+def exact(name: str, nu: float, fine: float = 1.0) -> Vibration:
+    """Modes of the finite elements."""
+    return mesh(name, fine).vibration(1.0, nu, 1.0, count=MODES, held=BODIES[name].held)
+
+
+def modes(name: str, kind: str, count: int, seed: int | None, nu: float, law: str) -> dict[str, Any]:
+    """Errors of the first six frequencies, and which of them are torsion about x."""
+    body, theory = cut(name, kind, count, seed), exact(name, nu)
+    held = BODIES[name].held
+    boundary = [] if held is None else [bd.Fix(bd.Face(held))]
+    with law_of(law):
+        model = bd.Model(shared(body, law, boundary), bd.CellBond(E=1.0, nu=nu), 1.0, boundary=boundary)
+        found = bd.solve_modes(model, count=MODES + 3)
+    middle = body.centre.mean(axis=0)
+    expected = mesh(name).sampler(middle + 0.999 * (body.centre - middle))(theory.shape)
+    arm = np.cross([1.0, 0.0, 0.0], body.centre - middle)
+    arm /= np.linalg.norm(arm, axis=1, keepdims=True) + 1e-12
+    about = ((expected * arm).sum(axis=2) ** 2).sum(axis=1) / (expected**2).sum(axis=(1, 2))
+    volume = body.cells.volume
+    pairs = list(matched(found, volume, theory, expected))
+    errors = [pair.measured / pair.reference - 1.0 for pair in pairs for _ in pair.modes][:FIRST]
+    return {
+        "cells": len(volume), "thick": round(float(BODIES[name].thickness / volume.mean() ** (1.0 / 3.0)), 2),
+        "errors": [round(float(error), 6) for error in errors],
+        "torsion": [bool(one > TORSION) for one in about[:FIRST]],
+        "likeness": round(min(pair.likeness for pair in pairs if pair.modes[0] < FIRST), 3),
+    }  # fmt: skip
+
+
+@lru_cache(maxsize=1)
+def thick_tube(count: int, seed: int) -> bd.Lattice:
+    bore = bd.Cylinder(radius=INNER, length=3.0 * LENGTH).moved((-LENGTH, 0.0, 0.0))
+    shape = bd.Cylinder(radius=OUTER, length=LENGTH).cut(bore, name="bore")
+    return bd.connect(bd.pack(shape, count=count, method="even", seed=seed), method="laguerre")
+
+
+def lame(count: int, seed: int, nu: float, law: str) -> dict[str, float]:
+    """Errors of the mean of u_r, of the mean hoop stress of the innermost wall, and rms of the hoop stress."""
+    body, pressure = thick_tube(count, seed), 1e-3
+    faces = body.particles.envelope.faces
+    boundary: list[Any] = [bd.Fix(bd.Face(end), translation="x", rotation="") for end in ("x_min", "x_max")]
+    boundary.append(bd.Pressure(bd.Face(next(face for face in faces if face.startswith("bore"))), pressure))
+    with law_of(law):
+        model = bd.Model(shared(body, law, boundary), bd.CellBond(E=1.0, nu=nu), 1.0, boundary=boundary)
+        result = bd.solve_static(model)
+        stress = bd.cell_stress(model, result) / pressure
+    r = np.hypot(*body.centre[:, 1:].T)
+    radial = np.column_stack([np.zeros(len(r)), body.centre[:, 1:] / r[:, None]])
+    around = np.cross([1.0, 0.0, 0.0], radial)
+    volume, moved = body.cells.volume, (result.displacement * radial).sum(axis=1) / pressure
+    mean = INNER**2 / (OUTER**2 - INNER**2)
+    deviator = mean * OUTER**2
+    u, hoop = (1.0 + nu) * ((1.0 - 2.0 * nu) * mean * r + deviator / r), mean + deviator / r**2
+    found = np.einsum("na,nab,nb->n", around, stress, around)
+    inner = r < INNER + INNERMOST * (OUTER - INNER)
+    return {
+        "u_r": float((volume * moved).sum() / (volume * u).sum()) - 1.0,
+        "hoop": float((volume * found)[inner].sum() / (volume * hoop)[inner].sum()) - 1.0,
+        "rms": float(np.sqrt((volume * (found - hoop) ** 2).sum() / (volume * hoop**2).sum())),
+    }
+
+
+def meshes(name: str, nu: float) -> dict[str, float]:
+    """Largest difference of six frequencies from a finer mesh."""
+    ratio = exact(name, nu).frequency[:FIRST] / exact(name, nu, FINER).frequency[:FIRST]
+    return {"difference": float(np.abs(ratio - 1.0).max())}
+
+
+class Report:
+    """Results in a file: cases that it has already are not measured again."""
+
+    def __init__(self, path: Path) -> None:
+        begun = origin()
+        self.path, self.commit = path, begun["commit"]
+        kept = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+        self.all: dict[str, Any] = begun | {part: kept.get(part, []) for part in PARTS}
+
+    def add(self, part: str, measure: Callable[..., dict[str, Any]], **case: Any) -> None:
+        """Measure a case and write the file; a body that cannot be made is stored with the error."""
+        if any(case.items() <= row.items() for row in self.all[part]):
+            return
+        started = perf_counter()
+        try:
+            row = measure(**case)
+        except BondemError as error:
+            row = {"failed": str(error)}
+        self.all[part].append(case | row | {"commit": self.commit})
+        keep(self.path, self.all)
+        print(part, *case.values(), f"{perf_counter() - started:.1f} s", row.get("failed", ""), flush=True)
+
+
+def measure_modes(report: Report, names: Sequence[str], seeds: Sequence[int]) -> None:
+    """Measure the frequencies of bodies."""
+    for name in names:
+        body = BODIES[name]
+        for kind, (count, most) in product(body.kinds, body.counts):
+            some = (None,) if kind == "cubes" else tuple(seed for seed in seeds if seed in SEEDS[:most])
+            for seed, nu, law in product(some, body.nus, LAWS):
+                if law == "bondem" or seed is None or seed in SEEDS[:FEW]:
+                    report.add("modes", modes, name=name, kind=kind, count=count, seed=seed, nu=nu, law=law)
+
+
+def measure_lame(report: Report, seeds: Sequence[int]) -> None:
+    """Measure the thick tube."""
+    for count, most in LAME_COUNTS.items():
+        for seed, nu, law in product(SEEDS[:most], LAME_NU, LAWS):
+            if seed in seeds and (law == "bondem" or seed in SEEDS[:FEW]):
+                report.add("lame", lame, count=count, seed=seed, nu=nu, law=law)
+
+
+def summary(kept: dict[str, Any]) -> str:
+    """Tables in percent: all seeds of a case in a line."""
+    lines = ["| body | cells | thick | ν | law | seeds | mean of six | worst of six | least and largest of each |"]
+    lines.append("|---" * 9 + "|")
+    failed = [row for part in PARTS for row in kept[part] if "failed" in row]
+
+    def case(row: dict[str, Any]) -> tuple[Any, ...]:
+        return tuple(row[key] for key in ("name", "kind", "count", "nu", "law"))
+
+    good = sorted((row for row in kept["modes"] if "errors" in row), key=case)
+    for (name, kind, _, nu, law), some in groupby(good, key=case):
+        rows = list(some)
+        errors = 100.0 * np.array([row["errors"] for row in rows])
+        each = [
+            f"{low:+.2f}…{high:+.2f}{'t' * turns}"
+            for low, high, turns in zip(errors.min(axis=0), errors.max(axis=0), rows[0]["torsion"], strict=True)
+        ]
+        what = f"{name} | {rows[0]['cells']} {kind} | {rows[0]['thick']:.1f} | {nu:g} | {law} | {len(rows)}"
+        size = np.abs(errors)
+        lines.append(f"| {what} | {_range(size.mean(axis=1))} | {_range(size.max(axis=1))} | {' '.join(each)} |")
+    lines += ["", "| tube | ν | law | seeds | u_r | inner hoop | rms of hoop |", "|---" * 7 + "|"]
+
+    def tube(row: dict[str, Any]) -> tuple[Any, ...]:
+        return tuple(row[key] for key in ("count", "law", "nu"))
+
+    for (count, law, nu), some in groupby(sorted((r for r in kept["lame"] if "u_r" in r), key=tube), key=tube):
+        rows = list(some)
+        columns = [_range(100.0 * np.array([row[key] for row in rows]), "+.2f") for key in ("u_r", "hoop", "rms")]
+        lines.append(f"| {count} | {nu:g} | {law} | {len(rows)} | {' | '.join(columns)} |")
+    lines += ["", "| mesh | ν | against a finer one |", "|---" * 3 + "|"]
+    lines += [f"| {row['name']} | {row['nu']:g} | {100 * row['difference']:.3f} |" for row in kept["meshes"]]
+    return "\n".join([*lines, *(f"failed: {row}" for row in failed)])
+
+
+def _range(values: np.ndarray, style: str = ".2f") -> str:
+    """Least and largest, or the only one."""
+    return "…".join(dict.fromkeys(format(value, style) for value in (values.min(), values.max())))
+
+
+def main(arguments: list[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--parts", nargs="+", default=list(PARTS), choices=PARTS)
+    parser.add_argument("--bodies", nargs="+", default=list(BODIES), choices=list(BODIES))
+    parser.add_argument("--seeds", type=int, nargs="+", default=list(SEEDS), help="some of the seeds 31 to 35")
+    parser.add_argument("--out", type=Path, default=RESULTS / "second_order.json", help="file of the results")
+    parser.add_argument("--summary", action="store_true", help="print the kept results as tables")
+    given = parser.parse_args(arguments)
+    if given.summary:
+        print(summary(json.loads(given.out.read_text(encoding="utf-8"))))
+        return
+    for expected in (AuxeticWarning, FillingWarning, ThinBodyWarning, UnitWarning):
+        warnings.simplefilter("ignore", expected)
+    report = Report(given.out)
+    if "lame" in given.parts:
+        measure_lame(report, given.seeds)
+    if "modes" in given.parts:
+        measure_modes(report, given.bodies, given.seeds)
+    if "meshes" in given.parts:
+        for name in given.bodies:
+            report.add("meshes", meshes, name=name, nu=BODIES[name].nus[-1])
+
+
+PARTS = ("modes", "lame", "meshes")
+
+if __name__ == "__main__":
+    main()
