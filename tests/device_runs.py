@@ -1,6 +1,7 @@
 """Runs with all that devices know, and how far two of them are apart."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -110,6 +111,9 @@ CASES: dict[str, Callable[[], Case]] = {
     ),
     "pressed cells": lambda: (
         pressed_bar(), moving, 240, 8e-4, {"scheme": bd.TchamwaWielgosz(1.2), "gauges": CELL_GAUGES, "every": 5}
+    ),
+    "cells with corrected mass": lambda: (
+        replace(held_bar(), mass_matrix="dispersion-corrected"), moving, 120, 1e-3, {"damping": DAMPED, "every": 3}
     ),
     "layer of cells": lambda: (sheet(), moving, 150, 1e-3, {"damping": DAMPED, "every": 3}),
     "periodic cells": lambda: (

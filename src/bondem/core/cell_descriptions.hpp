@@ -5,6 +5,7 @@
 #include "passes/cells/cell_report.hpp"
 #include "passes/cells/cell_strains.hpp"
 #include "passes/cells/cell_stress.hpp"
+#include "passes/cells/corrected_mass.hpp"
 #include "passes/cells/dilatation.hpp"
 #include "passes/cells/dilatation_gradients.hpp"
 #include "passes/cells/facet_failure.hpp"
@@ -24,6 +25,8 @@ BONDEM_TABLE(DilatationGradients, F(start, "n+1"), F(other, "springs"), F(spring
              F(layer, "layered+1"), F(next, "turns"), F(way, "turns 12"), F(hold, "layered+1"),
              F(wall, "layer_walls"), F(wall_way, "layer_walls 6"), F(weight, "layered 2"), F(bend, "layered 2"),
              F(torque, "layered 3"), F(energy, "element_portions"))
+BONDEM_TABLE(CorrectedMass, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(factor, "n"), F(wall_start, "n+1"), F(wall, "held"), F(acceleration, "n 6"),
+             F(inertia, "n"), F(force, "n 6"))
 BONDEM_TABLE(DilatationEnergy, F(energy, "element_portions"))
 BONDEM_TABLE(CellEnergies, F(energy, "4"))
 BONDEM_TABLE(CellPoses, F(pose, "n 8"), F(rest, "n 3"))
@@ -51,7 +54,7 @@ BONDEM_TABLE(MomentsOfForces, F(moment, "* 6"), F(owner, "vectors"), F(arm, "vec
 // Lines of the lists in `index.cpp`.
 #define BONDEM_CELL_TABLES                                                                                      \
     described<ElasticFacets>(), described<CellDilatation>(), described<DilatationGradients>(),                  \
-        described<DilatationEnergy>(), \
+        described<CorrectedMass>(), described<DilatationEnergy>(), \
         described<CellEnergies>(), described<CellPoses>(), described<FacetForces>(), described<FacetsOfCells>(), \
         described<WallConstraints>(), described<FacetTractions>(), described<CellStrains>(), described<WallTime>(), \
         described<FacetRelease>(), described<TurnedVectors>(), described<MomentsOfForces>()
@@ -72,6 +75,9 @@ BONDEM_TABLE(MomentsOfForces, F(moment, "* 6"), F(owner, "vectors"), F(arm, "vec
         S(of_elements, sum_stress_differences), S(of_elements, add_stress_differences),                   \
         S(of_elements, bend_layers), S(of_elements, twist_layers), S(elements_of_blocks, add_layer_torques), \
         S(of_elements, sum_gradient_energies), S(serial, add_gradient_energies),                          \
+        S(elements_of_blocks, find_accelerations), S(of_elements, find_dilatation_inertia),               \
+        S(of_elements, find_inertia_forces), S(elements_of_blocks, add_inertia_forces),                   \
+        S(of_elements, subtract_dilatation_energies),                                                     \
         S(serial, add_cell_energies), S(serial, follow_walls), S(serial, add_wall_dilatation),           \
         S(serial, apply_walls), S(elements_of_blocks, add_wall_loads), S(serial, follow_tractions),      \
         S(serial, add_traction_work), S(serial, follow_cell_strains), S(serial, begin_strain_work), \

@@ -115,6 +115,7 @@ class RunFile:
                 "contact": encode(model.contact),
                 "walls": encode(tuple(model.walls)),
                 "failure": encode(model.failure),
+                "mass_matrix": model.mass_matrix,
                 "shape": encode(model.lattice.particles.shape),
             }),
             "provenance": json.dumps({
@@ -360,6 +361,7 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
         contact=made_of["contact"],
         walls=made_of["walls"],
         failure=failure or made_of.get("failure"),
+        mass_matrix=made_of.get("mass_matrix", "lumped"),
     )
     state = State(model)
     for name in State.ARRAYS:

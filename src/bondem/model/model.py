@@ -8,7 +8,7 @@ from typing import Any, cast, get_args
 
 import numpy as np
 
-from bondem._checks import array, instance, possible, several, shown
+from bondem._checks import array, choice, instance, possible, several, shown
 from bondem._drawing import draw
 from bondem._plausibility import question_bond_radius, question_strength
 from bondem._types import ArrayLike, Floats, PerElement
@@ -29,6 +29,7 @@ from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment, CellConstants
 from bondem.interactions.cells.cell_plausibility import question_cells
+from bondem.interactions.cells.corrected_mass import correction_factors
 from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.contact.contact_model import ContactModel
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
@@ -39,6 +40,9 @@ from bondem.specimen.lattice import Lattice
 from bondem.specimen.local_origin import local_origin
 from bondem.specimen.ordering import Layout
 from bondem.specimen.particles import freeze
+
+#: Mass matrices of a model.
+MASS_MATRICES = ("lumped", "dispersion-corrected")
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +64,9 @@ class Model:
         failure: criterion by which bonds or facets break, such as `bd.PeripheralStress(...)`, or criteria of one kind
             by region: {region: criterion, (region, region): criterion}. None for bonds that never break. Bonds break
             in explicit runs only.
+        mass_matrix: "lumped", the mass and inertia of each element, or "dispersion-corrected" for cells that cannot
+            fail, in explicit runs and modes: waves of pressure have their celerity to 0.5 % at 10 elements per wave.
+            A step takes longer, and energy is not conserved exactly where cells rotate.
 
     Raises:
         InputError: A density is not positive, boundary conditions contradict each other, or masses and stiffnesses
@@ -74,6 +81,7 @@ class Model:
     contact: ContactLaw | None = None
     walls: Sequence[Wall] = field(default=())
     failure: FailureAssignment | None = None
+    mass_matrix: str = "lumped"
 
     def __post_init__(self) -> None:
         instance("Model", "lattice", self.lattice, Lattice, "a lattice, from bd.connect or bd.Lattice")
@@ -91,6 +99,13 @@ class Model:
             raise InputError("contact= with parallel=True applies to beams; leave out parallel= for cells, NonLocal")
         if self.walls and self.contact is None:
             raise InputError("walls= need a contact law; give contact=bd.LinearContact(E=...)")
+        choice("Model", "mass_matrix", self.mass_matrix, MASS_MATRICES)
+        elastic_cells = self._cells is not None and self.failure is None and self.contact is None
+        if self.mass_matrix != "lumped" and not elastic_cells:
+            raise InputError(
+                'mass_matrix="dispersion-corrected" applies to cells (bd.CellBond) without failure= and contact=;'
+                " leave these out, or mass_matrix="
+            )
         self._check_magnitudes()
         self.constraints  # noqa: B018  regions are checked when the model is made
         if isinstance(self.bond, BondLaw) and self.bond.radius is not None:
@@ -145,6 +160,15 @@ class Model:
         body_of(self.lattice)
         holds, laws_of_cells = Holds.of(self.lattice, self.boundary), cast(CellAssignment, self.bond)
         return CellConstants.of(self.lattice, laws_of_cells, holds, may_fail=self.failure is not None)
+
+    @cached_property
+    def correction(self) -> PerElement | None:
+        """Coefficients ρ β / V of the corrected mass matrix [kg/m⁶], user's order, (n,); None for lumped masses."""
+        if self.mass_matrix == "lumped":
+            return None
+        constants = self.cell_constants
+        density = np.broadcast_to(np.asarray(self.density, dtype=float), constants.volume.shape)
+        return correction_factors(self.lattice, constants.G, constants.lame, density)
 
     @cached_property
     def non_local(self) -> NonLocalConstants | None:

@@ -6,23 +6,33 @@ from typing import Any, Literal, cast
 
 import numpy as np
 from scipy.linalg import eigh
-from scipy.sparse import bsr_array, csc_array, diags_array
+from scipy.sparse import bsr_array, csc_array, csr_array, diags_array
+from scipy.sparse.linalg import LinearOperator, eigsh
 
 from bondem._blas import one_blas_thread
 from bondem._checks import count as whole_number
 from bondem._checks import instance
 from bondem._names import users_line
 from bondem._progress import staged
-from bondem._types import Floats
+from bondem._types import Floats, Ints
 from bondem.boundary.conditions import Load
 from bondem.boundary.loads import BodyForce, Eigenstrain, Pressure
 from bondem.errors import ConvergenceError, InputError, PrestressWarning
+from bondem.interactions.cells.corrected_mass import corrected_mass
 from bondem.model.model import Model
 from bondem.model.solution import Solution
 from bondem.model.state import State
 from bondem.model.stiffness_matrices import mass_diagonal
 from bondem.statics.lanczos import lowest_modes
-from bondem.statics.linear import Elimination, Iteration, System, normalising, orthonormal, prefers_elimination
+from bondem.statics.linear import (
+    Elimination,
+    Iteration,
+    System,
+    normalising,
+    orthonormal,
+    prefers_elimination,
+    solver,
+)
 from bondem.statics.prestress import about_equilibrium
 from bondem.statics.static import StaticResult
 
@@ -91,7 +101,10 @@ def solve_modes(
     available = int(system.free.sum()) - system.loose.shape[1]
     if not 1 <= count <= available:
         raise InputError(f"count = {count}, but the model has {available} modes; give a number from 1 to {available}")
-    if available <= max(200, 4 * count):
+    corrected = mass_matrix(model, system)
+    if corrected is not None:
+        square, shape, rounds = _of_corrected_mass(system, corrected, mass, count)
+    elif available <= max(200, 4 * count):
         square, shape, rounds = _dense(system, mass, count)
     elif prefers_elimination(system):
         square, shape, rounds = _inverse_lanczos(system, mass, count)
@@ -99,12 +112,13 @@ def solve_modes(
         square, shape, rounds = _block_gradients(system, mass, count)
     if square[0] < -_UNSTABLE * np.abs(square).max() and prestress is not None and prestress is not False:
         raise InputError("prestress= is an unstable equilibrium that buckles and has no frequencies; lower the loads")
-    shape /= np.sqrt((mass[:, None] * shape**2).sum(axis=0))
+    M = diags_array(mass) if corrected is None else corrected
+    shape /= np.sqrt((shape * (M @ shape)).sum(axis=0))
     shape *= np.sign(shape[np.abs(shape).argmax(axis=0), np.arange(count)])
     frequency = np.sqrt(np.maximum(square, 0.0)) / (2.0 * np.pi)
     return ModesResult(
         frequency, shape.T.reshape(count, -1, 6)[:, model.layout.rank].copy(),
-        iterations=rounds, residual=_residual(system, mass, square, shape),
+        iterations=rounds, residual=_residual(system, M, mass, square, shape),
     )  # fmt: skip
 
 
@@ -119,10 +133,53 @@ def _warn_of_loads(model: Model) -> None:
         )
 
 
-def _residual(system: System, mass: Floats, square: Floats, shape: Floats) -> float:
-    rest = (system.matrix @ shape - mass[:, None] * shape * square) * system.free.ravel()[:, None]
+def _residual(system: System, M: Any, mass: Floats, square: Floats, shape: Floats) -> float:
+    rest = (system.matrix @ shape - (M @ shape) * square) * system.free.ravel()[:, None]
     error = np.sqrt((rest**2 / mass[:, None]).sum(axis=0).max())
     return float(error / square[-1]) if square[-1] > 0.0 else 0.0
+
+
+def mass_matrix(model: Model, system: System) -> csr_array | None:
+    """Return the dispersion-corrected mass matrix, (6 n, 6 n), or None for lumped masses."""
+    factor, forms = model.correction, system.matrix.forms
+    if factor is None or forms is None:
+        return None
+    return corrected_mass(mass_diagonal(model), csr_array(forms.tocsr()), factor[model.layout.order])
+
+
+def _of_corrected_mass(
+    system: System, M: csr_array, mass: Floats, count: int
+) -> tuple[Floats, Floats, int]:
+    """Compute modes for a mass matrix that is not diagonal, by shift and invert about zero."""
+    live = np.flatnonzero(system.free)
+    rigid = system.loose @ normalising(system.loose.T @ (mass[:, None] * system.loose))
+    solve, rounds = solver(system).solve, [0]
+
+    def inverse(load: Floats) -> Floats:
+        whole = np.zeros(len(mass))
+        whole[live] = load
+        whole -= mass[:, None] * rigid @ (rigid.T @ whole)
+        rounds[0] += 1
+        motion = solve(whole, rtol=1e-12)[0]
+        return (motion - rigid @ (rigid.T @ (mass * motion)))[live]
+
+    size = (len(live), len(live))
+    K = LinearOperator(size, matvec=lambda v: (system.matrix @ _spread(v, live, len(mass)))[live], dtype=float)
+    start = np.random.default_rng(0).standard_normal(len(live))
+    found: Any = eigsh(
+        K, k=count, M=csr_array(M[live][:, live]), sigma=0.0, OPinv=LinearOperator(size, matvec=inverse, dtype=float),
+        v0=inverse(start),
+    )  # fmt: skip
+    order = np.argsort(found[0])
+    shape = np.zeros((len(mass), count))
+    shape[live] = found[1][:, order]
+    return found[0][order], shape, rounds[0]
+
+
+def _spread(values: Floats, live: Ints, size: int) -> Floats:
+    whole = np.zeros(size)
+    whole[live] = values
+    return whole
 
 
 def _dense(system: System, mass: Floats, count: int) -> tuple[Floats, Floats, int]:

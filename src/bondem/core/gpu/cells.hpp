@@ -5,6 +5,7 @@
 #include "../passes/cells/accumulation.hpp"
 #include "../passes/cells/cell_report.hpp"
 #include "../passes/cells/dilatation_gradients.hpp"
+#include "../passes/cells/dilatation_rates.hpp"
 #include "../passes/cells/energies.hpp"
 #include "../passes/cells/gradients.hpp"
 #include "../passes/cells/walls.hpp"
@@ -62,6 +63,36 @@ inline void add_gradient_energy(Index, const DilatationGradients &gradients, con
     double sum = 0.0;
     for (Index q = 0; q < gradients.energy.size(); q++) sum += gradients.energy(q);
     if (portions.bonds.size() > 0) portions.bonds(0, 0) += sum;
+}
+
+// ---- the mass of waves of pressure
+
+inline void find_acceleration_of(Index e, const Moving &all, const Rows &rows, const StepCut &cut,
+                                 const CorrectedMass &mass) {
+    const Index p = cut.ready(e);
+    const double *const sum = &cut.sums(cut.ready_row(e), 0);
+    if (rows.of(p) < 0) find_acceleration(all, mass, sum, p);
+    else find_acceleration(all, rows, mass, sum, p);
+}
+inline void find_dilatation_inertia_of(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                                       const CorrectedMass &mass) {
+    find_inertia(all, facets, walls, mass, p);
+}
+inline void find_inertia_force_of(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
+                                  const CorrectedMass &mass) {
+    find_inertia_force(all, facets, walls, mass, p);
+}
+inline void add_inertia_force_of(Index e, const CorrectedMass &mass, const StepCut &cut) {
+    add_inertia_force(mass, &cut.sums(cut.ready_row(e), 0), cut.ready(e));
+}
+inline void subtract_portion_of_dilatation(Index b, const DeviceSpan &span, const Moving &all,
+                                           const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass,
+                                           const Portions &portions) {
+    const Turn turn = portion_of(span, b, elements_of_portion, span.n);
+    double sum = 0.0;
+    for (Index p = turn.first; p < turn.last; p++)
+        sum += surplus_of_kinetic_energy(all, facets, walls, mass, p);
+    portions.elements(b, 0) -= sum;
 }
 
 // ---- forces

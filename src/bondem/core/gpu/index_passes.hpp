@@ -68,6 +68,11 @@
     X(add_layer_torque)                 \
     X(sum_portion_of_gradients)         \
     X(add_gradient_energy)              \
+    X(find_acceleration_of)             \
+    X(find_dilatation_inertia_of)       \
+    X(find_inertia_force_of)            \
+    X(add_inertia_force_of)             \
+    X(subtract_portion_of_dilatation)   \
     X(load_facet)                       \
     X(place_wall)                       \
     X(begin_walls_of_row)               \

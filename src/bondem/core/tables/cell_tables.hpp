@@ -49,6 +49,17 @@ struct DilatationGradients {
     Array<double, 2> torque;  // on each cell by bent layers [N·m], (layered, 3)
     Array<double, 1> energy;  // of both in portions of cells [J]
 };
+// The mass that waves of pressure lack in cells of finite size (`passes/cells/dilatation_rates.hpp`).
+struct CorrectedMass {
+    Array<const Index, 1> in_start, out_start;  // facets of each cell, as in `FacetsOfCells`, (n + 1,)
+    Array<const Short, 1> out_bond;
+    Array<const double, 1> factor;  // ρ β / V of each cell [kg/m⁶], (n,)
+    Array<const Index, 1> wall_start;  // walls of cell p are wall[wall_start[p]] …, (n + 1,)
+    Array<const Index, 1> wall;  // (held,)
+    Array<double, 2> acceleration;  // of each element by its loads [m/s², rad/s²], (n, 6)
+    Array<double, 1> inertia;  // ρ β θ̈ of each cell [Pa], (n,)
+    Array<double, 2> force;  // force and torque of the correction on each element [N, N·m], (n, 6)
+};
 // Energy of dilatation in portions of cells [J].
 struct DilatationEnergy {
     Array<double, 1> energy;  // (element portions,)

@@ -17,6 +17,7 @@ from bondem.interactions.beams.beam_tables import Beams
 from bondem.interactions.cells.cell_tables import (
     CellDilatation,
     CellStrains,
+    CorrectedMass,
     DilatationEnergy,
     DilatationGradients,
     ElasticFacets,
@@ -38,6 +39,12 @@ _sum_portion_of_gradients = IndexPass(
     "sum_portion_of_gradients", DeviceSpan, Moving, CellDilatation, WallConstraints, DilatationGradients
 )  # fmt: skip
 _add_gradient_energy = IndexPass("add_gradient_energy", DilatationGradients, Portions)
+_OF_CELLS = Moving, ElasticFacets, WallConstraints, CorrectedMass
+_find_acceleration = IndexPass("find_acceleration_of", Moving, Rows, StepCut, CorrectedMass)
+_find_inertia = IndexPass("find_dilatation_inertia_of", *_OF_CELLS)
+_find_inertia_force = IndexPass("find_inertia_force_of", *_OF_CELLS)
+_add_inertia_force = IndexPass("add_inertia_force_of", CorrectedMass, StepCut)
+_subtract_portion = IndexPass("subtract_portion_of_dilatation", DeviceSpan, *_OF_CELLS, Portions)
 _load_facet = IndexPass("load_facet", Moving, ElasticFacets, LoadsOfBonds)
 _place_wall = IndexPass("place_wall", DeviceSpan, WallConstraints)
 _begin_walls_of_row = IndexPass("begin_walls_of_row", DeviceSpan, Moving, WallConstraints, RowOrder, Rows)
@@ -85,6 +92,13 @@ def _gradient_energies(
     run: Translation, moving: Moving, cells: CellDilatation, walls: WallConstraints, gradients: DilatationGradients
 ) -> list[Launch]:
     return [(_sum_portion_of_gradients, len(gradients.energy), (run.span, moving, cells, walls, gradients))]
+
+
+def _subtract_energies(
+    run: Translation, moving: Moving, facets: ElasticFacets, walls: WallConstraints, mass: CorrectedMass,
+    portions: Portions,
+) -> list[Launch]:  # fmt: skip
+    return [(_subtract_portion, len(portions.elements), (run.span, moving, facets, walls, mass, portions))]
 
 
 # ---- walls and tractions
@@ -188,6 +202,11 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "bend_layers": over(_bend_layer, elements, spans=False),
     "twist_layers": over(_twist_layer, elements, spans=False),
     "add_layer_torques": over(_add_layer_torque, elements, spans=False),
+    "find_accelerations": over(_find_acceleration, elements, spans=False),
+    "find_dilatation_inertia": over(_find_inertia, elements, spans=False),
+    "find_inertia_forces": over(_find_inertia_force, elements, spans=False),
+    "add_inertia_forces": over(_add_inertia_force, elements, spans=False),
+    "subtract_dilatation_energies": _subtract_energies,
     "sum_gradient_energies": _gradient_energies,
     "add_gradient_energies": over(_add_gradient_energy, lambda _: 1, spans=False),
     "add_facet_loads": _load,

@@ -30,7 +30,7 @@ from bondem.dynamics.parts.part import Passes
 #: Passes that act on elements beside the loads of their bonds.
 FURTHER = {
     "add_dashpot_loads", "add_body_forces", "add_wall_loads", "add_contact_loads", "add_crack_loads",
-    "add_layer_torques",
+    "add_layer_torques", "add_inertia_forces",
 }  # fmt: skip
 
 #: Counterparts by the names of the passes of the CPU.

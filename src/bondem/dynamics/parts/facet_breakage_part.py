@@ -5,6 +5,7 @@ from bondem.damage.failure_passes import FACET_CRITERIA, Strengths, strengths_of
 from bondem.dynamics.damage_tables import Candidates, EventLog, Postponed
 from bondem.dynamics.parts.cell_part import BodyOfCells, cells
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
+from bondem.dynamics.parts.mass_part import mass_of_waves
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.step_tables import Dashpots, Moving
@@ -31,7 +32,9 @@ def body_of_cells(model: Model, state: State, shared: SharedTables, dashpots: Da
     body = BodyOfCells.of(model, state, shared)
     damage = damage_of(model, state, shared.cut, len(body.facets.i))
     forces = cells(shared, model, state, body, dashpots, damage=damage)
-    parts = [forces] if damage is None else [forces, _breakage(model, damage, state, shared, body, dashpots)]
+    parts = [forces, *mass_of_waves(model, shared, body)]
+    if damage is not None:
+        parts.append(_breakage(model, damage, state, shared, body, dashpots))
     return BondParts(parts, Joints.of(model, state, body.facets.integrity, damage))
 
 

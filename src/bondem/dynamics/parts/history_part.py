@@ -13,14 +13,18 @@ _write_ledger = StepPass("write_ledger", Rows, Portions, HistoryRows)
 _read_gauges = StepPass("read_gauges", Moving, Rows, Gauges, HistoryRows)
 
 
-def history(shared: SharedTables, gauges: Gauges) -> Part:
-    """Return the part that checks the energy, and writes it and the gauges; it comes after all others."""
+def history(shared: SharedTables, gauges: Gauges, kinetic: Passes) -> Part:
+    """Return the part that checks the energy, and writes it and the gauges; it comes after all others.
+
+    `kinetic` are the passes that correct the kinetic energies of elements.
+    """
     moving, rows, portions = shared.moving, shared.rows, shared.portions
+    elements: Passes = [(_sum_element_energies, moving, portions), *kinetic]
 
     def record(to: HistoryRows) -> Passes:
-        passes: Passes = [(_sum_element_energies, moving, portions), (_write_ledger, rows, portions, to)]
+        passes: Passes = [*elements, (_write_ledger, rows, portions, to)]
         if len(gauges.quantity):
             passes.append((_read_gauges, moving, rows, gauges, to))
         return passes
 
-    return Part({"guard": [(_sum_element_energies, moving, portions), (_judge_energy, rows, portions)]}, record)
+    return Part({"guard": [*elements, (_judge_energy, rows, portions)]}, record)

@@ -23,6 +23,7 @@ FORCES = (
     "judge",  # finds which marked bonds fail
     "gather",  # sums of the elements that domains share
     "add",  # further forces on elements
+    "correct",  # forces that depend on the sums of all others
     "keep",  # sums of the elements that a failure delays
     "move",  # closes the step of elements, and opens the next one
     "settle",  # works and losses of the motion
@@ -54,12 +55,14 @@ class Part:
         keep: function that writes data of the passes into the state, after each call of the core.
         renewed: function that returns the part with a new list of contacts, or None if a number is not finite; None
             for a part that has no such list.
+        kinetic: passes that correct the kinetic energies of elements, before these are written or examined.
     """
 
     stages: Mapping[str, Passes]
     record: Callable[[HistoryRows], Passes] = field(default=_nothing)
     keep: Callable[[], None] = field(default=_keep_nothing)
     renewed: "Callable[[], Part | None] | None" = None
+    kinetic: Passes = field(default_factory=list)
 
     def __post_init__(self) -> None:
         unknown = set(self.stages) - set(STAGES)

@@ -44,7 +44,8 @@ def parts_of(
     pulled = body_forces(model, state, shared)
     if pulled is not None:
         parts.append(pulled)  # its work is that at the velocities after the kick
-    return shared, [*parts, history(shared, gauges)]
+    kinetic = [one for part in parts for one in part.kinetic]
+    return shared, [*parts, history(shared, gauges, kinetic)]
 
 
 def _bonds(

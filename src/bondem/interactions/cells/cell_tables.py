@@ -66,6 +66,20 @@ class DilatationGradients(NamedTuple):
     energy: Floats  #: of both in portions of cells [J]
 
 
+class CorrectedMass(NamedTuple):
+    """The mass that waves of pressure lack in cells of finite size."""
+
+    in_start: Ints  #: facets of each cell, as in `FacetsOfCells`, (n + 1,)
+    out_start: Ints
+    out_bond: np.ndarray  #: uint32
+    factor: Floats  #: ρ β / V of each cell [kg/m⁶], (n,)
+    wall_start: Ints  #: walls of cell p are wall[wall_start[p]] …, (n + 1,)
+    wall: Ints  #: (held,)
+    acceleration: Floats  #: of each element by its loads [m/s², rad/s²], (n, 6)
+    inertia: Floats  #: ρ β θ̈ of each cell [Pa], (n,)
+    force: Floats  #: force and torque of the correction on each element [N, N·m], (n, 6)
+
+
 class DilatationEnergy(NamedTuple):
     """Energy of dilatation in portions of cells."""
 

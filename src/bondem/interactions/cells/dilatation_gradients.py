@@ -86,10 +86,8 @@ class GradientConstants:
         i, j = body.pairs.T
         area, span = facets.area, facets.span
         inner = np.flatnonzero((lame[i] == lame[j]) & (G[i] == G[j]) & (lame[i] > 0.0))
-        spread = np.einsum("naa->", cells.inertia) / 6.0 / cells.volume.sum()
-        reach = (area * span**3).sum() / (area * span).sum()
-        soft = np.minimum(lame[i], _STIFFEST * G[i])[inner] / lame[i][inner] ** 2
-        spring = (area * span)[inner] * soft * spread / reach
+        soft = gradient_stiffness(body, G, lame)[i][inner] / lame[i][inner] ** 2
+        spring = (area * span)[inner] * soft / mean_square_span(body)
         layer = walls.layer
         alike = (np.einsum("mxa,mya->mxy", layer[i], layer[j]) ** 2).sum(axis=2) > _ALIKE
         back = (np.einsum("mxa,mya->mxy", layer[j], layer[i]) ** 2).sum(axis=2) > _ALIKE
@@ -186,3 +184,17 @@ class GradientConstants:
         columns = (6 * np.concatenate(column)[:, None] + np.arange(3, 6)).ravel()
         found = coo_array((blocks.ravel(), (rows, columns)), shape=(2 * n, 6 * n))
         return bsr_array(csr_array(found), blocksize=(1, 6))
+
+
+def gradient_stiffness(body: Lattice, G: PerElement, lame: PerElement) -> PerElement:
+    """Return κ = min(λ, 2 G) j of each cell [N], 0 for λ < 0, (n,), with the mean j of the body [m²]."""
+    _, cells = body_of(body)
+    spread = np.einsum("naa->", cells.inertia) / 6.0 / cells.volume.sum()
+    return np.asarray(np.clip(lame, 0.0, _STIFFEST * G) * spread, dtype=float)
+
+
+def mean_square_span(body: Lattice) -> float:
+    """Return L̄² = Σ A L³ / Σ A L of a body [m²]."""
+    facets, _ = body_of(body)
+    weight = facets.area * facets.span
+    return float((weight * facets.span**2).sum() / weight.sum())

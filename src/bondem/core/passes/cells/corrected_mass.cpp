@@ -1,0 +1,35 @@
+// The mass matrix of waves of pressure in a step: after all loads of the elements, before they move.
+#include "corrected_mass.hpp"
+
+#include "dilatation_rates.hpp"
+
+namespace bondem {
+
+void find_accelerations(const Turn &turn, const Moving &all, const Rows &rows, const StepCut &cut,
+                        const CorrectedMass &mass) {
+    for (Index e = turn.first; e < turn.last; e++) {
+        const Index p = turn.element[e];
+        const double *const sum = &cut.sums(turn.row[e], 0);
+        if (e < turn.held) find_acceleration(all, mass, sum, p);
+        else find_acceleration(all, rows, mass, sum, p);
+    }
+}
+void find_dilatation_inertia(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
+    for (Index p = turn.first; p < turn.last; p++) find_inertia(all, facets, walls, mass, p);
+}
+void find_inertia_forces(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
+    for (Index p = turn.first; p < turn.last; p++) find_inertia_force(all, facets, walls, mass, p);
+}
+void add_inertia_forces(const Turn &turn, const CorrectedMass &mass, const StepCut &cut) {
+    for (Index e = turn.first; e < turn.last; e++)
+        add_inertia_force(mass, &cut.sums(turn.row[e], 0), turn.element[e]);
+}
+void subtract_dilatation_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass,
+                                  const Portions &portions) {
+    double sum = 0.0;
+    for (Index p = turn.first; p < turn.last; p++)
+        sum += surplus_of_kinetic_energy(all, facets, walls, mass, p);
+    portions.elements(turn.block, 0) -= sum;
+}
+
+}  // namespace bondem

@@ -1,0 +1,121 @@
+// Rates of the dilatation, and the mass matrix that waves of pressure need.
+//
+// Facets sample a sine over the distance of two centres, and the dilatation of a cell is a central difference, so that
+// waves of pressure of wave number k are too slow:
+//
+//     ω² ρ / k² = 2 G (1 - k² L̄² / 20) + λ (1 - k² L̄² / 5)
+//
+// The mass M' = M - Θᵀ (ρ V β) Θ has the same deficit, with θ = Θ u in the present pose. Explicitly
+//
+//     a = M⁻¹ (F + Θᵀ ρ V β Θ M⁻¹ F)
+//
+// which differs from M'⁻¹ F at fourth order in k. Momentum is conserved, because the columns of Θᵀ sum to zero.
+#pragma once
+#include "walls.hpp"
+
+namespace bondem {
+
+// Translational and rotational part of a velocity or an acceleration.
+struct Rate {
+    Vector linear, angular;
+};
+
+// V θ' of cell p [m³/s or m³/s²] for rates `of(q)` of elements. Walls rest.
+template <class Of>
+inline double dilatation_rate(const Array<double, 2> &pose, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass, Index p, Of of) {
+    const FacetColumns columns(facets);
+    double sum = 0.0;
+    const auto add = [&](Index k, bool is_j) {
+        const Ends<double> ends = ends_of(pose.data, facets, k);
+        const FacetShape<double> shape = columns.shape<double>(k);
+        const OpenFacet<double> open = opened(ends, shape);
+        const Rate i = of(Index(facets.i(k))), j = of(Index(facets.j(k)));
+        const Vector gap = j.linear + cross(j.angular, open.arm_j) - i.linear - cross(i.angular, open.arm_i);
+        const Vector share = is_j ? turned_by(ends.j, shape.share_j) : turned_by(ends.i, shape.share_i);
+        sum += facets.integrity(k) * dot(share, gap);
+    };
+    for (Index k = mass.in_start(p); k < mass.in_start(p + 1); k++) add(k, true);
+    for (Index e = mass.out_start(p); e < mass.out_start(p + 1); e++) add(Index(mass.out_bond(e)), false);
+    const Rate own = of(p);
+    const Quaternion<double> q = orientation(gather(pose.data, Short(p)));
+    for (Index e = mass.wall_start(p); e < mass.wall_start(p + 1); e++) {
+        const Index g = mass.wall(e);
+        const Vector moved = own.linear + cross(own.angular, turned_by(q, walls.arm.row<const Vector>(g)));
+        sum -= dot(walls.share.row<const Vector>(g), moved);
+    }
+    return sum;
+}
+
+inline Rate acceleration_of(const CorrectedMass &mass, Index p) {
+    const double *a = &mass.acceleration(p, 0);
+    return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
+}
+inline Rate velocity_of(const Moving &all, Index p) {
+    const double *v = &all.motion(p, 0);
+    return {{v[0], v[1], v[2]}, {v[4], v[5], v[6]}};
+}
+
+// The acceleration of element p by the loads in a row of the sums; owners of a row of the boundary also have its loads,
+// and keep prescribed motions.
+inline void find_acceleration(const Moving &all, const CorrectedMass &mass, const double *sum, Index p) {
+    for (Index axis = 0; axis < 3; axis++) {
+        mass.acceleration(p, axis) = all.motion(p, 3) * sum[axis];
+        mass.acceleration(p, 3 + axis) = all.motion(p, 7) * sum[4 + axis];
+    }
+}
+inline void find_acceleration(const Moving &all, const Rows &rows, const CorrectedMass &mass, const double *sum, Index p) {
+    const Index r = rows.of(p);
+    for (Index c = 0; c < 6; c++) {
+        const double load = sum[c < 3 ? c : c + 1] + rows.force(r, c);
+        mass.acceleration(p, c) = rows.fixed(r, c) ? 0.0 : all.motion(p, c < 3 ? 3 : 7) * load;
+    }
+}
+
+inline void find_inertia(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass, Index p) {
+    const auto of = [&](Index q) { return acceleration_of(mass, q); };
+    mass.inertia(p) = mass.factor(p) * dilatation_rate(all.pose, facets, walls, mass, p, of);
+}
+// Θᵀ ρ V β Θ a on element p.
+inline void find_inertia_force(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass, Index p) {
+    const FacetColumns columns(facets);
+    Vector force = {}, torque = {};
+    const auto add = [&](Index k, bool is_j) {
+        const Ends<double> ends = ends_of(all.pose.data, facets, k);
+        const FacetShape<double> shape = columns.shape<double>(k);
+        const OpenFacet<double> open = opened(ends, shape);
+        const Vector g = mass.inertia(facets.i(k)) * turned_by(ends.i, shape.share_i) +
+                         mass.inertia(facets.j(k)) * turned_by(ends.j, shape.share_j);
+        const double sign = is_j ? facets.integrity(k) : -facets.integrity(k);
+        force = plus(force, sign, g);
+        torque = torque + cross(is_j ? open.arm_j : open.arm_i, sign * g);
+    };
+    for (Index k = mass.in_start(p); k < mass.in_start(p + 1); k++) add(k, true);
+    for (Index e = mass.out_start(p); e < mass.out_start(p + 1); e++) add(Index(mass.out_bond(e)), false);
+    const Quaternion<double> q = orientation(gather(all.pose.data, Short(p)));
+    for (Index e = mass.wall_start(p); e < mass.wall_start(p + 1); e++) {
+        const Index g = mass.wall(e);
+        const Vector f = -mass.inertia(p) * walls.share.row<const Vector>(g);
+        force = force + f;
+        torque = torque + cross(turned_by(q, walls.arm.row<const Vector>(g)), f);
+    }
+    for (Index axis = 0; axis < 3; axis++) {
+        mass.force(p, axis) = force[axis];
+        mass.force(p, 3 + axis) = torque[axis];
+    }
+}
+// Adds the force of the correction to a row of the sums.
+inline void add_inertia_force(const CorrectedMass &mass, double *sum, Index p) {
+    for (Index axis = 0; axis < 3; axis++) {
+        sum[axis] += mass.force(p, axis);
+        sum[4 + axis] += mass.force(p, 3 + axis);
+    }
+}
+
+// The part ½ ρ V β θ̇² of a cell that the kinetic energy of its mass has too much [J].
+inline double surplus_of_kinetic_energy(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass, Index p) {
+    const auto of = [&](Index q) { return velocity_of(all, q); };
+    const double rate = dilatation_rate(all.pose, facets, walls, mass, p, of);
+    return 0.5 * mass.factor(p) * rate * rate;
+}
+
+}  // namespace bondem

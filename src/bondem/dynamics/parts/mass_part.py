@@ -1,0 +1,46 @@
+"""The mass of waves of pressure: forces of its correction, and their part of the kinetic energy."""
+
+import numpy as np
+
+from bondem._core_steps import StepPass
+from bondem.dynamics.parts.cell_part import BodyOfCells
+from bondem.dynamics.parts.part import Part
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.step_tables import Moving, Portions
+from bondem.interactions.cells.cell_tables import CorrectedMass, ElasticFacets, WallConstraints
+from bondem.model.constraints import Rows
+from bondem.model.domain_blocks import StepCut
+from bondem.model.model import Model
+
+_OF_CELLS = Moving, ElasticFacets, WallConstraints, CorrectedMass
+_find_accelerations = StepPass("find_accelerations", Moving, Rows, StepCut, CorrectedMass)
+_find_dilatation_inertia = StepPass("find_dilatation_inertia", *_OF_CELLS)
+_find_inertia_forces = StepPass("find_inertia_forces", *_OF_CELLS)
+_add_inertia_forces = StepPass("add_inertia_forces", CorrectedMass, StepCut)
+_subtract_dilatation_energies = StepPass("subtract_dilatation_energies", *_OF_CELLS, Portions)
+
+
+def mass_of_waves(model: Model, shared: SharedTables, body: BodyOfCells) -> list[Part]:
+    """Return the part of the corrected mass of a body of cells, none if the model does not ask for it."""
+    if model.correction is None:
+        return []
+    layout, n = model.layout, len(model.layout.order)
+    cell = body.walls.cell
+    wall_start = np.concatenate([[0], np.cumsum(np.bincount(cell, minlength=n))]).astype(np.int64)
+    mass = CorrectedMass(
+        layout.in_start, layout.out_start, layout.out_bond, model.correction[layout.order], wall_start,
+        np.argsort(cell, kind="stable").astype(np.int64), np.zeros((n, 6)), np.zeros(n), np.zeros((n, 6)),
+    )  # fmt: skip
+    of_cells = shared.moving, body.facets, body.walls, mass
+    return [
+        Part(
+            {
+                "correct": [
+                    (_find_accelerations, shared.moving, shared.rows, shared.cut, mass),
+                    (_find_dilatation_inertia, *of_cells), (_find_inertia_forces, *of_cells),
+                    (_add_inertia_forces, mass, shared.cut),
+                ],
+            },
+            kinetic=[(_subtract_dilatation_energies, *of_cells, shared.portions)],
+        )
+    ]  # fmt: skip

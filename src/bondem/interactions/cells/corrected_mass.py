@@ -1,0 +1,43 @@
+"""The mass matrix for which waves of pressure have their celerity up to fourth order in the size of the cells.
+
+Facets sample a sine over the distance of two centres, and the dilatation of a cell is a central difference. A plane
+wave of pressure of wave number k has therefore, in an isotropic tessellation,
+
+    ω² ρ / k² = 2 G (1 - k² L̄² / 20) + λ (1 - k² L̄² / 5) + κ k²,     L̄² = Σ A L³ / Σ A L
+
+with κ = min(λ, 2 G) j of the gradients between cells. M' = M - Θᵀ (ρ V β) Θ, θ = Θ u, makes up for it with
+
+    β = (L̄² (λ / 5 + 2 G / 20) - κ) / (λ + 2 G)
+"""
+
+import numpy as np
+from scipy.sparse import csr_array, diags_array
+
+from bondem._types import Floats, PerElement
+from bondem.interactions.cells.cell_body import body_of
+from bondem.interactions.cells.dilatation_gradients import gradient_stiffness, mean_square_span
+from bondem.specimen.lattice import Lattice
+
+
+def correction_factors(body: Lattice, G: PerElement, lame: PerElement, density: PerElement) -> PerElement:
+    """Return ρ β / V of each cell [kg/m⁶], (n,).
+
+    Args:
+        body: a lattice with facets and cells.
+        G, lame: shear modulus and Lamé's λ of each cell [Pa], (n,).
+        density: density of each cell [kg/m³], (n,).
+    """
+    _, cells = body_of(body)
+    short = mean_square_span(body) * (lame / 5.0 + G / 10.0) - gradient_stiffness(body, G, lame)
+    return np.asarray(density * np.maximum(short, 0.0) / (lame + 2.0 * G) / cells.volume, dtype=float)
+
+
+def corrected_mass(mass: Floats, forms: csr_array, factor: PerElement) -> csr_array:
+    """Return M' = M - Fᵀ (ρ β / V) F, (6 n, 6 n).
+
+    Args:
+        mass: diagonal of M [kg, kg·m²], (6 n,).
+        forms: F, V θ of each cell under unit motions [m², m³], (n, 6 n).
+        factor: ρ β / V of each cell [kg/m⁶], (n,).
+    """
+    return csr_array(diags_array(mass) - forms.T @ (diags_array(factor) @ forms))
