@@ -28,7 +28,8 @@ def kept(name: str) -> dict[str, Any]:
 
 def dispersion(path: Path) -> None:
     """ω / k over theory against the length of the wave, and its error on logarithmic axes."""
-    rows = kept("cell_waves")["rows"] + [one | {"wave": "Rayleigh"} for one in kept("cell_rayleigh")["rows"]]
+    plain = [one for one in kept("cell_waves")["rows"] if one["mass"] == "lumped"]
+    rows = plain + [one | {"wave": "Rayleigh"} for one in kept("cell_rayleigh")["rows"]]
     with sheet(path, 9.0, 3.7, 1, 2) as (figure, (left, right)):
         for name, (colour, mark) in _WAVES.items():
             for nu, fill in ((0.2, "full"), (0.4, "none")):
