@@ -4,8 +4,8 @@ Mka3D (Mariotti 2007; Monasse and Mariotti 2012) is the elastic cell law with pl
 E I/L and twist with G I_p/L, where those of bondem bend with 2G I/L and twist beside free walls only, and it has no
 gradients of the dilatation. The variant is made here by replacing the functions that form these constants; bodies,
 masses, walls, free facets and solvers are the same. Mka3D's papers use Voronoi cells and its mesh generator cuts
-boxes into cubes, so both are here beside Laguerre cells. Measured are E and ν in bulk and of a bar, the first bending of
-clamped strips one to four cells thick, free sheets of the same thicknesses, the celerity of plane waves, and free
+boxes into cubes, so both are here beside Laguerre cells. Measured are E and ν in bulk and of a bar, the first bending
+of clamped strips one to four cells thick, free sheets of the same thicknesses, the celerity of plane waves, and free
 frequencies of a beam and a plate, against triquadratic finite elements.
 
 Run: python benchmarks/mka3d.py [--counts 300] [--seeds 1 2 3] [--nu 0.2 0.4] [--out FILE]
