@@ -23,6 +23,9 @@ from bondem.specimen.tessellation.raster import LEVER_BITS, on_raster, pitch
 
 CellAssignment = CellBond | Mapping[Region, CellBond]
 
+# Depth of a centre behind the plane of a facet, over its distance from the centroid, that counts as none.
+_FLAT = 1e-6
+
 
 @dataclass(frozen=True, eq=False)
 class CellConstants:
@@ -106,7 +109,9 @@ class CellConstants:
         open_axes[holds.facet] -= holds.axes
         soft = free.area * free.depth * (open_axes * n_free**2).sum(axis=1)
         lame = np.maximum(lame, -2.0 * G / compliance(body))
-        slack = 1.0 + np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume * lame / (2.0 * G)
+        # centres behind the plane of a facet, as around a slot, have d < 0
+        opening = np.maximum(np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume, 0.0)
+        slack = 1.0 + opening * lame / (2.0 * G)
         share_i, share_j = _single((area * w_i)[:, None] * way_i), _single((area * w_j)[:, None] * way_j)
         walls = FreeWalls.of(body, holds.flat(free.normal))
         grips = _grips(cells, holds, G, n_free, rotation, walls)
@@ -263,7 +268,8 @@ def _along_facets(free: FreeFacets, position: PerElement3) -> Floats:
     missing where a traction t acts along the surface. Zero for shares that are not A n, as those of older files.
     """
     span = free.centroid - position[free.cell]
-    along = span / free.depth[:, None] - free.normal
+    far = np.abs(free.depth) > _FLAT * np.linalg.norm(span, axis=1)
+    along = np.where(far[:, None], span / np.where(far, free.depth, 1.0)[:, None] - free.normal, 0.0)
     plain = np.abs(free.share - free.area[:, None] * free.normal).max(axis=1) <= 1e-9 * free.area
     return np.where(plain[:, None], along, 0.0)
 
