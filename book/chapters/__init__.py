@@ -25,6 +25,7 @@ from book.chapters import (
     protocol,
     rapid_fracture,
     runs,
+    second_order,
     strength,
     surface,
 )
@@ -32,9 +33,9 @@ from book.results import Measurement
 from book.small import PACKINGS
 
 _FILES = (
-    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, mka3d, strength, concrete,
-    celigueta, laws, predictions, fracture, rapid_fracture, packings, parameters, dynamic_tests, surface,
-    formulations, dynamics, cost, runs,
+    andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, second_order, mka3d,
+    strength, concrete, celigueta, laws, predictions, fracture, rapid_fracture, packings, parameters, dynamic_tests,
+    surface, formulations, dynamics, cost, runs,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
 _NAMED = {one.name: one for file in FILES for one in file.MEASUREMENTS}
