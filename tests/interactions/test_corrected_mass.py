@@ -102,6 +102,12 @@ def test_bits_do_not_depend_on_threads():
     np.testing.assert_array_equal(results[0].pose, results[1].pose)
 
 
+def test_blocks_of_a_step_change_nothing(monkeypatch):
+    expected = shaken(**CORRECTED).state
+    monkeypatch.setattr("bondem.dynamics.core_loop.BLOCK", 16)
+    np.testing.assert_array_equal(shaken(**CORRECTED).state.pose, expected.pose)
+
+
 def test_files_and_bad_input(tmp_path):
     body = crooked_cells((4, 3, 3))
     model = bd.Model(body, LAW, 1.0, **CORRECTED)
