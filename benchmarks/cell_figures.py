@@ -14,7 +14,8 @@ import numpy as np
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
 from kept import RESULTS, ROOT
 
-_WAVES = {"P": (BLUE, "s"), "S": (GREEN, "^"), "Rayleigh": (ORANGE, "o")}
+_CORRECTED = "P, corrected mass"
+_WAVES = {"P": (BLUE, "s"), _CORRECTED: (PURPLE, "D"), "S": (GREEN, "^"), "Rayleigh": (ORANGE, "o")}
 _SHAPES = ("cube", "beam", "plate", "cylinder", "l_beam", "bracket", "holed_plate")
 #: Bodies of fewer elements are not shown.
 _LEAST = 2500
@@ -28,8 +29,10 @@ def kept(name: str) -> dict[str, Any]:
 
 def dispersion(path: Path) -> None:
     """ω / k over theory against the length of the wave, and its error on logarithmic axes."""
-    plain = [one for one in kept("cell_waves")["rows"] if one["mass"] == "lumped"]
-    rows = plain + [one | {"wave": "Rayleigh"} for one in kept("cell_rayleigh")["rows"]]
+    waves = [one for one in kept("cell_waves")["rows"] if one["step"] == 1.0]
+    rows = [one for one in waves if one["mass"] == "lumped"]
+    rows += [one | {"wave": _CORRECTED} for one in waves if one["mass"] != "lumped" and one["wave"] == "P"]
+    rows += [one | {"wave": "Rayleigh"} for one in kept("cell_rayleigh")["rows"]]
     with sheet(path, 9.0, 3.7, 1, 2) as (figure, (left, right)):
         for name, (colour, mark) in _WAVES.items():
             for nu, fill in ((0.2, "full"), (0.4, "none")):
@@ -53,7 +56,7 @@ def dispersion(path: Path) -> None:
         left.set_ylabel("celerity over theory [-]")
         right.set_yscale("log")
         right.set_ylabel("error of the celerity [%]")
-        figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=6)
+        figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=4)
 
 
 def convergence(path: Path) -> None:
