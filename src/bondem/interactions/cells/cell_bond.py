@@ -19,10 +19,10 @@ class CellBond:
         U = Σ facets ½ (2 G A / L) |δ|² + Σ facets ½ ρ·H ρ + Σ cells ½ V λ θ²,   V_p θ_p = Σ A w_p m_p·δ
 
     where ρ is the relative rotation and H the resistance of the facet to it. w_p is the share of the opening on the
-    side of cell p. A w_p m_p is its balanced share: near A w_p n, it sums to zero over each cell and gives every uniform
-    strain its dilatation, so that each uniform stress is exact in every cell. Gradients of θ add what bending needs.
-    Facets on the surface open until they carry no traction. The law needs no calibration: E and ν are those of the material,
-    for -1 < ν < ½. Tension is positive.
+    side of cell p. A w_p m_p is its balanced share: near A w_p n, it sums to zero over each cell and gives every
+    uniform strain its dilatation, so that each uniform stress is exact in every cell. Gradients of θ add what bending
+    needs. Facets on the surface open until they carry no traction. The law needs no calibration: E and ν are those of
+    the material, for -1 < ν < ½. Tension is positive.
 
     Attributes:
         E: Young's modulus of the material [Pa].
@@ -30,9 +30,9 @@ class CellBond:
         facet_rotation: part of a relative rotation that strains a facet: "bending" (about the two axes in its plane),
             "full" (also twist) or "none".
 
-    References: with plain shares A w n and without gradients this elastic law is that of Mka3D (Mariotti 2007; Monasse and
-    Mariotti 2012, arXiv 0907.2202), except that facets bend with E I/L and twist with G I_p/L there. At ν = 0 each
-    facet is that of the rigid-body-spring lattice of Bolander and Saito (1998), which PFC (`springnetwork`, since
+    References: with plain shares A w n and without gradients this elastic law is that of Mka3D (Mariotti 2007; Monasse
+    and Mariotti 2012, arXiv 0907.2202), except that facets bend with E I/L and twist with G I_p/L there. At ν = 0
+    each facet is that of the rigid-body-spring lattice of Bolander and Saito (1998), which PFC (`springnetwork`, since
     version 7) extends to other ν by fictitious stresses (Asahina et al. 2015, 2017; Rasmussen 2021). The page "The
     cell law" of the documentation compares these and other works.
 
