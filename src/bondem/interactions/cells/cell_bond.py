@@ -32,9 +32,9 @@ class CellBond:
 
     References: with plain shares A w n and without gradients this elastic law is that of Mka3D (Mariotti 2007;
     Monasse and Mariotti 2012, arXiv 0907.2202), except that facets bend with E I/L and twist with G I_p/L there. At
-    ν = 0 each facet is that of the rigid-body-spring lattice of Bolander and Saito (1998), which PFC (`springnetwork`,
-    since version 7) extends to other ν by fictitious stresses (Asahina et al. 2015, 2017; Rasmussen 2021). The page
-    "The cell law" of the documentation compares these and other works.
+    ν = 0 each facet is that of the rigid-body-spring lattice of Bolander and Saito (1998), which PFC
+    (`springnetwork`, since version 7) extends to other ν by fictitious stresses (Asahina et al. 2015, 2017; Rasmussen
+    2021). The page "The cell law" of the documentation compares these and other works.
 
     Raises:
         InputError: A value is outside its physical range.
