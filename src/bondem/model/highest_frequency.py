@@ -6,12 +6,14 @@ from typing import Any
 
 import numpy as np
 from scipy.linalg import eigh_tridiagonal
+from scipy.sparse import csr_array
 
 from bondem._blas import one_blas_thread
 from bondem._cache_lines import lines
 from bondem._types import Floats, PerBond, PerElement
 from bondem.interactions.beams.beam_tables import BeamSums, beam_tables, load_beams
 from bondem.interactions.beams.bond_table import BondTable
+from bondem.interactions.cells.corrected_mass import largest_share
 from bondem.model.cell_tangent import BodyTables
 from bondem.model.long_slip import LongSlip
 from bondem.model.model import Model
@@ -30,6 +32,8 @@ def highest_frequency(
 ) -> float:
     """Return ω_max of the unconstrained lattice at rest [rad/s], a bound for every set of supports.
 
+    With the dispersion-corrected mass it is raised to a bound of what explicit steps have.
+
     Args:
         model: model that will move.
         integrity: present integrity of the bonds (`State.integrity`), internal order, (m,); None for intact bonds.
@@ -39,7 +43,13 @@ def highest_frequency(
     """
     order = model.layout.order
     mass, inertia = model.mass[order], model.inertia[order]
-    return math.sqrt(stiffest(model, mass, inertia, integrity=integrity, table=table, slip=slip))
+    square = stiffest(model, mass, inertia, integrity=integrity, table=table, slip=slip)
+    if model.correction is not None:
+        forms = stiffness_matrix(model).forms
+        assert forms is not None
+        diagonal = np.column_stack([mass, mass, mass, inertia, inertia, inertia]).ravel()
+        square *= 1.0 + largest_share(diagonal, csr_array(forms.tocsr()), model.correction[order])
+    return math.sqrt(square)
 
 
 @one_blas_thread

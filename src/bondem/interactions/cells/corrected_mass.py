@@ -12,6 +12,7 @@ with κ = min(λ, 2 G) j of the gradients between cells. M' = M - Θᵀ (ρ V β
 
 import numpy as np
 from scipy.sparse import csr_array, diags_array
+from scipy.sparse.linalg import eigsh
 
 from bondem._types import Floats, PerElement
 from bondem.interactions.cells.cell_body import body_of
@@ -41,3 +42,17 @@ def corrected_mass(mass: Floats, forms: csr_array, factor: PerElement) -> csr_ar
         factor: ρ β / V of each cell [kg/m⁶], (n,).
     """
     return csr_array(diags_array(mass) - forms.T @ (diags_array(factor) @ forms))
+
+
+def largest_share(mass: Floats, forms: csr_array, factor: PerElement) -> float:
+    """Return the largest eigenvalue μ of M⁻¹ Fᵀ (ρ β / V) F [-], for the arguments of `corrected_mass`.
+
+    An explicit step has the accelerations (1 + M⁻¹ Fᵀ (ρ β / V) F) M⁻¹ f, and squares of frequencies that are larger
+    by at most 1 + μ.
+    """
+    scaled = diags_array(np.sqrt(factor)) @ forms @ diags_array(1.0 / np.sqrt(mass))
+    square = csr_array(scaled @ scaled.T)
+    if square.shape[0] < 3:
+        return float(np.linalg.eigvalsh(square.toarray())[-1])
+    found = eigsh(square, k=1, which="LA", tol=1e-3, v0=np.ones(len(factor)), return_eigenvectors=False)
+    return 1.001 * float(found[0])
