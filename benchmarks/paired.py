@@ -38,12 +38,14 @@ def extracted(revision: str) -> Path:
     ).stdout.strip()
     folder = Path(tempfile.gettempdir()) / f"bondem-{commit[:12]}"
     if not (folder / "src").is_dir():
-        archive = subprocess.run([*git, "archive", commit, "src"], check=True, capture_output=True).stdout
+        archive = subprocess.run([*git, "archive", commit], check=True, capture_output=True).stdout
         with tempfile.TemporaryDirectory(dir=folder.parent) as aside:
             with tarfile.open(fileobj=io.BytesIO(archive)) as tar:
                 tar.extractall(aside, filter="data")
             folder.mkdir(exist_ok=True)
-            (Path(aside) / "src").rename(folder / "src")
+            for part in ("hatch_build.py", "src"):  # the first compiles the core of the second, in later revisions
+                if (Path(aside) / part).exists():
+                    (Path(aside) / part).rename(folder / part)
     return folder / "src"
 
 
