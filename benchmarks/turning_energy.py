@@ -137,7 +137,7 @@ def keep_rows(run: str, begun: dict, rows: list[dict[str, Any]]) -> None:
     key = itemgetter("name", "kind", "seed")
     new = {key(row) for row in rows}
     others = [row for row in former["rows"] if key(row) not in new]
-    keep(FILE, {"runs": former["runs"] | {run: begun}, "rows": others + rows})
+    keep(FILE, begun | {"runs": former["runs"] | {run: begun}, "rows": others + rows})
 
 
 if __name__ == "__main__":
