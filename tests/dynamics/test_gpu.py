@@ -30,7 +30,7 @@ def test_another_device_is_refused() -> None:
 def test_every_option_is_known_to_the_device() -> None:
     """A new field of Model or Plan must be carried out on a device or refused by `bondem.dynamics.gpu_loop`."""
     assert {f.name for f in dataclasses.fields(bd.Model)} == {
-        "lattice", "bond", "density", "boundary", "contact", "walls", "failure",
+        "lattice", "bond", "density", "boundary", "contact", "walls", "failure", "mass_matrix",
     }  # fmt: skip
     assert {f.name for f in dataclasses.fields(Plan)} == {
         "duration", "dt", "scheme", "damping", "gauges", "every", "save_every", "snapshot_every", "until", "safety",

@@ -23,6 +23,8 @@ from bondem.specimen.tessellation.raster import LEVER_BITS, on_raster, pitch
 
 CellAssignment = CellBond | Mapping[Region, CellBond]
 
+# Least factor c_p. A centre behind the plane of a facet, as beside a slot, has d < 0, and c_p would be negative as ν → ½.
+_LEAST_SLACK = 0.1
 # Depth of a centre behind the plane of a facet, over its distance from the centroid, that counts as none.
 _FLAT = 1e-6
 
@@ -109,9 +111,8 @@ class CellConstants:
         open_axes[holds.facet] -= holds.axes
         soft = free.area * free.depth * (open_axes * n_free**2).sum(axis=1)
         lame = np.maximum(lame, -2.0 * G / compliance(body))
-        # centres behind the plane of a facet, as around a slot, have d < 0
-        opening = np.maximum(np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume, 0.0)
-        slack = 1.0 + opening * lame / (2.0 * G)
+        slack = 1.0 + np.bincount(free.cell, weights=soft, minlength=len(G)) / cells.volume * lame / (2.0 * G)
+        slack = np.maximum(slack, _LEAST_SLACK)
         share_i, share_j = _single((area * w_i)[:, None] * way_i), _single((area * w_j)[:, None] * way_j)
         walls = FreeWalls.of(body, holds.flat(free.normal))
         grips = _grips(cells, holds, G, n_free, rotation, walls)
