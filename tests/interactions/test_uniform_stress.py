@@ -4,6 +4,9 @@ Shares of facets are numbers of single precision, 6e-8, which the tolerances fol
 those that `bd.solve_static` eliminates, since at ν = 0.4999 the remainder of an iteration is larger.
 """
 
+import runpy
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -194,6 +197,11 @@ def test_the_stiffness_of_a_periodic_cell_is_that_of_the_material(nu):
     assert np.abs(found.stiffness - exact).max() <= 1e-6 * exact.max()
     assert pytest.approx(1.0, rel=1e-6) == found.E
     assert found.nu == pytest.approx(nu, abs=1e-6)
+
+
+def test_the_example_of_a_ball_of_rubber():
+    answer = runpy.run_path(str(Path(__file__).parents[2] / "examples" / "rubber_ball.py"))["main"](400)
+    assert max(answer.error.values()) < 1e-6
 
 
 BODIES = PULLED | PRESSED | {"two solids": solids, "periodic": lambda: crooked_cells((4, 4, 4), periodic=True)}
