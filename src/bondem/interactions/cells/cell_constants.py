@@ -23,7 +23,7 @@ from bondem.specimen.tessellation.raster import LEVER_BITS, on_raster, pitch
 
 CellAssignment = CellBond | Mapping[Region, CellBond]
 
-# Least factor c_p. A centre behind the plane of a facet, as beside a slot, has d < 0, and c_p would be negative as ν → ½.
+# Least 1 + c_p λ/2G. A centre behind the plane of a facet, as beside a slot, has d < 0, and this could be negative.
 _LEAST_SLACK = 0.1
 # Depth of a centre behind the plane of a facet, over its distance from the centroid, that counts as none.
 _FLAT = 1e-6
