@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from importlib.metadata import version
 from pathlib import Path
 from time import perf_counter, process_time
+from typing import Any
 
 from paired import ROOT, machine
 
@@ -50,6 +51,25 @@ def place(description: str | None, usual: Path, arguments: Sequence[str] | None)
 def keep(path: Path, report: dict) -> None:
     """Write a report."""
     path.write_text(json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
+
+
+class Report:
+    """Rows of several parts in a file: cases that it has already are not measured again."""
+
+    def __init__(self, path: Path, parts: Sequence[str]) -> None:
+        begun = origin()
+        self.path, self.commit = path, begun["commit"]
+        kept = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+        self.all: dict[str, Any] = begun | {part: kept.get(part, []) for part in parts}
+
+    def add(self, part: str, measure: Callable[[], list[dict[str, Any]]], **case: Any) -> None:
+        """Measure a case, one row for each variant, and write the file."""
+        if any(case.items() <= row.items() for row in self.all[part]):
+            return
+        started = perf_counter()
+        self.all[part] += [case | row | {"commit": self.commit} for row in measure()]
+        keep(self.path, self.all)
+        print(part, case, f"{perf_counter() - started:.1f} s", flush=True)
 
 
 def spread(values: Sequence[float], digits: int = 4) -> dict[str, float]:

@@ -13,14 +13,12 @@ It writes benchmarks/results/mka3d.json; cases that this file has already are no
 """
 
 import argparse
-import json
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import lru_cache, partial
 from itertools import product
 from pathlib import Path
-from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -32,7 +30,7 @@ from cell_bodies import cut, free_modes, mesh
 from cell_moduli import bar_test
 from cell_waves import LENGTH, celerity
 from continuum import Continuum, Vibration
-from kept import RESULTS, keep, origin
+from kept import RESULTS, Report
 from matching import matched
 
 #: Variants: whether shares are balanced, and how facets resist a relative rotation.
@@ -173,26 +171,6 @@ def sheet(thick: int, seed: int | None, nu: float) -> list[dict[str, Any]]:
     return rows
 
 
-class Report:
-    """Results in a file: cases that it has already are not measured again."""
-
-    def __init__(self, path: Path) -> None:
-        begun = origin()
-        self.path, self.commit = path, begun["commit"]
-        kept = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-        self.all: dict[str, Any] = begun | {part: kept.get(part, []) for part in PARTS}
-
-    def add(self, part: str, measure: Callable[[], list[dict[str, Any]]], **case: Any) -> None:
-        """Measure a case, one row for each variant, and write the file."""
-        if any(case.items() <= row.items() for row in self.all[part]):
-            return
-        started = perf_counter()
-        rows = measure()
-        self.all[part] += [case | row | {"commit": self.commit} for row in rows]
-        keep(self.path, self.all)
-        print(part, case, f"{perf_counter() - started:.0f} s", flush=True)
-
-
 def measure_thin(report: Report, nus: list[float], seeds: list[int]) -> None:
     """Strips and sheets; the thickest sheet of unequal cells with the first seed alone."""
     for nu, (body, (solve, thicknesses)) in product(nus, THIN.items()):
@@ -212,7 +190,7 @@ def main(arguments: list[str] | None = None) -> None:
     given = parser.parse_args(arguments)
     for expected in (FillingWarning, ThinBodyWarning, UnitWarning):
         warnings.simplefilter("ignore", expected)
-    report = Report(given.out)
+    report = Report(given.out, PARTS)
     measure_thin(report, given.nu, given.seeds)
     for count, seed, nu in product(given.counts, given.seeds, given.nu):
         case = {"nu": nu, "seed": seed}

@@ -27,7 +27,6 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import groupby, product
 from pathlib import Path
-from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -40,7 +39,7 @@ from bondem.interactions.cells.dilatation_gradients import GradientConstants
 from bondem.interactions.cells.free_walls import FreeWalls
 from bondem.io.older_bodies import with_corrected_normals
 from continuum import Continuum, Corners, Vibration, _lines
-from kept import RESULTS, keep, origin
+from kept import RESULTS, Report
 from matching import groups
 
 PARTS = ("modes", "lame", "meshes")
@@ -291,27 +290,16 @@ def meshes(name: str, nu: float, fine: float) -> dict[str, float]:
     return {"difference": float(np.abs(ratio - 1.0).max())}
 
 
-class Report:
-    """Results in a file: cases that it has already are not measured again."""
+def add(report: Report, part: str, measure: Callable[..., dict[str, Any]], **case: Any) -> None:
+    """Measure a case; a body that cannot be made is stored with the error."""
 
-    def __init__(self, path: Path) -> None:
-        begun = origin()
-        self.path, self.commit = path, begun["commit"]
-        kept = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-        self.all: dict[str, Any] = begun | {part: kept.get(part, []) for part in PARTS}
-
-    def add(self, part: str, measure: Callable[..., dict[str, Any]], **case: Any) -> None:
-        """Measure a case and write the file; a body that cannot be made is stored with the error."""
-        if any(case.items() <= row.items() for row in self.all[part]):
-            return
-        started = perf_counter()
+    def rows() -> list[dict[str, Any]]:
         try:
-            row = measure(**case)
+            return [measure(**case)]
         except BondemError as error:
-            row = {"failed": str(error)}
-        self.all[part].append(case | row | {"commit": self.commit})
-        keep(self.path, self.all)
-        print(part, *case.values(), f"{perf_counter() - started:.1f} s", row.get("failed", ""), flush=True)
+            return [{"failed": str(error)}]
+
+    report.add(part, rows, **case)
 
 
 def measure_modes(report: Report, names: Sequence[str], seeds: Sequence[int]) -> None:
@@ -322,7 +310,7 @@ def measure_modes(report: Report, names: Sequence[str], seeds: Sequence[int]) ->
             some = (None,) if kind == "cubes" else tuple(seed for seed in seeds if seed in SEEDS[:most])
             for seed, nu, law in product(some, body.nus, LAWS):
                 if law == "bondem" or seed is None or seed in SEEDS[:FEW]:
-                    report.add("modes", modes, name=name, kind=kind, count=count, seed=seed, nu=nu, law=law)
+                    add(report, "modes", modes, name=name, kind=kind, count=count, seed=seed, nu=nu, law=law)
 
 
 def measure_lame(report: Report, seeds: Sequence[int]) -> None:
@@ -330,7 +318,7 @@ def measure_lame(report: Report, seeds: Sequence[int]) -> None:
     for count, most in LAME_COUNTS.items():
         for seed, nu, law in product(SEEDS[:most], LAME_NU, LAWS):
             if seed in seeds and (law == "bondem" or seed in SEEDS[:FEW]):
-                report.add("lame", lame, count=count, seed=seed, nu=nu, law=law)
+                add(report, "lame", lame, count=count, seed=seed, nu=nu, law=law)
 
 
 def summary(kept: dict[str, Any]) -> str:
@@ -385,14 +373,14 @@ def main(arguments: list[str] | None = None) -> None:
         return
     for expected in (AuxeticWarning, FillingWarning, ThinBodyWarning, UnitWarning):
         warnings.simplefilter("ignore", expected)
-    report = Report(given.out)
+    report = Report(given.out, PARTS)
     if "lame" in given.parts:
         measure_lame(report, given.seeds)
     if "modes" in given.parts:
         measure_modes(report, given.bodies, given.seeds)
     if "meshes" in given.parts:
         for name in given.bodies:
-            report.add("meshes", meshes, name=name, nu=BODIES[name].nus[-1], fine=BODIES[name].fine)
+            add(report, "meshes", meshes, name=name, nu=BODIES[name].nus[-1], fine=BODIES[name].fine)
 
 
 if __name__ == "__main__":

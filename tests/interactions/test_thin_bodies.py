@@ -115,3 +115,15 @@ def test_a_column_one_cell_wide_resists_twist():
     wanted = 11.5 / (law.G * 0.1406)  # half a cell at the loaded end is rigid
     assert 2.0 * twisted.energy.total / 1e-12 == pytest.approx(wanted, rel=1e-3)
     assert bd.solve_modes(clamped(column, law), count=4).frequency.min() > 1e-4
+
+
+@pytest.mark.parametrize(("nu", "stiffness"), [(0.25, 0.4), (0.45, 2.0 / 2.9)], ids=["λ", "2 G"])
+def test_springs_between_cells_store_the_energy_of_a_gradient_within_cells(nu, stiffness):
+    """½ λ j |∇θ|² with j = a² / 12 of cubes of edge a, λ at most 2 G, over the cells between facets across z."""
+    edge = 1e-2
+    springs = bd.Model(cubes((3, 4, 5), edge), bd.CellBond(E=1.0, nu=nu), 1.0).cell_constants.gradients
+    law, slope = bd.CellBond(E=1.0, nu=nu), 0.3
+    stress = law.lame * slope * cubes((3, 4, 5), edge).centre[:, 2]
+    stored = 0.5 * (springs.spring * (stress[springs.i] - stress[springs.j]) ** 2).sum()
+    volume = 3 * 4 * 4 * edge**3
+    assert stored == pytest.approx(0.5 * stiffness * edge**2 / 12.0 * slope**2 * volume, rel=1e-9)

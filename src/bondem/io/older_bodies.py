@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from bondem._types import Floats, Ints
+from bondem._types import Ints
 from bondem.boundary.conditions import BoundaryCondition
 from bondem.boundary.wall_constraints import Holds
+from bondem.interactions.cells.cell_body import sums_of_normals
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.tessellation.balanced_shares import balanced_shares
@@ -52,7 +53,8 @@ def with_corrected_normals(body: Lattice, boundary: Sequence[BoundaryCondition])
         return body
     free, (i, j) = cells.free, body.pairs.T
     sides = ((i, facets.area * facets.depth_i, facets.normal), (j, facets.area * facets.depth_j, facets.normal))
-    M = sum(_moments(*side, len(cells.volume)) for side in (*sides, (free.cell, free.area * free.depth, free.normal)))
+    every = (*sides, (free.cell, free.area * free.depth, free.normal))
+    M = sum(sums_of_normals(*side, len(cells.volume)) for side in every)
     inverse = np.linalg.inv(M / cells.volume[:, None, None])
     share_i, share_j = (
         (weight / facets.span)[:, None] * np.einsum("mab,mb->ma", inverse[cell], normal)
@@ -69,10 +71,3 @@ def with_corrected_normals(body: Lattice, boundary: Sequence[BoundaryCondition])
         body.particles, body.pairs, facets=replace(facets, share_i=freeze(share_i), share_j=freeze(share_j)),
         cells=replace(cells, free=free),
     )  # fmt: skip
-
-
-def _moments(cell: Ints, weight: Floats, normal: Floats, n: int) -> Floats:
-    """Return Σ weight n⊗n of each cell [m³], (n, 3, 3)."""
-    found = np.zeros((n, 3, 3))
-    np.add.at(found, cell, weight[:, None, None] * normal[:, :, None] * normal[:, None, :])
-    return found

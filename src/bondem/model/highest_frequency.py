@@ -17,7 +17,7 @@ from bondem.interactions.cells.corrected_mass import largest_share
 from bondem.model.cell_tangent import BodyTables
 from bondem.model.long_slip import LongSlip
 from bondem.model.model import Model
-from bondem.model.stiffness_matrices import stiffness_matrix
+from bondem.model.stiffness_matrices import mass_diagonal, stiffness_matrix
 from bondem.specimen.local_origin import local_rest
 
 # Relative error of ω²_max that is left: Lanczos ends there, and its answer, from below, is raised by this much.
@@ -47,8 +47,7 @@ def highest_frequency(
     if model.correction is not None:
         forms = stiffness_matrix(model).forms
         assert forms is not None
-        diagonal = np.column_stack([mass, mass, mass, inertia, inertia, inertia]).ravel()
-        square *= 1.0 + largest_share(diagonal, csr_array(forms.tocsr()), model.correction[order])
+        square *= 1.0 + largest_share(mass_diagonal(model), csr_array(forms.tocsr()), model.correction[order])
     return math.sqrt(square)
 
 

@@ -1,5 +1,8 @@
 """Facets and cells of a lattice that the cell law needs."""
 
+import numpy as np
+
+from bondem._types import Floats, Ints
 from bondem.errors import InputError
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.facets import Cells, Facets
@@ -16,3 +19,12 @@ def body_of(lattice: Lattice) -> tuple[Facets, Cells]:
             "CellBond needs a body cut into cells; connect particles with bd.connect(particles, method='laguerre')"
         )
     return lattice.facets, lattice.cells
+
+
+def sums_of_normals(cell: Ints, weight: Floats, normal: Floats, n: int) -> Floats:
+    """Return Σ w n⊗n over the facets of each cell, in the unit of w, (n, 3, 3); w (k,), n (k, 3)."""
+    found = np.zeros((n, 3, 3))
+    for a in range(3):
+        for b in range(3):
+            found[:, a, b] = np.bincount(cell, weights=weight * normal[:, a] * normal[:, b], minlength=n)
+    return found

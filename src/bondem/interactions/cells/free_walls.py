@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints, Mask, PerElement3
-from bondem.interactions.cells.cell_body import body_of
+from bondem.interactions.cells.cell_body import body_of, sums_of_normals
 from bondem.specimen.lattice import Lattice
 
 # A cell is one of a layer where its facets without a neighbour are this share of all of them along some axis: 1 of a
@@ -72,22 +72,13 @@ def _free_axes(body: Lattice, held: Ints | None) -> tuple[Floats, Floats]:
     facets, cells = body_of(body)
     n, free = len(cells.volume), cells.free
     outer = free.area * free.depth
-    whole = _sums(free.cell, outer, free.normal, n)
-    whole += _sums(body.pairs[:, 0], facets.area * facets.depth_i, facets.normal, n)
-    whole += _sums(body.pairs[:, 1], facets.area * facets.depth_j, facets.normal, n)
+    whole = sums_of_normals(free.cell, outer, free.normal, n)
+    whole += sums_of_normals(body.pairs[:, 0], facets.area * facets.depth_i, facets.normal, n)
+    whole += sums_of_normals(body.pairs[:, 1], facets.area * facets.depth_j, facets.normal, n)
     if held is not None:
         outer = outer.copy()
         outer[held] = 0.0
-    open_part = _sums(free.cell, outer, free.normal, n)
+    open_part = sums_of_normals(free.cell, outer, free.normal, n)
     root = np.linalg.inv(np.linalg.cholesky(whole))
     share = np.linalg.eigvalsh(root @ open_part @ np.swapaxes(root, 1, 2))
     return np.asarray(share, dtype=float), np.asarray(np.linalg.eigh(open_part)[1], dtype=float)
-
-
-def _sums(cell: Ints, weight: Floats, normal: Floats, n: int) -> Floats:
-    """Return Σ weight n⊗n of each cell, (n, 3, 3)."""
-    found = np.zeros((n, 3, 3))
-    for a in range(3):
-        for b in range(3):
-            found[:, a, b] = np.bincount(cell, weights=weight * normal[:, a] * normal[:, b], minlength=n)
-    return found
