@@ -8,6 +8,8 @@ from book.chapters import FILES
 from book.errors import BookError
 from book.front import front
 from book.markdown import page
+from book.quoted import quoted
+from book.quoting import target, templates, written
 from book.results import ROOT
 from book.studies_page import filled
 
@@ -32,7 +34,9 @@ def chapters() -> list[Chapter]:
 def rendered(book: list[Chapter]) -> dict[Path, str]:
     """Every page that the book writes, and its text."""
     pages = {DOCS / "validation.md": front(book), DOCS / "studies.md": filled(DOCS / "studies.md")}
-    return pages | {DOCS / "validation" / f"{one.name}.md": page(one) for one in book}
+    pages |= {DOCS / "validation" / f"{one.name}.md": page(one) for one in book}
+    numbers = quoted()
+    return pages | {target(template): written(template, numbers)[0] for template in templates()}
 
 
 def write() -> list[Path]:

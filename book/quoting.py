@@ -1,0 +1,89 @@
+"""Pages of prose whose numbers are measured: `book/texts`, in which `{{ subject.name }}` is a number of a record.
+
+A measured number is named, and `book/quoted` says which record holds it. A number that was not measured is a literal
+in braces, `{{ 30 }}`: an input, a size, a published value. Numbers in code, links and comments stay as they are.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, TemplateError
+
+from book.errors import BookError
+from book.forms import PLAIN, Form
+from book.results import ROOT
+from book.row import Measured
+
+TEXTS = Path(__file__).parent / "texts"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Quoted:
+    """A number that a page of prose quotes.
+
+    Attributes:
+        name: subject and name, as pages write it: "bars.work".
+        says: quantity, as the page of all quoted numbers states it.
+        size: size of what was measured: elements, packings, steps.
+        ours: the number or the numbers, and the record that holds them.
+        form: how it is printed.
+    """
+
+    name: str
+    says: str
+    size: str
+    ours: Measured
+    form: Form = PLAIN
+
+    @property
+    def text(self) -> str:
+        return self.ours.text(self.form)
+
+
+@dataclass
+class _Subject:
+    """The numbers of a subject, by name; it notes which were asked for."""
+
+    quoted: Mapping[str, Quoted]
+    asked: set[str] = field(default_factory=set)
+
+    def __getattr__(self, name: str) -> str:
+        found = self.quoted.get(name)
+        if found is None:
+            raise AttributeError(name)
+        self.asked.add(found.name)
+        return found.text
+
+
+def templates() -> list[Path]:
+    """The texts; the page of each has the same place in the repository as the text in its folder."""
+    return sorted(TEXTS.rglob("*.md"))
+
+
+def target(template: Path) -> Path:
+    """The page that a text becomes."""
+    return ROOT / template.relative_to(TEXTS)
+
+
+def written(template: Path, quoted: Sequence[Quoted]) -> tuple[str, set[str]]:
+    """A text with its numbers, and the names of those.
+
+    Raises:
+        BookError: the text asks for a number that no file of `book/quoted` has, or it is no template.
+    """
+    parts: dict[str, dict[str, Quoted]] = {}
+    for one in quoted:
+        subject, _, name = one.name.partition(".")
+        parts.setdefault(subject, {})[name] = one
+    subjects = {name: _Subject(found) for name, found in parts.items()}
+    environment = Environment(
+        loader=FileSystemLoader(TEXTS), undefined=StrictUndefined, keep_trailing_newline=True, autoescape=False
+    )
+    context: dict[str, Any] = dict(subjects)
+    try:
+        text = environment.get_template(template.relative_to(TEXTS).as_posix()).render(context)
+    except TemplateError as error:
+        raise BookError(f"{template.relative_to(ROOT)}: {error}; name it in book/quoted") from None
+    return text, set().union(*(subject.asked for subject in subjects.values()))
