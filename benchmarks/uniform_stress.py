@@ -37,7 +37,7 @@ import bondem as bd
 from bondem.errors import BondemError
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.io.older_bodies import with_corrected_normals
-from bondem.labtests.gauge_length import AffineField
+from bondem.labtests.gauge_length import AffineField, at_generators
 from bondem.observables.cell_forces import CellForces
 from bondem.observables.surface_displacement import surface_displacement
 from bondem.statics.linear import Iteration, System
@@ -216,9 +216,7 @@ def moduli_error(
 
 def strain_of(body: bd.Lattice, motion: Any) -> np.ndarray:
     """Return the strain of the affine field closest to the motion of the tessellation's centres [-], (3, 3)."""
-    centre = body.particles.position
-    moved = motion.displacement + np.cross(motion.rotation, centre - body.centre)
-    return AffineField.fit(centre, moved).strain
+    return AffineField.fit(*at_generators(body, motion.displacement, motion.rotation)).strain
 
 
 def periodic_errors(body: bd.Lattice, law: bd.CellBond) -> dict[str, float]:

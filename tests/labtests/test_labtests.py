@@ -320,3 +320,13 @@ def test_the_lengths_of_a_cantilever():
     assert bar.refined.length == pytest.approx(9 * step)
     assert bar.moving.length == pytest.approx(9.5 * step)
     assert bar.overhang == pytest.approx(0.5 * step)
+
+
+def test_cells_give_back_the_moduli_that_were_entered():
+    packed = bd.pack(bd.Cylinder(radius=5e-3, length=40e-3), count=400, spread=0.25, seed=1)
+    body = bd.connect(packed, method="laguerre")
+    pulled = bd.labtests.static_tension(body, bd.CellBond(E=72.5e9, nu=0.17))
+    assert (pulled.E, pulled.E_paper) == pytest.approx((72.5e9, 72.5e9), rel=1e-7)
+    assert (pulled.nu, pulled.nu_paper) == pytest.approx((0.17, 0.17), rel=1e-7)
+    anywhere = bd.labtests.uniform_stress(body, bd.CellBond(E=72.5e9, nu=0.17))
+    assert (anywhere.E, anywhere.nu) == pytest.approx((72.5e9, 0.17), rel=1e-7)

@@ -17,7 +17,7 @@ from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.faces import ends, face_motion
-from bondem.labtests.gauge_length import AffineField, curvature, middle_half, profile, twist_rate
+from bondem.labtests.gauge_length import AffineField, at_generators, curvature, middle_half, profile, twist_rate
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tension import paper_length
 from bondem.model.model import Model
@@ -169,7 +169,8 @@ def clamped_tension(
     force = stress * bar.paper.section.area
     solution, moved = bar.respond(law, depth, force=(force, 0.0, 0.0))
     u, chosen = solution.displacement, middle_half(lattice)
-    strain = AffineField.fit(lattice.centre[chosen], u[chosen]).strain[0, 0]
+    position, motion = at_generators(lattice, u, solution.rotation)
+    strain = AffineField.fit(position[chosen], motion[chosen]).strain[0, 0]
     return Outcome(
         name="static_tension",
         measured=float(moved[0]),

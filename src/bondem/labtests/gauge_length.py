@@ -55,6 +55,26 @@ class AffineField:
         return displacement - self.shift - np.cross(self.spin, position - self.centre)
 
 
+def at_generators(
+    lattice: Lattice, displacement: PerElement3, rotation: PerElement3
+) -> tuple[PerElement3, PerElement3]:
+    """Move the small motion of elements from their centres of mass to the centres that the packing gave them.
+
+    A uniform stress moves the generators of cells, and not their centres of mass, by an affine field
+    (docs/cell_law.md). Spheres have both at one point.
+
+    Args:
+        lattice: the specimen.
+        displacement: of the centres of mass [m], (n, 3).
+        rotation: rotation vectors of the elements [rad], (n, 3).
+
+    Returns:
+        Positions and displacements of the generators [m], (n, 3) each.
+    """
+    position = lattice.particles.position
+    return position, displacement + np.cross(rotation, position - lattice.centre)
+
+
 def middle_half(lattice: Lattice) -> Ints:
     """Select the connected elements whose centres lie in the middle half of the length, in the user's order.
 

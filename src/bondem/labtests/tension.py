@@ -14,7 +14,7 @@ from bondem.errors import ShortSpecimenWarning
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.faces import ends, surface
-from bondem.labtests.gauge_length import AffineField, middle_half
+from bondem.labtests.gauge_length import AffineField, at_generators, middle_half
 from bondem.model.model import Model
 from bondem.observables.cell_stress import cell_stress
 from bondem.specimen.lattice import Lattice
@@ -103,8 +103,8 @@ def tension_of(
     lattice = model.lattice
     solution = statics.equilibrium(guess=guess)
     chosen = middle_half(lattice)
-    position = lattice.centre
-    field = AffineField.fit(position[chosen], solution.displacement[chosen])
+    position, moved = at_generators(lattice, solution.displacement, solution.rotation)
+    field = AffineField.fit(position[chosen], moved[chosen])
     axial, *lateral = np.diag(field.strain)
     E_paper, nu_paper = _paper_moduli(model, solution, field, stress * lattice.particles.envelope.section(), depth)
     return Tension(
@@ -194,7 +194,9 @@ def _paper_moduli(
     radius = paper_radius(lattice, depth)
     outward = np.stack([y, z], axis=1) / np.where(distance > 0.0, distance, 1.0)[:, None]
     swell = float(share @ (outward * moved[side, 1:]).sum(axis=1))
-    return force / (math.pi * radius**2) / strain, -swell / radius / strain
+    # a cylinder of cells is a prism, whose facets are nearer to the axis than the radius of its section
+    reach = radius if lattice.cells is None else float(share @ distance)
+    return force / (math.pi * radius**2) / strain, -swell / reach / strain
 
 
 def _outside(

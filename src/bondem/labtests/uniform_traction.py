@@ -12,7 +12,7 @@ from bondem.boundary.balanced_forces import balanced_forces
 from bondem.errors import InputError
 from bondem.geometry.face_patches import face_patches
 from bondem.labtests.arguments import AnyLaw, check
-from bondem.labtests.gauge_length import AffineField
+from bondem.labtests.gauge_length import AffineField, at_generators
 from bondem.labtests.isotropic import Isotropic
 from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
@@ -106,15 +106,15 @@ def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> Uni
     statics = Statics(Model(lattice, law, 1.0))  # statics do not depend on the density
     owner, centre, area = _surface(lattice, depth)
     moving = np.flatnonzero(lattice.connected)
-    position = lattice.centre
     strain = np.empty((6, 6))
     for column, (a, b) in enumerate(_VOIGT):
         stress = np.zeros((3, 3))
         stress[a, b] = stress[b, a] = 1.0
         load = _nodal(lattice, owner, centre, area @ stress)
         facets = area @ stress if statics.model.cells is not None else None
-        moved = statics.response(load, facets=facets)[moving, :3]
-        mean = AffineField.fit(position[moving], moved).strain
+        motion = statics.response(load, facets=facets)
+        position, moved = at_generators(lattice, motion[:, :3], motion[:, 3:])
+        mean = AffineField.fit(position[moving], moved[moving]).strain
         strain[:, column] = [mean[i, j] * (1.0 if i == j else 2.0) for i, j in _VOIGT]
     asymmetry = np.abs(strain - strain.T).max() / np.abs(strain).max()
     return UniformStress(0.5 * (strain + strain.T), float(asymmetry))

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from scipy.interpolate import PchipInterpolator
 
-from bondem.labtests.gauge_length import AffineField, middle_half
+from bondem.labtests.gauge_length import AffineField, at_generators, middle_half
 from bondem.report.findings import Examined, Findings
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, sheet
 
@@ -69,9 +69,9 @@ def _draw_displacement(ax: Axes, specimen: Examined, name: str) -> None:
     assert tension is not None
     chosen = middle_half(lattice)
     axis = "xyz".index(name)
-    position = lattice.particles.position
-    field = AffineField.fit(position[chosen], tension.solution.displacement[chosen])
-    moved = field.without_rigid_motion(position, tension.solution.displacement)[:, axis] / tension.stress * 1e15
+    position, displacement = at_generators(lattice, tension.solution.displacement, tension.solution.rotation)
+    field = AffineField.fit(position[chosen], displacement[chosen])
+    moved = field.without_rigid_motion(position, displacement)[:, axis] / tension.stress * 1e15
     slope = field.strain[axis, axis] / tension.stress * 1e12
     place = position[:, axis] * 1e3
     ends = lattice.connected.copy()
