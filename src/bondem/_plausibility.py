@@ -3,7 +3,9 @@
 import math
 import re
 import warnings
+from dataclasses import dataclass, replace
 
+from bondem._checks import number
 from bondem._names import users_line
 from bondem.errors import StrengthWarning, UnitWarning
 
@@ -32,17 +34,67 @@ _USUAL: dict[str, tuple[float, float]] = {
     "titanium": (115e9, 4500.0),
     "wood": (10e9, 600.0),
 }
-# Materials of these kinds contain any amount of air and may be a thousand times softer and lighter.
-_POROUS = ("aerogel", "foam", "powder", "porous", "wool")
+# Materials of these kinds contain any amount of air or water and may be a million times softer and lighter.
+_SOFT = ("aerogel", "foam", "gel", "hydrogel", "powder", "porous", "rubber", "wool")
 # Three orders of magnitude, less what materials of one name differ by.
 _FAR = 300.0
 
-# All solids: gels to diamond, aerogels to osmium; and the speed √(E/ρ) of a wave in a rod, in which a wrong unit of
-# either shows.
-_MODULUS, _DENSITY, _SPEED = (1e3, 2e12), (0.1, 3e4), (0.3, 5e4)
 
-# Extent from which the numbers of a shape look like millimetres [m].
-_LARGE = 10.0
+@dataclass(frozen=True)
+class _Range:
+    """Range of a quantity, beyond which its unit may be wrong.
+
+    Attributes:
+        unit: SI unit.
+        advice: what to give in place of a value that is not positive.
+        low, high: lowest and highest plausible value; any solid of the field is within.
+        slips: units of data sheets in which a value beyond the range may be, and their size in SI units, the more
+            likely one first.
+    """
+
+    unit: str
+    advice: str
+    low: float
+    high: float
+    slips: tuple[tuple[str, float], ...] = ()
+
+    def doubt(self, name: str, value: float) -> str:
+        """Return a sentence about an implausible value, or "". The value 1 is a unit of one's own."""
+        if self.low <= value <= self.high or value in (0.0, 1.0):
+            return ""
+        words = f"{self.low:.2g} to {self.high:.2g} {self.unit}"
+        if math.isinf(self.high):
+            words = f"{self.low:.2g} {self.unit} or more"
+        return f"{name} = {value:.4g} {self.unit}; solids have {words}{self.meant(value)}"
+
+    def meant(self, value: float) -> str:
+        """Return the value in SI units that was likely meant, as the end of a sentence."""
+        for unit, size in self.slips:
+            if self.low <= value * size <= self.high:
+                return f"; if {unit} is meant, write {value * size:.4g}"
+        return f"; check its unit ({self.unit})"
+
+
+_STRESS = ("GPa", 1e9), ("MPa", 1e6)
+# Rubber to diamond; gels and foams have their names, and contacts may be softer for larger time steps. Foams to
+# osmium. Strengths of weak joints, without an upper limit, as a huge one is never to be reached; fracture energies of
+# cleavage. Specimens up to a metre.
+_MODULUS = _Range("Pa", "a positive Young's modulus in Pa", 1e6, 1e13, _STRESS)
+_CONTACT = _Range("Pa", "a positive modulus of the contact in Pa", 1e3, 1e13, _STRESS)
+_DENSITY = _Range("kg/m³", "a positive density in kg/m³", 25.0, 3e4, (("g/cm³", 1e3), ("t/mm³", 1e12)))
+_STRENGTH = _Range("Pa", "a positive strength in Pa", 1e3, math.inf, _STRESS[1:])
+_ENERGY = _Range("J/m²", "a positive energy in J/m²", 0.25, math.inf, (("N/mm", 1e3),))
+_LONG = 1.0  # [m]
+# Of aerogels and gels, which have their names.
+_SOFT_MODULUS, _SOFT_DENSITY = replace(_MODULUS, low=1e3), replace(_DENSITY, low=0.1)
+# Speed √(E/ρ) of a wave in a rod, in which a wrong unit of either shows [m/s].
+_SPEED = 0.3, 5e4
+#: Quantities by the usual name of their argument; "contact" is the E of a contact law.
+_RANGES: dict[str, _Range] = {
+    "E": _MODULUS, "contact": _CONTACT, "density": _DENSITY, "tension": _STRENGTH, "compression": _STRENGTH,
+    "hydrostatic": _STRENGTH, "cohesion": _STRENGTH, "shear": _STRENGTH,
+    "fracture_energy": _ENERGY, "fracture_energy_shear": _ENERGY,
+}  # fmt: skip
 
 # Radius of a bond over the mean radius of the elements.
 _BOND_RADIUS = (1e-3, 30.0)
@@ -54,27 +106,63 @@ _STIFF, _LIGHT, _TOUGH = 1e10, 5e3, 1e3
 _IDEAL, _NEVER = 0.1, 10.0
 
 
+def physical(owner: str, name: str, value: object, *, quantity: str = "", advice: str = "") -> float:
+    """Return a positive value of a quantity of `_RANGES`; warn if its unit may be wrong.
+
+    Args:
+        owner: class or function that was called.
+        name: name of the argument.
+        value: value of the argument, in SI units.
+        quantity: name in `_RANGES`; that of the argument by default.
+        advice: end of the message about a value that is not positive; that of the quantity by default.
+
+    Raises:
+        InputError: The value is not a positive number.
+    """
+    known = _RANGES[quantity or name]
+    found = number(owner, name, value, unit=known.unit, above=0.0, advice=advice or known.advice)
+    question(owner, name, found, quantity=quantity)
+    return found
+
+
+def question(owner: str, name: str, value: float, *, quantity: str = "") -> None:
+    """Warn about a positive value whose unit may be wrong; arguments as in `physical`."""
+    doubt = _RANGES[quantity or name].doubt(name, value)
+    if doubt:
+        _question(f"{owner}: {doubt}")
+
+
 def question_material(name: str, E: float, rho: float) -> None:
     """Warn about a modulus [Pa] or density [kg/m³] that no solid has, or off by 10³ for the named material."""
     words = re.findall(r"[a-z]+", name.lower())
     named = [word for word in words if word in _USUAL]
-    if named and not any(word in _POROUS for word in words):
-        for symbol, value, usual, unit in zip("Eρ", (E, rho), _USUAL[named[-1]], ("Pa", "kg/m³"), strict=True):
+    soft = any(word in _SOFT for word in words)
+    ranges = (_SOFT_MODULUS, _SOFT_DENSITY) if soft else (_MODULUS, _DENSITY)
+    if named and not soft:
+        for symbol, value, usual, known in zip("Eρ", (E, rho), _USUAL[named[-1]], ranges, strict=True):
             if not 1.0 / _FAR < value / usual < _FAR:
                 _question(
-                    f"material '{name}': {symbol} = {value:.4g} {unit}, but {named[-1]} has about {usual:.2g} {unit}"
-                    "; check its unit (SI)"
+                    f"material '{name}': {symbol} = {value:.4g} {known.unit}, but {named[-1]} has about {usual:.2g}"
+                    f" {known.unit}{known.meant(value)}"
                 )
                 return
-    for symbol, value, (low, high), unit in (
-        ("E", E, _MODULUS, "Pa"), ("ρ", rho, _DENSITY, "kg/m³"), ("√(E/ρ)", math.sqrt(E / rho), _SPEED, "m/s"),
-    ):  # fmt: skip
-        if not low <= value <= high:
-            _question(
-                f"material '{name}': {symbol} = {value:.4g} {unit}; solids have {low:.2g} to {high:.2g} {unit}"
-                "; check the units of E and ρ (SI)"
-            )
+    for symbol, value, known in zip("Eρ", (E, rho), ranges, strict=True):
+        doubt = known.doubt(symbol, value)
+        if doubt:
+            _question(f"material '{name}': {doubt}")
             return
+    low, high = _SPEED
+    speed = math.sqrt(E / rho)
+    if not low <= speed <= high:
+        _question(
+            f"material '{name}': √(E/ρ) = {speed:.4g} m/s; solids have {low:.2g} to {high:.2g} m/s; check the"
+            " units of E and ρ (SI)"
+        )
+
+
+def is_long(extent: float) -> bool:
+    """Return True if lengths of a specimen of this extent [m] are likely millimetres."""
+    return extent > _LONG
 
 
 def question_size(owner: str, extent: float) -> None:
@@ -84,10 +172,10 @@ def question_size(owner: str, extent: float) -> None:
         owner: class of the shape.
         extent: largest extent of the shape along an axis [m].
     """
-    if extent >= _LARGE:
+    if is_long(extent):
         _question(
             f"{owner}: the shape is {extent:.4g} m long; lengths are in metres: if its numbers are millimetres, write"
-            " 10e-3 instead of 10"
+            " 10e-3 instead of 10; for metres, ignore bd.errors.UnitWarning"
         )
 
 

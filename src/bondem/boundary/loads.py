@@ -9,6 +9,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._checks import array, instance, number, possible, shown, vector
+from bondem._plausibility import physical
 from bondem._types import Floats, Ints, PerBond, PerElement, PerElement3
 from bondem.boundary.balanced_forces import balanced_forces
 from bondem.boundary.schedules import Constant, Schedule, as_schedule
@@ -162,8 +163,8 @@ class Absorbing:
 
     def __post_init__(self) -> None:
         face_of("Absorbing", self.region)
-        for name, unit in (("density", "kg/m³"), ("E", "Pa")):
-            object.__setattr__(self, name, number("Absorbing", name, getattr(self, name), unit=unit, above=0.0))
+        for name in ("density", "E"):
+            object.__setattr__(self, name, physical("Absorbing", name, getattr(self, name)))
         nu = number("Absorbing", "nu", self.nu, above=-1.0, below=0.5, advice="Poisson's ratio in (-1, 0.5)")
         object.__setattr__(self, "nu", nu)
         if self.c is not None:

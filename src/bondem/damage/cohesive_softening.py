@@ -10,6 +10,7 @@ from scipy.special import ndtri
 
 from bondem._checks import instance, number
 from bondem._core_functions import function_at
+from bondem._plausibility import physical
 from bondem._types import Floats, Mask
 from bondem.damage.bilinear import Bilinear
 from bondem.damage.counter import uniform_by_counter
@@ -165,7 +166,7 @@ def check_crack(owner: str, fracture_energy: float | None, friction: float, curv
             raise InputError(f"{owner}: curve applies to facets that soften; give fracture_energy too")
     if fracture_energy is not None:
         advice = "a positive energy in J/m², or None for brittle facets"
-        number(owner, "fracture_energy", fracture_energy, unit="J/m²", above=0.0, advice=advice)
+        physical(owner, "fracture_energy", fracture_energy, advice=advice)
     number(owner, "friction", friction, least=0.0, advice="a coefficient of zero or more")
 
 
@@ -177,12 +178,12 @@ def check_energies(owner: str, fracture_energy: float | None, shear: float | Non
     """
     if fracture_energy is not None:
         advice = "a positive energy in J/m², or None for bonds that break at once"
-        number(owner, "fracture_energy", fracture_energy, unit="J/m²", above=0.0, advice=advice)
+        physical(owner, "fracture_energy", fracture_energy, advice=advice)
     if shear is not None:
         if fracture_energy is None:
             raise InputError(f"{owner}: fracture_energy_shear applies to bonds that soften; give fracture_energy too")
         advice = "a positive energy in J/m², or None for 10 G_f"
-        number(owner, "fracture_energy_shear", shear, unit="J/m²", above=0.0, advice=advice)
+        physical(owner, "fracture_energy_shear", shear, advice=advice)
 
 
 def check_slip(owner: str, fracture_energy: float | None, shear: float | None, dilatancy: float) -> None:
@@ -196,4 +197,4 @@ def check_slip(owner: str, fracture_energy: float | None, shear: float | None, d
             f"{owner}: fracture_energy_shear and dilatancy apply to cells that yield; give fracture_energy too"
         )
     if shear is not None and not (isinstance(shear, float) and shear == math.inf):
-        number(owner, "fracture_energy_shear", shear, unit="J/m²", above=0.0, advice="a positive energy in J/m²")
+        physical(owner, "fracture_energy_shear", shear)

@@ -10,7 +10,7 @@ import numpy as np
 
 from bondem._checks import array, choice, instance, possible, several, shown
 from bondem._drawing import draw
-from bondem._plausibility import question_bond_radius, question_strength
+from bondem._plausibility import question, question_bond_radius, question_strength
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
 from bondem.boundary.wall_constraints import Holds, holds_wall
@@ -90,6 +90,7 @@ class Model:
             raise InputError(f"density has shape {density.shape}; give a number or one value per element")
         if not possible(density) or not (density > 0.0).all():
             raise InputError("density has values that are not positive and finite; give positive values [kg/m³]")
+        question("Model", "density", float(density.min()))
         object.__setattr__(self, "boundary", _conditions(self.boundary))
         object.__setattr__(self, "walls", check_walls(self.walls))
         if self.contact is not None and not isinstance(self.contact, ContactLaw):

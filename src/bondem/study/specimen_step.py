@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeVar
 
+from bondem._plausibility import is_long
 from bondem.errors import InputError, StudyError, UnitWarning
 from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
 from bondem.geometry.surface import Surface
@@ -20,8 +21,6 @@ from bondem.study.toml_table import TomlTable
 SHAPES = ("cylinder", "box", "ball", "cell", "surface", "punch")
 SIZE_LAWS = ("uniform", "lognormal", "sieve")
 TARGETS = ("coordination_number", "volume_fraction", "jamming")
-# Longest specimen given in plain numbers that is not asked about [m].
-_PLAUSIBLE = 1.0
 
 _Made = TypeVar("_Made")
 
@@ -120,7 +119,7 @@ def _shape(table: TomlTable, folder: Path) -> Shape:
         shape = _plain(kind, table)
     lower, upper = shape.bounds
     longest = float((upper - lower).max())
-    if longest > _PLAUSIBLE and not table.has_text("radius", "length", "size"):
+    if is_long(longest) and not table.has_text("radius", "length", "size"):
         warnings.warn(
             f"'{table.name('shape')}': the {kind} is {longest:.4g} m long; if its numbers are millimetres, write"
             ' "5 mm" instead of 5, and if they are metres, "5 m"', UnitWarning, stacklevel=2,

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import number
+from bondem._plausibility import physical
 from bondem._types import Floats
 from bondem.damage.bilinear import Bilinear
 from bondem.damage.cohesive_softening import Slip, Softening, StressIndex, check_crack, check_slip
@@ -64,7 +65,7 @@ class DruckerPrager(Criterion):
         super().__post_init__()
         given = [name for name in ("tension", "compression", "hydrostatic") if getattr(self, name) is not None]
         for name in given:
-            number(_NAME, name, getattr(self, name), unit="Pa", above=0.0, advice="a positive strength in Pa")
+            physical(_NAME, name, getattr(self, name))
         if len(given) != 2:
             raise InputError(
                 f"{_NAME}: {', '.join(given) or 'no strength'} given; give two of tension, compression and"

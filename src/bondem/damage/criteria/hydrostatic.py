@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from bondem._checks import number
+from bondem._plausibility import physical
 from bondem._types import Floats
 from bondem.damage.bilinear import Bilinear
 from bondem.damage.cohesive_softening import Softening, StressIndex, check_crack
@@ -35,7 +35,7 @@ class Hydrostatic(Criterion):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        number("Hydrostatic", "tension", self.tension, unit="Pa", above=0.0, advice="a positive strength in Pa")
+        physical("Hydrostatic", "tension", self.tension)
         check_crack("Hydrostatic", self.fracture_energy, self.friction, self.curve)
 
     @property

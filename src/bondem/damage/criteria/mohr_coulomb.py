@@ -7,6 +7,7 @@ from typing import ClassVar
 import numpy as np
 
 from bondem._checks import number
+from bondem._plausibility import physical
 from bondem._types import Floats, PerBond
 from bondem.damage.bilinear import Bilinear
 from bondem.damage.cohesive_softening import Slip, Softening, check_crack, check_slip
@@ -69,8 +70,8 @@ class MohrCoulomb(BondCriterion):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        number("MohrCoulomb", "tension", self.tension, unit="Pa", above=0.0, advice="a positive strength in Pa")
-        number("MohrCoulomb", "cohesion", self.cohesion, unit="Pa", above=0.0, advice="a positive strength in Pa")
+        physical("MohrCoulomb", "tension", self.tension)
+        physical("MohrCoulomb", "cohesion", self.cohesion)
         number(
             "MohrCoulomb", "friction_angle", self.friction_angle, unit="rad", least=0.0, below=0.5 * math.pi,
             advice="an angle in [0, π/2) rad",

@@ -6,6 +6,7 @@ from typing import ClassVar
 import numpy as np
 
 from bondem._checks import number
+from bondem._plausibility import physical
 from bondem._types import Floats, PerBond
 from bondem.damage.cohesive_softening import check_energies
 from bondem.damage.criteria.criterion import BondCriterion, Joint, columns
@@ -46,8 +47,8 @@ class PeripheralStress(BondCriterion):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        number("PeripheralStress", "tension", self.tension, unit="Pa", above=0.0, advice="a positive strength in Pa")
-        number("PeripheralStress", "shear", self.shear, unit="Pa", above=0.0, advice="a positive strength in Pa")
+        physical("PeripheralStress", "tension", self.tension)
+        physical("PeripheralStress", "shear", self.shear)
         number("PeripheralStress", "beta", self.beta, least=0.0, advice="a share of the moment in [0, 1]")
         number("PeripheralStress", "1 - beta", 1.0 - self.beta, least=0.0, advice="beta in [0, 1]")
         check_energies("PeripheralStress", self.fracture_energy, self.fracture_energy_shear)

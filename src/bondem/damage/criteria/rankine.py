@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from bondem._checks import number
+from bondem._plausibility import physical
 from bondem.damage.bilinear import Bilinear
 from bondem.damage.cohesive_softening import Softening, check_crack
 from bondem.damage.criteria.criterion import Criterion
@@ -46,7 +46,7 @@ class Rankine(Criterion):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        number("Rankine", "tension", self.tension, unit="Pa", above=0.0, advice="a positive strength in Pa")
+        physical("Rankine", "tension", self.tension)
         check_crack("Rankine", self.fracture_energy, self.friction, self.curve)
 
     @property

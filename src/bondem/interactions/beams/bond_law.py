@@ -13,6 +13,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 from bondem._checks import choice, number
+from bondem._plausibility import physical
 from bondem._types import PerBond
 from bondem.errors import InputError
 from bondem.interactions.beams.free_parameter import RADIUS_RATIO, FreeParameter
@@ -115,7 +116,7 @@ class BondLaw(ABC):
 
     def __post_init__(self) -> None:
         law = type(self).__name__
-        number(law, "E", self.E, unit="Pa", above=0.0, advice="a positive Young's modulus in Pa")
+        physical(law, "E", self.E)
         number(law, "nu", self.nu, above=-1.0, below=0.5, advice="a Poisson's ratio in (-1, 0.5)")
         if (self.radius_ratio is None) == (self.radius is None):
             raise InputError(f"{law}: give either radius_ratio= [-] or radius= [m]")

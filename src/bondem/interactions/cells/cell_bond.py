@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from bondem._checks import choice, number
+from bondem._plausibility import physical
 
 #: Parts of the relative rotation of two cells that strain the facet between them.
 FACET_ROTATIONS = ("bending", "full", "none")
@@ -48,7 +49,7 @@ class CellBond:
     facet_rotation: str = "bending"
 
     def __post_init__(self) -> None:
-        number("CellBond", "E", self.E, unit="Pa", above=0.0, advice="a positive Young's modulus in Pa")
+        physical("CellBond", "E", self.E)
         number("CellBond", "nu", self.nu, above=-1.0, below=0.5, advice="a Poisson's ratio in (-1, 0.5)")
         choice("CellBond", "facet_rotation", self.facet_rotation, FACET_ROTATIONS)
 

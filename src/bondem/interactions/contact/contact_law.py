@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, number
+from bondem._plausibility import physical
 from bondem._types import Floats
 
 # Contacts a sphere can have with spheres of its size: the kissing number bounds the stiffness around it.
@@ -172,7 +173,7 @@ class LinearContact(ContactLaw):
 
     def __post_init__(self) -> None:
         law = "LinearContact"
-        number(law, "E", self.E, unit="Pa", above=0.0, advice="a positive effective modulus in Pa")
+        physical(law, "E", self.E, quantity="contact")
         number(law, "friction", self.friction, least=0.0, advice="a coefficient of zero or more")
         number(law, "kappa", self.kappa, above=0.0, advice="a positive ratio kn / ks")
         number(law, "damping", self.damping, least=0.0, below=1.0, advice="a share of critical damping in [0, 1)")

@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from bondem._checks import instance, number
+from bondem._plausibility import physical
 from bondem._types import Floats
 from bondem.interactions.contact.contact_law import HERTZIAN_DASHPOT, ContactLaw, fastest, rebound, slowest_root
 
@@ -52,7 +53,7 @@ class HertzMindlin(ContactLaw):
 
     def __post_init__(self) -> None:
         law = "HertzMindlin"
-        number(law, "E", self.E, unit="Pa", above=0.0, advice="a positive Young's modulus in Pa")
+        physical(law, "E", self.E, quantity="contact")
         number(law, "nu", self.nu, above=-1.0, below=0.5, advice="a Poisson's ratio in (-1, 0.5)")
         number(law, "friction", self.friction, least=0.0, advice="a coefficient of zero or more")
         e, most = self.restitution, math.nextafter(1.0, 2.0)

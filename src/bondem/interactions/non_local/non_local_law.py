@@ -21,6 +21,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from bondem._checks import choice, instance, number
+from bondem._plausibility import physical
 
 #: Points of action of the force of a bond, and of l in eq (1): the centroid of the facet, or the line of centres.
 LEVERS = ("facet", "contact")
@@ -69,7 +70,7 @@ class NonLocal:
     limited: bool = True
 
     def __post_init__(self) -> None:
-        number("NonLocal", "E", self.E, unit="Pa", above=0.0, advice="a positive Young's modulus in Pa")
+        physical("NonLocal", "E", self.E)
         number("NonLocal", "nu", self.nu, least=0.0, below=0.5, advice="a Poisson's ratio in [0, 0.5)")
         choice("NonLocal", "lever", self.lever, LEVERS)
         choice("NonLocal", "areas", self.areas, AREAS)
