@@ -13,10 +13,11 @@ from bondem.boundary.gauges import Gauge
 from bondem.boundary.loads import BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Schedule
 from bondem.boundary.wall_constraints import Grips, holds_wall
+from bondem.boundary.wall_sides import doubts
 from bondem.boundary.walls import Driven, Servo
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.taken_walls import goes_on, taken_walls
-from bondem.errors import InputError, StageWarning
+from bondem.errors import ContactWarning, InputError, StageWarning
 from bondem.geometry.rotations import rotation_vector
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -40,6 +41,7 @@ def begin(model: Model, state: State | None) -> State:
 
     Warns:
         StageWarning: A schedule began before the time of the state, and was not in the run that made the state.
+        ContactWarning: A wall faces away from all elements, or elements begin behind a wall.
     """
     if state is not None:
         check_arrays(state)
@@ -54,6 +56,7 @@ def begin(model: Model, state: State | None) -> State:
         _refuse_wall_jumps(model.cells.grips, own, at_rest=at_rest)
     if before is not None:
         _warn_of_lost_time(model, before, own.time)
+    _warn_of_sides(model, own, () if before is None else before.walls)
     return own
 
 
@@ -141,6 +144,13 @@ def _warn_of_lost_time(model: Model, before: Origin, time: float) -> None:
                 StageWarning,
                 stacklevel=users_line(),
             )
+
+
+def _warn_of_sides(model: Model, state: State, before: Sequence[object]) -> None:
+    """Warn about new walls that face away from the elements, or have elements behind them."""
+    fresh = [(k, wall) for k, wall in enumerate(model.walls) if wall not in before]
+    for doubt in doubts(fresh, state.position, model.contact_radius) if fresh else ():
+        warnings.warn(doubt, ContactWarning, stacklevel=users_line())
 
 
 def _schedules(model: Origin) -> Iterator[tuple[str, Schedule]]:
