@@ -1,7 +1,7 @@
 """Errors and warnings of bondem. Every message ends with advice."""
 
 import difflib
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 
 class BondemError(Exception):
@@ -92,6 +92,10 @@ class RaggedInterfaceWarning(UserWarning):
     """Warning of facets between two materials that zigzag about their interface, because cells do not end on it."""
 
 
+class FractureEnergyWarning(UserWarning):
+    """Warning of a test whose work per section is not a fracture energy, as it feeds more than one crack."""
+
+
 class AuxeticWarning(UserWarning):
     """Warning of a negative Poisson's ratio too low for a positive energy of uneven cells."""
 
@@ -102,6 +106,19 @@ class UnprotectedClusterWarning(UserWarning):
 
 class UnstableRunError(BondemError):
     """Error for an unstable run whose result another computation needs."""
+
+
+class RunInterrupted(KeyboardInterrupt):
+    """Interrupt of a run or test by Ctrl-C.
+
+    Attributes:
+        result: result of the run or test so far; None for a test that was too short to be evaluated.
+    """
+
+    def __init__(self, message: str, result: Any = None) -> None:
+        """Keep the result beside the message."""
+        super().__init__(message)
+        self.result = result
 
 
 class StudyError(InputError):

@@ -1,0 +1,141 @@
+"""Cracks of a specimen after a test to failure, and the energy that they took."""
+
+import math
+import warnings
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from bondem._names import users_line
+from bondem.errors import FractureEnergyWarning
+from bondem.fracture.cracks import Cracks, cracks
+from bondem.fracture.fragments import Fragments, fragments
+from bondem.model.state import State
+from bondem.specimen.lattice import Lattice
+
+#: Facets of this integrity or less are cracks and join no pieces, in tests that end before the last facet has parted.
+HALF = 0.5
+#: Pieces of fewer cells are crumbs, and crack surfaces of fewer facets are not counted.
+FEW = 10
+# Energy dissipated per section over that of one crack, above which there was more than one [-].
+_SEVERAL = 1.5
+
+
+@dataclass(frozen=True, eq=False)
+class Cracking:
+    """Cracks and pieces of a specimen after a test to failure, and the energy that they took.
+
+    Attributes:
+        body: lattice of the specimen.
+        state: state of the broken specimen.
+        integrity: largest integrity of a facet that counts as cracked [-].
+        dissipated: energy dissipated by facets until the end of the test [J].
+        slipped: energy dissipated by yielding cells until the end of the test [J].
+        stored: elastic energy of the specimen at its peak [J].
+        fracture_energy: fracture energy G_f of the material, of the matrix for materials by region [J/m²].
+        section: area that a single crack has to cross [m²]; NaN for a test in compression, which has no such section.
+        axis: normal of that section, 0, 1 or 2.
+    """
+
+    body: Lattice
+    state: State
+    integrity: float
+    dissipated: float
+    slipped: float
+    stored: float
+    fracture_energy: float
+    section: float = math.nan
+    axis: int = 0
+
+    @cached_property
+    def found(self) -> Cracks:
+        """Facets that have cracked, as surfaces."""
+        return cracks(self.body, self.state, integrity=self.integrity)
+
+    @cached_property
+    def fragments(self) -> Fragments:
+        """Pieces and crumbs, the heaviest first."""
+        return fragments(self.body, self.state, integrity=self.integrity)
+
+    @property
+    def count(self) -> int:
+        """Number of cracks: connected surfaces of at least ten facets."""
+        return int((self.found.surfaces.count >= FEW).sum())
+
+    @property
+    def pieces(self) -> int:
+        """Number of pieces of at least ten cells."""
+        return int((self.fragments.size >= FEW).sum())
+
+    @property
+    def crumbs(self) -> int:
+        """Number of pieces of fewer than ten cells."""
+        return len(self.fragments) - self.pieces
+
+    @property
+    def surface(self) -> float:
+        """Area of all cracks along their facets, which zigzag [m²]."""
+        return self.found.area
+
+    @property
+    def projected(self) -> float:
+        """Area of all cracks projected on the section [m²]; NaN without a section."""
+        if math.isnan(self.section):
+            return math.nan
+        return self.found.projected_area(np.eye(3)[self.axis].tolist()) if len(self.found) else 0.0
+
+    @property
+    def per_crack_area(self) -> float:
+        """Dissipated energy over the projected area of all cracks [J/m²]; NaN without a section or a crack."""
+        return self.dissipated / self.projected if self.projected > 0.0 else math.nan
+
+    @property
+    def per_section(self) -> float:
+        """Dissipated energy over the section [J/m²]: the fracture energy of the material if there is one crack."""
+        return self.dissipated / self.section
+
+    @property
+    def stored_ratio(self) -> float:
+        """Elastic energy at the peak over the energy of one crack, G_f times the section [-]; NaN without a section.
+
+        Above 1 the specimen releases more than one crack takes: the load snaps back, and in a test at a given motion
+        the rest goes into further cracks and vibrations.
+        """
+        taken = self.fracture_energy * self.section
+        return self.stored / taken if taken > 0.0 else math.nan
+
+    @property
+    def single(self) -> bool:
+        """True if one crack took the energy, so that the work per section is a fracture energy."""
+        return self.stored_ratio <= 1.0 and self.per_section <= _SEVERAL * self.fracture_energy
+
+    @property
+    def mode(self) -> str:
+        """Description of the failure: whether the specimen has split, and whether its cells have yielded in shear."""
+        split = self.pieces > 1
+        if self.slipped > self.dissipated:
+            return "yields in shear and splits" if split else "yields in shear and does not split"
+        return "splits" if split else "cracks and does not split"
+
+    def warn(self, test: str) -> None:
+        """Warn where the work of a test cannot be a fracture energy.
+
+        Args:
+            test: name of the test.
+        """
+        if self.stored_ratio > 1.0:
+            reason = (
+                f"at the peak the specimen stores {self.stored_ratio:.3g} times the energy of one crack"
+                f" (G_f = {self.fracture_energy:.4g} J/m² times the section)"
+            )
+            advice = "use a shorter specimen or a notch, or bd.labtests.three_point_bending, which follows snap-back"
+        elif self.per_section > _SEVERAL * self.fracture_energy > 0.0:
+            reason = f"its cracks took {self.per_section / self.fracture_energy:.3g} times the energy of a single one"
+            advice = "cut a notch, so that the specimen cracks once"
+        else:
+            return
+        warnings.warn(
+            f"labtests.{test}: the work per section is not a fracture energy: {reason}; {advice}",
+            FractureEnergyWarning, stacklevel=users_line(),
+        )  # fmt: skip
