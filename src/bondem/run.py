@@ -2,14 +2,16 @@
 
 import importlib
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 
-from bondem._checks import instance, shown
+from bondem._checks import instance, place, shown
 from bondem._extras import install
 from bondem._progress import staged
 from bondem.boundary.gauges import AnyGauge
 from bondem.damage.criteria.criterion import Criterion
+from bondem.damage.criteria.stress_criterion import StressCriterion
 from bondem.dynamics.damping import AnyDamping
 from bondem.dynamics.events import Event
 from bondem.dynamics.explicit import integrate
@@ -20,7 +22,9 @@ from bondem.dynamics.signals import noticing, stop_by
 from bondem.dynamics.timestep import choose_step
 from bondem.errors import InputError
 from bondem.fracture.growing_cracks import GrowingCracks
-from bondem.io.runfile import RunFile, read_run
+from bondem.io.run_contents import identity_in
+from bondem.io.run_identity import identity_of
+from bondem.io.runfile import Checkpoint, RunFile, read_run
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.statics.modes import solve_modes
@@ -48,6 +52,7 @@ def solve_explicit(
     state: State | None = None,
     device: str = "cpu",
     out: str | Path | None = None,
+    resume: bool = False,
     progress: Callable[[float], None] | None = None,
     callback: Callback | None = None,
 ) -> ExplicitResult:
@@ -55,12 +60,12 @@ def solve_explicit(
 
     Args:
         model: model to run.
-        duration: physical time [s]; round(duration / dt) steps are taken.
+        duration: physical time [s]; round(duration / dt) steps are taken, at least one unless it is 0.
         dt: time step [s]; None for `safety` times the critical step of the assembled lattice.
         scheme: time integration scheme; velocity Verlet by default.
         damping: damping of elements or bonds, one kind or several in a tuple; none by default.
         gauges: quantities to record, by name: `bd.Gauge`, `bd.WallGauge`.
-        every: steps between records; 0 for none.
+        every: steps between records, the last of which is the end of the run in any case; 0 for none.
         save_every: steps between checkpoints into `out`; 0 for the last state only.
         snapshot_every: steps between snapshots into `out`, which ParaView 6 shows while the run continues; 0 for
             none.
@@ -75,8 +80,11 @@ def solve_explicit(
             time continues, also for all schedules: those of a second stage begin at `state.time`.
         device: "cpu", or "gpu" for a CUDA device (extra `gpu`). The GPU runs every model that the
             CPU runs, of fewer than 2³¹ bonds, or 2³⁰ facets that may crack.
-        out: run file (HDF5) to write; None for no file. With a file, SIGINT (Ctrl-C) and SIGTERM stop the run after a
-            checkpoint, from which `resume` continues; a second signal stops it at once.
+        out: run file (HDF5) to write; None for no file. SIGINT (Ctrl-C) and SIGTERM stop the run, with a file after
+            a checkpoint, from which `resume` continues; a second signal stops it at once.
+        resume: True to continue the run in the file `out` if it holds this very run (same model, options and initial
+            state), so that the same call completes a run that was killed, or returns the result of a complete one. A
+            file of another run raises an error. False to replace the file.
         progress: function called repeatedly with the completed share, 0 … 1.
         callback: function called as callback(state, record) with each record, a `History` of one. It must not change
             the state, and ends the run by returning True.
@@ -94,6 +102,7 @@ def solve_explicit(
         UnstableStepError: dt exceeds the critical step.
         InputError: A value is invalid, the state belongs to another model, or the output file cannot be written. Or a
             prescribed displacement does not begin where the elements are.
+        RunInterrupted: Ctrl-C was pressed; the exception, a `KeyboardInterrupt`, contains the `.result` so far.
     """
     instance("solve_explicit", "model", model, Model, "bd.Model(...)")
     if state is not None:
@@ -120,11 +129,16 @@ def solve_explicit(
     step = choose_step(model, plan.scheme, plan.dt, safety=plan.safety, damping=plan.damping)
     plan = replace(plan, dt=step.dt)
     plan.steps  # noqa: B018  rejects excessive numbers of steps
-    if out is None:
-        return integrate(
-            model, plan, state=own, progress=progress, callback=callback, loop_of=loop_of, remark=step.remark
-        )
-    with RunFile(out, model, plan, cracks=GrowingCracks(model.lattice)) as sink, noticing() as halt:
+    if resume:
+        found = _kept(out, model, plan, own, callback)
+        if found is not None:
+            known = model.failure if isinstance(model.failure, StressCriterion) else None
+            return _going_on(found, read_run(found, failure=known), device, progress)
+    file = nullcontext()
+    if out is not None:
+        identity = identity_of(model, plan, own)
+        file = RunFile(out, model, plan, cracks=GrowingCracks(model.lattice), identity=identity)
+    with file as sink, noticing() as halt:
         result = integrate(
             model, plan, state=own, sink=sink, progress=progress, callback=callback, loop_of=loop_of,
             remark=step.remark, halt=halt,
@@ -133,11 +147,37 @@ def solve_explicit(
     return _unless(stopped, result, sink)
 
 
-def _unless(stopped: int | None, result: ExplicitResult, sink: RunFile) -> ExplicitResult:
+def _unless(stopped: int | None, result: ExplicitResult, sink: RunFile | None) -> ExplicitResult:
     """Return the result, unless a signal stopped the run before its end."""
     if stopped is not None and result.message.startswith("interrupted"):
-        stop_by(stopped, f"{result.message}, step {result.steps}; bd.resume('{sink.path}') continues from there")
+        on = "" if sink is None else f"; bd.resume('{sink.path}') continues from there"
+        stop_by(stopped, f"{result.message}, step {result.steps}{on}", result)
     return result
+
+
+def _kept(
+    out: str | Path | None, model: Model, plan: Plan, begun: State, callback: Callback | None
+) -> str | Path | None:
+    """Return the path of a run file if it holds this very run, None if there is no file.
+
+    Raises:
+        InputError: There is no path, the run has a callback, or the file holds anything else.
+    """
+    if out is None:
+        raise InputError("solve_explicit: resume = True, but out = None; give the path of a run file")
+    if callback is not None:
+        raise InputError(
+            "solve_explicit: resume = True, but a file does not hold what callback= remembers; end the run by until="
+        )
+    path = place("out", out)
+    if not path.exists():
+        return None
+    if identity_in(path) != identity_of(model, plan, begun):
+        raise InputError(
+            f"out = '{path}': the file does not hold this run (model, options and initial state); delete it, or give"
+            " another name"
+        )
+    return path
 
 
 @staged("resumed run")
@@ -163,17 +203,16 @@ def resume(
             criterion.
         InputError: The file cannot be written.
     """
-    kept = read_run(path, failure=failure)
-    if kept.state.step and any(event.happened(kept.state) for event in kept.plan.events):
-        return ExplicitResult(
-            status=Status.STOPPED,
-            iterations=kept.state.step,
-            residual=kept.history.imbalance,
-            state=kept.state,
-            history=kept.history,
-            dt=kept.plan.dt or 0.0,
-            message=f"had been stopped by an event at t = {kept.state.time:.6g} s",
-        )
+    return _going_on(path, read_run(path, failure=failure), device, progress)
+
+
+def _going_on(
+    path: str | Path, kept: Checkpoint, device: str, progress: Callable[[float], None] | None
+) -> ExplicitResult:
+    """Continue a run from its checkpoint, or return its result if it is over already."""
+    over = _over(kept)
+    if over is not None:
+        return over
     loop_of = _loop_on(device, kept.model)
     cracks = GrowingCracks(kept.model.lattice)
     with RunFile(path, kept.model, kept.plan, cracks=cracks, goes_on=kept) as sink, noticing() as halt:
@@ -183,6 +222,21 @@ def resume(
         )  # fmt: skip
         stopped = halt()
     return _unless(stopped, result, sink)
+
+
+def _over(kept: Checkpoint) -> ExplicitResult | None:
+    """Return the result of a run that is over at its checkpoint, None for another run."""
+    state, plan = kept.state, kept.plan
+    if state.step and any(event.happened(state, kept.history) for event in plan.events):
+        status, message = Status.STOPPED, f"had been stopped by an event at t = {state.time:.6g} s"
+    elif 0 < plan.steps <= state.step:
+        status, message = Status.COMPLETED, f"{plan.steps} steps of {plan.dt:.4g} s"
+    else:
+        return None
+    return ExplicitResult(
+        status=status, iterations=state.step, residual=kept.history.imbalance, state=state, history=kept.history,
+        dt=plan.dt or 0.0, message=message,
+    )  # fmt: skip
 
 
 def _loop_on(device: str, model: Model) -> Callable[[Model, Plan, State, float], Loop] | None:

@@ -64,4 +64,4 @@ def test_a_run_ends_when_the_force_has_fallen_to_a_share_of_its_peak():
     event = Fallen(2, 100.0)
     for force, over in ((50.0, False), (10.0, False), (1000.0, False), (FALLEN * 1001.0, False), (499.0, True)):
         state = SimpleNamespace(wall_force=np.array([[0.0, 0.0, 9e9], [0.0, 0.0, -force]]))
-        assert event.happened(cast(bd.State, state)) is over
+        assert event.happened(cast(bd.State, state), bd.History.empty(())) is over

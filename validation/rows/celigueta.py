@@ -25,6 +25,7 @@ from bondem.damage.criteria.rankine import Rankine
 from bondem.dynamics.damping import LocalDamping
 from bondem.dynamics.events import Event
 from bondem.dynamics.explicit import ExplicitResult
+from bondem.dynamics.history import History
 from bondem.geometry.elementary_shapes import Cylinder
 from bondem.geometry.shape import Shape
 from bondem.interactions.contact.contact_law import LinearContact
@@ -85,7 +86,7 @@ class Fallen(Event):
     least: float
     peak: list[float] = field(default_factory=lambda: [0.0])
 
-    def happened(self, state: State) -> bool:
+    def happened(self, state: State, history: History) -> bool:
         force = abs(float(state.wall_force[1, self.axis]))
         self.peak[0] = max(self.peak[0], force)
         return self.peak[0] > self.least and force < FALLEN * self.peak[0]

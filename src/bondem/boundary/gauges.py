@@ -53,4 +53,20 @@ class WallGauge:
         choice("WallGauge", "quantity", self.quantity, WALL_QUANTITIES)
 
 
-AnyGauge = Gauge | WallGauge
+@dataclass(frozen=True)
+class StrainGauge:
+    """Normal strains along x, y and z over time [-], of the affine field closest to the displacements of a region.
+
+    A run that has one stops at each record to evaluate it.
+
+    Attributes:
+        region: elements whose centres the field fits, at least four that do not lie in a plane.
+    """
+
+    region: Region
+
+    def __post_init__(self) -> None:
+        as_region("StrainGauge", self.region)
+
+
+AnyGauge = Gauge | WallGauge | StrainGauge

@@ -19,9 +19,10 @@ from bondem.interactions.beams.assignment import bond_geometry
 from bondem.interactions.beams.bond_law import BondGeometry, BondLaw
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.labtests.bulk import BulkModuli, bulk_moduli
-from bondem.labtests.gauge_length import AffineField, middle_half
+from bondem.labtests.gauge_length import middle_half
 from bondem.labtests.isotropic import Isotropic
 from bondem.labtests.tension import Tension, tension_model, tension_of
+from bondem.observables.affine_strain import gradient_weights
 from bondem.specimen.lattice import Lattice
 from bondem.statics.static import Statics
 
@@ -103,7 +104,7 @@ class Response:
                 self._statics = Statics(tension_model(self.lattice, self.law))
             lattice, lever = self.lattice, self._statics.model.stiffness.lever
             chosen = middle_half(lattice)
-            weight = AffineField.weights(lattice.particles.position[chosen])
+            weight = gradient_weights(lattice.particles.position[chosen])
             loads = np.zeros((2, len(lattice.particles), 6))
             loads[0, chosen, 0] = weight[:, 0]
             loads[1, chosen, 1:3] = 0.5 * weight[:, 1:]

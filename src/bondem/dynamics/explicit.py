@@ -9,11 +9,12 @@ import numpy as np
 from bondem.dynamics.contact_check import SinkingCheck
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.energy_check import EnergyCheck
-from bondem.dynamics.history import History
+from bondem.dynamics.history import GrowingHistory, History
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Callback, ExplicitResult, Loop, Plan, Status, settled
 from bondem.dynamics.pulse import Pulse, heard, tell
 from bondem.dynamics.signals import Halt
 from bondem.dynamics.sink import Sink
+from bondem.dynamics.strain_gauges import StrainGauges
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -63,33 +64,36 @@ def integrate(
         plan = settled(model, plan)
     dt = cast(float, plan.dt)
     names = tuple(plan.gauges)
-    history = History.empty(names) if history is None else history
+    written = GrowingHistory(History.empty(names) if history is None else history)
     state = State(model) if state is None else state
     loop = (CoreLoop if loop_of is None else loop_of)(model, plan, state, dt)
     total = plan.steps
     joined, beyond = ("bonds", _BEAMS) if model.cells is None else ("facets", _CELLS)
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
     kept = (state.copy(),)
+    strains = StrainGauges(model, plan)
     begun = loop.look()  # whether it is kept or not: guards need its energy
-    fresh: list[np.ndarray] = []
-    if len(history) == 0 and plan.every:
-        fresh.append(begun)
-    stop = bool(fresh) and callback is not None and bool(callback(state, History(begun, names)))
+    strains.fill(begun, state)
+    fresh = plan.every > 0 and len(written.so_far) == 0
+    if fresh:
+        written.append(begun)
+    stop = fresh and callback is not None and bool(callback(state, History(begun, names)))
     warning = f"; {remark}" if remark else ""
     turned = ""
     if sink is not None and plan.snapshot_every and state.step == 0:
-        sink.checkpoint(state, history)  # a file that can be seen can be gone on from
+        sink.checkpoint(state, written.so_far)  # a file that can be seen can be gone on from
         sink.snapshot(state)
-    pulse, first = None, (history.records if len(history) else begun)[:1]
+    before = written.so_far.records
+    pulse, first = None, (before if len(before) else begun)[:1]
     check = None
     if plan.imbalance is not None and plan.scheme.conserves:
         check = EnergyCheck(model, state, dt, plan.imbalance, first)
     sinking = SinkingCheck(model) if model.failure is not None and model.contacts is None else None
-    missed = "" if check is None else check.examine(history.records[1:])
+    missed = "" if check is None else check.examine(before[1:])
     pace = max(_WORK // (len(state.pose) + len(state.integrity)), 1)
     while state.step < total and not stop and not missed:
         goal = min(total, kept[-1].step + _CHUNK, state.step + pace)
-        looked = plan.every if plan.events or callback is not None else 0
+        looked = plan.every if plan.events or callback is not None or strains else 0
         for interval in (plan.save_every, plan.snapshot_every if sink is not None else 0, looked):
             if interval:
                 goal = min(goal, (state.step // interval + 1) * interval)
@@ -97,7 +101,10 @@ def integrate(
         records, wide, lost, sick = loop.run(steps)
         taken = time.perf_counter() - began
         pace = max(round(steps * _PATIENCE / max(taken, 1e-9)), 1)
-        fresh.append(records)
+        if state.step == total and plan.every and total % plan.every and not lost and sick == FINE:
+            records = np.vstack([records, loop.look()])  # the end of the run
+        strains.fill(records, state)
+        written.append(records)
         if lost or sick != FINE:
             cause = _CAUSES.get(sick, f"{lost} unbroken {joined} are turned beyond 90 degrees")
             good = kept[-1] if state.step - kept[-1].step >= _RISE else kept[0]
@@ -126,14 +133,12 @@ def integrate(
             # before the checkpoint: a run that goes on from there does not take it again
             sink.snapshot(state)
         if plan.save_every and state.step % plan.save_every == 0 and sink is not None:
-            history = history.extended(*fresh)
-            fresh.clear()
-            sink.checkpoint(state, history)
+            sink.checkpoint(state, written.so_far)
         if state.step - kept[-1].step >= _CHUNK:
             kept = (kept[-1], state.copy())
         if callback is not None and len(records) and callback(state, History(records, names)):
             stop = True
-        elif any(event.happened(state) for event in plan.events):
+        elif any(event.happened(state, written.so_far) for event in plan.events):
             status, message = Status.STOPPED, f"stopped by an event at t = {state.time:.6g} s"
             break
         if halt is not None and halt() is not None:
@@ -145,7 +150,12 @@ def integrate(
         status, message = Status.IMBALANCED, f"stopped at step {state.step}: {missed}"
     elif check is not None and check.remark:
         warning = f"; {check.remark}{warning}"
-    history = history.extended(*fresh)
+    ended = status is not Status.UNSTABLE and not message.startswith("interrupted")
+    if ended and plan.every and written.so_far.time[-1] < state.time:  # stopped between two records
+        end = loop.look()
+        strains.fill(end, state)
+        written.append(end)
+    history = written.so_far
     if sink is not None and status is not Status.UNSTABLE:
         sink.checkpoint(state, history)
     return ExplicitResult(

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bondem.boundary.gauges import AnyGauge, Gauge
+from bondem.boundary.gauges import AnyGauge, Gauge, StrainGauge
 from bondem.dynamics.plan import Plan
 from bondem.errors import InputError
 from bondem.model.model import Model
@@ -42,6 +42,8 @@ def _members(model: Model, gauge: AnyGauge) -> np.ndarray:
     Raises:
         InputError: The wall does not exist.
     """
+    if isinstance(gauge, StrainGauge):
+        return np.zeros(1, dtype=np.int64)  # the core fills its columns with the motion of any element
     if isinstance(gauge, Gauge):
         return np.sort(model.layout.rank[gauge.region.select(model.lattice)])
     if not 0 <= gauge.wall < len(model.walls):
@@ -50,6 +52,8 @@ def _members(model: Model, gauge: AnyGauge) -> np.ndarray:
 
 
 def _quantity(gauge: AnyGauge) -> int:
+    if isinstance(gauge, StrainGauge):
+        return _QUANTITIES["displacement"]
     if isinstance(gauge, Gauge):
         return _QUANTITIES[gauge.quantity]
     return _WALL_QUANTITIES[gauge.quantity]

@@ -35,13 +35,9 @@ class History:
         """Return a history of the named gauges without records."""
         return cls(np.zeros((0, FIXED_COLUMNS + 3 * len(gauges))), gauges)
 
-    def extended(self, *records: Floats) -> "History":
-        """Return a history with further records appended.
-
-        Args:
-            *records: rows with the columns of `records`, each argument of shape (s, 14 + 3 g).
-        """
-        return History(np.concatenate([self.records, *records]), self.gauges)
+    def extended(self, records: Floats) -> "History":
+        """Return a history with further rows of `records`, (s, 14 + 3 g), appended."""
+        return History(np.concatenate([self.records, records]), self.gauges)
 
     def __len__(self) -> int:
         return len(self.records)
@@ -111,3 +107,26 @@ class History:
         balance = float(np.abs(ledger.pop("balance")).max())
         largest = max(float(np.abs(values).max()) for values in ledger.values())
         return balance / largest if largest > 0.0 else 0.0
+
+
+class GrowingHistory:
+    """Records of a run to which further ones are appended; each costs the time of its own copy on average."""
+
+    def __init__(self, history: History) -> None:
+        """Begin with the records so far."""
+        self._rows, self._count, self._gauges = history.records, len(history), history.gauges
+
+    def append(self, records: Floats) -> None:
+        """Append rows with the columns of the history, (s, 14 + 3 g)."""
+        count = self._count + len(records)
+        if count > len(self._rows):
+            larger = np.zeros((max(count, 2 * len(self._rows)), self._rows.shape[1]))
+            larger[: self._count] = self.so_far.records
+            self._rows = larger
+        self._rows[self._count : count] = records
+        self._count = count
+
+    @property
+    def so_far(self) -> History:
+        """All records so far."""
+        return History(self._rows[: self._count], self._gauges)

@@ -8,7 +8,7 @@ import numpy as np
 
 from bondem._checks import count, instance, number, several, shown
 from bondem._drawing import Plotted
-from bondem.boundary.gauges import AnyGauge, Gauge, WallGauge
+from bondem.boundary.gauges import AnyGauge, Gauge, StrainGauge, WallGauge
 from bondem.dynamics.damping import AnyDamping, DampingTerms
 from bondem.dynamics.events import Event
 from bondem.dynamics.history import History
@@ -39,7 +39,7 @@ class Plan:
         scheme: time integration scheme.
         damping: damping of elements or bonds, one kind or several in a tuple, or None.
         gauges: quantities to record, by name.
-        every: steps between records; 0 for none.
+        every: steps between records, the last of which is the end of the run; 0 for none.
         save_every: steps between checkpoints; 0 for the last one only.
         snapshot_every: steps between snapshots for ParaView; 0 for none.
         until: one event or several that end the run.
@@ -75,7 +75,7 @@ class Plan:
         instance("", "gauges", self.gauges, Mapping, 'gauges by name, {"end": bd.Gauge(region, "displacement")}')
         for name, gauge in self.gauges.items():
             instance("gauges", "a name", name, str, "text")
-            instance("gauges", name, gauge, (Gauge, WallGauge), "bd.Gauge(...) or bd.WallGauge(...)")
+            instance("gauges", name, gauge, (Gauge, WallGauge, StrainGauge), "bd.Gauge(...) or bd.WallGauge(...)")
         object.__setattr__(self, "gauges", dict(self.gauges))
         until = several("", "until", self.until, Event, "bd.AtRest(...), or several events")
         object.__setattr__(self, "until", until)
@@ -93,9 +93,14 @@ class Plan:
         """Number of steps, round(duration / dt); requires a time step.
 
         Raises:
-            InputError: The number of steps is excessive.
+            InputError: The number of steps is excessive, or zero although the duration is not.
         """
         assert self.dt is not None
+        if 0.0 < self.duration and round(self.duration / self.dt) == 0:
+            raise InputError(
+                f"duration = {self.duration:.3g} s is shorter than a step of {self.dt:.3g} s, so that nothing would"
+                " move; give a longer duration (seconds) or a smaller dt=, or duration=0 to record the start only"
+            )
         if not self.duration <= _MOST * self.dt:
             raise InputError(
                 f"duration = {self.duration:.3g} s takes {self.duration / self.dt:.3g} steps of {self.dt:.3g} s;"

@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
 
+from bondem.errors import RunInterrupted
+
 #: Of a run that nobody stops.
 Halt = Callable[[], int | None]
 
@@ -36,13 +38,14 @@ def noticing() -> Iterator[Halt]:
             signal.signal(number, handler if handler is not None else signal.SIG_DFL)
 
 
-def stop_by(number: int, told: str) -> None:
+def stop_by(number: int, told: str, result: object) -> None:
     """Stop as the signal would have: KeyboardInterrupt for SIGINT, SystemExit with status 143 for SIGTERM.
 
     Args:
         number: number of the signal.
         told: text for the traceback of an interrupt.
+        result: result of the run so far, an attribute of the interrupt.
     """
     if number == signal.SIGINT:
-        raise KeyboardInterrupt(told)
+        raise RunInterrupted(told, result)
     raise SystemExit(128 + number)

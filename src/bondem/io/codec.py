@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from bondem.boundary.conditions import Drive, Fix, Load
-from bondem.boundary.gauges import Gauge, WallGauge
+from bondem.boundary.gauges import Gauge, StrainGauge, WallGauge
 from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Constant, Ramp, Table
 from bondem.boundary.walls import CylinderWall, Driven, Free, PlaneWall, Servo, SphereWall
@@ -21,7 +21,7 @@ from bondem.damage.criteria.criterion_catalogue import CRITERIA
 from bondem.damage.criteria.stress_criterion import StressCriterion
 from bondem.damage.scatter import Normal, Weibull
 from bondem.dynamics.damping import BondDamping, LocalDamping, MassDamping
-from bondem.dynamics.events import AtRest
+from bondem.dynamics.events import AtRest, ContactEnd, LoadDrop
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.schemes import TchamwaWielgosz, VelocityVerlet
 from bondem.errors import RunFileError
@@ -39,9 +39,11 @@ _TYPES: dict[str, type] = {
     cls.__name__: cls
     for cls in (
         *LAWS.values(), *CELL_LAWS.values(), NonLocal, *CRITERIA.values(), Bilinear, Weibull, Normal,
-        LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, Plan,
+        LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, ContactEnd,
+        LoadDrop, Plan,
         LinearContact, HertzMindlin, PlaneWall, CylinderWall, SphereWall, Driven, Servo, Free,
-        Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge, Constant, Ramp, Table,
+        Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge,
+        StrainGauge, Constant, Ramp, Table,
         Ball, BoundingBox, Box, Cell, Cylinder, Surface, Placed, Overlap, Joined, Cut,
         Aggregates, Difference, Everything, Face, Index, Intersection, Plane, Union, Within,
     )

@@ -9,12 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from bondem._checks import place
+from bondem._checks import place, require_file
 from bondem._lock import claim
 from bondem.dynamics.history import History
 from bondem.errors import RunFileError
+from bondem.io.digest import text_of
+from bondem.io.hdf5 import damage
 from bondem.io.journal import JournaledFile, journal_of
-from bondem.io.runfile import head_of, reading
+from bondem.io.run_identity import IDENTITY
+from bondem.io.runfile import KIND, head_of, reading_run
 
 
 @dataclass(frozen=True)
@@ -85,19 +88,15 @@ def read_contents(path: str | Path) -> RunContents:
         RunFileError: no such file, not a run file, or damaged.
     """
     path = place("read_contents: path", path)
-    if not path.is_file():
-        raise RunFileError(f"path = '{path}': there is no run file; check the path")
+    require_file(path, "run file", RunFileError)
     written = _written(path)
-    if not written and journal_of(path).exists():
+    if not written and os.path.exists(journal_of(path)):
         with suppress(RunFileError):  # where nobody may write, the journal is read beside the file
             JournaledFile(path).close()
-    with reading(path) as file:
+    with reading_run(path) as file:
         head = head_of(file, path)
-        try:
+        with damage(path, KIND):
             return _contents(path, file, head, written)
-        except Exception as error:  # damage shows in more ways than a list could hold
-            told = " ".join(str(error).split())
-            raise RunFileError(f"'{path}' is damaged ({told}); start the run again") from error
 
 
 def _contents(path: Path, file: Any, head: Any, written: bool) -> RunContents:
@@ -127,3 +126,13 @@ def _written(path: Path) -> bool:
             return not claim(file.fileno())
     except OSError:  # what nobody here may write, nobody here writes
         return not os.access(path, os.R_OK)
+
+
+def identity_in(path: Path) -> str | None:
+    """Return the digest stored in a run file; None for other files and those of older versions."""
+    try:
+        with reading_run(path) as file:
+            found = dict(file.attrs).get(IDENTITY)
+    except RunFileError:
+        return None
+    return None if found is None else text_of(found)

@@ -1,6 +1,6 @@
 """The run file: output and restart in one HDF5 file.
 
-    /                attributes format, schema, bondem_version, digest; texts plan, model and provenance (JSON)
+    /                attributes format, schema, bondem_version, identity, digest; texts plan, model, provenance (JSON)
     /elements        position (n, 3) [m], radius (n,) [m], period (3,) [m] where there is one, density
     /bonds           pairs (m, 2)
     /facets, /cells  of a body, see `bondem.io.bodies`
@@ -14,6 +14,7 @@ are under a digest: a file with a changed bit is rejected.
 """
 
 import json
+import os
 import platform
 import time
 from collections.abc import Callable, Iterator
@@ -28,7 +29,7 @@ import h5py
 import numpy as np
 
 from bondem import __version__
-from bondem._checks import instance, place
+from bondem._checks import instance, place, require_file
 from bondem.damage.criteria.criterion import Criterion
 from bondem.dynamics.history import FRACTURE, NON_LOCAL, PLASTIC, History
 from bondem.dynamics.plan import Plan
@@ -37,9 +38,12 @@ from bondem.io.atomic import require_writable
 from bondem.io.bodies import complete_body, read_bonds, write_bonds
 from bondem.io.codec import decode, encode
 from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
+from bondem.io.hdf5 import FORMAT as HDF5
+from bondem.io.hdf5 import Kind, array_at, damage, reading
 from bondem.io.journal import JournaledFile, committed
 from bondem.io.older_bodies import with_corrected_normals
 from bondem.io.older_states import brought_up
+from bondem.io.run_identity import IDENTITY, text_of_model
 from bondem.io.snapshots import Outlined, Snapshots
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -56,6 +60,7 @@ _OLDEST, _DIGESTED, _SHARED = 2, 7, 9
 _SINCE = {
     "stress": 3, "broken": 4, "released": 4, "cracks": 5, "plastic": 5, "facet_force": 5, "softened": 6, "grips": 8,
 }  # fmt: skip
+KIND = Kind("a run file of bondem", "give a file of a run", "start the run again", RunFileError)
 # What does not change while a run goes on.
 _STATIC = ("plan", "model", "provenance", "elements", "bonds", "facets", "cells")
 _CHUNK = 1 << 20
@@ -91,6 +96,7 @@ class RunFile:
         plan: options of the run with the resolved time step, so that a restart does not compute it again.
         cracks: function of crack outlines for snapshots; None for snapshots without cracks.
         goes_on: checkpoint in the file at `path` from which the run is resumed, or None.
+        identity: digest of the run from `bondem.io.run_identity`, for a new file.
 
     Raises:
         InputError: the file cannot be written.
@@ -99,25 +105,17 @@ class RunFile:
 
     def __init__(
         self, path: str | Path, model: Model, plan: Plan, *, cracks: Callable[[State], Outlined] | None = None,
-        goes_on: Checkpoint | None = None,
+        goes_on: Checkpoint | None = None, identity: str = "",
     ) -> None:  # fmt: skip
         self.path = place("out", path)
         require_writable(self.path, "run file")
-        self._model, self._plan = model, plan
+        self._model, self._plan, self._identity = model, plan, identity
         self._cracks = cracks if model.failure is not None else None
         self._before = goes_on.seconds if goes_on is not None else 0.0
         self._begun = time.perf_counter()
         self._texts = {
             "plan": json.dumps(encode(plan)),
-            "model": json.dumps({
-                "bond": encode(model.bond),
-                "boundary": encode(tuple(model.boundary)),
-                "contact": encode(model.contact),
-                "walls": encode(tuple(model.walls)),
-                "failure": encode(model.failure),
-                "mass_matrix": model.mass_matrix,
-                "shape": encode(model.lattice.particles.shape),
-            }),
+            "model": text_of_model(model),
             "provenance": json.dumps({
                 "bondem": __version__, "numpy": np.__version__, "h5py": h5py.__version__,
                 "python": platform.python_version(), "machine": f"{platform.system()} {platform.machine()}",
@@ -127,14 +125,13 @@ class RunFile:
         self._snapshots: Snapshots | None = None
         self._replaced: JournaledFile | None = None
         again = goes_on is not None and goes_on.schema >= _DIGESTED
-        if not again and self.path.exists():
+        if not again and os.path.exists(self.path):
             self._replaced = JournaledFile(self.path)  # nobody else may write what is about to go
-        aside = None if again else self.path.with_name(f".{self.path.name}.part")
-        self._raw = JournaledFile(self.path, aside=aside)
+        self._raw = JournaledFile(self.path, new=not again)
         self._file: h5py.File | None = None
         if again:
             assert goes_on is not None
-            self._file = h5py.File(self._raw, "r+", libver=("v108", "v108"))
+            self._file = h5py.File(self._raw, "r+", libver=HDF5)
             if goes_on.schema < SCHEMA:  # its next checkpoint is of today
                 self._file.attrs["schema"] = SCHEMA
                 complete_body(self._file, model.lattice)
@@ -201,10 +198,12 @@ class RunFile:
         if self._file is not None:
             return self._file
         particles = self._model.lattice.particles
-        self._file = file = h5py.File(self._raw, "w", libver=("v108", "v108"))
+        self._file = file = h5py.File(self._raw, "w", libver=HDF5)
         file.attrs["format"] = fixed(FORMAT)
         file.attrs["schema"] = SCHEMA
         file.attrs["bondem_version"] = fixed(__version__)
+        if self._identity:
+            file.attrs[IDENTITY] = fixed(self._identity)
         for name, text in self._texts.items():
             file.create_dataset(name, data=fixed(text))
         elements = file.create_group("elements")
@@ -264,9 +263,7 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
     if failure is not None:
         instance("read_run", "failure", failure, Criterion, "the criterion of the run, or None")
     path = place("path", path)
-    if not path.is_file():
-        raise RunFileError(f"path = '{path}': there is no run file; check the path")
-    with reading(path) as file:
+    with reading_run(path) as file:
         head = head_of(file, path)
         if head["schema"] > SCHEMA:
             raise RunFileError(
@@ -277,28 +274,21 @@ def read_run(path: str | Path, *, failure: Criterion | None = None) -> Checkpoin
             raise RunFileError(
                 f"'{path}' was written by an older bondem without contacts; start the run again"
             )
-        try:
+        with damage(path, KIND, RunFileError):
             if head["schema"] >= _DIGESTED and not agree(_digest_of_rest(file), head["digest"]):
                 raise ValueError("its digest does not match")
             return _checkpoint(file, int(head["schema"]), failure)
-        except RunFileError:
-            raise
-        except Exception as error:  # damage shows in more ways than a list could hold
-            raise RunFileError(f"'{path}' is damaged ({_line(error)}); start the run again") from error
 
 
 @contextmanager
-def reading(path: Path) -> Iterator[h5py.File]:
+def reading_run(path: Path) -> Iterator[h5py.File]:
     """Open the last commit of a run file, also while it is written or after a kill.
 
     Raises:
-        RunFileError: the file is not HDF5.
+        RunFileError: there is no such file, or it is not HDF5 or damaged.
     """
-    try:
-        file = h5py.File(committed(path), "r")
-    except Exception:  # of a damaged file HDF5 may say anything
-        raise RunFileError(f"'{path}' is not a run file of bondem; give a file of a run") from None
-    with file:
+    require_file(path, "run file", RunFileError)
+    with reading(path, KIND, committed(path)) as file:
         yield file
 
 
@@ -308,26 +298,14 @@ def head_of(file: h5py.File, path: Path) -> dict[str, Any]:
     Raises:
         RunFileError: another kind of file, or a damaged one.
     """
-    try:
+    with damage(path, KIND):
         head = dict(_attributes(file))
         known = text_of(head.get("format")) == FORMAT
         if known:
             head["schema"], head["bondem_version"] = int(head["schema"]), text_of(head["bondem_version"])
-    except Exception as error:  # damage shows in more ways than a list could hold
-        raise RunFileError(f"'{path}' is damaged ({_line(error)}); start the run again") from error
     if not known:
-        raise RunFileError(f"'{path}' is not a run file of bondem; give a file of a run")
+        raise RunFileError(f"'{path}' is not {KIND.name}; {KIND.given}")
     return head
-
-
-def _line(error: Exception) -> str:
-    return " ".join(str(error).split())
-
-
-def _array(file: h5py.File, name: str) -> np.ndarray:
-    item = file[name]
-    assert isinstance(item, h5py.Dataset)
-    return np.asarray(item[()])
 
 
 def _attributes(item: Any) -> Any:
@@ -335,7 +313,7 @@ def _attributes(item: Any) -> Any:
 
 
 def _json(file: h5py.File, name: str) -> Any:
-    return json.loads(_array(file, name).item())
+    return json.loads(array_at(file, name).item())
 
 
 def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Checkpoint:
@@ -345,11 +323,11 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
             "failure= is not the criterion of the run; give the criterion with its parameters, or None"
         )
     made_of = {key: decode(value) for key, value in text.items()}
-    period = _array(file, "elements/period") if "elements/period" in file else None
+    period = array_at(file, "elements/period") if "elements/period" in file else None
     particles = filled(
-        Particles(_array(file, "elements/position"), _array(file, "elements/radius"), period), made_of["shape"]
+        Particles(array_at(file, "elements/position"), array_at(file, "elements/radius"), period), made_of["shape"]
     )
-    density = _array(file, "elements/density")
+    density = array_at(file, "elements/density")
     lattice = read_bonds(file, particles)
     if schema < _SHARED:
         lattice = with_corrected_normals(lattice, made_of["boundary"])
@@ -367,14 +345,14 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
     for name in State.ARRAYS:
         if schema < _SINCE.get(name, 0):
             continue
-        values = np.ascontiguousarray(_array(file, f"state/{name}"))
+        values = np.ascontiguousarray(array_at(file, f"state/{name}"))
         wanted = getattr(state, name).shape
         if (name not in State.GROWING and values.shape != wanted) or values.shape[1:] != wanted[1:]:
             raise ValueError(f"state/{name} has shape {values.shape}")
         setattr(state, name, values)
     kept = _attributes(file["state"])
     state.step, state.time, state.stale = int(kept["step"]), float(kept["time"]), bool(kept["stale"])
-    records = _array(file, "history/records")
+    records = array_at(file, "history/records")
     if schema < 3:
         records = np.insert(records, NON_LOCAL, 0.0, axis=1)
     if schema < 4:

@@ -1,5 +1,8 @@
 """Speed of a longitudinal wave along a specimen."""
 
+from collections.abc import Callable
+from pathlib import Path
+
 import numpy as np
 
 from bondem._progress import staged
@@ -23,6 +26,8 @@ def impact(
     rho: float,
     velocity: float = 0.1,
     depth: float = 0.02,
+    out: str | Path | None = None,
+    progress: Callable[[float], None] | None = None,
 ) -> Outcome:
     """Measure the speed of a longitudinal wave and compare it with √(E/ρ).
 
@@ -44,17 +49,25 @@ def impact(
         rho: density of the specimen, mass over volume of the shape [kg/m³].
         velocity: velocity v of the face towards x_min [m/s].
         depth: depth of the two face regions, in mean radii [-].
+        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
+            killed or interrupted, and evaluates a complete one; None for no file.
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Returns:
         Measured and theoretical speed [m/s], with the velocities of both faces over time as curves.
 
     Raises:
         InputError: the velocity at x_min has no plateau; the specimen is too coarse, or E or rho are wrong.
+        UnstableRunError: the run became unstable.
+        RunInterrupted: Ctrl-C was pressed; its `.result` has the velocities so far.
     """
     check("impact", lattice, density=density, E=E, nu=nu, rho=rho, velocity=velocity, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, depth=depth)
     expected = bar.paper.length / bar.paper.wave_speed
-    wave = strike(lattice, law, density=density, duration=2.7 * expected, velocity=velocity, depth=depth)
+    wave = strike(
+        lattice, law, density=density, duration=2.7 * expected, velocity=velocity, depth=depth, out=out,
+        progress=progress,
+    )  # fmt: skip
     plateau = wave.far[wave.time >= 1.4 * expected].mean()
     if not plateau > velocity:
         raise InputError(

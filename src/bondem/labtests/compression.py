@@ -1,6 +1,7 @@
 """Compression between smooth platens, with or without confining pressure: UCS and triaxial strength."""
 
 from collections.abc import Callable
+from pathlib import Path
 
 from bondem._checks import number
 from bondem._progress import staged
@@ -22,6 +23,7 @@ def uniaxial_compression(
     density: float | None = None,
     traverses: float = 100.0,
     reach: float = 2.0,
+    out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> StrengthTest:
     """Compress a body of cells along x between smooth platens, until the stress has dropped to half of the peak.
@@ -35,6 +37,8 @@ def uniaxial_compression(
         density: density of the material [kg/m³]; results do not depend on it.
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower.
         reach: limit of the strain, over the strain at the expected peak [-].
+        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
+            killed or interrupted, and evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Returns:
@@ -44,6 +48,7 @@ def uniaxial_compression(
     Raises:
         InputError: a lattice without cells, or a criterion without yielding of cells.
         UnstableRunError: the run became unstable.
+        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
     """
     number("labtests.uniaxial_compression", "pressure", pressure, unit="Pa", least=0.0)
     number("labtests.uniaxial_compression", "reach", reach, above=0.0)
@@ -57,4 +62,6 @@ def uniaxial_compression(
         sign=-1.0, expected=min(strengths), reach=reach * strengths[0] / moduli.soft, opening=0.0, ending=0.5,
         pressure=pressure, traverses=traverses,
     )  # fmt: skip
-    return load_to_failure("uniaxial_compression", body, law, failure, loading, density=density, progress=progress)
+    return load_to_failure(
+        "uniaxial_compression", body, law, failure, loading, density=density, out=out, progress=progress
+    )

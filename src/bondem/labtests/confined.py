@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 from bondem._checks import number
 from bondem._drawing import Plotted
@@ -10,6 +11,7 @@ from bondem._types import Floats
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.compression import uniaxial_compression
+from bondem.labtests.cracking import Cracking
 from bondem.labtests.quasi_static_rig import StrengthTest
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
@@ -53,6 +55,11 @@ class TriaxialTest(Plotted):
         return self.test.work
 
     @property
+    def cracking(self) -> Cracking:
+        """Cracks and pieces, and the energy that they took."""
+        return self.test.cracking
+
+    @property
     def state(self) -> State:
         """State of the broken specimen."""
         return self.test.state
@@ -68,6 +75,7 @@ def triaxial(
     density: float | None = None,
     traverses: float = 100.0,
     reach: float = 2.0,
+    out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> TriaxialTest:
     """Compress a body of cells along x between smooth platens, under the confining pressure of a membrane.
@@ -83,16 +91,20 @@ def triaxial(
         density: density of the material [kg/m³]; results do not depend on it.
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower.
         reach: limit of the strain, over the strain at the expected peak [-].
+        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
+            killed or interrupted, and evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
         InputError: a pressure that is not positive, a lattice without cells, or a criterion without yielding of
             cells.
         UnstableRunError: the run became unstable.
+        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
     """
     advice = "a positive pressure; without one it is labtests.uniaxial_compression"
     around = number("labtests.triaxial", "pressure", pressure, unit="Pa", above=0.0, advice=advice)
     test = uniaxial_compression(
-        body, law, failure, pressure=around, density=density, traverses=traverses, reach=reach, progress=progress
+        body, law, failure, pressure=around, density=density, traverses=traverses, reach=reach, out=out,
+        progress=progress,
     )
     return TriaxialTest(test, around)

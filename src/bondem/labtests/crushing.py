@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -15,17 +16,18 @@ from bondem.boundary.schedules import Ramp
 from bondem.boundary.walls import Driven, PlaneWall
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.dynamics.damping import MassDamping
+from bondem.dynamics.events import LoadDrop
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import ExplicitResult
 from bondem.dynamics.schemes import VelocityVerlet
 from bondem.dynamics.timestep import choose_step
-from bondem.errors import InputError, UnstableRunError
+from bondem.errors import InputError
 from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.ball import BallSpecimen, BrokenBall
+from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.run import solve_explicit
 from bondem.specimen.lattice import Lattice
 
 #: 2.8 / π: the tensile strength of Hiramatsu and Oka (1966) over F / D².
@@ -96,6 +98,7 @@ def sphere_crushing(
     traverses: float = 300.0,
     ending: float = 0.2,
     fine: float = 0.2,
+    out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> SphereCrushing:
     """Crush a ball along x between two rigid plates that approach each other, until the load has dropped.
@@ -121,11 +124,14 @@ def sphere_crushing(
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
         ending: share of the peak load at which the test ends [-].
         fine: upper size limit of fines, as a share of the ball's diameter [-].
+        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
+            killed or interrupted, and evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
         InputError: a shape other than a ball, no criterion, or a value out of range.
         UnstableRunError: the run became unstable.
+        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Reference: Hiramatsu and Oka, Int. J. Rock Mech. Min. Sci. 3 (1966) 89-99; Jaeger, Can. Geotech. J. 4 (1967).
     """
@@ -148,21 +154,12 @@ def sphere_crushing(
     duration = _REACH * rise + 0.5 * begin
     damping = MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / specimen.diameter)
     dt = choose_step(model, VelocityVerlet(), None, safety=0.9, damping=damping).dt
-    peak = [0.0]
-
-    def ended(state: State, record: History) -> bool:
-        now = float(_force(record)[-1])
-        peak[0] = max(peak[0], now)
-        return peak[0] > _SURE * expected and now < share * peak[0]
-
-    run = solve_explicit(
-        model, duration=duration, dt=dt, every=max(1, round(duration / _RECORDS / dt)), damping=damping,
-        callback=ended, progress=progress,
+    dropped = LoadDrop({"far": (0.5, 0.0, 0.0), "near": (-0.5, 0.0, 0.0)}, share, _SURE * expected)
+    return run_test(
+        "sphere_crushing", model, lambda run: _read(run, specimen, speed, begin, fine), duration=duration, dt=dt,
+        every=max(1, round(duration / _RECORDS / dt)), out=out, damping=damping, until=dropped, progress=progress,
         gauges={"near": WallGauge(0, "force"), "far": WallGauge(1, "force")},
     )  # fmt: skip
-    if run.status.failed:
-        raise UnstableRunError(f"{owner}: {run.message}")
-    return _read(run, specimen, speed, begin, fine)
 
 
 def _force(history: History) -> Floats:

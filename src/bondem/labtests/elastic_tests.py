@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 from bondem.labtests.arguments import AnyLaw
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
@@ -39,7 +40,7 @@ class ElasticBar:
         return {"E": self.tension.E, "nu": self.tension.nu}
 
     @property
-    def moving(self) -> dict[str, float]:
+    def moving(self) -> dict[str, Any]:
         """The moduli, and both densities."""
         return self.moduli | {"density": self.density, "rho": self.rho}
 

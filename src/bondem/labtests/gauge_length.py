@@ -34,11 +34,6 @@ class AffineField:
         gradient = np.linalg.lstsq(position - centre, displacement - shift, rcond=None)[0].T
         return cls(centre, shift, gradient)
 
-    @staticmethod
-    def weights(position: PerElement3) -> PerElement3:
-        """Weights w of the points [1/m], (n, 3), with the fitted ∂u_i/∂x_j = Σ w_j u_i over all points."""
-        return np.linalg.pinv(position - position.mean(axis=0)).T
-
     @property
     def strain(self) -> Floats:
         """Strain tensor, the symmetric part of the displacement gradient [-], (3, 3)."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
 from bondem.boundary.loads import Pressure
@@ -44,6 +45,7 @@ def load_to_failure(
     loading: Loading,
     *,
     density: float | None,
+    out: str | Path | None,
     progress: Callable[[float], None] | None,
 ) -> StrengthTest:
     """Load a specimen slowly between smooth platens until it has failed.
@@ -67,7 +69,7 @@ def load_to_failure(
         reach=loading.reach * length + loading.opening, ending=loading.ending, traverses=loading.traverses,
         boundary=platens,
     )  # fmt: skip
-    return run_to_failure(test, body, law, failure, rig, density=density, progress=progress)
+    return run_to_failure(test, body, law, failure, rig, density=density, out=out, progress=progress)
 
 
 def _platens(body: Lattice, loading: Loading, speed: float, begin: float) -> list[BoundaryCondition]:

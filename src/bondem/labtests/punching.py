@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 
@@ -86,6 +87,7 @@ def shear(
     density: float | None = None,
     traverses: float = 60.0,
     ending: float = 0.5,
+    out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> StrengthTest:
     """Push the core of a `punch_specimen` along x out of its ring, until the load has dropped.
@@ -104,11 +106,14 @@ def shear(
         density: density of the material [kg/m³]; results do not depend on it.
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
         ending: share of the peak load at which the test ends [-].
+        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
+            killed or interrupted, and evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
         InputError: a body without such borings, a lattice without cells, or a criterion without strength.
         UnstableRunError: the run became unstable.
+        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
     """
     owner = "labtests.shear"
     check_traverses("shear", traverses)
@@ -132,7 +137,7 @@ def shear(
         expected=expected, way=compliance * expected, reach=_REACH * compliance * strengths[0], ending=share,
         traverses=traverses, boundary=sides,
     )  # fmt: skip
-    test = run_to_failure("shear", body, law, failure, rig, density=density, progress=progress)
+    test = run_to_failure("shear", body, law, failure, rig, density=density, out=out, progress=progress)
     return replace(test, E=test.E * matrix.E * compliance / core.height)
 
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -10,22 +11,24 @@ from bondem._checks import instance, number
 from bondem._drawing import Plotted
 from bondem._types import Floats
 from bondem.boundary.conditions import BoundaryCondition
-from bondem.boundary.gauges import Gauge
+from bondem.boundary.gauges import AnyGauge, Gauge, StrainGauge
 from bondem.damage.cohesive_softening import Softening
 from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.failure_assignment import FailureAssignment, failure_parts
 from bondem.dynamics.damping import MassDamping
+from bondem.dynamics.events import LoadDrop
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import ExplicitResult
 from bondem.dynamics.schemes import VelocityVerlet
 from bondem.dynamics.timestep import choose_step
-from bondem.errors import InputError, UnstableRunError
+from bondem.errors import InputError
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.arguments import check
+from bondem.labtests.cracking import HALF, Cracking
+from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.run import solve_explicit
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region
 
@@ -53,6 +56,8 @@ class StrengthTest(Plotted):
         asymmetry: largest difference of the forces on both platens over the peak [-], 0 for quasi-static loading.
         kinetic: largest kinetic energy up to the peak over the elastic energy at the peak [-].
         residual: error of the energy balance over its largest term [-].
+        cracking: cracks and pieces, and the energy that they took; `cracking.single` is True where the work is that
+            of one crack.
         run: result of the explicit run.
     """
 
@@ -63,6 +68,7 @@ class StrengthTest(Plotted):
     asymmetry: float
     kinetic: float
     residual: float
+    cracking: Cracking
     run: ExplicitResult
 
     @property
@@ -90,7 +96,8 @@ class Rig:
         traverses: number of passes of sound before the expected peak [-].
         boundary: function of the signed speed of the far side [m/s] and its rise time [s] that returns the
             conditions.
-        gauge: function of the state that returns the strain for the slope E [-]; None for the motion over `length`.
+        gauge: strain gauge whose strains give that for the slope E, by `strain`; None for the motion over `length`.
+        strain: function of normal strains (k, 3) that returns the strain for the slope E [-], (k,).
     """
 
     axis: int
@@ -107,7 +114,21 @@ class Rig:
     ending: float
     traverses: float
     boundary: Callable[[float, float], list[BoundaryCondition]]
-    gauge: Callable[[State], float] | None = None
+    gauge: StrainGauge | None = None
+    strain: Callable[[Floats], Floats] = lambda strains: strains[:, 0]
+
+    @property
+    def gauges(self) -> dict[str, AnyGauge]:
+        """Gauges of the forces on both sides, and of the strain where there is one."""
+        found: dict[str, AnyGauge] = {"near": Gauge(self.near, "force"), "far": Gauge(self.far, "force")}
+        return found if self.gauge is None else found | {"strain": self.gauge}
+
+    @property
+    def end(self) -> LoadDrop:
+        """End of the test: the load has dropped to a share of its peak."""
+        x, y, z = (0.5 * self.sign * np.eye(3)[self.axis]).tolist()
+        half = {"far": (x, y, z), "near": (-x, -y, -z)}
+        return LoadDrop(half, self.ending, 0.5 * self.expected * self.section)
 
     def stress(self, history: History) -> Floats:
         """Mean stress of both sides, positive in tension [Pa]."""
@@ -205,13 +226,10 @@ def run_to_failure(
     rig: Rig,
     *,
     density: float | None,
+    out: str | Path | None,
     progress: Callable[[float], None] | None,
 ) -> StrengthTest:
-    """Load a specimen slowly until it has failed.
-
-    Raises:
-        UnstableRunError: the run became unstable.
-    """
+    """Load a specimen slowly until it has failed; `run_test` lists the errors."""
     rho = DENSITY if density is None else density
     sound = math.sqrt(Moduli.of(test, body, law, density).sound / rho)
     rise = rig.traverses * rig.size / sound  # time until the expected peak
@@ -222,25 +240,14 @@ def run_to_failure(
     damping = MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / rig.size)
     dt = choose_step(model, VelocityVerlet(), None, safety=0.9, damping=damping).dt
     every = max(1, round(duration / _RECORDS / dt))
-    peak, strains = [0.0], list[float]()
-
-    def ended(state: State, record: History) -> bool:
-        if rig.gauge is not None:
-            strains.append(rig.gauge(state))
-        now = rig.sign * float(rig.stress(record)[-1])
-        peak[0] = max(peak[0], now)
-        return peak[0] > 0.5 * rig.expected and now < rig.ending * peak[0]
-
-    run = solve_explicit(
-        model, duration=duration, dt=dt, every=every, damping=damping, callback=ended, progress=progress,
-        gauges={"near": Gauge(rig.near, "force"), "far": Gauge(rig.far, "force")},
+    G = softening_of(test, failure, "a criterion with its fracture_energy").fracture_energy
+    return run_test(
+        test, model, lambda run: _read(run, body, rig, speed, begin, G), duration=duration, dt=dt, every=every,
+        out=out, damping=damping, until=rig.end, gauges=rig.gauges, progress=progress,
     )  # fmt: skip
-    if run.status.failed:
-        raise UnstableRunError(f"labtests.{test}: {run.message}")
-    return _read(run, rig, speed, begin, strains)
 
 
-def _read(run: ExplicitResult, rig: Rig, speed: float, begin: float, strains: list[float]) -> StrengthTest:
+def _read(run: ExplicitResult, body: Lattice, rig: Rig, speed: float, begin: float, G: float) -> StrengthTest:
     history = run.history
     t = history.time
     moved = np.where(t < begin, 0.5 * t**2 / begin, t - 0.5 * begin) * abs(speed)
@@ -250,15 +257,20 @@ def _read(run: ExplicitResult, rig: Rig, speed: float, begin: float, strains: li
     low, high = (share * peak for share in _STRAIGHT)
     rising = np.arange(len(stress)) < top
     straight = rising & (stress > low) & (stress < high)
-    strain = np.array(strains) if strains else moved / rig.length
-    straight = np.flatnonzero(straight[: len(strain)])
+    strain = moved / rig.length if rig.gauge is None else rig.strain(history["strain"])
+    straight = np.flatnonzero(straight)
     E = np.polyfit(strain[straight], stress[straight], 1)[0] if len(straight) > 2 else math.nan
     energy = history.energy
     kinetic = energy["translation"] + energy["rotation"]
     elastic = energy["normal"] + energy["shear"] + energy["bending"] + energy["twisting"]
     both = np.abs(history["far"][:, rig.axis] + history["near"][:, rig.axis])[: top + 1] / rig.section
+    cracking = Cracking(
+        body=body, state=run.state, integrity=HALF, dissipated=float(energy["fracture"][-1]),
+        slipped=float(energy["plastic"][-1]), stored=float(elastic[top]), fracture_energy=G,
+        section=rig.torn if rig.sign > 0.0 else math.nan, axis=rig.axis,
+    )  # fmt: skip
     return StrengthTest(
         peak=peak, E=float(E), curve=np.column_stack([moved / rig.length, stress]),
         work=float(energy["work"][-1]) / rig.torn, asymmetry=float(both.max() / peak),
-        kinetic=float(kinetic[: top + 1].max() / elastic[top]), residual=run.residual, run=run,
+        kinetic=float(kinetic[: top + 1].max() / elastic[top]), residual=run.residual, cracking=cracking, run=run,
     )  # fmt: skip

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -15,13 +16,13 @@ from bondem.boundary.loads import Pressure
 from bondem.boundary.schedules import Table
 from bondem.damage.criteria.criterion import Criterion
 from bondem.dynamics.plan import ExplicitResult
-from bondem.errors import InputError, UnstableRunError
+from bondem.errors import InputError
 from bondem.fracture.fragments import Fragments, fragments
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.labtests.quasi_static_rig import require_cells
+from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.run import solve_explicit
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 
@@ -138,6 +139,7 @@ def spall(
     duration: float | None = None,
     rebound: float | None = None,
     bins: int | None = None,
+    out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> SpallTest:
     """Apply a triangular pressure pulse to x_min of a bar of cells and record its free end x_max, without damping.
@@ -156,12 +158,15 @@ def spall(
             again.
         rebound: rise of the velocity that ends a pull-back [m/s]; None for 4 % of 2 p / ρ c.
         bins: number of bins of the profile; None for bins as long as the mean edge of cells.
+        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
+            killed or interrupted, and evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
         InputError: a lattice without cells, no faces x_min and x_max, a pulse longer than two passes along the bar,
             or a value out of range.
         UnstableRunError: the run became unstable.
+        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Reference: Novozhilov's formula as in Schuler, Mayrhofer and Thoma, Int. J. Impact Eng. 32 (2006) 1635-1650.
     """
@@ -185,20 +190,22 @@ def spall(
         )
     load = Pressure(Face("x_min"), pressure, schedule=Table((0.0, rise, rise + fall), (0.0, 1.0, 0.0)))
     model = Model(bar, law, density, failure=failure, boundary=[load])
-    run = solve_explicit(
-        model, duration=3.0 * way if duration is None else duration, every=_EVERY, progress=progress,
-        gauges={"end": Gauge(Face("x_max"), "velocity")},
-    )  # fmt: skip
-    if run.status.failed:
-        raise UnstableRunError(f"{owner}: {run.message}")
-    velocity = run.history["end"][:, 0]
-    highest, fallen = pulled_back(velocity, _REBOUND * thin.velocity if rebound is None else rebound)
-    edges, profile = _profile(bar, run.state, length, section, parts)
-    return SpallTest(
-        bar=thin, time=run.history.time, velocity=velocity, highest=highest, pull_back=fallen,
-        first=float(run.events.time.min()) if len(run.events) else None,
-        lengths=lengths(fragments(bar, run.state), density * section), edges=edges, profile=profile,
-        residual=run.residual, run=run,
+    edge = _REBOUND * thin.velocity if rebound is None else rebound
+
+    def read(run: ExplicitResult) -> SpallTest:
+        velocity = run.history["end"][:, 0]
+        highest, fallen = pulled_back(velocity, edge)
+        edges, profile = _profile(bar, run.state, length, section, parts)
+        return SpallTest(
+            bar=thin, time=run.history.time, velocity=velocity, highest=highest, pull_back=fallen,
+            first=float(run.events.time.min()) if len(run.events) else None,
+            lengths=lengths(fragments(bar, run.state), density * section), edges=edges, profile=profile,
+            residual=run.residual, run=run,
+        )  # fmt: skip
+
+    return run_test(
+        "spall", model, read, duration=3.0 * way if duration is None else duration, every=_EVERY, out=out,
+        progress=progress, gauges={"end": Gauge(Face("x_max"), "velocity")},
     )  # fmt: skip
 
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -11,12 +12,13 @@ from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
+from bondem.boundary.gauges import StrainGauge
 from bondem.boundary.schedules import Ramp
 from bondem.damage.cohesive_softening import Softening
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
 from bondem.interactions.cells.cell_constants import CellAssignment
-from bondem.labtests.gauge_length import AffineField
+from bondem.labtests.cracking import Cracking
 from bondem.labtests.quasi_static_rig import (
     DENSITY,
     Rig,
@@ -86,6 +88,11 @@ class BrazilianTest(Plotted):
         return self.test.work
 
     @property
+    def cracking(self) -> Cracking:
+        """Cracks and pieces, and the energy that they took."""
+        return self.test.cracking
+
+    @property
     def state(self) -> State:
         """State of the broken specimen."""
         return self.test.state
@@ -101,6 +108,7 @@ def brazilian(
     density: float | None = None,
     traverses: float = 100.0,
     ending: float = 0.9,
+    out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> BrazilianTest:
     """Compress a cylinder along x across a diameter along y between smooth rigid platens, until the load has dropped.
@@ -124,11 +132,14 @@ def brazilian(
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
         ending: share of the peak load at which the test ends [-]: the disc has split. With a lower share, `peak` may
             be that of the two halves, which can carry a higher load afterwards.
+        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
+            killed or interrupted, and evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
         InputError: another shape, a lattice without cells, or a criterion that this stress never reaches.
         UnstableRunError: the run became unstable.
+        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
 
     Reference: ISRM, Int. J. Rock Mech. Min. Sci. 15 (1978) 99–103; Wang et al., ibid. 41 (2004) 245–253.
     """
@@ -155,9 +166,10 @@ def brazilian(
     rig = Rig(
         axis=1, sign=-1.0, near=jaws.bottom, far=jaws.top, section=0.5 * math.pi * jaws.diameter * jaws.thickness,
         torn=jaws.diameter * jaws.thickness, length=jaws.diameter, size=jaws.diameter, expected=expected, way=way,
-        reach=reach, ending=share, traverses=traverses, boundary=platens, gauge=_gauge(body, matrix.nu, jaws),
+        reach=reach, ending=share, traverses=traverses, boundary=platens, gauge=StrainGauge(_middle(body, jaws)),
+        strain=_strained(matrix.nu),
     )  # fmt: skip
-    test = run_to_failure("brazilian", body, law, failure, rig, density=density, progress=progress)
+    test = run_to_failure("brazilian", body, law, failure, rig, density=density, out=out, progress=progress)
     return BrazilianTest(test=test, centre=centre, factor=jaws.factor, half_angle=jaws.half_angle)
 
 
@@ -286,15 +298,17 @@ def _elastic(body: Lattice, law: CellAssignment, jaws: _Jaws) -> tuple[float, fl
     return closing / stress, float(centre) / stress
 
 
-def _gauge(body: Lattice, nu: float, jaws: _Jaws) -> Callable[[State], float]:
-    """Strain measure of the middle; E times it is 2 P / (π D t)."""
+def _middle(body: Lattice, jaws: _Jaws) -> Region:
+    """Cells within half the radius."""
     position = body.centre - jaws.middle
-    near = np.flatnonzero(np.hypot(position[:, 1], position[:, 2]) < _GAUGE * 0.5 * jaws.diameter)
-    weights = AffineField.weights(position[near])
+    return Index(np.flatnonzero(np.hypot(position[:, 1], position[:, 2]) < _GAUGE * 0.5 * jaws.diameter))
 
-    def gauge(state: State) -> float:
-        xx, yy, zz = (weights * state.displacement[near]).sum(axis=0)
-        volume = nu / ((1.0 + nu) * (1.0 - 2.0 * nu)) * (xx + yy + zz)
-        return -(volume + 0.5 * (yy + zz) / (1.0 + nu))
 
-    return gauge
+def _strained(nu: float) -> Callable[[Floats], Floats]:
+    """Return the strain measure of the normal strains in the middle; E times it is 2 P / (π D t)."""
+
+    def measure(strains: Floats) -> Floats:
+        volume = nu / ((1.0 + nu) * (1.0 - 2.0 * nu)) * strains.sum(axis=1)
+        return -(volume + 0.5 * (strains[:, 1] + strains[:, 2]) / (1.0 + nu))
+
+    return measure

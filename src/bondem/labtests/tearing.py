@@ -1,6 +1,7 @@
 """Direct tension: tensile strength and work of fracture of a specimen."""
 
 from collections.abc import Callable
+from pathlib import Path
 
 from bondem._progress import staged
 from bondem.damage.failure_assignment import FailureAssignment
@@ -18,11 +19,13 @@ def direct_tension(
     *,
     density: float | None = None,
     traverses: float = 60.0,
+    out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> StrengthTest:
     """Pull a body of cells apart along x, between platens that constrain its ends along x only.
 
-    The work per area of the section is the fracture energy of the specimen, if a single crack dissipates it.
+    The work per area of the section is the fracture energy of the specimen if one crack takes it: `cracking.single`.
+    A bar longer than 2 E G_f / f_t² stores more than one crack takes. Its load snaps back, and several sections tear.
 
     Args:
         body: specimen of cells.
@@ -31,11 +34,17 @@ def direct_tension(
             by region.
         density: density of the material [kg/m³]; results do not depend on it.
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower.
+        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
+            killed or interrupted, and evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
         InputError: a lattice without cells, or a criterion without a tensile strength.
         UnstableRunError: the run became unstable.
+        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+
+    Warns:
+        FractureEnergyWarning: the work per section is not a fracture energy.
     """
     moduli = Moduli.of("direct_tension", body, law, density)
     found = softenings_of("direct_tension", body, failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
@@ -45,4 +54,6 @@ def direct_tension(
         sign=1.0, expected=weakest.tension, reach=1.3 * found[0].tension / moduli.soft, opening=1.5 * opening,
         ending=0.002, pressure=0.0, traverses=traverses,
     )  # fmt: skip
-    return load_to_failure("direct_tension", body, law, failure, loading, density=density, progress=progress)
+    test = load_to_failure("direct_tension", body, law, failure, loading, density=density, out=out, progress=progress)
+    test.cracking.warn("direct_tension")
+    return test

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -13,15 +14,15 @@ from bondem._types import Floats
 from bondem.boundary.gauges import WallGauge
 from bondem.boundary.walls import PlaneWall
 from bondem.damage.failure_assignment import FailureAssignment
-from bondem.dynamics.history import History
+from bondem.dynamics.events import ContactEnd
 from bondem.dynamics.plan import ExplicitResult
-from bondem.errors import InputError, UnstableRunError
+from bondem.errors import InputError
 from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.ball import BallSpecimen, BrokenBall
+from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.run import solve_explicit
 from bondem.specimen.lattice import Lattice
 
 # Steps between records; the impulse is their sum.
@@ -88,6 +89,7 @@ def sphere_impact(
     contact: ContactLaw | None = None,
     duration: float | None = None,
     fine: float = 0.2,
+    out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> SphereImpact:
     """Simulate the impact of a ball on a rigid plane, without damping.
@@ -105,12 +107,15 @@ def sphere_impact(
         duration: duration of the run [s]; None to end once the plane has had no contact for three diameters over the
             speed of sound. The longest run then is eight times the contact time of a ball on a single element.
         fine: upper size limit of fines, as a share of the ball's diameter [-].
+        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
+            killed or interrupted, and evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
         InputError: a shape other than a ball, a plane inside the ball or more than a diameter away, a velocity away
             from the plane, or a value out of range.
         UnstableRunError: the run became unstable.
+        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
     """
     owner = "labtests.sphere_impact"
     check("sphere_impact", ball, density=density)
@@ -126,23 +131,18 @@ def sphere_impact(
     fast = -float(np.dot(flight, normal))
     model = Model(ball, law, density, failure=failure, contact=specimen.contact(contact), walls=[plane])
     sound = math.sqrt(_modulus(specimen) / _density(specimen))
-    quiet, touched = _QUIET * specimen.diameter / sound, [-math.inf]
+    quiet = _QUIET * specimen.diameter / sound
     longest = gap / fast + _CONTACTS * math.pi * math.sqrt(specimen.mass / specimen.stiffness) + quiet
-
-    def ended(state: State, record: History) -> bool:
-        if float(record["wall"][-1] @ normal) < 0.0:
-            touched[0] = state.time
-        return duration is None and state.time - touched[0] > quiet and touched[0] > 0.0
 
     state = model.state()
     state.set_motion(velocity=np.tile(flight, (len(ball.particles), 1)))
-    run = solve_explicit(
-        model, duration=longest if duration is None else duration, every=_EVERY, state=state, callback=ended,
-        progress=progress, gauges={"wall": WallGauge(0, "force")},
+    x, y, z = (-normal).tolist()
+    return run_test(
+        "sphere_impact", model, lambda run: _read(run, specimen, flight, normal, fine),
+        duration=longest if duration is None else duration, every=_EVERY, out=out, state=state,
+        until=ContactEnd("wall", (x, y, z), quiet) if duration is None else (), progress=progress,
+        gauges={"wall": WallGauge(0, "force")},
     )  # fmt: skip
-    if run.status.failed:
-        raise UnstableRunError(f"{owner}: {run.message}")
-    return _read(run, specimen, flight, normal, fine)
 
 
 def _plane(ball: BallSpecimen, wall: PlaneWall | None, friction: float) -> PlaneWall:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -17,6 +18,7 @@ from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.beam_tests import CrossSection
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.frequency import dominant_frequency
+from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.run import solve_explicit
@@ -79,6 +81,8 @@ def free_vibration(
     periods: float = 3.0,
     stress: float = 1e5,
     depth: float = 0.02,
+    out: str | Path | None = None,
+    progress: Callable[[float], None] | None = None,
 ) -> FreeVibration:
     """Load a clamped specimen, release it and record its vibration.
 
@@ -96,6 +100,13 @@ def free_vibration(
         periods: number of periods of the bending mode, the slowest one [-].
         stress: approximate stress from each load [Pa].
         depth: depth of the two face regions, in mean radii [-].
+        out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
+            killed or interrupted, and evaluates a complete one; None for no file.
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
+
+    Raises:
+        UnstableRunError: the run became unstable.
+        RunInterrupted: Ctrl-C was pressed; its `.result` is the motion so far.
     """
     check(
         "free_vibration", lattice, density=density, E=E, nu=nu, rho=rho, periods=periods, stress=stress, depth=depth
@@ -108,14 +119,11 @@ def free_vibration(
     state.set_pose(
         position=state.position + start.displacement, orientation=_quaternions(start.rotation)
     )
-    run = solve_explicit(
-        model,
-        duration=periods / bar.bending_frequency_timoshenko,
-        gauges=_gauges(depth),
-        every=_EVERY,
-        state=state,
-    )
-    return _recorded(run, 0.0, start.energy.total)
+    return run_test(
+        "free_vibration", model, lambda run: _recorded(run, 0.0, start.energy.total),
+        duration=periods / bar.bending_frequency_timoshenko, every=_EVERY, out=out, state=state,
+        gauges=_gauges(depth), progress=progress,
+    )  # fmt: skip
 
 
 def ramped_vibration(

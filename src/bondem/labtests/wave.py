@@ -1,6 +1,8 @@
 """Longitudinal wave along a specimen after a strike at x_max: velocities of faces and sections."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -8,11 +10,12 @@ from bondem._types import Floats, PerElement3
 from bondem.boundary.conditions import Drive
 from bondem.boundary.gauges import Gauge
 from bondem.dynamics.history import History
-from bondem.errors import InputError, UnstableRunError
+from bondem.dynamics.plan import ExplicitResult
+from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw
+from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.run import solve_explicit
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 
@@ -49,6 +52,8 @@ def strike(
     slices: int = 0,
     moments: tuple[float, ...] = (),
     depth: float = 0.02,
+    out: str | Path | None = None,
+    progress: Callable[[float], None] | None = None,
 ) -> Wave:
     """Strike the elements at x_max with a velocity towards x_min and record the wave.
 
@@ -62,6 +67,8 @@ def strike(
         slices: number of slices along x for `Wave.sections`.
         moments: times of the snapshots [s]; each is taken at the nearest step.
         depth: depth of the two face regions, in mean radii [-].
+        out: run file, which excludes slices and moments; see `run_test`.
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
         UnstableRunError: the velocity is too high for the time step.
@@ -97,24 +104,21 @@ def strike(
             waiting.pop(0)
             snapshots.append((state.time, now))
 
-    run = solve_explicit(
-        model,
-        duration=duration,
+    def read(run: ExplicitResult) -> Wave:
+        return Wave(
+            time=run.history.time,
+            near=-run.history["near"][:, 0],
+            far=-run.history["far"][:, 0],
+            place=0.5 * (edges[1:] + edges[:-1]),
+            sections=np.array(sections) if slices else np.zeros((len(run.history), 0)),
+            snapshots=tuple(snapshots),
+        )
+
+    return run_test(
+        "impact", model, read, duration=duration, every=1, out=out, state=state, progress=progress,
         gauges={"near": Gauge(near, "velocity"), "far": Gauge(far, "velocity")},
-        every=1,
-        state=state,
         callback=look if slices or waiting else None,
-    )
-    if run.status.failed:
-        raise UnstableRunError(run.message)
-    return Wave(
-        time=run.history.time,
-        near=-run.history["near"][:, 0],
-        far=-run.history["far"][:, 0],
-        place=0.5 * (edges[1:] + edges[:-1]),
-        sections=np.array(sections) if slices else np.zeros((len(run.history), 0)),
-        snapshots=tuple(snapshots),
-    )
+    )  # fmt: skip
 
 
 def first_passage(time: Floats, signal: Floats, level: float) -> float:

@@ -1,0 +1,46 @@
+"""Strain gauges, evaluated outside the core at each record."""
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.boundary.gauges import StrainGauge
+from bondem.dynamics.history import FIXED_COLUMNS
+from bondem.dynamics.plan import Plan
+from bondem.errors import InputError
+from bondem.model.model import Model
+from bondem.model.state import State
+from bondem.observables.affine_strain import gradient_weights
+
+
+class StrainGauges:
+    """Strain gauges of a plan; False without any."""
+
+    def __init__(self, model: Model, plan: Plan) -> None:
+        """Compute the weights of the displacements.
+
+        Raises:
+            InputError: The elements of a gauge lie in a plane.
+        """
+        self._parts: list[tuple[int, np.ndarray, Floats]] = []
+        for g, (name, gauge) in enumerate(plan.gauges.items()):
+            if not isinstance(gauge, StrainGauge):
+                continue
+            chosen = gauge.region.select(model.lattice)
+            position = model.lattice.centre[chosen]
+            if np.linalg.matrix_rank(position - position.mean(axis=0)) < 3:
+                raise InputError(
+                    f"gauge '{name}': the {len(chosen)} elements of its region lie in a plane or on a line; use a"
+                    " region with at least four that do not"
+                )
+            self._parts.append((FIXED_COLUMNS + 3 * g, chosen, gradient_weights(position)))
+
+    def __bool__(self) -> bool:
+        return bool(self._parts)
+
+    def fill(self, records: Floats, state: State) -> None:
+        """Write the strains of a state into the last of its records, in place."""
+        if not self._parts or not len(records):
+            return
+        moved = state.displacement
+        for column, chosen, weights in self._parts:
+            records[-1, column : column + 3] = (weights * moved[chosen]).sum(axis=0)

@@ -1,0 +1,49 @@
+"""Identity of a run: a digest of model, plan and initial state, by which the same call continues its own run file."""
+
+import json
+from dataclasses import fields
+from typing import Any
+
+from bondem.dynamics.plan import Plan
+from bondem.io.codec import encode
+from bondem.io.digest import digest_of
+from bondem.model.model import Model
+from bondem.model.state import State
+
+#: Attribute of a run file.
+IDENTITY = "identity"
+
+
+def text_of_model(model: Model) -> str:
+    """Encode the parameters of a model as JSON, without its elements and bonds."""
+    return json.dumps({
+        "bond": encode(model.bond),
+        "boundary": encode(tuple(model.boundary)),
+        "contact": encode(model.contact),
+        "walls": encode(tuple(model.walls)),
+        "failure": encode(model.failure),
+        "mass_matrix": model.mass_matrix,
+        "shape": encode(model.lattice.particles.shape),
+    })  # fmt: skip
+
+
+def identity_of(model: Model, plan: Plan, begun: State) -> str:
+    """Return the digest of a run.
+
+    Args:
+        model: model of the run.
+        plan: options of the run with the resolved time step.
+        begun: initial state.
+    """
+    lattice = model.lattice
+    items: list[tuple[str, Any]] = [
+        ("plan", json.dumps(encode(plan))), ("model", text_of_model(model)),
+        ("position", lattice.particles.position), ("radius", lattice.particles.radius),
+        ("density", model.density), ("pairs", lattice.pairs), ("time", begun.time),
+    ]  # fmt: skip
+    items += [(name, getattr(begun, name)) for name in State.ARRAYS]
+    if lattice.facets is not None and lattice.cells is not None:
+        tables = lattice.facets, lattice.cells, lattice.cells.free
+        named = [(table, item.name) for table in tables for item in fields(table) if item.name != "free"]
+        items += [(name, getattr(table, name)) for table, name in named]
+    return digest_of(items)

@@ -1,0 +1,76 @@
+"""Explicit runs of laboratory tests: in memory, or in a run file from which an interrupted test continues."""
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+
+from bondem.dynamics.plan import ExplicitResult
+from bondem.dynamics.schemes import VelocityVerlet
+from bondem.dynamics.timestep import choose_step
+from bondem.errors import BondemError, RunInterrupted, UnstableRunError
+from bondem.model.model import Model
+from bondem.run import solve_explicit
+
+Result = TypeVar("Result")
+
+# Checkpoints and snapshots of a test that takes the longest possible time, and the least number of steps between two.
+_SAVES, _STEPS = 40, 20
+# Records without which there is no curve.
+_LEAST = 3
+
+
+def run_test(
+    test: str,
+    model: Model,
+    read: Callable[[ExplicitResult], Result],
+    *,
+    duration: float,
+    every: int,
+    out: str | Path | None,
+    dt: float | None = None,
+    **options: Any,
+) -> Result:
+    """Carry out the run of a test and evaluate it.
+
+    Args:
+        test: name of the calling function.
+        model: specimen and loading.
+        read: function of the run that returns the result of the test.
+        duration: longest duration of the run [s].
+        every: steps between records.
+        out: run file with checkpoints and snapshots. A file of this very test is continued, or evaluated if the test
+            is complete. None for no file.
+        dt: time step [s]; None for 0.9 times the critical step.
+        **options: further options of `solve_explicit`.
+
+    Raises:
+        UnstableRunError: the run became unstable.
+        InputError: the file holds another run, or cannot be written.
+        RunInterrupted: Ctrl-C was pressed; the exception contains the result of the curve so far.
+    """
+    if dt is None:
+        dt = choose_step(model, VelocityVerlet(), None, safety=0.9).dt
+    if out is not None:
+        between = every * math.ceil(max(duration / dt / _SAVES, _STEPS) / every)
+        options |= {"out": out, "resume": True, "save_every": between, "snapshot_every": between}
+    try:
+        run = solve_explicit(model, duration=duration, dt=dt, every=every, **options)
+    except RunInterrupted as stop:
+        raise RunInterrupted(str(stop), _so_far(read, stop.result)) from None
+    if run.status.failed:
+        raise UnstableRunError(f"labtests.{test}: {run.message}")
+    return read(run)
+
+
+def _so_far(read: Callable[[ExplicitResult], Result], run: ExplicitResult) -> Result | None:
+    """Evaluate an interrupted run; None if it was too short for that."""
+    if len(run.history) < _LEAST:
+        return None
+    try:
+        with np.errstate(all="ignore"):
+            return read(run)
+    except (BondemError, ArithmeticError):
+        return None
