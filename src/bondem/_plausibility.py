@@ -59,19 +59,28 @@ class _Range:
     slips: tuple[tuple[str, float], ...] = ()
 
     def doubt(self, name: str, value: float) -> str:
-        """Return a sentence about an implausible value, or "". The value 1 is a unit of one's own."""
-        if self.low <= value <= self.high or value in (0.0, 1.0):
+        """Return a sentence about an implausible value, or "".
+
+        The value 1 is a unit of one's own, and so is a small value that no unit of data sheets explains.
+        """
+        meant = self.meant(value)
+        if self.low <= value <= self.high or value == 1.0 or (value < self.low and not meant):
             return ""
         words = f"{self.low:.2g} to {self.high:.2g} {self.unit}"
         if math.isinf(self.high):
             words = f"{self.low:.2g} {self.unit} or more"
-        return f"{name} = {value:.4g} {self.unit}; solids have {words}{self.meant(value)}"
+        return f"{name} = {value:.4g} {self.unit}; solids have {words}{meant or self.check}"
 
     def meant(self, value: float) -> str:
-        """Return the value in SI units that was likely meant, as the end of a sentence."""
+        """Return the value in SI units that was likely meant, as the end of a sentence, or ""."""
         for unit, size in self.slips:
             if self.low <= value * size <= self.high:
                 return f"; if {unit} is meant, write {value * size:.4g}"
+        return ""
+
+    @property
+    def check(self) -> str:
+        """Advice on a value that no other unit explains."""
         return f"; check its unit ({self.unit})"
 
 
@@ -143,7 +152,7 @@ def question_material(name: str, E: float, rho: float) -> None:
             if not 1.0 / _FAR < value / usual < _FAR:
                 _question(
                     f"material '{name}': {symbol} = {value:.4g} {known.unit}, but {named[-1]} has about {usual:.2g}"
-                    f" {known.unit}{known.meant(value)}"
+                    f" {known.unit}{known.meant(value) or known.check}"
                 )
                 return
     for symbol, value, known in zip("Eρ", (E, rho), ranges, strict=True):

@@ -143,7 +143,7 @@ import multiprocessing as mp, warnings, bondem as bd
 warnings.simplefilter('error')
 
 def work(seed):
-    particles = bd.pack(bd.Box((2.0, 1.0, 1.0)), count=300, seed=seed)
+    particles = bd.pack(bd.Box((0.2, 0.1, 0.1)), count=300, seed=seed)
     model = bd.Model(bd.connect(particles), bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5), 2000.0,
                      boundary=[bd.Fix(bd.Face('x_min')), bd.Drive(bd.Face('x_max'), vx=1.0)])
     bd.set_threads(2)

@@ -64,8 +64,11 @@ def integrate(
         plan = settled(model, plan)
     dt = cast(float, plan.dt)
     names = tuple(plan.gauges)
-    written = GrowingHistory(History.empty(names) if history is None else history)
     state = State(model) if state is None else state
+    history = History.empty(names) if history is None else history
+    if plan.every and state.step % plan.every and state.step < plan.steps and history.time[-1:] == state.time:
+        history = History(history.records[:-1], names)  # the end of a part of the run is no record of the whole
+    written = GrowingHistory(history)
     loop = (CoreLoop if loop_of is None else loop_of)(model, plan, state, dt)
     total = plan.steps
     joined, beyond = ("bonds", _BEAMS) if model.cells is None else ("facets", _CELLS)
