@@ -3,7 +3,10 @@
 `owner` is the class or function that was called and `name` the argument, for the message.
 """
 
+import errno
 import math
+import os
+import stat
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TypeVar
@@ -11,7 +14,7 @@ from typing import TypeVar
 import numpy as np
 
 from bondem._types import Floats
-from bondem.errors import InputError
+from bondem.errors import BondemError, InputError
 
 # No length, stiffness or force in SI units comes near these; products of such numbers are no numbers any more.
 _LARGEST = 1e100
@@ -202,3 +205,27 @@ def place(name: str, value: object) -> Path:
     if not isinstance(value, str | Path) or "\0" in str(value):
         raise InputError(f"{name} = {shown(value)}; give a path, as text or pathlib.Path")
     return Path(value)
+
+
+def require_file(path: Path, what: str, error: type[BondemError] = InputError) -> None:
+    """Check that a file exists and can be read, before a reader opens it.
+
+    Args:
+        path: the file.
+        what: name of the kind of file, "run file".
+        error: type of the error.
+
+    Raises:
+        BondemError: there is no such file, it is a folder or a pipe, or it cannot be read.
+    """
+    try:
+        found = stat.S_ISREG(os.stat(path).st_mode)
+        reason = None if os.access(path, os.R_OK) else os.strerror(errno.EACCES)
+    except (FileNotFoundError, NotADirectoryError):
+        found, reason = False, None
+    except OSError as refused:  # a folder that may not be entered, a loop of links, a name that is too long
+        found, reason = True, refused.strerror
+    if not found:
+        raise error(f"path = '{path}': there is no {what}; check the path")
+    if reason is not None:
+        raise error(f"path = '{path}': the {what} cannot be read ({reason}); check the path and its permissions")

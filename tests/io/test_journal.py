@@ -21,7 +21,7 @@ class KilledError(BaseException):
 
 
 def begin(path: Path) -> tuple[JournaledFile, h5py.File]:
-    raw = JournaledFile(path, aside=path.with_name(".part"))
+    raw = JournaledFile(path, new=True)
     file = h5py.File(raw, "w", libver=V)
     file.create_dataset("grows", data=np.zeros(5000), maxshape=(None,), chunks=(1000,))
     file["fixed"] = np.zeros(20_000)
@@ -130,7 +130,7 @@ def test_what_cannot_be_opened_says_so(tmp_path: Path) -> None:
     with pytest.raises(RunFileError, match="could not be written"):
         JournaledFile(tmp_path / "none.h5")
     with pytest.raises(RunFileError, match="could not be written"):
-        JournaledFile(tmp_path / "a.h5", aside=tmp_path / "no folder" / "a.part")
+        JournaledFile(tmp_path / "no folder" / "a.h5", new=True)
 
 
 def test_contents_carry_out_a_commit_that_was_cut_off(tmp_path: Path) -> None:
@@ -138,7 +138,7 @@ def test_contents_carry_out_a_commit_that_was_cut_off(tmp_path: Path) -> None:
     model = bd.Model(
         two_spheres(), bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5), 1000.0, boundary=[bd.Fix(bd.Index([0]))],
     )  # fmt: skip
-    bd.solve_explicit(model, duration=1e-3, out=tmp_path / "run.h5")
+    bd.solve_explicit(model, duration=0.01, out=tmp_path / "run.h5")
     path = tmp_path / "run.h5"
     whole = path.read_bytes()
     pages = {k: bytearray(whole[4096 * k : 4096 * (k + 1)]) for k in range(-(-len(whole) // 4096))}

@@ -1,41 +1,72 @@
-"""Atomic writing: a file is either complete or absent."""
+"""Writing of files: every file of bondem is either complete or absent.
+
+A file is written beside its target under a name of its own, checked, and moved into place. Symbolic links stay, and
+the file behind them is replaced. Processes that write one name at the same time leave the whole file of one of them.
+Only run files grow in place, see `bondem.io.journal`.
+"""
 
 import os
+import secrets
+import shutil
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from bondem.errors import InputError, RunFileError
 
+# Letters of a name that a temporary file keeps: with its own marks it is shorter than 255 bytes.
+_KEPT = 40
+
+
+def target_of(path: Path) -> Path:
+    """Return the file behind symbolic links, which may not exist yet."""
+    return Path(os.path.realpath(path))
+
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """Yield a temporary path beside `path`; at the end of the block it replaces `path` by one atomic move.
+    """Yield a temporary path with the suffix of `path`; at the end of the block it replaces `path` by one move.
 
-    A kill at any moment leaves the old file or none, never a partial one.
+    A kill at any moment leaves the old file or none, never a partial one. The permissions of an old file are kept.
 
     Raises:
         RunFileError: the disk is full, or another failure to write.
     """
-    aside = path.with_name(f".{path.name}.part")
+    target = target_of(path)
+    aside = _beside(target)
     try:
+        with open(aside, "xb"):
+            pass
         yield aside
         with open(aside, "rb") as written:
             os.fsync(written.fileno())
-        os.replace(aside, path)
+        with suppress(FileNotFoundError):
+            shutil.copymode(target, aside)
+        os.replace(aside, target)
     except OSError as error:
-        raise RunFileError(
-            f"'{path}' could not be written ({error.strerror or error}); make room or choose another place"
-        ) from error
+        raise failed(path, error) from error
     finally:
-        aside.unlink(missing_ok=True)
+        with suppress(OSError):
+            aside.unlink(missing_ok=True)
+
+
+def write_bytes(path: Path, content: bytes | memoryview) -> None:
+    """Write a file to a temporary path and move it into place."""
+    with replacing(path) as aside:
+        aside.write_bytes(content)
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a text file to a temporary path and move it into place."""
-    with replacing(path) as aside:
-        aside.write_text(text, encoding="utf-8")
+    """Write a text file in UTF-8; parts of file names that are no text are written as escapes."""
+    write_bytes(path, text.encode(errors="backslashreplace"))
+
+
+def failed(path: Path, error: OSError) -> RunFileError:
+    """Error for a file that could not be written."""
+    return RunFileError(
+        f"'{path}' could not be written ({error.strerror or error}); make room or choose another place"
+    )
 
 
 def require_writable(path: Path, what: str) -> None:
@@ -48,9 +79,18 @@ def require_writable(path: Path, what: str) -> None:
     Raises:
         InputError: the file cannot be written; the message states the reason.
     """
-    if path.is_dir():
-        raise InputError(f"{what} '{path}' is a folder; give the name of a file")
-    _probe(path.parent, f"{what} '{path}'")
+    target, whose = target_of(path), f"{what} '{path}'"
+    if os.path.isdir(target):
+        raise InputError(f"{whose} is a folder; give the name of a file")
+    if os.path.exists(target) and not os.path.isfile(target):
+        raise InputError(f"{whose} is a device or a pipe; give the name of a file")
+    with _refused(whose):
+        with suppress(FileNotFoundError):
+            os.stat(target)
+            if not os.access(target, os.W_OK):
+                raise PermissionError(0, "the file is write-protected")
+        with tempfile.TemporaryFile(dir=target.parent):
+            pass
 
 
 def require_folder(path: Path, what: str) -> None:
@@ -61,17 +101,38 @@ def require_folder(path: Path, what: str) -> None:
     Raises:
         InputError: the folder cannot be used; the message states the reason.
     """
-    if path.exists() and not path.is_dir():
-        raise InputError(f"{what} '{path}' is a file; give the name of a folder")
-    nearest = path
-    while not nearest.exists() and nearest != nearest.parent:
-        nearest = nearest.parent
-    _probe(nearest, f"{what} '{path}'")
-
-
-def _probe(folder: Path, whose: str) -> None:
-    try:
-        with tempfile.TemporaryFile(dir=folder):
+    whose, nearest = f"{what} '{path}'", target_of(path)
+    if os.path.exists(nearest) and not os.path.isdir(nearest):
+        raise InputError(f"{whose} is a file; give the name of a folder")
+    with _refused(whose):
+        with suppress(FileNotFoundError):
+            os.stat(nearest)
+        while not os.path.lexists(nearest) and nearest != nearest.parent:
+            nearest = nearest.parent
+        with tempfile.TemporaryFile(dir=nearest):
             pass
+
+
+def make_folder(path: Path) -> None:
+    """Create a folder of results with all folders above it.
+
+    Raises:
+        RunFileError: it cannot be created.
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise failed(path, error) from error
+
+
+@contextmanager
+def _refused(whose: str) -> Iterator[None]:
+    try:
+        yield
     except OSError as error:
         raise InputError(f"{whose} cannot be written ({error.strerror}); choose a place you may write to") from None
+
+
+def _beside(target: Path) -> Path:
+    """Return an unused name in the folder of a file, with its suffix, by which other libraries choose the format."""
+    return target.with_name(f".{target.stem[:_KEPT]}.{secrets.token_hex(4)}.part{target.suffix}")

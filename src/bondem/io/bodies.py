@@ -9,6 +9,7 @@ from dataclasses import fields
 import h5py
 import numpy as np
 
+from bondem.io.hdf5 import array_at
 from bondem.io.older_bodies import LACKING, balanced_body
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, freeze
@@ -41,12 +42,12 @@ def read_bonds(file: h5py.File, particles: Particles) -> Lattice:
         KeyError: an array is missing.
         ValueError: an array has the wrong length.
     """
-    pairs = _array(file, "bonds/pairs")
+    pairs = array_at(file, "bonds/pairs")
     if "facets" not in file:
         return Lattice(particles, pairs)
     n, m = len(particles), len(pairs)
     older = "facets/share_i" not in file
-    free = _table(file, "cells/free", FreeFacets, len(_array(file, "cells/free/cell")), older)
+    free = _table(file, "cells/free", FreeFacets, len(array_at(file, "cells/free/cell")), older)
     cell = free["cell"]
     if len(cell) and not 0 <= cell.min() <= cell.max() < n:
         raise ValueError(f"cells/free/cell has numbers beyond 0 … {n - 1}")
@@ -61,13 +62,7 @@ def _table(file: h5py.File, place: str, kind: type, count: int, older: bool) -> 
     for item in fields(kind):
         if item.name == "free" or (older and item.name in LACKING[kind]):
             continue
-        found[item.name] = freeze(_array(file, f"{place}/{item.name}"))
+        found[item.name] = freeze(array_at(file, f"{place}/{item.name}"))
         if len(found[item.name]) != count:
             raise ValueError(f"{place}/{item.name} has {len(found[item.name])} rows, not {count}")
     return found
-
-
-def _array(file: h5py.File, name: str) -> np.ndarray:
-    item = file[name]
-    assert isinstance(item, h5py.Dataset)
-    return np.asarray(item[()])

@@ -68,7 +68,7 @@ def export(
     if suffix in _DATA and density is None:
         raise InputError("export: LAMMPS data files need a density; give density= [kg/m³]")
     if density is not None:
-        number("export", "density", density, unit="kg/m³", above=0.0, advice="a positive density")
+        density = number("export", "density", density, unit="kg/m³", above=0.0, advice="a positive density")
     if state is not None:
         instance("export", "state", state, State, "a state of a model of this lattice")
         if len(state.displacement) != len(lattice.particles):

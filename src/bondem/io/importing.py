@@ -2,7 +2,6 @@
 
 import importlib
 import math
-import os
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from bondem._checks import instance, number, place, shown, vector
+from bondem._checks import instance, number, place, require_file, shown, vector
 from bondem._extras import install
 from bondem._names import users_line
 from bondem._types import ArrayLike, Pairs
@@ -72,8 +71,9 @@ def read_particles(
         diameters: True if sizes are diameters, for CSV, Yade, and XYZ with `columns`. Columns named diameter are
             always halved.
         periodic: True to use the box of a LAMMPS or XYZ file as a periodic cell, moved to the origin. None does so if
-            the file states that all borders are periodic, which data files cannot.
-        frame: index of the snapshot of dumps and XYZ, from 0; -1 is the last.
+            the file states that all borders are periodic, which data files cannot. A file that states some of its
+            borders to be periodic needs False, or `period`.
+        frame: index of the snapshot of dumps, XYZ and VTKHDF, from 0; -1 is the last.
 
     Returns:
         The spheres in the order of the file, or of the ids in LAMMPS files.
@@ -184,8 +184,7 @@ def _refuse_across(path: Path, lattice: Lattice) -> None:
 
 def _existing(path: str | Path) -> Path:
     path = place("path", path)
-    if not os.path.isfile(path):
-        raise InputError(f"path = '{path}': there is no file; check the path")
+    require_file(path, "file")
     return path
 
 
@@ -249,7 +248,7 @@ def _read(path: Path, asked: _Asked) -> RawSpheres:
     if suffix == ".txt":
         return read_yade(path, diameters=asked.diameters)
     if suffix == ".vtkhdf":
-        return read_vtkhdf_spheres(path, asked.radius)
+        return read_vtkhdf_spheres(path, asked.radius, frame=asked.frame)
     if suffix in _VTK:
         try:
             reader = importlib.import_module("bondem.io.vtk_spheres")
@@ -269,8 +268,13 @@ def _particles(
         raise InputError(f"unit = {shown(unit)}, but '{path}' says that its unit is {raw.unit:g} m; leave out unit=")
     unit = raw.unit if unit is None else unit
     scale = 1.0 if unit is None else length_unit("read", unit)
-    if period is None and raw.period is not None and (shape is None or shape.period is None):
-        period = scale * raw.period
+    if period is None and (shape is None or shape.period is None):
+        if raw.partly:
+            raise InputError(
+                f"'{path}' is periodic along {raw.partly} only, and bodies are periodic along all axes or none; give"
+                " periodic=False, or period= with an edge beyond the body where its border is free"
+            )
+        period = None if raw.period is None else scale * raw.period
     longest = float(np.ptp(raw.position, axis=0).max(initial=0.0))
     if unit is None and longest > _USUAL:
         warnings.warn(

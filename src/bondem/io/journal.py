@@ -7,11 +7,15 @@ applied by the next writer; an incomplete one is ignored.
 
 h5py opens the object as a file. No error is raised while HDF5 writes, as HDF5 does not survive errors: a full disk is
 detected at the commit, and the last commit remains valid.
+
+A file that somebody removes meanwhile is written again, as the system keeps its contents while it is open. A file
+that somebody cuts or replaces is an error at the next commit.
 """
 
 import hashlib
 import io
 import os
+import shutil
 import struct
 from collections.abc import Iterator
 from contextlib import suppress
@@ -20,6 +24,7 @@ from typing import Any
 
 from bondem._lock import claim
 from bondem.errors import RunFileError
+from bondem.io.atomic import failed, target_of
 
 _PAGE = 4096
 _HEAD = struct.Struct("<8sqq")  # magic, length after the commit, number of pages
@@ -33,32 +38,22 @@ class JournaledFile(io.RawIOBase):
     """File object with commits.
 
     Args:
-        path: the file; created if it does not exist.
-        aside: path of a new file until the first commit, which moves it to `path`; None for an existing file.
+        path: the file; behind a symbolic link, the file that it names.
+        new: True for a file that is written beside `path` until the first commit, which moves it there; False for an
+            existing file.
 
     Raises:
         RunFileError: another process writes this file, or it cannot be committed.
     """
 
-    def __init__(self, path: Path, *, aside: Path | None = None) -> None:
+    def __init__(self, path: Path, *, new: bool = False) -> None:
         super().__init__()
-        self._path, self._aside = path, aside
-        place = aside or path
-        try:
-            self._file = open(place, "r+b" if aside is None else "a+b", buffering=0)  # noqa: SIM115
-            if aside is not None:
-                self._file.close()
-                self._file = open(place, "r+b", buffering=0)  # noqa: SIM115  "a" would write at the end only
-        except OSError as error:
-            raise failed(path, error) from error
-        if not claim(self._file.fileno()):
-            self._file.close()
-            raise RunFileError(f"'{path}' is being written by another process; give another file, or try again later")
-        if aside is None:
-            recover(path, self._file)
-        else:
-            self._file.truncate(0)
-        self._committed = self._end = os.fstat(self._file.fileno()).st_size
+        self._path = target_of(path)
+        self._aside = self._path.with_name(f".{self._path.name}.part") if new else None
+        self._file = self._claimed()
+        if not new:
+            recover(self._path, self._file)
+        self._committed = self._end = self._size = os.fstat(self._file.fileno()).st_size
         self._pages: dict[int, bytearray] = {}
         self._at = 0
         self._error: OSError | None = None
@@ -116,6 +111,7 @@ class JournaledFile(io.RawIOBase):
         if self._end > self._committed:
             try:
                 self._file.truncate(self._end)
+                self._size = self._end
             except OSError as error:
                 self._error = self._error or error
         return self._end
@@ -127,47 +123,97 @@ class JournaledFile(io.RawIOBase):
         """Make all changes since the last commit valid, or none of them.
 
         Raises:
-            RunFileError: the disk is full, or another failure to write; the last commit remains valid.
+            RunFileError: the disk is full, or another failure to write, where the last commit remains valid; or
+                somebody has cut or replaced the file.
         """
+        journal, descriptor = journal_of(self._path), self._file.fileno()
         try:
+            self._require_own()
             if self._error is not None:
                 raise self._error
-            os.fsync(self._file.fileno())
-            journal = journal_of(self._path)
+            if self._aside is not None:
+                descriptor = self._file.fileno()
+                _apply(descriptor, self._end, self._pages)
+                journal.unlink(missing_ok=True)
+                os.replace(self._aside, self._path)
+                self._aside, self._pages = None, {}
+            os.fsync(descriptor)
             if self._pages:
                 _write_journal(journal, self._end, self._pages)
-            if self._aside is not None:
-                self._path.with_name(journal.name).unlink(missing_ok=True)
-                os.replace(self._aside, self._path)
-                self._aside = None
         except OSError as error:
             self.roll_back()
             raise failed(self._path, error) from error
         try:
-            _apply(self._file.fileno(), self._end, self._pages)
+            _apply(descriptor, self._end, self._pages)
         except OSError as error:  # the journal is whole: the next one who opens the file carries it out
             raise failed(self._path, error) from error
         if self._pages:
             journal.unlink(missing_ok=True)
-        self._pages, self._committed = {}, self._end
+        self._pages, self._committed, self._size = {}, self._end, self._end
 
     def roll_back(self) -> None:
         """Discard all changes since the last commit."""
         self._pages, self._end = {}, self._committed
-        with suppress(OSError):
-            self._file.truncate(self._committed)
+        self._shorten()
         with suppress(OSError):
             journal_of(self._path).unlink(missing_ok=True)
 
     def close(self) -> None:
         """Close the file without a commit; a file that was never committed is removed."""
         if not self.closed and not self._file.closed:
-            with suppress(OSError):
-                self._file.truncate(self._committed)
+            self._shorten()
             if self._aside is not None:
                 self._aside.unlink(missing_ok=True)
             self._file.close()
         super().close()
+
+    def _shorten(self) -> None:
+        """Remove what is beyond the last commit; a file that somebody has cut stays as it is."""
+        with suppress(OSError):
+            if os.fstat(self._file.fileno()).st_size > self._committed:
+                self._file.truncate(self._committed)
+            self._size = self._committed
+
+    def _claimed(self) -> io.FileIO:
+        """Open the file for this process alone; a new one is empty."""
+        place = self._path if self._aside is None else self._aside
+        try:
+            # unlike "w+b", which would empty the file of another process before it is claimed
+            create = 0 if self._aside is None else os.O_CREAT
+            file = io.FileIO(os.open(place, os.O_RDWR | create | getattr(os, "O_BINARY", 0), 0o666), "r+")
+        except OSError as error:
+            raise failed(self._path, error) from error
+        if not claim(file.fileno()):
+            file.close()
+            raise RunFileError(
+                f"'{self._path}' is being written by another process; give another file, or try again later"
+            )
+        if self._aside is not None:
+            file.truncate(0)
+        return file
+
+    def _require_own(self) -> None:
+        """Begin a copy of the file if somebody has removed it.
+
+        Raises:
+            OSError: somebody has cut or replaced it.
+        """
+        if self._aside is not None:
+            return
+        own = os.fstat(self._file.fileno())
+        if own.st_size < self._size:
+            raise OSError("it was cut during the run")
+        try:
+            found = os.stat(self._path)
+        except FileNotFoundError:
+            removed, self._aside = self._file, self._path.with_name(f".{self._path.name}.part")
+            self._file = self._claimed()
+            removed.seek(0)
+            shutil.copyfileobj(removed, self._file)
+            removed.close()
+            return
+        if (found.st_dev, found.st_ino) != (own.st_dev, own.st_ino):
+            raise OSError("it was replaced by another file during the run")
 
     def _page(self, number: int) -> bytearray:
         page = self._pages.get(number)
@@ -184,9 +230,12 @@ class JournaledFile(io.RawIOBase):
         if self._error is not None or self._file.closed:
             return
         try:
+            if os.fstat(self._file.fileno()).st_size < self._size:
+                raise OSError("it was cut during the run")
             while data:
                 done = os.pwrite(self._file.fileno(), data, at)
                 data, at = data[done:], at + done
+            self._size = max(self._size, at)
         except OSError as error:
             self._error = error
 
@@ -218,15 +267,9 @@ def recover(path: Path, file: Any) -> None:
     journal.unlink(missing_ok=True)
 
 
-def failed(path: Path, error: OSError) -> RunFileError:
-    """Error for a file that could not be written."""
-    return RunFileError(
-        f"'{path}' could not be written ({error.strerror or error}); make room or choose another place"
-    )
-
-
 def journal_of(path: Path) -> Path:
-    """Path of the journal of a file."""
+    """Path of the journal of a file, or of the file behind a link."""
+    path = target_of(path)
     return path.with_name(f".{path.name}.journal")
 
 

@@ -8,7 +8,14 @@ import numpy as np
 
 from bondem._types import Pairs
 from bondem.errors import InputError
-from bondem.io.raw_spheres import LAMMPS_UNITS, RawSpheres, floats, numbered_lines
+from bondem.io.raw_spheres import (
+    LAMMPS_UNITS,
+    RawSpheres,
+    announced_count,
+    floats,
+    numbered_lines,
+    require_count,
+)
 
 # Column of the diameter and of x; behind z there may be three image flags.
 _STYLES = {"sphere": (2, 4), "bpm/sphere": (3, 5)}
@@ -48,6 +55,8 @@ def read_lammps(path: Path, *, periodic: bool = False) -> RawSpheres:
             raise InputError(f"'{path}', line {line}: diameter {row[-1]:g}; elements need a positive one")
         ids.append(int(row[0]))
         rows.append(row[1:])
+    bonds = sections["Bonds"][2] if "Bonds" in sections else []
+    _require_counts(path, head, {"atoms": len(rows), "bonds": len(bonds)})
     order = np.argsort(ids, kind="stable")
     table, known = np.array(rows)[order], np.array(ids)[order]
     twice = np.flatnonzero(np.diff(known) == 0)
@@ -56,11 +65,19 @@ def read_lammps(path: Path, *, periodic: bool = False) -> RawSpheres:
     lower, period = _box(path, head) if periodic else (np.zeros(3), None)
     pairs, strained = None, ""
     if "Bonds" in sections:
-        pairs = _bonds(path, sections["Bonds"][2], known)
+        pairs = _bonds(path, bonds, known)
         strained = _strained(path, title, sections["Velocities"][2] if "Velocities" in sections else ())
     units = _UNITS.search(title)
     unit = LAMMPS_UNITS.get(units[1]) if units else None
     return RawSpheres(table[:, :3] - lower, 0.5 * table[:, 3], period, pairs, unit, strained)
+
+
+def _require_counts(path: Path, head: _Lines, found: dict[str, int]) -> None:
+    """Compare the numbers of the header, "2187 atoms", with those of the sections."""
+    for line, text in head:
+        count, _, what = text.partition(" ")
+        if what.strip() in found:
+            require_count(path, line, what, announced_count(path, line, count, what), found[what.strip()])
 
 
 def _strained(path: Path, title: str, velocities: Iterable[tuple[int, str]]) -> str:

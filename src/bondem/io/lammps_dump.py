@@ -9,7 +9,16 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.io.raw_spheres import LAMMPS_UNITS, RawSpheres, floats, numbered_lines
+from bondem.io.raw_spheres import (
+    LAMMPS_UNITS,
+    RawSpheres,
+    announced_count,
+    floats,
+    numbered_lines,
+    require_count,
+    snapshot_number,
+    some_axes,
+)
 
 # Columns of coordinates, and whether they are fractions of the box.
 _PLACES = (
@@ -43,6 +52,9 @@ def read_dump(
     chosen = _frame(path, frame)
     line, names, rows = chosen.items.get("ATOMS", (0, "", []))
     columns = names.split()
+    announced, _, said = chosen.items.get("NUMBER OF ATOMS", (line, "", []))
+    for number, text in said[:1]:
+        require_count(path, announced, "atoms", announced_count(path, number, text, "atoms"), len(rows))
     if not columns or not rows:
         raise InputError(f"'{path}', line {chosen.line}: the snapshot has no ITEM: ATOMS with rows; write it again")
     table = np.array([_row(path, number, text, len(columns)) for number, text in rows])
@@ -54,15 +66,17 @@ def read_dump(
             raise InputError(f"'{path}' has two atoms of id {int(by_name['id'][order[twice[0]]])}; write it again")
         by_name = {name: values[order] for name, values in by_name.items()}
     lower, upper, borders, tilted = _box(path, chosen)
-    closed = all(border == "pp" for border in borders)
+    closed = [border == "pp" for border in borders]
+    partly = some_axes(closed) if periodic is not False else ""
     if periodic is None:
-        periodic = closed and not tilted
+        periodic = all(closed) and not tilted
     if tilted and periodic:
         raise InputError(f"'{path}', line {chosen.line}: the box is tilted; a periodic cell here has right angles")
     place = _places(path, line, by_name, lower, upper, tilted=tilted)
     radius = _radii(path, line, by_name, size)
-    period = upper - lower if periodic else None
-    return RawSpheres(place - lower if periodic else place, radius, period, unit=_unit(chosen))
+    period = upper - lower if periodic and not partly else None
+    corner = lower if periodic or partly else np.zeros(3)
+    return RawSpheres(place - corner, radius, period, unit=_unit(chosen), partly=partly)
 
 
 def _frames(path: Path) -> Iterator[_Frame]:
@@ -102,8 +116,7 @@ def _frame(path: Path, number: int) -> _Frame:
         last.append(one)
         if count == number + 1:
             return one
-    if number >= 0 or count < -number:
-        raise InputError(f"frame = {number}: '{path}' has {count} snapshots; give one from 0 to {count - 1}, or -1")
+    snapshot_number(path, number, count)
     return last[0]
 
 

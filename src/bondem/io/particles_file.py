@@ -8,24 +8,22 @@
 Arrays are stored to the bit, and a file with a changed array is rejected.
 """
 
-import io
 import json
-import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 
 from bondem import __version__
-from bondem._checks import instance, place
+from bondem._checks import instance, place, require_file
 from bondem.errors import InputError
 from bondem.geometry.shape import Shape
-from bondem.io.atomic import replacing, require_writable
+from bondem.io.atomic import require_writable
 from bondem.io.bodies import read_bonds, write_bonds
 from bondem.io.codec import decode, encode
 from bondem.io.digest import agree, arrays_of, digest_of, fixed, text_of
+from bondem.io.hdf5 import Kind, array_at, damage, reading, writing
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, filled
 
@@ -33,6 +31,7 @@ FORMAT = "bondem particles"
 #: From 2 on they may hold facets and cells, from 3 on they have a digest.
 SCHEMA = 3
 _DIGESTED = 3
+_KIND = Kind("a particle file of bondem", "give a file of bd.save_particles", "write it again", InputError)
 
 
 def save_particles(
@@ -60,8 +59,7 @@ def save_particles(
         "provenance": json.dumps({str(key): encode(value) for key, value in dict(provenance or {}).items()}),
     }
     require_writable(path, "particle file")
-    content = io.BytesIO()  # HDF5 does not get over a disk that is full: the bytes are written by Python
-    with h5py.File(content, "w", libver=("v108", "v108")) as file:
+    with writing(path) as file:
         file.attrs["format"] = fixed(FORMAT)
         file.attrs["schema"] = SCHEMA
         file.attrs["bondem_version"] = fixed(__version__)
@@ -74,8 +72,6 @@ def save_particles(
         if lattice is not None:
             write_bonds(file, lattice)
         file.attrs["digest"] = fixed(digest_of(arrays_of(file)))
-    with replacing(path) as aside:
-        aside.write_bytes(content.getbuffer())
 
 
 def load_particles(path: str | Path) -> Particles:
@@ -104,43 +100,31 @@ def read_provenance(path: str | Path) -> dict[str, Any]:
 
 
 def _read(path: Path) -> tuple[Particles, Lattice | None, dict[str, Any]]:
-    if not os.path.isfile(path):
-        raise InputError(f"path = '{path}': there is no particle file; check the path")
-    try:
-        file = h5py.File(path, "r")
-    except OSError:
-        raise InputError(f"'{path}' is not a particle file of bondem; give a file of bd.save_particles") from None
-    with file:
+    require_file(path, "particle file")
+    with reading(path, _KIND) as file:
         head: Any = file.attrs
         if text_of(head.get("format")) != FORMAT:
-            raise InputError(f"'{path}' is not a particle file of bondem; give a file of bd.save_particles")
+            raise InputError(f"'{path}' is not {_KIND.name}; {_KIND.given}")
         version, schema = text_of(head.get("bondem_version", "")), head.get("schema")
         if schema is None or not version:
-            raise InputError(f"'{path}' is damaged: its version of bondem is missing; write it again")
+            raise InputError(f"'{path}' is damaged (its version of bondem is missing); {_KIND.again}")
         if schema > SCHEMA:
             raise InputError(
                 f"'{path}' was written by bondem {version}, which is newer than this {__version__}; update bondem to"
                 " read it"
             )
-        try:
+        with damage(path, _KIND):
             if schema >= _DIGESTED and not agree(digest_of(arrays_of(file)), head["digest"]):
                 raise ValueError("its digest does not match")
-            period = _array(file, "elements/period") if "elements/period" in file else None
-            shape = decode(json.loads(_array(file, "shape").item()))
+            period = array_at(file, "elements/period") if "elements/period" in file else None
+            shape = decode(json.loads(array_at(file, "shape").item()))
             if not isinstance(shape, Shape | None):
                 raise ValueError(f"its shape is a {type(shape).__name__}")
             # it may be carved, and stick out of its shape
             particles = filled(
-                Particles(_array(file, "elements/position"), _array(file, "elements/radius"), period), shape
+                Particles(array_at(file, "elements/position"), array_at(file, "elements/radius"), period), shape
             )
             lattice = read_bonds(file, particles) if "bonds/pairs" in file else None
-            told = json.loads(_array(file, "provenance").item())
-        except Exception as error:  # damage shows in more ways than a list could hold
-            raise InputError(f"'{path}' is damaged ({error}); write it again") from error
-    return particles, lattice, {"bondem_version": version} | {key: decode(value) for key, value in told.items()}
-
-
-def _array(file: h5py.File, name: str) -> np.ndarray:
-    item = file[name]
-    assert isinstance(item, h5py.Dataset)
-    return np.asarray(item[()])
+            told = json.loads(array_at(file, "provenance").item())
+            origin = {"bondem_version": version} | {key: decode(value) for key, value in told.items()}
+    return particles, lattice, origin

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from bondem._checks import shown
 from bondem._types import Floats, Pairs, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.io.text_file import encoding_of
@@ -13,6 +14,8 @@ from bondem.io.text_file import encoding_of
 LAMMPS_UNITS = {
     "si": 1.0, "cgs": 1e-2, "micro": 1e-6, "nano": 1e-9, "real": 1e-10, "metal": 1e-10, "electron": 5.29177210903e-11,
 }  # fmt: skip
+# Counts of more digits are of no file; Python does not convert more than 4300.
+_DIGITS = 18
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,6 +29,8 @@ class RawSpheres:
         pairs: elements i, j of the bonds, shape (m, 2), or None for formats without bonds.
         unit: unit of length of the file [m], or None if the file does not state it.
         strained: sign that the bonds are not at rest, or an empty text.
+        partly: axes along which the file is periodic, where it is not along all, or an empty text. Positions are
+            relative to the corner of the cell then.
     """
 
     position: PerElement3
@@ -34,6 +39,7 @@ class RawSpheres:
     pairs: Pairs | None = None
     unit: float | None = None
     strained: str = ""
+    partly: str = ""
 
 
 def numbered_lines(path: Path) -> Iterator[tuple[int, str]]:
@@ -62,3 +68,40 @@ def floats(path: Path, line: int, words: Sequence[str]) -> list[float]:
         if not math.isfinite(found[-1]):
             raise InputError(f"'{path}', line {line}: {word} is not finite; correct or remove the line")
     return found
+
+
+def snapshot_number(path: Path, frame: int, count: int) -> int:
+    """Return the number of a snapshot from 0; negative ones count from the end.
+
+    Raises:
+        InputError: the file has no such snapshot.
+    """
+    if not -count <= frame < count:
+        raise InputError(f"frame = {frame}: '{path}' has {count} snapshots; give one from 0 to {count - 1}, or -1")
+    return frame % count
+
+
+def announced_count(path: Path, line: int, text: str, what: str) -> int:
+    """Read a count of a header.
+
+    Raises:
+        InputError: it is no count, or beyond all files.
+    """
+    if not text.isascii() or not text.isdigit() or len(text) > _DIGITS:
+        raise InputError(f"'{path}', line {line}: {shown(text)} where the number of {what} is due; correct it")
+    return int(text)
+
+
+def require_count(path: Path, line: int, what: str, announced: int | None, found: int) -> None:
+    """Refuse a file that holds more or less than its header announces; None if nothing is announced.
+
+    Raises:
+        InputError: the numbers differ; the message states both.
+    """
+    if announced is not None and announced != found:
+        raise InputError(f"'{path}', line {line}: {announced} {what} announced, {found} there; complete the file")
+
+
+def some_axes(borders: Sequence[bool]) -> str:
+    """Name the axes whose borders are periodic, where some are and others are not: "x and y"; else an empty text."""
+    return "" if all(borders) else " and ".join(axis for axis, one in zip("xyz", borders, strict=False) if one)

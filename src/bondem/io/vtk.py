@@ -9,8 +9,9 @@ import numpy as np
 from bondem._checks import array, instance, place
 from bondem._types import ArrayLike
 from bondem.errors import InputError
-from bondem.io.atomic import replacing, require_writable
+from bondem.io.atomic import require_writable
 from bondem.io.field_names import check_names
+from bondem.io.hdf5 import put, writing
 from bondem.io.vtk_cells import fields_of_cells, write_cells
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
@@ -79,19 +80,19 @@ def write_vtkhdf(
     plain = particles.position[pairs[:, 1]] - particles.position[pairs[:, 0]]
     drawn = np.abs(plain - lattice.branch).max(axis=1) < 1e-6 * particles.mean_radius
     require_writable(path, "VTK file")
-    with replacing(path) as aside, h5py.File(aside, "w") as file:
+    with writing(path) as file:
         root = file.create_group("VTKHDF")
         root.attrs["Version"] = (2, 0)
         root.attrs.create("Type", b"PolyData", dtype=h5py.string_dtype("ascii", 8))
         root["NumberOfPoints"] = [len(points)]
-        root["Points"] = points
+        put(root, "Points", points)
         for kind in ("Vertices", "Lines", "Polygons", "Strips"):
             cells = pairs[drawn] if kind == "Lines" else np.zeros((0, 2), dtype=np.int64)
             group = root.create_group(kind)
             group["NumberOfCells"] = [len(cells)]
             group["NumberOfConnectivityIds"] = [cells.size]
-            group["Offsets"] = 2 * np.arange(len(cells) + 1)
-            group["Connectivity"] = cells.ravel()
+            put(group, "Offsets", 2 * np.arange(len(cells) + 1))
+            put(group, "Connectivity", cells.ravel())
         _write_fields(root.create_group("PointData"), of_elements | dict(elements or {}), len(points))
         _write_fields(root.create_group("CellData"), of_bonds | dict(bonds or {}), len(pairs), drawn)
 
@@ -101,7 +102,7 @@ def _write_fields(
 ) -> None:
     for name, field in fields.items():
         values = _checked(name, field, count)
-        group[name] = values if chosen is None else values[chosen]
+        put(group, name, values if chosen is None else values[chosen])
 
 
 def _checked(name: str, field: ArrayLike, count: int) -> np.ndarray:

@@ -8,7 +8,8 @@ import numpy as np
 
 from bondem._types import ArrayLike, Floats, Ints
 from bondem.geometry.rotations import turned_vectors
-from bondem.io.atomic import replacing, require_writable
+from bondem.io.atomic import require_writable
+from bondem.io.hdf5 import put, writing
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.cell_forces import CellForces
@@ -57,16 +58,18 @@ def write_cells(path: Path, body: Lattice, state: State | None, fields: Mapping[
     n = len(body.particles)
     count, faces = np.bincount(corners.cell, minlength=n), np.bincount(corners.polygon_cell, minlength=n)
     require_writable(path, "VTK file")
-    with replacing(path) as aside, h5py.File(aside, "w") as file:
+    with writing(path) as file:
         root = file.create_group("VTKHDF")
         root.attrs["Version"] = _VERSION
         root.attrs.create("Type", b"UnstructuredGrid", dtype=h5py.string_dtype("ascii", 16))
-        root["Points"] = point
-        root["Types"] = np.full(n, _POLYHEDRON, dtype=np.uint8)
-        root["Connectivity"], root["Offsets"] = np.arange(len(point)), np.append(0, np.cumsum(count))
-        root["FaceConnectivity"], root["FaceOffsets"] = corners.number, corners.start
-        root["PolyhedronToFaces"] = np.arange(len(corners.polygon_cell))
-        root["PolyhedronOffsets"] = np.append(0, np.cumsum(faces))
+        for name, values in (
+            ("Points", point), ("Types", np.full(n, _POLYHEDRON, dtype=np.uint8)),
+            ("Connectivity", np.arange(len(point))), ("Offsets", np.append(0, np.cumsum(count))),
+            ("FaceConnectivity", corners.number), ("FaceOffsets", corners.start),
+            ("PolyhedronToFaces", np.arange(len(corners.polygon_cell))),
+            ("PolyhedronOffsets", np.append(0, np.cumsum(faces))),
+        ):  # fmt: skip
+            put(root, name, values)
         for name, size in (
             ("Points", len(point)), ("Cells", n), ("ConnectivityIds", len(point)), ("Faces", faces.sum()),
             ("FaceConnectivityIds", len(corners.number)), ("PolyhedronToFaceIds", faces.sum()),
@@ -74,7 +77,7 @@ def write_cells(path: Path, body: Lattice, state: State | None, fields: Mapping[
             root["NumberOf" + name] = [size]
         data = root.create_group("CellData")
         for name, values in fields.items():
-            data[name] = values
+            put(data, name, values)
 
 
 class Corners:

@@ -7,7 +7,8 @@ import h5py
 import numpy as np
 
 from bondem._types import Floats, Ints
-from bondem.io.atomic import replacing, require_writable
+from bondem.io.atomic import require_writable
+from bondem.io.hdf5 import put, writing
 
 
 def write_polygons(path: Path, vertex: Floats, start: Ints, fields: Mapping[str, np.ndarray]) -> None:
@@ -20,17 +21,19 @@ def write_polygons(path: Path, vertex: Floats, start: Ints, fields: Mapping[str,
         fields: fields of the polygons by name, (p,) or (p, k).
     """
     require_writable(path, "VTK file")
-    with replacing(path) as aside, h5py.File(aside, "w") as file:
+    with writing(path) as file:
         root = file.create_group("VTKHDF")
         root.attrs["Version"] = (2, 0)
         root.attrs.create("Type", b"PolyData", dtype=h5py.string_dtype("ascii", 8))
-        root["NumberOfPoints"], root["Points"] = [len(vertex)], vertex
+        root["NumberOfPoints"] = [len(vertex)]
+        put(root, "Points", vertex)
         for kind in ("Vertices", "Lines", "Polygons", "Strips"):
             offsets = start if kind == "Polygons" else np.zeros(1, dtype=np.int64)
             group = root.create_group(kind)
             group["NumberOfCells"], group["NumberOfConnectivityIds"] = [len(offsets) - 1], [int(offsets[-1])]
-            group["Offsets"], group["Connectivity"] = offsets, np.arange(offsets[-1])
+            put(group, "Offsets", offsets)
+            put(group, "Connectivity", np.arange(offsets[-1]))
         root.create_group("PointData")
         data = root.create_group("CellData")
         for name, values in fields.items():
-            data[name] = values
+            put(data, name, values)

@@ -1,45 +1,116 @@
-"""Import of spheres from VTKHDF, as written by `write_vtkhdf`: points with an array of radii."""
+"""Import of spheres from VTKHDF: points with an array of radii, of one time or many, in one piece or several."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 
-from bondem._types import PerElement
+from bondem._types import Pairs, PerElement
 from bondem.errors import InputError
-from bondem.io.raw_spheres import RawSpheres
+from bondem.io.digest import text_of
+from bondem.io.hdf5 import Kind, array_at, damage, reading
+from bondem.io.raw_spheres import RawSpheres, snapshot_number
 
 # In small letters; of a diameter, half.
 _RADIUS = ("radius", "radii", "rad", "r")
 _DIAMETER = ("diameter", "diameters", "d")
+_TYPES = ("PolyData", "UnstructuredGrid")
+_LINES = 1  # of the kinds of cells of PolyData: vertices, lines, polygons, strips
+_KIND = Kind(
+    "VTKHDF with points and point data", "give PolyData or an UnstructuredGrid", "write it again", InputError
+)  # fmt: skip
 
 
-def read_vtkhdf_spheres(path: Path, radius: str | None = None) -> RawSpheres:
-    """Read spheres from a VTKHDF file of PolyData or an UnstructuredGrid in one piece; lines of two points are bonds.
+def read_vtkhdf_spheres(path: Path, radius: str | None = None, *, frame: int = -1) -> RawSpheres:
+    """Read spheres from a VTKHDF file of PolyData or an UnstructuredGrid; lines of two points are bonds.
 
     Args:
         path: the file.
         radius: name of the point array of radii; None for the default names of `radii`.
+        frame: index of the time step, from 0; -1 is the last.
 
     Raises:
-        InputError: not such a file, or no such array.
+        InputError: not such a file, no such array or time step, or arrays that hold less than the file announces.
     """
-    try:
-        with h5py.File(path, "r") as file:
-            root: Any = file["VTKHDF"]
-            centre = np.asarray(root["Points"][()], dtype=float)
-            arrays = {name: np.asarray(item[()]) for name, item in root["PointData"].items()}
-            lines = root.get("Lines")
-            ends = None
-            if lines is not None and (np.diff(lines["Offsets"][()]) == 2).all():
-                ends = np.asarray(lines["Connectivity"][()], dtype=np.int64).reshape(-1, 2)
-    except (OSError, KeyError, ValueError):
-        raise InputError(f"'{path}' is not VTKHDF with points and point data; write it again") from None
-    pairs = ends if ends is not None and len(ends) else None
+    with reading(path, _KIND) as file:
+        root: Any = file.get("VTKHDF")
+        kind = None if root is None else text_of(dict(root.attrs).get("Type"))
+        if kind not in _TYPES or "Points" not in root or "PointData" not in root:
+            raise InputError(f"'{path}' is not {_KIND.name}; {_KIND.given}")
+        with damage(path, _KIND, InputError):
+            step = _Step.of(path, root, frame)
+            centre = np.asarray(step.rows(root["Points"], "PointOffsets"), dtype=float)
+            arrays = {
+                name: step.rows(item, f"PointDataOffsets/{name}") for name, item in root["PointData"].items()
+            }
+            pairs = step.pairs(root["Lines"]) if "Lines" in root else None
     moved = "its elements have displacements" if np.any(arrays.get("displacement", 0.0)) else ""
     return RawSpheres(centre, radii(path, arrays, radius), pairs=pairs, strained=moved if pairs is not None else "")
+
+
+@dataclass(frozen=True, eq=False)
+class _Step:
+    """One time step of a file, or all of a file without time steps.
+
+    Attributes:
+        offsets: group with the first rows of the step in each array; None for a file without time steps.
+        number: number of the step.
+        first: number of the first piece of the step.
+        points: number of points of each piece, (p,).
+    """
+
+    offsets: Any
+    number: int
+    first: int
+    points: np.ndarray
+
+    @classmethod
+    def of(cls, path: Path, root: Any, frame: int) -> "_Step":
+        points = array_at(root, "NumberOfPoints").astype(np.int64)
+        offsets = root.get("Steps")
+        number = snapshot_number(path, frame, 1 if offsets is None else int(offsets.attrs["NSteps"]))
+        if offsets is None:
+            return cls(None, number, 0, points)
+        first = int(offsets["PartOffsets"][number])
+        count = int(offsets["NumberOfParts"][number]) if "NumberOfParts" in offsets else 1
+        return cls(offsets, number, first, points[first : first + count])
+
+    def rows(self, data: Any, offset: str) -> np.ndarray:
+        """Rows of the points in an array.
+
+        Raises:
+            ValueError: the array has fewer rows than the file announces.
+        """
+        begin, count = self._begin(offset), int(self.points.sum())
+        found = np.asarray(data[begin : begin + count])
+        if len(found) != count or (self.offsets is None and len(data) != count):
+            raise ValueError(f"{count} points announced, {len(data) - begin} rows in {data.name}")
+        return found
+
+    def pairs(self, lines: Any) -> Pairs | None:
+        """Ends of the lines, (m, 2); None without lines, or where a line has more than two points."""
+        cells = array_at(lines, "NumberOfCells")[self.first :][: len(self.points)].astype(np.int64)
+        # the offsets of each piece have one entry more than its lines
+        begin = self._begin("CellOffsets", _LINES) + self.first
+        at, point, found = self._begin("ConnectivityIdOffsets", _LINES), 0, []
+        for count, own in zip(cells.tolist(), self.points.tolist(), strict=True):
+            if (np.diff(lines["Offsets"][begin : begin + count + 1]) != 2).any():
+                return None
+            ends = np.asarray(lines["Connectivity"][at : at + 2 * count], dtype=np.int64)
+            if len(ends) != 2 * count or (count and not 0 <= ends.min() <= ends.max() < own):
+                raise ValueError(f"{count} lines announced, {len(ends) // 2} with points of the file")
+            found.append(ends.reshape(-1, 2) + point)
+            begin, at, point = begin + count + 1, at + 2 * count, point + own
+        pairs = np.concatenate(found) if found else np.zeros((0, 2), dtype=np.int64)
+        return pairs if len(pairs) else None
+
+    def _begin(self, offset: str, kind: int | None = None) -> int:
+        if self.offsets is None or offset not in self.offsets:
+            return 0
+        found = self.offsets[offset][self.number]
+        return int(found if kind is None else np.ravel(found)[kind])
 
 
 def radii(path: Path, arrays: Mapping[str, np.ndarray], name: str | None) -> PerElement:

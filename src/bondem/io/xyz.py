@@ -10,7 +10,15 @@ import numpy as np
 from bondem._checks import shown
 from bondem._types import Floats
 from bondem.errors import InputError
-from bondem.io.raw_spheres import RawSpheres, floats, numbered_lines
+from bondem.io.raw_spheres import (
+    RawSpheres,
+    announced_count,
+    floats,
+    numbered_lines,
+    require_count,
+    snapshot_number,
+    some_axes,
+)
 
 _Rows = list[tuple[int, list[str]]]
 _SETTING = re.compile(r"(\w+)=(\"[^\"]*\"|\S+)")
@@ -50,7 +58,8 @@ def read_xyz(
     one = size if size is not None and not isinstance(size, str) else None
     share *= 0.5 if diameters else 1.0
     radius = np.full(len(numbers), float(one)) if one is not None else share * numbers[:, 3]
-    return RawSpheres(numbers[:, :3], radius, _period(path, line, said, periodic))
+    period, partly = _period(path, line, said, periodic)
+    return RawSpheres(numbers[:, :3], radius, period, partly=partly)
 
 
 def _frames(path: Path) -> Iterator[tuple[int, str, _Rows]]:
@@ -58,15 +67,12 @@ def _frames(path: Path) -> Iterator[tuple[int, str, _Rows]]:
     at = 0
     while at < len(lines):
         line, text = lines[at]
-        if not text.isdecimal():
-            raise InputError(f"'{path}', line {line}: {shown(text)} where the number of atoms is due; correct it")
-        count = int(text)
+        count = announced_count(path, line, text, "atoms")
         # an empty comment is a line that is left out
         comment = lines[at + 1][1] if at + 1 < len(lines) and lines[at + 1][0] == line + 1 else ""
         skip = 2 if comment else 1
         rows = [(number, words.split()) for number, words in lines[at + skip : at + skip + count]]
-        if len(rows) < count:
-            raise InputError(f"'{path}', line {line}: {count} atoms announced, {len(rows)} there; complete the file")
+        require_count(path, line, "atoms", count, len(rows))
         yield line + 1, comment, rows
         at += skip + count
 
@@ -80,8 +86,7 @@ def _frame(path: Path, number: int) -> tuple[int, str, _Rows]:
             return one
     if not count:
         raise InputError(f"'{path}' holds no atoms; write it again")
-    if number >= 0 or count < -number:
-        raise InputError(f"frame = {number}: '{path}' has {count} snapshots; give one from 0 to {count - 1}, or -1")
+    snapshot_number(path, number, count)
     return last[0]
 
 
@@ -123,14 +128,15 @@ def _columns(
     )
 
 
-def _period(path: Path, line: int, said: dict[str, str], periodic: bool | None) -> Floats | None:
-    """Return the edges of the cell if it is periodic."""
-    if periodic is None:
-        borders = said.get("pbc", "").lower().split()
-        periodic = bool(borders) and all(border in _TRUE for border in borders)
-    if not periodic:
-        return None
+def _period(
+    path: Path, line: int, said: dict[str, str], periodic: bool | None
+) -> tuple[Floats | None, str]:
+    """Return the edges of the cell if it is periodic, and the axes of one that is periodic along some only."""
+    borders = [border in _TRUE for border in said.get("pbc", "").lower().split()]
+    partly = some_axes(borders) if periodic is not False else ""
+    if partly or not (bool(borders) and all(borders) if periodic is None else periodic):
+        return None, partly
     cell = np.array(floats(path, line, said.get("lattice", "").split()))
     if cell.shape != (9,) or np.any(cell.reshape(3, 3) - np.diag(cell[::4])):
         raise InputError(f"'{path}', line {line}: Lattice= is no cell with edges along the axes; leave pbc= out")
-    return cell[::4]
+    return cell[::4], ""

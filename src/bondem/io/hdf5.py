@@ -1,0 +1,126 @@
+"""HDF5 files: the one place where they are opened for reading, and where whole files are written.
+
+HDF5 does not survive a failing disk: it crashes when it closes a file that it could not write. Files are therefore
+made in memory, and their bytes are written by Python. Errors of reading come from damage anywhere, in more kinds than
+a list could hold. Each becomes one line that names the file.
+"""
+
+import io
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+
+from bondem.errors import BondemError
+from bondem.io.atomic import write_bytes
+
+#: Version of the format, whose metadata have checksums.
+FORMAT = ("v108", "v108")
+# No compression of HDF5 makes arrays smaller than by this factor; less is not worth an error [bytes].
+_MOST_COMPRESSED, _LITTLE = 1100, 1 << 20
+
+
+@dataclass(frozen=True)
+class Kind:
+    """Kind of file, as its errors describe it.
+
+    Attributes:
+        name: name of the kind.
+        given: advice for a file of another kind.
+        again: advice for a damaged file.
+        error: type of the errors.
+    """
+
+    name: str
+    given: str
+    again: str
+    error: type[BondemError]
+
+
+@contextmanager
+def writing(path: Path) -> Iterator[h5py.File]:
+    """Yield a new file in memory, which is written to `path` at the end of the block.
+
+    Raises:
+        RunFileError: the disk is full, or another failure to write.
+    """
+    content = io.BytesIO()
+    with h5py.File(content, "w", libver=FORMAT) as file:
+        yield file
+    write_bytes(path, content.getbuffer())
+
+
+def put(group: Any, name: str, values: Any) -> None:
+    """Store an array with checksums, by which readers notice damage."""
+    array = np.asarray(values)
+    if array.ndim and array.size:
+        group.create_dataset(name, data=array, chunks=True, fletcher32=True)
+    else:
+        group[name] = array
+
+
+@contextmanager
+def reading(path: Path, kind: Kind, source: Path | io.BytesIO | None = None) -> Iterator[h5py.File]:
+    """Open a file for reading.
+
+    Args:
+        path: the file.
+        kind: kind of the file, for errors.
+        source: contents of the file, where they are not at `path`.
+
+    Raises:
+        BondemError: the error of the kind, for a file that is not HDF5 or is damaged, or whose arrays announce more
+            than the file holds; and errors that the block raises.
+    """
+    try:
+        file = h5py.File(source or path, "r")
+    except PermissionError as error:
+        raise kind.error(f"'{path}' cannot be read ({error.strerror}); check its permissions") from None
+    except Exception:
+        raise kind.error(f"'{path}' is not {kind.name}; {kind.given}") from None
+    with file, damage(path, kind, BondemError):
+        file.visititems(_require_stored)
+        yield file
+
+
+@contextmanager
+def damage(path: Path, kind: Kind, *passing: type[Exception]) -> Iterator[None]:
+    """Turn errors of the block into the error of a damaged file.
+
+    Args:
+        path: the file.
+        kind: kind of the file.
+        passing: types of errors that are raised as they are.
+    """
+    try:
+        yield
+    except passing:
+        raise
+    except MemoryError:
+        raise kind.error(f"'{path}' does not fit into the memory of this machine; read it on a larger one") from None
+    except Exception as error:
+        reason = " ".join(str(error).split())
+        raise kind.error(f"'{path}' is damaged ({reason}); {kind.again}") from error
+
+
+def _require_stored(name: str, item: Any) -> None:
+    """Refuse arrays that announce more bytes than the file can hold, before memory is allocated for them."""
+    if isinstance(item, h5py.Dataset) and item.nbytes > _LITTLE + _MOST_COMPRESSED * item.id.get_storage_size():
+        raise ValueError(f"{name} announces {item.nbytes:.3g} bytes, of which the file holds none or few")
+
+
+def array_at(file: Any, name: str) -> np.ndarray:
+    """Read an array.
+
+    Raises:
+        KeyError: there is none of this name.
+        ValueError: it is not an array.
+    """
+    item = file[name]
+    if not isinstance(item, h5py.Dataset):
+        raise ValueError(f"{name} is not an array")
+    return np.asarray(item[()])
