@@ -5,13 +5,21 @@ Type checkers and editors read `__init__.pyi`, which a test compares with the li
 """
 
 import importlib
+from pathlib import Path
 from typing import Any
 
 from bondem._describe import describe
 from bondem._environment import check_environment
 from bondem._names import no_attribute, suggesting
 
-__version__ = "0.1.0"
+try:
+    from bondem._version import __version__  # type: ignore[missing-import]
+except ImportError:  # a source tree that was not installed
+    __version__ = "0.1.0.dev0+unknown"
+else:
+    if (Path(__file__).parents[2] / ".git").exists():
+        # In a clone the code changes after its installation: results state the commit that ran, beside this version.
+        __version__ = __version__.partition("+")[0]
 
 _PUBLIC = {
     "bondem._progress": ("show_progress",),
@@ -21,6 +29,7 @@ _PUBLIC = {
     "bondem.specimen.material": ("Material",),
     "bondem.geometry.shape": ("Shape",),
     "bondem.geometry.elementary_shapes": ("Ball", "Box", "Cell", "Cylinder"),
+    "bondem.geometry.smooth_patches": ("Patch",),
     "bondem.geometry.surface": ("Surface",),
     "bondem.specimen.particles": ("Particles",),
     "bondem.specimen.lattice": ("Lattice", "carve"),

@@ -85,6 +85,7 @@ from bondem.geometry.elementary_shapes import Box as Box
 from bondem.geometry.elementary_shapes import Cell as Cell
 from bondem.geometry.elementary_shapes import Cylinder as Cylinder
 from bondem.geometry.shape import Shape as Shape
+from bondem.geometry.smooth_patches import Patch as Patch
 from bondem.geometry.surface import Surface as Surface
 from bondem.interactions.beams.assignment import BondAssignment as BondAssignment
 from bondem.interactions.beams.bond_law import BondGeometry as BondGeometry

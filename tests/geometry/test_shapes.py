@@ -107,7 +107,7 @@ def test_units_are_asked_for_and_converted(write):
 def test_what_is_no_closed_surface_is_refused(write, tmp_path):
     with pytest.raises(InputError, match="no such file"):
         bd.Surface(tmp_path / "missing.stl")
-    with pytest.raises(InputError, match="STL and PLY"):
+    with pytest.raises(InputError, match="STL, OBJ, 3MF, PLY and OFF"):
         bd.Surface(tmp_path / "part.step")
     (tmp_path / "empty.stl").write_bytes(b"solid nothing\nendsolid nothing\n")
     with pytest.raises(InputError, match="empty"):

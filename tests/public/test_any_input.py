@@ -149,7 +149,8 @@ USUAL: dict[str, dict[str, Any]] = {
         "function": along, "fracture_energy": 50.0, "friction": 0.3, "scatter": None, "tension": 1e6,
     },
     "Surface": {"file": None, "unit": None, "vertices": np.eye(4, 3), "triangles": [[0, 2, 1], [0, 1, 3], [1, 2, 3],
-                                                                                     [0, 3, 2]]},
+                                                                                     [0, 3, 2]],
+                "named": {"foot": [0]}, "sharp": 0.5},
     "Table": {"times": [0.0, 1.0], "values": [0.0, 1.0]},
     "TchamwaWielgosz": {"phi": 1.1},
     "Timoshenko": BEAM | {"radius": None},
@@ -235,7 +236,7 @@ ELSEWHERE = {
     "set_threads",
     "ElementStress",
     "BondForces", "BrokenBonds", "ContactLaw", "Criterion", "Fragments", "AcousticEmission", "BValue", "CrackGrowth",
-    "CrackPolygons", "CrackSurfaces", "Cracks", "Explanation", "ImpliedFracture",
+    "CrackPolygons", "CrackSurfaces", "Patch", "Cracks", "Explanation", "ImpliedFracture",
     # whole tests to failure (`test_strength`)
     "labtests.direct_tension", "labtests.uniaxial_compression",
     # the same (`test_laboratory`)

@@ -8,11 +8,10 @@ solid angle of a solid seen from points of another, over 4π. It is a whole numb
 """
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from bondem._types import Floats, Ints, PerElement, PerElement3
 from bondem.errors import InputError
+from bondem.geometry.smooth_patches import components, joined_sides
 
 _FARTHEST = 1e30  # of a vertex [m]: beyond, volumes are no numbers any more
 # Corners nearer than this, over the size of the surface, are one where the surface is open otherwise: files keep
@@ -24,8 +23,10 @@ _PAIRS, _SAMPLES = 4_000_000, 400
 _OFF = 0.1
 
 
-def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats, Ints]:
+def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats, Ints, Ints]:
     """Return corners and triangles of a closed surface, all outwards, without doubled ones or ones without area.
+
+    Third come the rows of `triangles` that are left.
 
     Args:
         name: name of the surface, for messages.
@@ -41,12 +42,12 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
         raise InputError(f"{name} has a vertex that is not finite or beyond 1e30 m; export it again")
     if triangles.size and not (triangles.min() >= 0 and triangles.max() < len(vertices)):
         raise InputError(f"{name}: triangles refer to vertices that do not exist; count vertices from 0")
-    vertices, triangles = _merged(vertices, triangles, 0.0)
+    vertices, triangles, kept = _merged(vertices, triangles, 0.0)
     if len(triangles) and not _is_closed(triangles):
         size = float(np.ptp(vertices, axis=0).max())
         nearer = _merged(vertices, triangles, _SAME * size)
         if _is_closed(nearer[1]):
-            vertices, triangles = nearer
+            vertices, triangles, kept = *nearer[:2], kept[nearer[2]]
     if len(triangles) < 4:
         raise InputError(f"{name} has {len(triangles)} triangles; a closed surface has at least four")
     _require_closed(name, triangles)
@@ -60,11 +61,11 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
     if len(volume) > 1:
         turned = _inside_out(name, vertices, triangles, part, volume)
         triangles = np.where(turned[part][:, None], triangles[:, ::-1], triangles)
-    return vertices, np.ascontiguousarray(triangles)
+    return vertices, np.ascontiguousarray(triangles), kept
 
 
-def _merged(vertices: Floats, triangles: Ints, tolerance: float) -> tuple[Floats, Ints]:
-    """Merge corners of one place, and remove triangles without area and doubled ones."""
+def _merged(vertices: Floats, triangles: Ints, tolerance: float) -> tuple[Floats, Ints, Ints]:
+    """Merge corners of one place, remove triangles without area and doubled ones; third come the rows kept."""
     place = vertices + 0.0 if tolerance == 0.0 else np.rint(vertices / tolerance)
     _, first, number = np.unique(place, axis=0, return_index=True, return_inverse=True)
     if len(first) < len(vertices):
@@ -72,16 +73,17 @@ def _merged(vertices: Floats, triangles: Ints, tolerance: float) -> tuple[Floats
         rank = np.empty_like(order)
         rank[order] = np.arange(len(order))
         vertices, triangles = vertices[first[order]], rank[number.ravel()][triangles]
-    triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
-    return vertices, _once(triangles)
+    rows = np.flatnonzero((triangles != np.roll(triangles, 1, axis=1)).all(axis=1))
+    rows = rows[_once(triangles[rows])]
+    return vertices, triangles[rows], rows
 
 
-def _once(triangles: Ints) -> Ints:
-    """Return each triangle once; two of opposite directions cancel each other."""
+def _once(triangles: Ints) -> np.ndarray:
+    """Return a mask with each triangle once; two of opposite directions cancel each other."""
     corners = np.sort(triangles, axis=1)
     _, number, count = np.unique(corners, axis=0, return_inverse=True, return_counts=True)
     if not len(triangles) or count.max() == 1:
-        return triangles
+        return np.ones(len(triangles), dtype=bool)
     number = number.ravel()
     # the way round: that of the sorted corners or the other
     turn = np.argmin(triangles, axis=1)[:, None]
@@ -93,7 +95,7 @@ def _once(triangles: Ints) -> Ints:
         own = np.flatnonzero((way == sign) & (np.sign(net[number]) == sign))
         _, first = np.unique(number[own], return_index=True)
         kept[own[first]] = True
-    return triangles[kept]
+    return kept
 
 
 def _edges(triangles: Ints) -> tuple[Ints, Ints]:
@@ -124,14 +126,7 @@ def _require_closed(name: str, triangles: Ints) -> None:
 
 def _parts(triangles: Ints) -> Ints:
     """Number of the solid of each triangle; edges of two triangles join them."""
-    edge = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
-    _, number, count = np.unique(edge, axis=0, return_inverse=True, return_counts=True)
-    number = number.ravel()
-    order = np.argsort(number, kind="stable")
-    plain = order[count[number[order]] == 2] // 3
-    one, other = plain[::2], plain[1::2]
-    joined = coo_array((np.ones(len(one)), (one, other)), shape=(len(triangles),) * 2)
-    return connected_components(joined, directed=False)[1]
+    return components(joined_sides(triangles) // 3, len(triangles))
 
 
 def _cones(vertices: Floats, triangles: Ints) -> PerElement:

@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from bondem._checks import choice, instance, number, vector
-from bondem._types import Floats, PerElement, PerElement3, Vector
+from bondem._types import Floats, Mask, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.geometry.planes import Planes, placed, shared, turn_about
 from bondem.geometry.quadrature import Content, content
@@ -104,6 +104,13 @@ class Placed(Shape):
     def faces(self) -> tuple[str, ...]:
         return self.shape.faces
 
+    @property
+    def patch_names(self) -> tuple[str, ...]:
+        return self.shape.patch_names
+
+    def on_patch(self, name: str, points: PerElement3, normals: PerElement3) -> Mask:
+        return self.shape.on_patch(name, self._back(points), normals @ np.array(self.turn))
+
     def place(self, points: PerElement3) -> PerElement3:
         """Points (n, 3) of `shape`, moved along with it [m]."""
         return points @ np.array(self.turn).T + self.by
@@ -145,6 +152,13 @@ class _Pair(Shape):
 
     first: Shape
     second: Shape
+
+    @property
+    def patch_names(self) -> tuple[str, ...]:
+        return self.first.patch_names
+
+    def on_patch(self, name: str, points: PerElement3, normals: PerElement3) -> Mask:
+        return self.first.on_patch(name, points, normals)
 
     def depth_of(self, faces: Sequence[str], points: PerElement3) -> PerElement:
         return self.depth(points)
@@ -211,7 +225,7 @@ class Overlap(_Pair):
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         self._check_face(face)
         walls = [self.second.depth(points)] if face == self.name else []
-        if face in self.first.faces:
+        if self.first.has_face(face):
             walls.append(self.first.face_depth(face, points))
         return np.min(walls, axis=0)
 
@@ -219,7 +233,7 @@ class Overlap(_Pair):
         return np.minimum(self.first.depth(points), self.second.depth(points))
 
     def face_centre(self, face: str) -> Vector:
-        return self.first.face_centre(face) if face in self.first.faces else super().face_centre(face)
+        return self.first.face_centre(face) if self.first.has_face(face) else super().face_centre(face)
 
 
 @dataclass(frozen=True)
@@ -270,7 +284,7 @@ class Cut(_Pair):
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         self._check_face(face)
         walls = [self.beside(points)] if face == self.name else []
-        if face in self.first.faces:
+        if self.first.has_face(face):
             walls.append(self.first.face_depth(face, points))
         return np.min(walls, axis=0)
 
@@ -278,7 +292,7 @@ class Cut(_Pair):
         return np.minimum(self.first.depth(points), self.beside(points))
 
     def face_centre(self, face: str) -> Vector:
-        if face in self.first.faces:
+        if self.first.has_face(face):
             return self.first.face_centre(face)
         self._check_face(face)
         lower, upper = _common_bounds(self.first, self.second)
@@ -335,10 +349,26 @@ class Joined(_Pair):
     def faces(self) -> tuple[str, ...]:
         return tuple(self._parts)
 
-    def face_depth(self, face: str, points: PerElement3) -> PerElement:
+    @property
+    def patch_names(self) -> tuple[str, ...]:
+        """Patches of both parts but those whose names both have, such as "patch:1"."""
+        first, second = self.first.patch_names, self.second.patch_names
+        return tuple(name for name in (*first, *second) if (name in first) != (name in second))
+
+    def on_patch(self, name: str, points: PerElement3, normals: PerElement3) -> Mask:
+        self._check_face(name)
+        return self._carriers(name)[0].on_patch(name, points, normals)
+
+    def _carriers(self, face: str) -> list[Shape]:
+        """Return the parts that contribute to a face, or the one that has a patch."""
         self._check_face(face)
+        if face in self._parts:
+            return self._parts[face]
+        return [self.first if face in self.first.patch_names else self.second]
+
+    def face_depth(self, face: str, points: PerElement3) -> PerElement:
         depth, deepest = np.full(len(np.atleast_2d(points)), np.inf), self.depth(points)
-        for part in self._parts[face]:
+        for part in self._carriers(face):
             # A wall of one part that lies within the other is no wall.
             own = part.depth(points) >= deepest
             depth = np.where(own, np.minimum(depth, part.face_depth(face, points)), depth)
@@ -352,5 +382,4 @@ class Joined(_Pair):
         return np.maximum(self.first.depth(points), self.second.depth(points))
 
     def face_centre(self, face: str) -> Vector:
-        self._check_face(face)
-        return np.mean([part.face_centre(face) for part in self._parts[face]], axis=0)
+        return np.mean([part.face_centre(face) for part in self._carriers(face)], axis=0)

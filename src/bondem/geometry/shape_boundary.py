@@ -6,9 +6,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from bondem._checks import array, shown
-from bondem._types import PerElement, PerElement3, Vector
+from bondem._types import Mask, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.geometry.planes import Planes
+
+# Most names of patches that a message lists.
+_LISTED = 8
 
 BOX_FACES = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")
 
@@ -40,6 +43,19 @@ class Walled(ABC):
     @abstractmethod
     def faces(self) -> tuple[str, ...]:
         """Names of the faces."""
+
+    @property
+    def patch_names(self) -> tuple[str, ...]:
+        """Names of parts of surfaces (`Surface.patches`), each of which lies on one or several of the faces."""
+        return ()
+
+    def on_patch(self, name: str, points: PerElement3, normals: PerElement3) -> Mask:
+        """Return which points (n, 3) [m] on walls with outward normals (n, 3) belong to a patch, (n,)."""
+        raise InputError(f"{type(self).__name__} has no patch {shown(name)}")
+
+    def has_face(self, face: str) -> bool:
+        """Return True if this is the name of a face or patch."""
+        return face in self.faces or face in self.patch_names
 
     @abstractmethod
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
@@ -100,6 +116,9 @@ class Walled(ABC):
         return self.depth(at) >= 0.0
 
     def _check_face(self, face: str) -> None:
-        if not isinstance(face, str) or face not in self.faces:
+        if not isinstance(face, str) or not self.has_face(face):
             known = ", ".join(self.faces) or "none (it is periodic)"
+            if patches := self.patch_names:
+                known += f"; and patches: {', '.join(patches[:_LISTED])}"
+                known += f" … {patches[-1]}" if len(patches) > _LISTED else ""
             raise InputError(f"{type(self).__name__} has no face {shown(face)}; its faces are: {known}")

@@ -1,25 +1,29 @@
 """Shapes bounded by a closed triangulated surface, from a file or from arrays."""
 
-import importlib
-import os
+import math
+import sys
 import warnings
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from bondem._checks import array, place
+from bondem._checks import array, instance, number, place, shown, vector
+from bondem._drawing import draw
 from bondem._names import users_line
-from bondem._types import ArrayLike, Floats, Ints, PerElement, PerElement3, Vector
+from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement, PerElement3, Vector
 from bondem._units import length_unit
 from bondem.errors import InputError, UnitWarning
 from bondem.geometry.closed_surface import closed_surface
 from bondem.geometry.shape import Shape
 from bondem.geometry.shape_boundary import BOX_FACES
+from bondem.geometry.smooth_patches import Patch, patch, smooth_patches
+from bondem.geometry.surface_files.contents import Contents
+from bondem.geometry.surface_files.formats import read_surface_file
 from bondem.geometry.triangles import Triangles
-
-_SUFFIXES = (".stl", ".ply")
 
 # Longest specimen taken for metres without being told so, with a warning and without [m].
 _PLAUSIBLE, _USUAL = 10.0, 1.0
@@ -28,18 +32,27 @@ _PLAUSIBLE, _USUAL = 10.0, 1.0
 # STL files keep seven digits.
 _FLUSH = 1e-6
 
+# Angle from which an edge separates patches [rad], and how far their mean normals may be from one asked for.
+_SHARP = math.radians(35.0)
+_ALONG = math.cos(math.radians(15.0))
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Surface(Shape):
     """The solid enclosed by a triangulated surface, for example `Surface("part.stl", unit="mm")`.
 
     Facets in a side of the bounding box form the faces "x_min" … "z_max"; all other facets form the face "side".
+    `bd.Face` also takes the name of any of `patches`: a face between sharp edges, such as "patch:3", or a solid,
+    group or object of the file. `plot` shows them.
+
     Equal corners of several solids of a file, and doubled triangles, are merged. Solids must not touch: those that
     overlap are joined as two surfaces, `bd.Surface(…) | bd.Surface(…)`. A cavity faces inwards.
 
     Attributes:
         vertices: corners [m], (v, 3).
         triangles: corner indices of each triangle, counter-clockwise seen from outside, (t, 3).
+        named: triangles of each named part, as indices.
+        sharp: angle between the normals of two triangles from which their edge separates patches [rad].
 
     Raises:
         InputError: The file does not exist or has another format, its size cannot be in metres, the surface is not
@@ -51,34 +64,36 @@ class Surface(Shape):
 
     vertices: Floats
     triangles: Ints
+    named: Mapping[str, Ints]
+    sharp: float
 
     def __init__(
         self,
-        file: str | Path | None = None,
+        file: str | Path | Any | None = None,
         *,
         unit: str | float | None = None,
         vertices: ArrayLike | None = None,
         triangles: ArrayLike | None = None,
+        named: Mapping[str, ArrayLike] | None = None,
+        sharp: float = _SHARP,
     ) -> None:
         """Read a surface from a file, or make it from arrays.
 
         Args:
-            file: STL or PLY file.
-            unit: unit of length, by name ("mm") or in metres (1e-3); None for metres, if the size is plausible.
+            file: STL, OBJ, 3MF, PLY or OFF file, or a `trimesh.Trimesh`.
+            unit: unit of length, by name ("mm") or in metres (1e-3). None for the unit that the file states, as 3MF
+                does, else for metres, if the size is plausible.
             vertices: corners (v, 3) in `unit`, instead of a file.
             triangles: corner indices (t, 3), together with `vertices`.
+            named: names of parts of the surface and the triangles of each, together with `vertices`.
+            sharp: angle between the normals of two triangles from which their edge separates patches [rad].
         """
         scale = None if unit is None else length_unit("Surface", unit)
-        if file is not None:
-            name = str(place("Surface: file", file))
-            x, t = _read(Path(name))
-        elif vertices is not None and triangles is not None:
-            name = "the surface"
-            x, t = _arrays(vertices, triangles)
-        else:
-            raise InputError("Surface needs a file, or both vertices= and triangles=")
-        x, t = closed_surface(name, x, t)
+        sharp = number("Surface", "sharp", sharp, unit="rad", above=0.0, advice="an angle between 0 and π")
+        name, (x, t, parts, own) = _given(file, vertices, triangles, named)
+        x, t, kept = closed_surface(name, x, t)
         size = float(np.ptp(x, axis=0).max())
+        scale = own if scale is None else scale
         if file is not None and scale is None and size > _PLAUSIBLE:
             raise InputError(
                 f"{name} is {size:.4g} long and has no unit; give unit='mm', or unit='m' if its numbers are metres"
@@ -92,6 +107,8 @@ class Surface(Shape):
         for key, values in (("vertices", x), ("triangles", t)):
             values.setflags(write=False)
             object.__setattr__(self, key, values)
+        object.__setattr__(self, "named", _kept_parts(parts, kept))
+        object.__setattr__(self, "sharp", sharp)
 
     def __repr__(self) -> str:
         a, b, c = np.ptp(self.vertices, axis=0)
@@ -128,13 +145,94 @@ class Surface(Shape):
         return on_face
 
     @cached_property
-    def _side(self) -> Triangles:
-        return Triangles(self.vertices, self.triangles[self._on_face["side"]])
+    def patches(self) -> tuple[Patch, ...]:
+        """Parts that `bd.Face` knows by name: those that the file names, then "patch:1" … from the largest down.
+
+        Numbered patches end at edges whose angle is `sharp` or more, and where a plane passes into a rounding. Their
+        numbers do not depend on the order of the triangles. A part of the file that is called as a face or a patch
+        has "group:" before its name.
+        """
+        found = smooth_patches(self.vertices, self.triangles, self.sharp)
+        taken = {*BOX_FACES, "side", *(one.name for one in found)}
+        return (*(
+            patch(f"group:{name}" if name in taken else name, chosen, self._corner, self._facet)
+            for name, chosen in self.named.items()
+        ), *found)  # fmt: skip
+
+    @property
+    def patch_names(self) -> tuple[str, ...]:
+        return tuple(self._of_patch)
+
+    def patch(self, *, near: ArrayLike | None = None, normal: ArrayLike | None = None) -> Patch:
+        """Return a numbered patch by its place or direction: `bd.Face(part.patch(normal=(0, 0, 1)).name)`.
+
+        Args:
+            near: point [m], (3,), for the patch nearest to it.
+            normal: direction of any length, (3,): only patches whose mean normal is within 15° of it. Without
+                `near`, the largest of them.
+
+        Raises:
+            InputError: Neither is given, or no patch has this normal.
+        """
+        if near is None and normal is None:
+            raise InputError("Surface.patch: give near=, a point [m], or normal=, a direction, or both")
+        found = [one for one in self.patches if one.name not in self._group_names]
+        if normal is not None:
+            along = np.array(vector("Surface.patch", "normal", normal))
+            length = np.linalg.norm(along)
+            found = [one for one in found if one.normal @ along > _ALONG * length]
+            if not found:
+                raise InputError(
+                    f"Surface.patch: no patch has a mean normal within 15° of {shown(normal)}; see Surface.patches"
+                )
+        if near is None:
+            return found[0]
+        point = np.array([vector("Surface.patch", "near", near, unit="m")])
+        return min(found, key=lambda one: float(self._tree(one.name).distance(point)[0]))
+
+    def plot(self, path: str | Path | None = None, *, view: tuple[float, float] = (28.0, 24.0)) -> Any:
+        """Draw the surface from two opposite sides, with the names of its patches.
+
+        Args:
+            path: PNG, PDF or SVG to write; nothing is written when None.
+            view: azimuth and elevation of the camera [degree].
+
+        Returns:
+            A `matplotlib.figure.Figure`, which Jupyter shows; its `show()` opens a window.
+
+        Raises:
+            InputError: a file that cannot be written, or a view that is not two angles.
+        """
+        return draw("draw_surface", self, path, view=view)
+
+    @cached_property
+    def _of_patch(self) -> dict[str, Patch]:
+        return {one.name: one for one in self.patches}
+
+    @cached_property
+    def _group_names(self) -> set[str]:
+        return {one.name for one in self.patches[: len(self.named)]}
+
+    @cached_property
+    def _trees(self) -> dict[str, Triangles]:
+        return {}
+
+    def _tree(self, face: str) -> Triangles:
+        """Return the triangles of a face with their search tree, built at first use."""
+        if face not in self._trees:
+            self._trees[face] = Triangles(self.vertices, self.triangles[self.face_triangles(face)])
+        return self._trees[face]
 
     def face_triangles(self, face: str) -> Ints:
-        """Return the triangles of a face, as indices into `triangles`."""
+        """Return the triangles of a face or patch, as indices into `triangles`."""
         self._check_face(face)
-        return self._on_face[face]
+        return self._on_face[face] if face in self._on_face else self._of_patch[face].triangles
+
+    def on_patch(self, name: str, points: PerElement3, normals: PerElement3) -> Mask:
+        self._check_face(name)
+        triangle, off = self._all.facing(points, normals)
+        size = float(np.ptp(self.vertices, axis=0).max())
+        return np.isin(triangle, self._of_patch[name].triangles) & (off <= _FLUSH * size)
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -157,9 +255,8 @@ class Surface(Shape):
     def face_depth(self, face: str, points: PerElement3) -> PerElement:
         self._check_face(face)
         points = np.atleast_2d(points)
-        if face == "side":
-            depth = self.depth(points)
-            return np.copysign(self._side.distance(points), depth)
+        if face not in BOX_FACES:
+            return np.copysign(self._tree(face).distance(points), self.depth(points))
         lower, upper = self.bounds
         axis = "xyz".index(face[0])
         return upper[axis] - points[:, axis] if face.endswith("max") else points[:, axis] - lower[axis]
@@ -169,7 +266,7 @@ class Surface(Shape):
 
     def face_centre(self, face: str) -> Vector:
         self._check_face(face)
-        chosen = self._on_face[face]
+        chosen = self.face_triangles(face)
         weight = np.linalg.norm(self._facet[chosen], axis=1)
         return weight @ self._corner[chosen].mean(axis=1) / weight.sum()
 
@@ -193,23 +290,42 @@ def _section(corner: Floats, x: float) -> float:
     return abs(area)
 
 
-def _arrays(vertices: ArrayLike, triangles: ArrayLike) -> tuple[Floats, Ints]:
+def _given(
+    file: Any, vertices: ArrayLike | None, triangles: ArrayLike | None, named: Mapping[str, ArrayLike] | None
+) -> tuple[str, Contents]:
+    """Return the name of a surface, for messages, and its triangles."""
+    # whoever has a mesh of trimesh has imported it
+    trimesh = sys.modules.get("trimesh")
+    if trimesh is not None and isinstance(file, trimesh.Trimesh):
+        unit = None if file.units is None else length_unit("Surface: units of the Trimesh", file.units)
+        x, t = np.array(file.vertices, dtype=float), np.array(file.faces, dtype=np.int64)
+        return "the Trimesh", Contents(x.reshape(-1, 3), t.reshape(-1, 3), {}, unit)
+    if file is not None:
+        found = place("Surface: file", file)
+        return str(found), read_surface_file(found)
+    if vertices is None or triangles is None:
+        raise InputError("Surface needs a file, or both vertices= and triangles=")
     x = array("Surface", "vertices", vertices, wanted="corners, shape (v, 3)")
-    numbers = array("Surface", "triangles", triangles, wanted="numbers of corners, shape (t, 3)")
+    t = _whole("triangles", triangles, "numbers of corners, shape (t, 3)")
+    parts = {}
+    if named is not None:
+        instance("Surface", "named", named, Mapping, 'names and triangles, such as {"inlet": [0, 1]}')
+        for name, chosen in named.items():
+            instance("Surface", "a name of named", name, str, "a text")
+            parts[name] = np.unique(_whole(f"named[{name!r}]", chosen, "numbers of triangles, from 0"))
+            if parts[name].size and not 0 <= parts[name][0] <= parts[name][-1] < len(t):
+                raise InputError(f"Surface: named[{name!r}] has triangles that do not exist; count them from 0")
+    return "the surface", Contents(x, t, parts)
+
+
+def _whole(name: str, values: ArrayLike, wanted: str) -> Ints:
+    numbers = array("Surface", name, values, wanted=wanted)
     if not ((np.rint(numbers) == numbers) & (np.abs(numbers) < 2.0**31)).all():
-        raise InputError("Surface: triangles contain fractional numbers; give indices of their corners, from 0")
-    return x, numbers.astype(np.int64)
+        raise InputError(f"Surface: {name} contains fractional numbers; give {wanted}, from 0")
+    return numbers.astype(np.int64)
 
 
-def _read(file: Path) -> tuple[Floats, Ints]:
-    if file.suffix.lower() not in _SUFFIXES:
-        raise InputError(f"{file}: Surface reads STL and PLY files; export the part as one of these")
-    if not os.path.isfile(file):
-        raise InputError(f"{file}: there is no such file; check the path")
-    # loaded on use: a run without surfaces need not wait for it
-    trimesh = importlib.import_module("trimesh")
-    try:
-        mesh = trimesh.load_mesh(file)
-        return np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64)
-    except Exception as error:  # whatever a parser trips over
-        raise InputError(f"{file} cannot be read as {file.suffix[1:].upper()} ({error}); export it again") from error
+def _kept_parts(parts: dict[str, Ints], kept: Ints) -> dict[str, Ints]:
+    """Return named parts by the numbers of the triangles that were kept, (k,); parts without any are left out."""
+    found = {name: np.flatnonzero(np.isin(kept, chosen)) for name, chosen in parts.items()}
+    return {name: chosen for name, chosen in found.items() if chosen.size}

@@ -15,6 +15,7 @@ from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerElement, PerElement3
 
 _PIECES = 10_000  # more pieces: tighter boxes, more levels
+_FACING = 0.9  # cosine of the largest angle between a triangle and a wall that it may be
 
 
 class TriangleTree(NamedTuple):
@@ -85,6 +86,19 @@ class Triangles:
         distance, feature, offset = self._closest(points, triangle)
         outward = self._outward[triangle, feature]
         return np.where((offset * outward).sum(axis=1) > 0.0, -distance, distance)
+
+    def facing(self, points: PerElement3, normals: PerElement3) -> tuple[Ints, PerElement]:
+        """Return the nearest triangle that faces along a normal, within 25°, and the distance of its plane [m], (n,).
+
+        Distance is infinite where no triangle faces that way.
+        """
+        triangle = self._nearest(points)
+        for k in np.flatnonzero((self._normal[triangle] * normals).sum(axis=1) < _FACING):
+            others = np.flatnonzero(self._normal @ normals[k] >= _FACING)
+            if others.size:
+                triangle[k] = others[self._closest(np.tile(points[k], (len(others), 1)), others)[0].argmin()]
+        off = np.abs(((points - self._corner[triangle, 0]) * self._normal[triangle]).sum(axis=1))
+        return triangle, np.where((self._normal[triangle] * normals).sum(axis=1) < _FACING, np.inf, off)
 
     def _nearest(self, points: PerElement3) -> Ints:
         triangle = np.empty(len(points), dtype=np.int64)

@@ -67,8 +67,7 @@ def draw_cells(
     depth = np.add.reduceat(placed[:, 2], solid.start[:-1]) / size
     seen = seen[np.argsort(depth[seen])]
     unit = normal[seen] / np.linalg.norm(normal[seen], axis=1, keepdims=True)
-    light = _AMBIENT + _LAMP * np.clip(unit @ _LIGHT, 0.0, None)
-    face = np.clip(colour[solid.cell[seen]] * light[:, None], 0.0, 1.0)
+    face = np.clip(colour[solid.cell[seen]] * light_on(unit)[:, None], 0.0, 1.0)
     edge = outlined(solid)
     following = _following(solid.start)
     paths: list[Floats] = []
@@ -86,6 +85,11 @@ def draw_cells(
     lower, upper = flat[:, :2].min(axis=0) - margin, flat[:, :2].max(axis=0) + margin
     ax.set(xlim=(lower[0], upper[0]), ylim=(lower[1], upper[1]), aspect="equal")
     ax.axis("off")
+
+
+def light_on(normal: Floats) -> Floats:
+    """Brightness of walls by their unit normals in the picture, (k, 3), (k,)."""
+    return _AMBIENT + _LAMP * np.clip(normal @ _LIGHT, 0.0, None)
 
 
 def _following(start: np.ndarray) -> np.ndarray:

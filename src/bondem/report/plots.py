@@ -24,7 +24,9 @@ from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import InputError
 from bondem.fracture.fragments import fragments
 from bondem.geometry.rotations import turned_vectors
+from bondem.geometry.surface import Surface
 from bondem.io.atomic import require_writable
+from bondem.labtests.cracking import HALF
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.vibration import FreeVibration
 from bondem.model.model import Model
@@ -33,8 +35,9 @@ from bondem.report.cell_pictures import draw_cells
 from bondem.report.overlays import SCALE, draw_arrow, draw_box, draw_walls
 from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View, render
-from bondem.report.strength_figures import CRACKED, reach_of
+from bondem.report.strength_figures import reach_of
 from bondem.report.style import BLUE, GREEN, GREY, ORANGE, PURPLE, SEQUENTIAL, SETTINGS
+from bondem.report.surface_picture import draw_patches
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import polyhedra
 
@@ -92,6 +95,17 @@ def draw_lattice(
     return figure
 
 
+def draw_surface(surface: Surface, path: Any, *, view: tuple[float, float]) -> Drawing:
+    """Draw a surface for `Surface.plot`."""
+    eye = _view("Surface.plot", view)
+    opposite = View(azimuth=eye.azimuth + math.pi, elevation=-eye.elevation)
+    with _figure("Surface.plot", path, 2) as (figure, axes):
+        for ax, here, words in zip(axes, (eye, opposite), ("in this view", "from the opposite side"), strict=True):
+            ax.set_title(f"{draw_patches(ax, surface, here)} {words}")
+            draw_box(ax, *surface.bounds, here)
+    return figure
+
+
 def draw_model(
     model: Model, path: Any, *, solution: Any, reach: float | None, view: tuple[float, float]
 ) -> Drawing:  # fmt: skip
@@ -123,7 +137,7 @@ def draw_result(result: Any, path: Any, *, reach: float | None, view: tuple[floa
         if state is not None and isinstance(state.model, Model):
             model, ax = state.model, axes[1]
             sides = _bounds(model.lattice)
-            pieces = fragments(model.lattice, state, integrity=CRACKED)
+            pieces = fragments(model.lattice, state, integrity=HALF)
             if len(pieces) > 1:
                 _broken_body(ax, state, pieces, reach, eye)
             else:

@@ -126,7 +126,7 @@ class Lattice:
         return draw("draw_lattice", self, path, values=values, label=label, view=view)
 
     def on_face(self, name: str) -> Ints:
-        """Return the free facets of a body on a face of its shape, as ascending indices into `cells.free`.
+        """Return the free facets of a body on a face or patch of its shape, as ascending indices into `cells.free`.
 
         Raises:
             InputError: The shape has no such face, or the lattice has no cells.
@@ -135,7 +135,10 @@ class Lattice:
             raise InputError("the lattice is not cut into cells; connect its particles with method='laguerre'")
         envelope = self.particles.envelope
         envelope.face_centre(name)  # refuses an unknown name
-        return np.flatnonzero(self.cells.free.face == envelope.faces.index(name))
+        free = self.cells.free
+        if name in envelope.faces:
+            return np.flatnonzero(free.face == envelope.faces.index(name))
+        return np.flatnonzero(envelope.on_patch(name, free.centroid, free.normal))
 
     @property
     def rattlers(self) -> int:
