@@ -5,12 +5,12 @@ import sys
 import tempfile
 from pathlib import Path
 
-from book.chapters import MEASUREMENTS
 from book.counting import counted
 from book.errors import BookError
 from book.fast import fast
 from book.markdown import counts
 from book.measure import BUILD, measure
+from book.measurements import MEASUREMENTS
 from book.pages import chapters, differences, write
 from book.results import RESULTS, ROOT
 

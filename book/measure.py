@@ -7,9 +7,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-from book.chapters import MEASUREMENTS
 from book.errors import BookError
 from book.figures import take
+from book.measurements import MEASUREMENTS
 from book.results import ROOT, Measurement
 from validation.frame.sources import commit
 

@@ -8,6 +8,8 @@ from book.chapters import FILES
 from book.errors import BookError
 from book.front import front
 from book.markdown import page
+from book.numbers import numbers
+from book.prose import words
 from book.quoted import quoted
 from book.quoting import target, templates, written
 from book.results import ROOT
@@ -35,8 +37,15 @@ def rendered(book: list[Chapter]) -> dict[Path, str]:
     """Every page that the book writes, and its text."""
     pages = {DOCS / "validation.md": front(book), DOCS / "studies.md": filled(DOCS / "studies.md")}
     pages |= {DOCS / "validation" / f"{one.name}.md": page(one) for one in book}
-    numbers = quoted()
-    return pages | {target(template): written(template, numbers)[0] for template in templates()}
+    return pages | _prose(book)
+
+
+def _prose(book: list[Chapter]) -> dict[Path, str]:
+    """Pages of prose with their numbers, and the page of all those numbers."""
+    known, more = quoted(), words(book)
+    texts = {target(template): written(template, known, more) for template in templates()}
+    names = {page.relative_to(ROOT).as_posix(): asked for page, (_, asked) in texts.items()}
+    return {page: text for page, (text, _) in texts.items()} | {DOCS / "numbers.md": numbers(known, names)}
 
 
 def write() -> list[Path]:

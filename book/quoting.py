@@ -4,6 +4,7 @@ A measured number is named, and `book/quoted` says which record holds it. A numb
 in braces, `{{ 30 }}`: an input, a size, a published value. Numbers in code, links and comments stay as they are.
 """
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -13,8 +14,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined, TemplateError
 
 from book.errors import BookError
 from book.forms import PLAIN, Form
-from book.results import ROOT
-from book.row import Measured
+from book.results import ROOT, Measurement
 
 TEXTS = Path(__file__).parent / "texts"
 
@@ -27,19 +27,27 @@ class Quoted:
         name: subject and name, as pages write it: "bars.work".
         says: quantity, as the page of all quoted numbers states it.
         size: size of what was measured: elements, packings, steps.
-        ours: the number or the numbers, and the record that holds them.
+        record: measurement whose results hold the number.
+        values: the number, or several of one kind.
+        scatter: standard deviation over packings.
         form: how it is printed.
     """
 
     name: str
     says: str
     size: str
-    ours: Measured
+    record: Measurement
+    values: tuple[float, ...]
+    scatter: float | None = None
     form: Form = PLAIN
 
     @property
     def text(self) -> str:
-        return self.ours.text(self.form)
+        """The number; of several the least and the largest; with its scatter where that is known."""
+        ends = [self.form.bare(value) for value in (min(self.values), max(self.values))]
+        if ends[0] != ends[1]:
+            return f"{ends[0]} to {self.form.text(max(self.values))}"
+        return self.record.of(self.values[0], scatter=self.scatter).text(self.form)
 
 
 @dataclass
@@ -57,6 +65,12 @@ class _Subject:
         return found.text
 
 
+def ceiling(value: float) -> float:
+    """The least number of one digit that is not below a positive number: what a value "is within"."""
+    power = 10.0 ** math.floor(math.log10(value))
+    return math.ceil(value / power) * power
+
+
 def templates() -> list[Path]:
     """The texts; the page of each has the same place in the repository as the text in its folder."""
     return sorted(TEXTS.rglob("*.md"))
@@ -67,8 +81,13 @@ def target(template: Path) -> Path:
     return ROOT / template.relative_to(TEXTS)
 
 
-def written(template: Path, quoted: Sequence[Quoted]) -> tuple[str, set[str]]:
+def written(template: Path, quoted: Sequence[Quoted], words: Mapping[str, Any]) -> tuple[str, set[str]]:
     """A text with its numbers, and the names of those.
+
+    Args:
+        template: the text.
+        quoted: all numbers that it may name.
+        words: what else it may name.
 
     Raises:
         BookError: the text asks for a number that no file of `book/quoted` has, or it is no template.
@@ -81,9 +100,8 @@ def written(template: Path, quoted: Sequence[Quoted]) -> tuple[str, set[str]]:
     environment = Environment(
         loader=FileSystemLoader(TEXTS), undefined=StrictUndefined, keep_trailing_newline=True, autoescape=False
     )
-    context: dict[str, Any] = dict(subjects)
     try:
-        text = environment.get_template(template.relative_to(TEXTS).as_posix()).render(context)
+        text = environment.get_template(template.relative_to(TEXTS).as_posix()).render({**words, **subjects})
     except TemplateError as error:
         raise BookError(f"{template.relative_to(ROOT)}: {error}; name it in book/quoted") from None
     return text, set().union(*(subject.asked for subject in subjects.values()))

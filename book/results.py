@@ -62,6 +62,12 @@ class Measurement:
         except FileNotFoundError:
             raise BookError(f"{self.origin.kept} is not there; {self._remedy}") from None
 
+    @property
+    def made(self) -> Mapping[str, Any]:
+        """What names command, day and commit: the record, or that of the machine which measured last."""
+        found = self.data
+        return found if "command" in found else max(found.values(), key=lambda entry: entry["started"])
+
     def at(self, *steps: Step) -> Any:
         """What stands at a place, whatever it is."""
         found = self.data

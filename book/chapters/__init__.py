@@ -29,8 +29,6 @@ from book.chapters import (
     strength,
     surface,
 )
-from book.results import Measurement
-from book.small import PACKINGS
 
 _FILES = (
     andre_tables, protocol, chen_tables, chen_components, calibration, any_specimen, cells, second_order, mka3d,
@@ -38,5 +36,3 @@ _FILES = (
     surface, formulations, dynamics, cost, runs,
 )  # fmt: skip
 FILES = tuple(cast(ChapterFile, file) for file in _FILES)
-_NAMED = {one.name: one for file in FILES for one in file.MEASUREMENTS}
-MEASUREMENTS: tuple[Measurement, ...] = (*_NAMED.values(), PACKINGS)

@@ -80,7 +80,7 @@ def _starting() -> Section:
 
 def _machine() -> dict[str, Any]:
     """What was measured on the processor whose rates the chapter quotes: the last one."""
-    return max(AGAINST.data.values(), key=lambda entry: entry["started"])
+    return dict(AGAINST.made)
 
 
 def _many(elements: int) -> str:

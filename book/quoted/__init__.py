@@ -1,10 +1,12 @@
 """Numbers that pages of prose quote, a file for each subject."""
 
-from collections.abc import Sequence
-
+from book.quoted import beams, cells, fracture, speed
 from book.quoting import Quoted
+from book.results import Measurement
+
+MEASUREMENTS: tuple[Measurement, ...] = (*cells.MEASUREMENTS, *fracture.MEASUREMENTS)
 
 
-def quoted() -> Sequence[Quoted]:
+def quoted() -> list[Quoted]:
     """All quoted numbers."""
-    return []
+    return [one for file in (cells, fracture, beams, speed) for one in file.quoted()]

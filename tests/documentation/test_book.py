@@ -12,7 +12,6 @@ import pytest
 from book import pages
 from book.__main__ import main
 from book.chapter import Chapter, Section
-from book.chapters import MEASUREMENTS
 from book.counting import counted
 from book.errors import BookError
 from book.fast import chapter as fast_chapter
@@ -20,6 +19,7 @@ from book.forms import PERCENT, SIGNED, Form, Said
 from book.front import front
 from book.markdown import moved, slug, table
 from book.measure import sign
+from book.measurements import MEASUREMENTS
 from book.outcomes import TESTS
 from book.results import RESULTS, ROOT, Measurement
 from book.row import Measured, Origin, Row, Verdict

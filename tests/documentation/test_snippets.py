@@ -15,7 +15,7 @@ import pytest
 from bondem.cli import bondem
 from bondem.study.pipeline import run_study
 from bondem.study.study_file import parse_study
-from book.chapters import MEASUREMENTS
+from book.measurements import MEASUREMENTS
 from validation.__main__ import study_of
 from validation.frame.command import command_of
 

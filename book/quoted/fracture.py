@@ -1,0 +1,131 @@
+"""Strength and fracture energy: bars, loading paths, discs."""
+
+from collections.abc import Sequence
+
+from book.chapters.concrete import CONCRETE
+from book.forms import Form
+from book.quoting import Quoted
+from book.results import Measurement
+
+PATHS = Measurement("loading_paths", "python benchmarks/loading_paths.py", "3 h")
+MEASUREMENTS = (PATHS,)
+
+RATIO, FINE, COARSE, MPA = Form(style=".2f"), Form(style=".3f"), Form("%", 1e-2, ".0f"), Form("MPa", 1e6, ".1f")
+_CONCRETE = 4e6
+
+
+def quoted() -> Sequence[Quoted]:
+    """All quoted numbers of fracture."""
+    return [*_bars(), *_first_loads(), *_lateral(), *_solvers(), *_discs(), _bimetal()]
+
+
+def _rows(name: str, *, task: str = "") -> list[dict]:
+    cases = [case for case in PATHS.at("cases") if task in ("", case["task"])]
+    return [row for case in cases for row in case["rows"] if row["name"] == name]
+
+
+def _measured(*names: str, task: str = "") -> tuple[float, ...]:
+    """What was found for all packings, as a ratio."""
+    return tuple(row["measured"] for name in names for row in _rows(name, task=task))
+
+
+def _size(name: str, *, task: str = "", what: str = "bars") -> str:
+    rows = _rows(name, task=task)
+    counts = sorted({row["count"] for row in rows})
+    seeds = len({row["seed"] for row in rows})
+    cells = str(counts[0]) if len(counts) == 1 else f"{counts[0]} to {counts[-1]}"
+    return f"{cells} cells, {seeds} packings, {len(rows)} {what}"
+
+
+def _bars() -> list[Quoted]:
+    strength, work = _measured("plain bar: f_t", task="plain"), _measured("plain bar: G_f", task="plain")
+    peaks = f"strength of plain bars over f_t ({len(strength)} bars)"
+    energies = f"work of plain bars over G_f and the section ({len(work)} bars)"
+    size = _size("plain bar: G_f", task="plain")
+    twice = tuple(one for one in work if one > _ONE_CRACK)
+    return [
+        Quoted(name="bars.count", says="plain bars in tension", size=size, record=PATHS, values=(len(work),)),
+        Quoted(name="bars.least_strength", says=f"{peaks}: least of all", size=size, record=PATHS, form=FINE,
+               values=(min(strength),)),
+        Quoted(name="bars.work", says=f"{energies}: mean", size=size, record=PATHS, form=RATIO,
+               values=(sum(work) / len(work),)),
+        Quoted(name="bars.largest_work", says=f"{energies}: largest of all", size=size, record=PATHS, form=RATIO,
+               values=(max(work),)),
+        Quoted(name="bars.twice", says=f"plain bars whose work exceeds {_ONE_CRACK:g} G_f", size=size, record=PATHS,
+               values=(len(twice),)),
+    ]  # fmt: skip
+
+
+#: Work of a bar over that of one crack, beyond which it has more than one crack [-].
+_ONE_CRACK = 1.05
+
+
+def _first_loads() -> list[Quoted]:
+    before = "Rankine, 80 mm, after 2 f_t/E along x: "
+    found = []
+    for name, quantities, task in (
+        ("strength", ("strength along y", "strength along z"), "cross"),
+        ("stiffness", ("stiffness along y", "stiffness along z"), "cross"),
+        ("compression", ("modulus in compression along x",), "cross"),
+        ("shear", ("largest σ1 in shear",), "diagonal"),
+    ):  # fmt: skip
+        names = [before + one for one in quantities]
+        found.append(Quoted(
+            name=f"first.{name}", size=_size(names[0], task=task, what="cubes"), record=PATHS, form=RATIO,
+            says=f"cubes after 2 f_t/E along x: {' and '.join(quantities)}, over the same without the first load",
+            values=_measured(*names, task=task),
+        ))  # fmt: skip
+    return found
+
+
+def _lateral() -> list[Quoted]:
+    found = []
+    for name, case, words in (
+        ("lateral.high", "dead stress 0.9 f_t across: G_f", "beside a dead lateral tension of 0.9 f_t"),
+        ("lateral.half", "dead stress 0.5 f_t across: G_f", "beside a dead lateral tension of 0.5 f_t"),
+        ("lateral.equal", "biaxial 1:1: G_f", "under equal tension along two axes"),
+    ):
+        found.append(Quoted(
+            name=name, says=f"dissipation of a crack {words}, over G_f and the section", record=PATHS, form=RATIO,
+            size=_size(case, what="bodies"), values=_measured(case),
+        ))  # fmt: skip
+    pressed = "dead stress -1 f_t across: G_f"
+    found.append(Quoted(
+        name="lateral.pressure", says="largest dissipation of a crack beside a dead pressure of f_t, over G_f and "
+        "the section", size=_size(pressed, what="bodies"), record=PATHS, form=RATIO,
+        values=(max(_measured(pressed)),),
+    ))  # fmt: skip
+    return found
+
+
+def _solvers() -> list[Quoted]:
+    return [
+        Quoted(name=f"solvers.{kind}", says=f"work of a {kind} bar in an explicit run over that of load factors",
+               size=_size(f"{kind} bar: work"), record=PATHS, form=form, values=_measured(f"{kind} bar: work"))
+        for kind, form in (("plain", RATIO), ("notched", FINE))
+    ]  # fmt: skip
+
+
+def _discs() -> list[Quoted]:
+    found = []
+    for energy in (5, 80):
+        case = f"Brazilian, G_f = {energy} J/m²: strength over f_t"
+        found.append(Quoted(
+            name=f"discs.energy{energy}", says=f"Brazilian strength of a concrete disc over f_t, G_f = {energy} J/m²",
+            size=_size(case, what="discs"), record=PATHS, form=RATIO, values=_measured(case),
+        ))  # fmt: skip
+    discs = [one for one in CONCRETE.at("cases") if (one["kind"], one["count"]) == ("brazilian", 2000)]
+    found.append(Quoted(
+        name="discs.concrete", says=f"Brazilian strength of concrete with a measured strength of {_CONCRETE / 1e6:g} "
+        "MPa, mean", size=f"2000 cells, {len(discs)} packings", record=CONCRETE, form=MPA,
+        values=(sum(one["peak"] for one in discs) / len(discs),),
+    ))  # fmt: skip
+    return found
+
+
+def _bimetal() -> Quoted:
+    return Quoted(
+        name="bimetal.curvature", says="curvature of a heated bimetal strip over Timoshenko's", form=FINE,
+        size=_size("curvature", what="strips"), record=PATHS,
+        values=tuple(row["measured"] / row["expected"] for row in _rows("curvature")),
+    )
