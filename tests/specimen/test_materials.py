@@ -9,6 +9,7 @@ import pytest
 import bondem as bd
 from bondem.errors import InputError, StudyError
 from bondem.study.study_file import parse_study
+from tests.specimens import bar
 
 SPECIMEN = {"shape": "cylinder", "radius": 5e-3, "length": 40e-3, "count": 500}
 
@@ -81,3 +82,27 @@ def test_bad_library_keys_of_a_study_are_named():
         study_of({"preset": "granite", "nu": 0.6})
     with pytest.raises(StudyError, match=r"did you mean 'material\.preset'"):
         study_of({"name": "x", "E": 1e9, "nu": 0.2, "rho": 1e3, "presset": "granite"})
+
+
+def test_a_material_stands_for_its_constants_wherever_they_are_numbers():
+    granite = bd.materials.granite
+    E, nu, rho = granite.E, granite.nu, granite.rho
+    assert bd.CellBond(granite) == bd.CellBond(E=granite, nu=granite) == bd.CellBond(E=E, nu=nu)
+    assert bd.CellBond(granite, facet_rotation="none").facet_rotation == "none"
+    assert bd.CellBond(granite, nu=0.1) == bd.CellBond(E=E, nu=0.1)
+    assert bd.NonLocal(granite, lever="contact") == bd.NonLocal(E=E, nu=nu, lever="contact")
+    assert bd.HertzMindlin(granite, friction=0.2) == bd.HertzMindlin(E, nu, friction=0.2)
+    assert bd.Absorbing(bd.Face("x_min"), granite) == bd.Absorbing(bd.Face("x_min"), rho, E, nu)
+    body = bar(60, 60e-3, 8e-3)
+    assert bd.Model(body, bd.CellBond(granite), granite).density == rho
+    pulse = {"pressure": 1e6, "rise": 4e-6, "fall": 6e-6, "duration": 2e-6}
+    law = bd.CellBond(granite)
+    one, other = (bd.labtests.spall(body, law, None, density=given, **pulse).velocity for given in (granite, rho))
+    assert (one == other).all()
+    one, other = (bd.labtests.natural_frequencies(body, law, density=given).tension for given in (granite, rho))
+    assert one == other
+    # a bond's own modulus is not that of a material
+    with pytest.raises(InputError, match="Timoshenko: E"):
+        bd.Timoshenko(E=granite, nu=nu, radius_ratio=0.5)
+    with pytest.raises(InputError, match="CellBond: 2 arguments without a name"):
+        bd.CellBond(granite, granite)

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 from scipy.spatial import KDTree
@@ -16,6 +16,7 @@ from bondem.boundary.schedules import Constant, Schedule, as_schedule
 from bondem.errors import InputError
 from bondem.geometry.face_patches import face_patches
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, of_material
 from bondem.specimen.regions import Difference, Everything, Face, Intersection, Region, as_region
 
 # Size of the patches of a face, over the mean radius.
@@ -139,11 +140,14 @@ class Pressure:
         return chosen, values
 
 
+@of_material
 @dataclass(frozen=True)
 class Absorbing:
     """A boundary that absorbs waves by dashpots, ρ cp A along the normal and ρ cs A across.
 
     Waves at normal incidence are absorbed entirely, oblique waves in part. Static solutions ignore the boundary.
+
+    `bd.Absorbing(face, granite)` takes density, E and ν from a `bd.Material`.
 
     Attributes:
         region: a face, or part of one, as for `Pressure`; its area is divided in the same way.
@@ -160,6 +164,13 @@ class Absorbing:
     E: float
     nu: float
     c: float | None = None
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self, region: Region, density: float | Material, E: float | Material = ..., nu: float | Material = ...,
+            c: float | None = None,
+        ) -> None: ...  # fmt: skip
 
     def __post_init__(self) -> None:
         face_of("Absorbing", self.region)

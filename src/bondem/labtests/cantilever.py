@@ -23,6 +23,7 @@ from bondem.labtests.tension import paper_length
 from bondem.model.model import Model
 from bondem.observables.cell_stress import cell_stress
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 from bondem.specimen.regions import Face
 from bondem.statics.static import StaticResult, solve_static
 
@@ -147,8 +148,8 @@ def clamped_tension(
     lattice: Lattice,
     law: AnyLaw,
     *,
-    E: float,
-    nu: float,
+    E: float | Material,
+    nu: float | Material,
     gyration: Floats | None = None,
     stress: float = 1e6,
     depth: float = 0.02,
@@ -164,6 +165,7 @@ def clamped_tension(
         stress: axial stress F / S [Pa].
         depth: depth of the two face regions, in mean radii [-].
     """
+    E, nu = constant("E", E), constant("nu", nu)
     check("clamped_tension", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
     force = stress * bar.paper.section.area
@@ -186,8 +188,8 @@ def static_bending(
     lattice: Lattice,
     law: AnyLaw,
     *,
-    E: float,
-    nu: float,
+    E: float | Material,
+    nu: float | Material,
     gyration: Floats | None = None,
     stress: float = 1e6,
     depth: float = 0.02,
@@ -206,6 +208,7 @@ def static_bending(
         stress: mean shear stress F / S [Pa].
         depth: depth of the two face regions, in mean radii [-].
     """
+    E, nu = constant("E", E), constant("nu", nu)
     check("static_bending", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
     force = stress * bar.paper.section.area
@@ -232,8 +235,8 @@ def static_torsion(
     lattice: Lattice,
     law: AnyLaw,
     *,
-    E: float,
-    nu: float,
+    E: float | Material,
+    nu: float | Material,
     gyration: Floats | None = None,
     stress: float = 1e6,
     depth: float = 0.02,
@@ -251,6 +254,7 @@ def static_torsion(
         stress: T √S / J [Pa], approximately the largest shear stress.
         depth: depth of the two face regions, in mean radii [-].
     """
+    E, nu = constant("E", E), constant("nu", nu)
     check("static_torsion", lattice, E=E, nu=nu, stress=stress, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, gyration=gyration, depth=depth)
     section = bar.paper.section

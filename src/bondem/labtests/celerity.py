@@ -13,6 +13,7 @@ from bondem.labtests.faces import ends
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.wave import first_passage, strike
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 
 
 @staged("impact")
@@ -20,10 +21,10 @@ def impact(
     lattice: Lattice,
     law: AnyLaw,
     *,
-    density: float,
-    E: float,
-    nu: float,
-    rho: float,
+    density: float | Material,
+    E: float | Material,
+    nu: float | Material,
+    rho: float | Material,
     velocity: float = 0.1,
     depth: float = 0.02,
     out: str | Path | None = None,
@@ -61,6 +62,7 @@ def impact(
         UnstableRunError: the run became unstable.
         RunInterrupted: Ctrl-C was pressed; its `.result` has the velocities so far.
     """
+    density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("impact", lattice, density=density, E=E, nu=nu, rho=rho, velocity=velocity, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, depth=depth)
     expected = bar.paper.length / bar.paper.wave_speed

@@ -11,6 +11,7 @@ from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.loading import Loading, load_to_failure
 from bondem.labtests.quasi_static_rig import Moduli, StrengthTest, softenings_of
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 
 
 @staged("uniaxial compression")
@@ -20,7 +21,7 @@ def uniaxial_compression(
     failure: FailureAssignment,
     *,
     pressure: float = 0.0,
-    density: float | None = None,
+    density: float | Material | None = None,
     traverses: float = 100.0,
     reach: float = 2.0,
     out: str | Path | None = None,
@@ -34,7 +35,7 @@ def uniaxial_compression(
         failure: `bd.MohrCoulomb` or `bd.DruckerPrager` with a fracture energy, or criteria by region.
         pressure: confining pressure on the sides, of a membrane that rotates with the cells [Pa]; 0 for uniaxial
             compression.
-        density: density of the material [kg/m³]; results do not depend on it.
+        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower.
         reach: limit of the strain, over the strain at the expected peak [-].
         out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
@@ -50,6 +51,7 @@ def uniaxial_compression(
         UnstableRunError: the run became unstable.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
     """
+    density = constant("density", density)
     number("labtests.uniaxial_compression", "pressure", pressure, unit="Pa", least=0.0)
     number("labtests.uniaxial_compression", "reach", reach, above=0.0)
     moduli = Moduli.of("uniaxial_compression", body, law, density)

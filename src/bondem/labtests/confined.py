@@ -15,6 +15,7 @@ from bondem.labtests.cracking import Cracking
 from bondem.labtests.quasi_static_rig import StrengthTest
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,7 +73,7 @@ def triaxial(
     failure: FailureAssignment,
     *,
     pressure: float,
-    density: float | None = None,
+    density: float | Material | None = None,
     traverses: float = 100.0,
     reach: float = 2.0,
     out: str | Path | None = None,
@@ -88,7 +89,7 @@ def triaxial(
         law: cell law, or cell laws by region; their moduli and the weakest criterion set the loading rate.
         failure: `bd.MohrCoulomb` or `bd.DruckerPrager` with a fracture energy, or criteria by region.
         pressure: confining pressure on the sides, positive [Pa]; the membrane rotates with the cells.
-        density: density of the material [kg/m³]; results do not depend on it.
+        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower.
         reach: limit of the strain, over the strain at the expected peak [-].
         out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was

@@ -29,6 +29,7 @@ from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 
 #: 2.8 / π: the tensile strength of Hiramatsu and Oka (1966) over F / D².
 TENSION = 2.8 / math.pi
@@ -94,7 +95,7 @@ def sphere_crushing(
     *,
     friction: float = 0.0,
     contact: ContactLaw | None = None,
-    density: float | None = None,
+    density: float | Material | None = None,
     traverses: float = 300.0,
     ending: float = 0.2,
     fine: float = 0.2,
@@ -119,8 +120,8 @@ def sphere_crushing(
         friction: friction coefficient of the plates [-]; 0 is smooth.
         contact: contact law of fragments and plates; None for the stiffness of the median bond and a friction of 0.4
             between fragments.
-        density: density of the elements, or of the material of cells [kg/m³]; results do not depend on it until
-            fragments fly off.
+        density: density of the elements, or of the material of cells [kg/m³], or a `bd.Material`; results do not
+            depend on it until fragments fly off.
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
         ending: share of the peak load at which the test ends [-].
         fine: upper size limit of fines, as a share of the ball's diameter [-].
@@ -135,6 +136,7 @@ def sphere_crushing(
 
     Reference: Hiramatsu and Oka, Int. J. Rock Mech. Min. Sci. 3 (1966) 89-99; Jaeger, Can. Geotech. J. 4 (1967).
     """
+    density = constant("density", density)
     owner = "labtests.sphere_crushing"
     check("sphere_crushing", ball, density=_DENSITY if density is None else density)
     number(owner, "friction", friction, least=0.0)

@@ -11,6 +11,7 @@ from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.vibration import FreeVibration
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 
 
 @staged("dynamic tension")
@@ -18,10 +19,10 @@ def dynamic_tension(
     lattice: Lattice,
     law: AnyLaw,
     *,
-    density: float | PerElement,
-    E: float,
-    nu: float,
-    rho: float,
+    density: float | PerElement | Material,
+    E: float | Material,
+    nu: float | Material,
+    rho: float | Material,
     gyration: Floats | None = None,
     modes: NaturalFrequencies | None = None,
     vibration: FreeVibration | None = None,
@@ -45,6 +46,7 @@ def dynamic_tension(
         vibration: free vibration of the specimen, or None.
         depth: depth of the two face regions, in mean radii [-].
     """
+    density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_tension", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
@@ -63,10 +65,10 @@ def dynamic_bending(
     lattice: Lattice,
     law: AnyLaw,
     *,
-    density: float | PerElement,
-    E: float,
-    nu: float,
-    rho: float,
+    density: float | PerElement | Material,
+    E: float | Material,
+    nu: float | Material,
+    rho: float | Material,
     gyration: Floats | None = None,
     modes: NaturalFrequencies | None = None,
     vibration: FreeVibration | None = None,
@@ -76,6 +78,7 @@ def dynamic_bending(
 
     The arguments are those of `dynamic_tension`.
     """
+    density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_bending", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
@@ -95,10 +98,10 @@ def dynamic_torsion(
     lattice: Lattice,
     law: AnyLaw,
     *,
-    density: float | PerElement,
-    E: float,
-    nu: float,
-    rho: float,
+    density: float | PerElement | Material,
+    E: float | Material,
+    nu: float | Material,
+    rho: float | Material,
     gyration: Floats | None = None,
     modes: NaturalFrequencies | None = None,
     vibration: FreeVibration | None = None,
@@ -108,6 +111,7 @@ def dynamic_torsion(
 
     The arguments are those of `dynamic_tension`.
     """
+    density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check("dynamic_torsion", lattice, density=density, E=E, nu=nu, rho=rho, depth=depth)
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)

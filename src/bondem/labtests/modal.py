@@ -12,6 +12,7 @@ from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 from bondem.specimen.regions import Face
 from bondem.statics.modes import ModesResult, solve_modes
 
@@ -35,7 +36,7 @@ class NaturalFrequencies:
 
 @staged("natural frequencies")
 def natural_frequencies(
-    lattice: Lattice, law: AnyLaw, *, density: float | PerElement, count: int = 8, depth: float = 0.02
+    lattice: Lattice, law: AnyLaw, *, density: float | PerElement | Material, count: int = 8, depth: float = 0.02
 ) -> NaturalFrequencies:
     """Compute the first axial, bending and torsional frequency by `solve_modes`.
 
@@ -53,6 +54,7 @@ def natural_frequencies(
     Raises:
         InputError: a kind of mode is missing among the computed modes.
     """
+    density = constant("density", density)
     check("natural_frequencies", lattice, density=density, depth=depth)
     model = Model(lattice, law, density=density, boundary=[Fix(Face("x_min", depth))])
     modes = solve_modes(model, count=count)

@@ -30,6 +30,7 @@ from bondem.labtests.quasi_static_rig import (
 )
 from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 from bondem.specimen.regions import Face, Index, Region
 from bondem.statics.static import solve_static
 
@@ -84,7 +85,7 @@ def shear(
     law: CellAssignment,
     failure: FailureAssignment,
     *,
-    density: float | None = None,
+    density: float | Material | None = None,
     traverses: float = 60.0,
     ending: float = 0.5,
     out: str | Path | None = None,
@@ -103,7 +104,7 @@ def shear(
         law: cell law, or cell laws by region; the first one is the matrix and sets the loading rate.
         failure: `bd.MohrCoulomb` with a fracture energy, another criterion with a tensile strength, or criteria by
             region.
-        density: density of the material [kg/m³]; results do not depend on it.
+        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
         ending: share of the peak load at which the test ends [-].
         out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
@@ -115,6 +116,7 @@ def shear(
         UnstableRunError: the run became unstable.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
     """
+    density = constant("density", density)
     owner = "labtests.shear"
     check_traverses("shear", traverses)
     share = number(owner, "ending", ending, least=0.0, below=1.0)

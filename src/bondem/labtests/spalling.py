@@ -24,6 +24,7 @@ from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 from bondem.specimen.regions import Face
 
 # Largest mass share of crumbs; largest integrity of broken facets [-].
@@ -132,7 +133,7 @@ def spall(
     law: CellBond,
     failure: Criterion | None,
     *,
-    density: float,
+    density: float | Material,
     pressure: float,
     rise: float,
     fall: float,
@@ -151,7 +152,7 @@ def spall(
         bar: cells of a bar along x.
         law: cell law of the bar.
         failure: failure criterion; None for an elastic bar.
-        density: density of the material [kg/m³].
+        density: density of the material [kg/m³], or a `bd.Material`.
         pressure: peak pressure p of the pulse [Pa].
         rise, fall: rise time of the pulse, and its fall time to zero [s].
         duration: duration of the run [s]; None for three passes along the bar, after which the pulse is at x_max
@@ -170,6 +171,7 @@ def spall(
 
     Reference: Novozhilov's formula as in Schuler, Mayrhofer and Thoma, Int. J. Impact Eng. 32 (2006) 1635-1650.
     """
+    density = constant("density", density)
     owner = "labtests.spall"
     require_cells("spall", bar, law, density)
     given = {"pressure": (pressure, "Pa"), "rise": (rise, "s"), "fall": (fall, "s")}

@@ -32,6 +32,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.cell_stress import cell_stress
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 from bondem.specimen.regions import Face, Index, Region
 from bondem.statics.static import solve_static
 
@@ -105,7 +106,7 @@ def brazilian(
     failure: FailureAssignment,
     *,
     half_angle: float | None = None,
-    density: float | None = None,
+    density: float | Material | None = None,
     traverses: float = 100.0,
     ending: float = 0.9,
     out: str | Path | None = None,
@@ -128,7 +129,7 @@ def brazilian(
         law: cell law, or cell laws by region; the first one is the matrix and sets the loading rate.
         failure: criterion with a tensile strength, `bd.MohrCoulomb` with a fracture energy, or criteria by region.
         half_angle: half angle α of the strips [rad]; None for 5°, or for three quarters of a cell if larger.
-        density: density of the material [kg/m³]; results do not depend on it.
+        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
         ending: share of the peak load at which the test ends [-]: the disc has split. With a lower share, `peak` may
             be that of the two halves, which can carry a higher load afterwards.
@@ -143,6 +144,7 @@ def brazilian(
 
     Reference: ISRM, Int. J. Rock Mech. Min. Sci. 15 (1978) 99–103; Wang et al., ibid. 41 (2004) 245–253.
     """
+    density = constant("density", density)
     owner = "labtests.brazilian"
     check_traverses("brazilian", traverses)
     share = number(owner, "ending", ending, least=0.0, below=1.0)

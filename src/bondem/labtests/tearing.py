@@ -9,6 +9,7 @@ from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.loading import Loading, load_to_failure
 from bondem.labtests.quasi_static_rig import Moduli, StrengthTest, softenings_of
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 
 
 @staged("direct tension")
@@ -17,7 +18,7 @@ def direct_tension(
     law: CellAssignment,
     failure: FailureAssignment,
     *,
-    density: float | None = None,
+    density: float | Material | None = None,
     traverses: float = 60.0,
     out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
@@ -32,7 +33,7 @@ def direct_tension(
         law: cell law, or cell laws by region; the first one is the matrix and sets the loading rate.
         failure: `bd.Rankine` or another criterion of the stress, `bd.MohrCoulomb` with a fracture energy, or criteria
             by region.
-        density: density of the material [kg/m³]; results do not depend on it.
+        density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower.
         out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
             killed or interrupted, and evaluates a complete one; None for no file.
@@ -46,6 +47,7 @@ def direct_tension(
     Warns:
         FractureEnergyWarning: the work per section is not a fracture energy.
     """
+    density = constant("density", density)
     moduli = Moduli.of("direct_tension", body, law, density)
     found = softenings_of("direct_tension", body, failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
     weakest = min(found, key=lambda one: one.tension)

@@ -24,6 +24,7 @@ from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 
 # Steps between records; the impulse is their sum.
 _EVERY = 2
@@ -82,7 +83,7 @@ def sphere_impact(
     law: AnyLaw,
     failure: FailureAssignment | None = None,
     *,
-    density: float,
+    density: float | Material,
     velocity: float | tuple[float, float, float],
     wall: PlaneWall | None = None,
     friction: float = 0.0,
@@ -98,7 +99,7 @@ def sphere_impact(
         ball: cells or bonded spheres of a `bd.Ball`.
         law: bond law, cell law or non-local law.
         failure: failure criterion, or criteria by region; None for an elastic ball.
-        density: density of the elements, or of the material of cells [kg/m³].
+        density: density of the elements, or of the material of cells [kg/m³], or a `bd.Material`.
         velocity: speed towards the plane, or velocity vector towards it [m/s].
         wall: fixed plane; None for a plane across x that the ball touches on the side of x_min.
         friction: friction coefficient of the default plane [-].
@@ -117,6 +118,7 @@ def sphere_impact(
         UnstableRunError: the run became unstable.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
     """
+    density = constant("density", density)
     owner = "labtests.sphere_impact"
     check("sphere_impact", ball, density=density)
     number(owner, "friction", friction, least=0.0)

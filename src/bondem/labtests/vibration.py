@@ -23,6 +23,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.run import solve_explicit
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 from bondem.specimen.regions import Face
 from bondem.statics.static import solve_static
 
@@ -74,10 +75,10 @@ def free_vibration(
     lattice: Lattice,
     law: AnyLaw,
     *,
-    density: float,
-    E: float,
-    nu: float,
-    rho: float,
+    density: float | Material,
+    E: float | Material,
+    nu: float | Material,
+    rho: float | Material,
     periods: float = 3.0,
     stress: float = 1e5,
     depth: float = 0.02,
@@ -108,6 +109,7 @@ def free_vibration(
         UnstableRunError: the run became unstable.
         RunInterrupted: Ctrl-C was pressed; its `.result` is the motion so far.
     """
+    density, E, nu, rho = constant("density", density), constant("E", E), constant("nu", nu), constant("rho", rho)
     check(
         "free_vibration", lattice, density=density, E=E, nu=nu, rho=rho, periods=periods, stress=stress, depth=depth
     )

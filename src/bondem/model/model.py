@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from pathlib import Path
-from typing import Any, cast, get_args
+from typing import TYPE_CHECKING, Any, cast, get_args
 
 import numpy as np
 
@@ -38,6 +38,7 @@ from bondem.model.constraints import Constraints
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.local_origin import local_origin
+from bondem.specimen.material import Material, of_material
 from bondem.specimen.ordering import Layout
 from bondem.specimen.particles import freeze
 
@@ -45,6 +46,7 @@ from bondem.specimen.particles import freeze
 MASS_MATRICES = ("lumped", "dispersion-corrected")
 
 
+@of_material
 @dataclass(frozen=True, eq=False)
 class Model:
     """A lattice with bonds, masses and boundary conditions.
@@ -56,7 +58,8 @@ class Model:
         lattice: elements and bonds.
         bond: a bond law, or laws by region: {region: law, (region, region): law}; None for a lattice without bonds.
             Use `CellBond`, or {region: CellBond}, for a body cut into cells. `NonLocal` is one law for all bonds.
-        density: density of the elements, ρ_μ [kg/m³], or of the material in a body of cells; a number or shape (n,).
+        density: density of the elements, ρ_μ [kg/m³], or of the material in a body of cells; a number, shape (n,), or
+            a `bd.Material`.
             Only linear statics without body forces is independent of it.
         boundary: one boundary condition or several: supports, drives, loads, absorbing boundaries, strains.
         contact: law of contacts with walls and between elements without an intact bond; None for no contacts.
@@ -82,6 +85,15 @@ class Model:
     walls: Sequence[Wall] = field(default=())
     failure: FailureAssignment | None = None
     mass_matrix: str = "lumped"
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self, lattice: Lattice, bond: BondAssignment | CellAssignment | NonLocal | None,
+            density: float | ArrayLike | Material, boundary: Sequence[BoundaryCondition] = (),
+            contact: ContactLaw | None = None, walls: Sequence[Wall] = (),
+            failure: FailureAssignment | None = None, mass_matrix: str = "lumped",
+        ) -> None: ...  # fmt: skip
 
     def __post_init__(self) -> None:
         instance("Model", "lattice", self.lattice, Lattice, "a lattice, from bd.connect or bd.Lattice")

@@ -1,7 +1,10 @@
 """Continuum materials, described by their elastic constants and density."""
 
+import functools
+import inspect
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 from bondem._checks import instance, number, shown
 from bondem._plausibility import question_material
@@ -50,3 +53,40 @@ class Material:
     def G(self) -> float:
         """Shear modulus [Pa]."""
         return self.E / (2.0 * (1.0 + self.nu))
+
+
+Given = TypeVar("Given")
+Law = TypeVar("Law")
+# Constants of a material by the names of the arguments that stand for them.
+_CONSTANTS = {"E": "E", "nu": "nu", "rho": "rho", "density": "rho"}
+
+
+def constant(name: str, given: Given | Material) -> Given | float:
+    """Return the constant of a material for an argument "E", "nu", "rho" or "density"; other values unchanged."""
+    return getattr(given, _CONSTANTS[name]) if isinstance(given, Material) else given
+
+
+def of_material(law: type[Law]) -> type[Law]:
+    """Let a class accept a material for its arguments E, nu, rho and density, and alone for all of them.
+
+    `bd.CellBond(granite)` is `bd.CellBond(E=granite.E, nu=granite.nu)`.
+    """
+    made: Callable[..., None] = vars(law)["__init__"]
+    signature = inspect.signature(made)
+    named_only = all(one.kind is one.KEYWORD_ONLY for one in list(signature.parameters.values())[1:])
+
+    @functools.wraps(made)
+    def make(self: Any, *args: Any, **named: Any) -> None:
+        material = next((one for one in (*args, *named.values()) if isinstance(one, Material)), None)
+        if material is None:
+            made(self, *args, **named)
+            return
+        rest = args[1:] if named_only and args[:1] == (material,) else args
+        given = signature.bind_partial(self, *rest, **named)
+        for name in signature.parameters:
+            if name in _CONSTANTS:
+                given.arguments[name] = constant(name, given.arguments.get(name, material))
+        made(*given.args, **given.kwargs)
+
+    setattr(law, "__init__", make)  # noqa: B010  a method, for type checkers
+    return law

@@ -1,15 +1,17 @@
 """The cell law: facets between the cells of a body, with the material's own E and ν."""
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar, overload
 
 from bondem._checks import choice, number
 from bondem._plausibility import physical
+from bondem.specimen.material import Material, of_material
 
 #: Parts of the relative rotation of two cells that strain the facet between them.
 FACET_ROTATIONS = ("bending", "full", "none")
 
 
+@of_material
 @dataclass(frozen=True, kw_only=True)
 class CellBond:
     """Cells of an elastic material, joined at their facets; needs a body from `bd.connect(..., method="laguerre")`.
@@ -24,6 +26,8 @@ class CellBond:
     uniform strain its dilatation, so that each uniform stress is exact in every cell. Gradients of θ add what bending
     needs. Facets on the surface open until they carry no traction. The law needs no calibration: E and ν are those of
     the material, for -1 < ν < ½. Tension is positive.
+
+    `bd.CellBond(granite)` takes E and ν from a `bd.Material`.
 
     Attributes:
         E: Young's modulus of the material [Pa].
@@ -47,6 +51,15 @@ class CellBond:
     E: float
     nu: float
     facet_rotation: str = "bending"
+
+    if TYPE_CHECKING:
+
+        @overload
+        def __init__(self, material: Material, *, facet_rotation: str = "bending") -> None: ...
+        @overload
+        def __init__(
+            self, *, E: float | Material, nu: float | Material, facet_rotation: str = "bending"
+        ) -> None: ...
 
     def __post_init__(self) -> None:
         physical("CellBond", "E", self.E)

@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from bondem._checks import instance, number
 from bondem._plausibility import physical
 from bondem._types import Floats
 from bondem.interactions.contact.contact_law import HERTZIAN_DASHPOT, ContactLaw, fastest, rebound, slowest_root
+from bondem.specimen.material import Material, of_material
 
 # Rebound below which a dashpot would cost more of the time step than anyone means.
 _LEAST_REBOUND = 0.01
@@ -19,6 +21,7 @@ _DURATION = 2.9432 * math.sqrt(15.0 / 8.0)
 _DEEPEST = 0.1
 
 
+@of_material
 @dataclass(frozen=True)
 class HertzMindlin(ContactLaw):
     """Point contact of elastic spheres of one material, for elements without an intact bond and for walls.
@@ -35,6 +38,8 @@ class HertzMindlin(ContactLaw):
     Mindlin and Deresiewicz, J. Appl. Mech. 20 (1953); Tsuji, Tanaka and Ishida, Powder Technology 71 (1992) 239–250;
     Antypov and Elliott, EPL 94 (2011) 50004.
 
+    `bd.HertzMindlin(glass)` takes E and ν from a `bd.Material`.
+
     Attributes:
         E: Young's modulus of the spheres [Pa].
         nu: Poisson's ratio of the spheres [-].
@@ -50,6 +55,13 @@ class HertzMindlin(ContactLaw):
     restitution: float = 1.0
     overlap: float = 0.01
     stress_free: bool = True
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self, E: float | Material, nu: float | Material = ..., friction: float = 0.0, restitution: float = 1.0,
+            overlap: float = 0.01, stress_free: bool = True,
+        ) -> None: ...  # fmt: skip
 
     def __post_init__(self) -> None:
         law = "HertzMindlin"

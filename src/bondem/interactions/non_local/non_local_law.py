@@ -18,10 +18,11 @@ axes. The text of the paper does not print it; without it nothing but its own la
 """
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar, overload
 
 from bondem._checks import choice, instance, number
 from bondem._plausibility import physical
+from bondem.specimen.material import Material, of_material
 
 #: Points of action of the force of a bond, and of l in eq (1): the centroid of the facet, or the line of centres.
 LEVERS = ("facet", "contact")
@@ -33,6 +34,7 @@ VOLUMES = ("cell", "sphere")
 _NOTHING = 1e-200
 
 
+@of_material
 @dataclass(frozen=True, kw_only=True)
 class NonLocal:
     """Bonds that follow the mean stress of their two elements, with the material's own E and ν.
@@ -42,6 +44,8 @@ class NonLocal:
     The law has no potential. The work of its extra force e is therefore a separate entry of the energy ledger, and
     there is no symmetric stiffness and no mode. Stress lags one step or one iteration behind. The only moments are
     those of forces. The page "The non-local law" of the documentation defines e and the stresses.
+
+    `bd.NonLocal(granite)` takes E and ν from a `bd.Material`.
 
     Attributes:
         E: Young's modulus of the material [Pa].
@@ -68,6 +72,19 @@ class NonLocal:
     areas: str = "facet"
     volume: str = "cell"
     limited: bool = True
+
+    if TYPE_CHECKING:
+
+        @overload
+        def __init__(
+            self, material: Material, *, lever: str = "facet", areas: str = "facet", volume: str = "cell",
+            limited: bool = True,
+        ) -> None: ...  # fmt: skip
+        @overload
+        def __init__(
+            self, *, E: float | Material, nu: float | Material, lever: str = "facet", areas: str = "facet",
+            volume: str = "cell", limited: bool = True,
+        ) -> None: ...  # fmt: skip
 
     def __post_init__(self) -> None:
         physical("NonLocal", "E", self.E)
