@@ -8,6 +8,7 @@ from bondem.boundary.conditions import Fix as Fix
 from bondem.boundary.conditions import Load as Load
 from bondem.boundary.gauges import AnyGauge as AnyGauge
 from bondem.boundary.gauges import Gauge as Gauge
+from bondem.boundary.gauges import StrainGauge as StrainGauge
 from bondem.boundary.gauges import WallGauge as WallGauge
 from bondem.boundary.loads import Absorbing as Absorbing
 from bondem.boundary.loads import BodyForce as BodyForce
@@ -60,6 +61,7 @@ from bondem.dynamics.damping import LocalDamping as LocalDamping
 from bondem.dynamics.damping import MassDamping as MassDamping
 from bondem.dynamics.events import AtRest as AtRest
 from bondem.dynamics.events import Event as Event
+from bondem.dynamics.events import LoadDrop as LoadDrop
 from bondem.dynamics.history import History as History
 from bondem.dynamics.plan import Callback as Callback
 from bondem.dynamics.plan import ExplicitResult as ExplicitResult

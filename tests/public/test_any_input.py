@@ -113,6 +113,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "Index": {"elements": [0, 1], "size": 4},
     "Lattice": {"particles": SPHERES, "pairs": [[0, 1], [1, 2]]},
     "LinearContact": {"E": 1e9, "friction": 0.1, "kappa": 2.0, "damping": 0.1, "stress_free": True},
+    "LoadDrop": {"load": {"end": (1.0, 0.0, 0.0)}, "share": 0.5, "least": 1.0},
     "LinearSum": {"force": 1.0, "shear": 1.0, "bending": 1e-3, "twisting": 1e-3, "scatter": None},
     "Load": {"region": FACE, "force": (1.0, 0.0, 0.0), "moment": (0.0, 1.0, 0.0), "schedule": bd.Constant(1.0)},
     "LocalDamping": {"gamma": 0.1},
@@ -148,6 +149,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "StressCriterion": {
         "function": along, "fracture_energy": 50.0, "friction": 0.3, "scatter": None, "tension": 1e6,
     },
+    "StrainGauge": {"region": FACE},
     "Surface": {"file": None, "unit": None, "vertices": np.eye(4, 3), "triangles": [[0, 2, 1], [0, 1, 3], [1, 2, 3],
                                                                                      [0, 3, 2]],
                 "named": {"foot": [0]}, "sharp": 0.5},
