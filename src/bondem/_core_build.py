@@ -1,5 +1,7 @@
 """Compile the core: one library for each level of instructions, by the compiler that the package `ziglang` contains.
 
+`BONDEM_CXX` names another clang++, as distributions require that compile everything by a compiler of their own.
+
 The build hook (`hatch_build.py`) loads this file by its path, before bondem is installed; `_core.py` imports it where
 the sources have changed since. It imports the standard library only.
 """
@@ -8,6 +10,7 @@ import hashlib
 import importlib.util
 import os
 import platform
+import shlex
 import shutil
 import subprocess
 import sys
@@ -26,6 +29,7 @@ PROBE = "level"
 #: do not contain it, since these loops are a third of what is to be compiled.
 LOOPS = "_with_loops"
 
+_OTHER = "BONDEM_CXX"
 # Contraction within expressions only: the same bits on every level that has fused multiply-add. The SLP vectoriser
 # makes the passes over lanes slower.
 _FLAGS = [
@@ -122,7 +126,14 @@ class Platform:
         return self.levels[: level - 1]
 
     def flags(self, level: str) -> list[str]:
-        """Flags of the compiler for a level."""
+        """Flags of the compiler for a level.
+
+        Another compiler than Zig's is that of its machine, or has its target in `BONDEM_CXX`; it writes the names of
+        levels with hyphens.
+        """
+        if os.environ.get(_OTHER):
+            named = level.replace("_", "-")
+            return [f"-march={named}", *_LEVELS["x86_64"][level][1:]] if named != "aarch64" else []
         levels = _ON_WINDOWS | _LEVELS["aarch64"] if self.system == "windows" else _LEVELS[self.machine]
         return ["-target", self.triple, *levels[level]]
 
@@ -157,7 +168,9 @@ def source_digest(folder: Path = SOURCES) -> str:
 
 
 def compiler() -> list[str] | None:
-    """The command that compiles, or None where `ziglang` is not installed."""
+    """The command that compiles: that of BONDEM_CXX, or of `ziglang`; None where neither is there."""
+    if other := os.environ.get(_OTHER):
+        return shlex.split(other)
     return [sys.executable, "-m", "ziglang", "cc"] if importlib.util.find_spec("ziglang") else None
 
 
@@ -180,7 +193,10 @@ def compile_core(target: Platform, names: Iterable[str], *, folder: Path = SOURC
     """
     command = compiler()
     if command is None:
-        raise RuntimeError("bondem's core is to be compiled, and there is no compiler; pip install ziglang")
+        raise RuntimeError(
+            "bondem's core is to be compiled, and there is no compiler; pip install ziglang, or name a clang++ by"
+            f" {_OTHER}"
+        )
     cache = folder / "build"
     environment = {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache), **os.environ}
     out = folder / LIBRARIES

@@ -63,6 +63,14 @@ def test_without_a_compiler_it_is_said_what_to_install(tmp_path, monkeypatch):
         compile_core(Platform.named(None), ["x86_64_v2"], folder=tmp_path)
 
 
+def test_another_compiler_gets_the_flags_of_any_clang(monkeypatch):
+    monkeypatch.setenv("BONDEM_CXX", "clang++-19 --sysroot=/there")
+    assert _core_build.compiler() == ["clang++-19", "--sysroot=/there"]
+    target = Platform("x86_64", "linux")
+    assert target.flags("x86_64_v4") == ["-march=x86-64-v4", "-mprefer-vector-width=512"]
+    assert Platform("aarch64", "macos").flags("aarch64") == []
+
+
 def test_targets_have_the_tags_of_their_wheels():
     tags = {
         "x86_64-linux": "py3-none-manylinux_2_17_x86_64", "aarch64-linux": "py3-none-manylinux_2_17_aarch64",

@@ -8,17 +8,26 @@ import pytest
 import yaml
 
 import bondem
+from bondem.io import commit
 
 ROOT = Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 
 
-def test_versions_agree():
+def test_the_version_follows_from_git_and_is_declared_nowhere_else():
+    assert PROJECT["dynamic"] == ["version"]
+    assert re.match(r"\d+\.\d+", bondem.__version__)
     citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
-    recipe = (ROOT / "conda" / "meta.yaml").read_text(encoding="utf-8")
-    assert citation["version"] == PROJECT["version"] == bondem.__version__
-    assert f'version: "{bondem.__version__}"' in recipe
+    assert "version" not in citation
     assert citation["license"] == PROJECT["license"]
+
+
+def test_an_installed_package_knows_its_commit_from_its_version(monkeypatch, tmp_path):
+    monkeypatch.setattr(commit, "_ROOT", tmp_path)
+    monkeypatch.setattr(commit, "__version__", "0.1.0.dev5+g96d079a5f.d20261128")
+    assert commit.commit.__wrapped__() == "96d079a5f"
+    monkeypatch.setattr(commit, "__version__", "0.1.0")  # its tag says which
+    assert commit.commit.__wrapped__() is None
 
 
 def test_the_conda_recipe_needs_what_the_package_needs():
@@ -26,7 +35,10 @@ def test_the_conda_recipe_needs_what_the_package_needs():
     found = re.findall(r"^    - (\w[\w-]* >=\S+)$", recipe, re.MULTILINE)
     needed = {one.replace("-base", "").replace(" ", "") for one in found}
     assert set(PROJECT["dependencies"]) <= needed
-    assert f"python{PROJECT['requires-python']}" in needed
+    build, steps = recipe.partition("run:")[0], ("download", "ziglang")
+    assert "BONDEM_CXX" in build
+    assert not [line for line in build.splitlines() for word in steps if word in line and not line.startswith("#")]
+    assert "--no-build-isolation" in build  # conda-forge builds without a network
 
 
 @pytest.mark.parametrize("name", ["tests", "wheels", "docs"])

@@ -1,20 +1,26 @@
-"""The commit of the code that is running, where it runs from a checkout."""
+"""The commit of the code that is running."""
 
 import functools
+import re
 import subprocess
 from pathlib import Path
 
+from bondem import __version__
+
 _ROOT = Path(__file__).resolve().parents[3]
+_IN_VERSION = re.compile(r"\+g([0-9a-f]{7,})")
 
 
 @functools.cache
 def commit() -> str | None:
-    """Short hash of the commit of bondem, "-dirty" after it where files have changed; None where it is installed.
+    """Short hash of the commit of bondem, "-dirty" after it where files have changed; None where it is not known.
 
-    Git is asked once.
+    An installed package has the commit in its version. In a clone, whose code changes after the installation, Git is
+    asked, once.
     """
     if not (_ROOT / ".git").exists():
-        return None
+        found = _IN_VERSION.search(__version__)
+        return found[1] if found else None
     asked = ["git", "-C", str(_ROOT), "describe", "--always", "--dirty", "--abbrev=10", "--exclude=*"]
     try:
         done = subprocess.run(asked, capture_output=True, text=True, timeout=10.0, check=True)

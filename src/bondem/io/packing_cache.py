@@ -1,7 +1,7 @@
 """Cache of packings on disk: identical requests reuse a stored packing.
 
-The files are in the folder `packings` of bondem's cache: `$BONDEM_CACHE_DIR/bondem`, or `$XDG_CACHE_HOME/bondem`, or
-`~/.cache/bondem`. Each file is named after its request. The folder may be deleted at any time.
+The files are in the folder `packings` of bondem's cache: `$BONDEM_CACHE_DIR/bondem`, or the folder that the system
+provides for caches, such as `~/.cache/bondem`. Each file is named after its request. The folder may be deleted at any time.
 `BONDEM_PACKING_CACHE=off` in the environment disables the cache, so that every packing is computed.
 """
 
@@ -92,7 +92,7 @@ def written(value: Any, *, packages: tuple[str, ...] = ("bondem",)) -> Any:
 def _program() -> str:
     # Levels of instructions with fused multiply-add share their bits.
     core = source_digest() + ("-unfused" if compiled_level() == "x86_64_v2" else "")
-    versions = (bondem.__version__, np.__version__, scipy.__version__, core)
+    versions = (np.__version__, scipy.__version__, core)
     digest = hashlib.sha256(" ".join(versions).encode())
     package = Path(bondem.__file__).parent
     for source in sorted(path for room in _ROOMS for path in package.joinpath(room).rglob("*.py")):
