@@ -12,7 +12,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any, ParamSpec, TypeVar
 
 from rich.console import Console, RenderableType
@@ -188,6 +188,7 @@ class Board:
         with self._lock:
             if stage not in self._since:
                 self._since[stage] = time.monotonic()
+                self.note = ""  # that of the stage before
                 LOG.info("%s", stage)
             if share >= 1.0 > self._shares.get(stage, 0.0):
                 LOG.info("%s: done in %s", stage, span(time.monotonic() - self._since[stage]))
@@ -245,7 +246,10 @@ class _Lines:
         """Nothing is open."""
 
     def _write(self, words: str) -> None:
-        print(f"bondem: {span(self._board.seconds):>8}  {words}", file=sys.stderr, flush=True)
+        if sys.stderr is None:  # print would take stdout
+            return
+        with suppress(OSError):  # a disk that is full need not end the call
+            print(f"bondem: {span(self._board.seconds):>8}  {words}", file=sys.stderr, flush=True)
 
 
 class _Bars:

@@ -5,6 +5,7 @@ input gives one line on stderr that states what to do. Each subcommand is import
 --version` and `bondem --help` are instant.
 """
 
+import contextlib
 import importlib
 import sys
 import warnings
@@ -13,6 +14,7 @@ from typing import NoReturn
 import click
 
 from bondem import __version__
+from bondem.cli.streams import accept_all_characters, flush
 from bondem.errors import BondemError, UnstableRunError
 
 # The commands and the first lines of their help, which are listed without an import of their modules.
@@ -71,6 +73,7 @@ def main() -> None:
 
 def leave_with(command: click.Command) -> NoReturn:
     """Run a command and leave with its exit status; print each warning and error as one line."""
+    accept_all_characters()
     with warnings.catch_warnings():
         warnings.showwarning = _warn
         status = _status(command)
@@ -79,9 +82,17 @@ def leave_with(command: click.Command) -> NoReturn:
 
 def _status(command: click.Command) -> int:
     try:
-        return command.main(standalone_mode=False) or OK
-    except click.exceptions.Exit as stop:
-        return stop.exit_code
+        try:
+            return command.main(standalone_mode=False) or OK
+        except click.exceptions.Exit as stop:
+            return stop.exit_code
+        finally:
+            flush()
+    except BrokenPipeError:  # the reader, such as `head`, has seen enough
+        return OK
+    except OSError as error:
+        where = f"'{error.filename}': " if error.filename else ""
+        return _complain(f"{where}{error.strerror or error}; make room or choose another place", BAD_INPUT)
     except (click.Abort, KeyboardInterrupt) as stop:
         return _complain(_told(stop), INTERRUPTED)
     except SystemError as error:
@@ -110,9 +121,14 @@ def _told(stop: BaseException) -> str:
 
 
 def _warn(message: Warning | str, category: type[Warning], *_: object, **__: object) -> None:
-    click.echo(f"bondem: warning: {' '.join(str(message).split())}", err=True)
+    _say(f"warning: {message}")
 
 
 def _complain(message: str, status: int) -> int:
-    click.echo(f"bondem: {' '.join(message.split())}", err=True)
+    _say(message)
     return status
+
+
+def _say(message: str) -> None:
+    with contextlib.suppress(OSError):  # where stderr cannot be written to, nobody can be told
+        click.echo(f"bondem: {' '.join(message.split())}", err=True)

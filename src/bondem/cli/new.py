@@ -1,5 +1,6 @@
 """`bondem new silica`, `bondem new ucs` …: write a study template."""
 
+import os
 from pathlib import Path
 
 import click
@@ -20,7 +21,7 @@ def command(kind: str, file: Path | None) -> None:
     tests to failure.
     """
     path = file or Path(TEMPLATES[kind])
-    if path.exists():
+    if os.path.lexists(path):
         raise InputError(f"FILE = '{path}': the file exists; give another FILE, or move the file")
     require_writable(path, "study file")
     write_text(path, template(kind, str(path)))

@@ -13,4 +13,4 @@ def command() -> None:
 
     Save the output as bondem.schema.json and refer to it in the first line of a study: #:schema ./bondem.schema.json
     """
-    click.echo(json.dumps(schema(), indent=2, ensure_ascii=False))
+    click.echo(json.dumps(schema(), indent=2))

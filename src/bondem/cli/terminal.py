@@ -1,7 +1,7 @@
 """Shared parts of the commands: threads, progress on a terminal and the table of results."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import closing, contextmanager
+from contextlib import closing, contextmanager, suppress
 from datetime import datetime
 from pathlib import Path
 from typing import Any
@@ -15,8 +15,8 @@ from bondem._threads import most_threads, threads
 from bondem.dynamics.pulse import Pulse, listening
 from bondem.errors import InputError
 from bondem.interactions.law_catalogue import LAWS
-from bondem.report.numbers import percent, signed_percent, with_unit
-from bondem.study.study_file import Study
+from bondem.report.numbers import many, percent, signed_percent, with_unit
+from bondem.study.study_file import TESTS, Study
 
 _EXPLANATION = (
     "error = measured / theory − 1, mean over the packings. Theory uses E and ν of each specimen and the length"
@@ -76,10 +76,12 @@ class _Log:
     def close(self) -> None:
         """Write the last line and close the file."""
         self._write("ended")
-        self._file.close()
+        with suppress(OSError):
+            self._file.close()
 
     def _write(self, words: str) -> None:
-        self._file.write(f"{datetime.now().astimezone().isoformat(timespec='seconds')} {words}\n")
+        with suppress(OSError):  # a disk that is full need not end the run
+            self._file.write(f"{datetime.now().astimezone().isoformat(timespec='seconds')} {words}\n")
 
 
 @contextmanager
@@ -101,10 +103,14 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
     if not console.is_terminal:
         console.width = 120
     micro, macro, specimen = results["micro"], results["macro"], results["specimen"]
-    lines = [
-        f"[bold]{escape(study.name)}[/bold], packings: {study.packings} of {specimen['elements']} elements",
-        f"  z = {specimen['coordination_number']:.3f}, φ = {specimen['volume_fraction']:.4f}",
-    ]
+    title = f"[bold]{escape(study.name)}[/bold]"
+    if study.bond.cells is None:
+        lines = [
+            f"{title}, packings: {study.packings} of {specimen['elements']} elements",
+            f"  z = {specimen['coordination_number']:.3f}, φ = {specimen['volume_fraction']:.4f}",
+        ]
+    else:
+        lines = [f"{title}, specimens: {study.packings} of {specimen['elements']} cells, {specimen['bonds']} facets"]
     if micro is not None:
         spread = (
             "" if macro["E_std"] is None else
@@ -122,9 +128,35 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
             console.print(f"  [yellow]packing of seed {one['seed']}: {reason}[/yellow]", soft_wrap=True)
     if results["tests"]:
         console.print(_tests(study, results), soft_wrap=True)
-        for line in _EXPLANATION:
+        for line in _EXPLANATION if any(name in TESTS for name in results["tests"]) else ():
             console.print(f"  [dim]{line}[/dim]", soft_wrap=True)
-    console.print(f"\n  {out / 'report.html'}\n  {out / 'results.json'}", soft_wrap=True, markup=False)
+        for line in _broken(results):
+            console.print(f"  {line}", soft_wrap=True, markup=False)
+    _show_files(console, out)
+
+
+def _broken(results: Mapping[str, Any]) -> Iterator[str]:
+    """Cracks, pieces and energies of the tests to failure of the first specimen."""
+    for name, test in results["packings"][0]["tests"].items():
+        one = test["failure"]
+        if one is None:
+            continue
+        energy = "" if one["single_crack"] is None else (
+            f"; per section {with_unit(one['dissipated_per_section'], 'J/m²')}, entered"
+            f" {with_unit(one['fracture_energy'], 'J/m²')}; stored at the peak"
+            f" {one['stored_over_one_crack']:.3g} times the energy of one crack"
+        )  # fmt: skip
+        yield (
+            f"{name} {one['mode']}: {many(one['cracks'], 'crack')}, {many(one['pieces'], 'piece')},"
+            f" {many(one['crumbs'], 'crumb')}{energy}"
+        )
+
+
+def _show_files(console: Console, out: Path) -> None:
+    """Print the paths of the results; the report, which one opens next, comes last."""
+    console.print(f"\n  {out / 'results.json'}", soft_wrap=True, markup=False)
+    if (out / "report.html").exists():
+        console.print(f"  {out / 'report.html'}", soft_wrap=True, markup=False)
 
 
 def show_programme(results: Mapping[str, Any], out: Path) -> None:
@@ -147,7 +179,7 @@ def show_programme(results: Mapping[str, Any], out: Path) -> None:
             with_unit(row["theory"], row["unit"]), signed_percent(row["off_theory"]),
         )  # fmt: skip
     console.print(table, soft_wrap=True)
-    console.print(f"\n  {out / 'report.html'}\n  {out / 'results.json'}", soft_wrap=True, markup=False)
+    _show_files(console, out)
 
 
 def _law(micro: Mapping[str, Any]) -> str:

@@ -1,5 +1,6 @@
 """`bondem watch RUN.h5`: follow a run."""
 
+import os
 import time
 from pathlib import Path
 
@@ -31,7 +32,7 @@ def command(run_file: Path, interval: float, patience: float) -> None:
         try:
             found = read_contents(run_file)
         except RunFileError:
-            if run_file.exists() or time.monotonic() - began >= patience:
+            if os.path.lexists(run_file) or time.monotonic() - began >= patience:
                 raise
             time.sleep(interval)
     if not console.is_terminal:

@@ -1,0 +1,58 @@
+"""Output of commands on consoles whose encoding lacks some characters, on full disks and in pipes that close."""
+
+import codecs
+import io
+import os
+import sys
+import unicodedata
+
+_ERRORS = "bondem-plain"
+# Characters without a decomposition into plain ones.
+_PLAIN = str.maketrans({
+    "−": "-", "–": "-", "—": "-", "·": "*", "×": "x", "≤": "<=", "≥": ">=", "≈": "~", "→": "->", "±": "+-",
+    "‘": "'", "’": "'", "“": "'", "”": "'", "°": "deg",
+})  # fmt: skip
+
+
+def in_ascii(text: str) -> str:
+    """Spell a text in ASCII: names of Greek letters, letters without their accents, and ? for all others."""
+    found = []
+    for character in unicodedata.normalize("NFKD", text.translate(_PLAIN)):
+        name = unicodedata.name(character, "")
+        if character.isascii():
+            found.append(character)
+        elif name.startswith("GREEK") and " LETTER " in name:
+            spelled = name.partition(" LETTER ")[2].split()[0]
+            found.append(spelled.capitalize() if "CAPITAL" in name else spelled.lower())
+        elif not unicodedata.combining(character):
+            found.append("?")
+    return "".join(found)
+
+
+def accept_all_characters() -> None:
+    """Let stdout and stderr spell characters that their encoding lacks, so that no text is an error."""
+    codecs.register_error(_ERRORS, _spelled)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors=_ERRORS)
+
+
+def flush() -> None:
+    """Write what is buffered for stdout; a failure is raised here, and not at the end of the process.
+
+    Raises:
+        OSError: stdout cannot be written to.
+    """
+    try:
+        if sys.stdout is not None:
+            sys.stdout.flush()
+    except OSError:
+        # the interpreter would try again at its end, and print a traceback
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise
+
+
+def _spelled(error: UnicodeError) -> tuple[str, int]:
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    return in_ascii(error.object[error.start : error.end]), error.end
