@@ -25,7 +25,7 @@ from bondem.errors import InputError
 from bondem.fracture.fragments import fragments
 from bondem.geometry.rotations import turned_vectors
 from bondem.geometry.surface import Surface
-from bondem.io.atomic import require_writable
+from bondem.io.atomic import replacing, require_writable
 from bondem.labtests.cracking import HALF
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.vibration import FreeVibration
@@ -372,4 +372,5 @@ def _figure(who: str, path: Any, count: int) -> Iterator[tuple[Drawing, list[Axe
         axes = figure.subplots(1, count, squeeze=False)
         yield figure, list(axes[0])
         if file is not None:
-            figure.savefig(file)
+            with replacing(file) as aside:
+                figure.savefig(aside)

@@ -3,6 +3,7 @@
 import os
 import sys
 from collections.abc import Sequence
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ from vtkmodules.vtkCommonCore import vtkLogger
 
 from bondem._extras import install
 from bondem.errors import InputError
+from bondem.io.atomic import replacing, require_writable
 from bondem.report.scene import Scene
 
 _MOVIES = (".mp4", ".gif")
@@ -47,24 +49,30 @@ def render_run(
         raise InputError(
             f"out = '{out}': unknown suffix; give a name that ends in .png, or in .mp4 or .gif for a film"
         )
+    require_writable(out, "picture")
     scene = Scene(run_file, field=field, show=show, section=section, warp=warp, camera=camera, walls=walls, axes=axes)
     plotter: Any = pyvista.Plotter(off_screen=True, window_size=list(size))
     plotter.set_background(_BACKGROUND)
-    if not film:
-        scene.draw(plotter, scene.number(snapshot))
-        plotter.screenshot(out)
-    else:
-        try:
-            plotter.open_gif(str(out)) if out.suffix.lower() == ".gif" else plotter.open_movie(str(out))
-        except (ImportError, ValueError) as error:
-            told = " ".join(str(error).split())
-            raise InputError(f"films need imageio ({told}); {install('view')}") from None
-        for number in range(scene.count):
-            plotter.clear_actors()
-            scene.draw(plotter, number)
-            plotter.write_frame()
-    plotter.close()
+    with closing(plotter), replacing(out) as aside:
+        if film:
+            _film(scene, plotter, aside)
+        else:
+            scene.draw(plotter, scene.number(snapshot))
+            plotter.screenshot(aside)
+        plotter.close()  # a film is complete then
     return out
+
+
+def _film(scene: Scene, plotter: Any, out: Path) -> None:
+    try:
+        plotter.open_gif(str(out)) if out.suffix.lower() == ".gif" else plotter.open_movie(str(out))
+    except (ImportError, ValueError) as error:
+        told = " ".join(str(error).split())
+        raise InputError(f"films need imageio ({told}); {install('view')}") from None
+    for number in range(scene.count):
+        plotter.clear_actors()
+        scene.draw(plotter, number)
+        plotter.write_frame()
 
 
 def view_run(

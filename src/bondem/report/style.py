@@ -14,6 +14,7 @@ from matplotlib.ticker import ScalarFormatter
 from PIL import Image, ImageChops
 
 from bondem.interactions.law_catalogue import LAWS
+from bondem.io.atomic import replacing
 
 INK = "#1f2933"
 GREY = "#8a96a3"
@@ -123,7 +124,8 @@ def sheet(
         canvas = FigureCanvasAgg(figure)
         canvas.draw()
         image = Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3])
-        _trimmed(image).save(path, dpi=(_DOTS_PER_INCH, _DOTS_PER_INCH))
+        with replacing(path) as aside:
+            _trimmed(image).save(aside, dpi=(_DOTS_PER_INCH, _DOTS_PER_INCH))
 
 
 class _PlainNumbers(ScalarFormatter):
