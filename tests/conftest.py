@@ -15,6 +15,9 @@ os.environ["BONDEM_PACKING_CACHE"] = "off"
 # Tests of progress turn it on.
 os.environ.setdefault("BONDEM_PROGRESS", "off")
 
+# Failing tests show where an error was raised; those of short tracebacks turn it off.
+os.environ.setdefault("BONDEM_TRACEBACK", "full")
+
 # Processes that tests start import the package as bytecode, which the first of them writes.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 

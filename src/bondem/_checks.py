@@ -19,16 +19,22 @@ from bondem.errors import BondemError, InputError
 # No length, stiffness or force in SI units comes near these; products of such numbers are no numbers any more.
 _LARGEST = 1e100
 
+# Texts with units belong to study files and the command line.
+_NOT_TEXT = "; in Python quantities are numbers in SI units, such as 70e9 for '70 GPa'"
+
 Kind = TypeVar("Kind")
 
 
 def shown(value: object) -> str:
-    """Format a value for a message as one short line."""
+    """Format a value for a message as one short line; of objects described in several lines the first."""
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, np.ndarray) and value.ndim:
         return f"array of {value.dtype}, shape {value.shape}"
-    text = " ".join(repr(value).split())
+    written = repr(value)
+    if type(value).__module__.startswith("bondem."):
+        written = written.partition("\n")[0]
+    text = " ".join(written.split())
     return text if len(text) <= 80 else f"{text[:77]}..."
 
 
@@ -69,6 +75,8 @@ def number(
     where = f"{owner}: {name}" if owner else name
     measure = f" {unit}" if unit and found is not None else ""
     wanted = advice or _bounds(above, least, below) + (f" [{unit}]" if unit else "")
+    if isinstance(value, str) and value.strip()[:1].isdigit():
+        wanted += _NOT_TEXT
     if found is not None and math.isfinite(found) and not possible(np.array(found)):
         measure += ", beyond any quantity in SI units"
     raise InputError(f"{where} = {shown(value)}{measure}; give {wanted}")

@@ -28,7 +28,9 @@ _AXES = {"x": 0, "y": 1, "z": 2}
 def _components(owner: str, axes: str) -> tuple[int, ...]:
     instance(owner, "translation= or rotation", axes, str, "axes as text: a subset of 'xyz', or '' for none")
     if any(axis not in _AXES for axis in axes):
-        raise InputError(f"{owner}: '{axes}' has letters that are no axes; give a subset of 'xyz', or '' for none")
+        raise InputError(
+            f"{owner}: '{axes}' has letters that are no axes; give 'xyz' for all, a subset of it, or '' for none"
+        )
     return tuple(sorted({_AXES[axis] for axis in axes}))
 
 

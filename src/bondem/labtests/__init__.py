@@ -1,9 +1,11 @@
 """Standard laboratory tests of a specimen, each with its measured value and the theoretical value."""
 
+import sys
 from typing import TYPE_CHECKING
 
 from bondem._describe import describe
-from bondem._names import no_attribute, suggesting
+from bondem._guard import guard
+from bondem._names import no_attribute
 from bondem.labtests.ball import BrokenBall, FragmentSizes
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
 from bondem.labtests.celerity import impact
@@ -67,7 +69,8 @@ __all__ = [
 
 for _name in __all__:
     _home = globals()[_name].__module__
-    globals()[_name] = suggesting(_home, _name)
+    guard({_home: tuple(__all__)})
+    globals()[_name] = getattr(sys.modules[_home], _name)
     describe({_home: tuple(__all__)})
 
 

@@ -234,6 +234,10 @@ class Difference(Region):
         return self.first.mask(lattice) & ~self.second.mask(lattice)
 
 
+# What the whole body is called, which is no face.
+_WHOLE = ("all", "body", "everything", "default", "matrix", "rest")
+
+
 def as_region(owner: str, value: object) -> Region:
     """Return a region unchanged and reject anything else.
 
@@ -242,7 +246,9 @@ def as_region(owner: str, value: object) -> Region:
     """
     if isinstance(value, Region):
         return value
-    meant = f"bd.Face({value!r})" if isinstance(value, str) else 'bd.Face("x_min"), bd.Index(...) or bd.Within(...)'
+    meant = 'bd.Face("x_min"), bd.Index(...) or bd.Within(...)'
+    if isinstance(value, str):
+        meant = "bd.Everything()" if value.lower() in _WHOLE else f"bd.Face({value!r})"
     raise InputError(f"{owner}: {shown(value)} is not a region; give {meant}")
 
 

@@ -239,6 +239,8 @@ def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str
         return np.full(n, bond.G), np.full(n, bond.lame), bond.facet_rotation
     G, lame = np.full(n, np.nan), np.full(n, np.nan)
     for where, law in bond.items():
+        if not isinstance(where, Region) and not isinstance(where, tuple):
+            as_region("bond=", where)
         if not isinstance(where, Region):
             raise InputError("CellBond applies to cells; give {region: law}, not laws between two regions")
         if not isinstance(law, CellBond):
