@@ -5,12 +5,14 @@ Type checkers and editors read `__init__.pyi`, which a test compares with the li
 """
 
 import importlib
+import sys
 from pathlib import Path
 from typing import Any
 
 from bondem._describe import describe
 from bondem._environment import check_environment
-from bondem._names import no_attribute, suggesting
+from bondem._guard import guard
+from bondem._names import no_attribute
 
 try:
     from bondem._version import __version__  # type: ignore[missing-import]
@@ -128,17 +130,27 @@ _INSTEAD = {
     "simulate": "bd.solve_explicit", "solve": "bd.solve_static or bd.solve_explicit", "Sphere": "bd.Ball",
     "tessellate": "bd.connect(particles, method='laguerre')", "read_stl": "bd.Surface", "load_stl": "bd.Surface",
     "HertzContact": "bd.HertzMindlin", "set_num_threads": "bd.set_threads",
+    "plot": ".plot() of a lattice, a model or a result", "show": ".plot() of a lattice, a model or a result",
+    "draw": ".plot() of a lattice, a model or a result", "view": ".plot(), or the command bondem view",
+    "render": "the command bondem render", "save": "out= of a solver, bd.write_vtkhdf or bd.save_particles",
+    "load": "bd.read_run or bd.load_particles", "read": "bd.read_run or bd.read_particles",
+    "Simulation": "bd.Model and bd.solve_explicit", "Solver": "bd.Model and bd.solve_explicit",
+    "voronoi": "bd.connect(particles, method='laguerre')", "Mesh": "bd.Surface", "Force": "bd.Load",
+    "Displacement": "bd.Drive", "Velocity": "bd.Drive", "Support": "bd.Fix", "Gravity": "bd.BodyForce",
 }  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:
     if name in _HOME:
-        found = suggesting(_HOME[name], name)
+        module = importlib.import_module(_HOME[name])
+        guard(_PUBLIC)
         describe(_PUBLIC)
-        return found
+        return getattr(module, name)
     if name in _MODULES:
         return importlib.import_module(_MODULES[name])
-    raise AttributeError(no_attribute("bondem", name, __all__, _INSTEAD), name=name)
+    within = [one for one, home in _MODULES.items() if name in dir(sys.modules.get(home)) and name[0] != "_"]
+    known = {name: f"bd.{within[0]}.{name}"} if within else _INSTEAD
+    raise AttributeError(no_attribute("bondem", name, __all__, known), name=name)
 
 
 def __dir__() -> list[str]:
