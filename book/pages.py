@@ -9,6 +9,8 @@ from book.errors import BookError
 from book.front import front
 from book.markdown import page
 from book.numbers import numbers
+from book.printed import pages as with_code
+from book.printed import with_output
 from book.prose import words
 from book.quoted import quoted
 from book.quoting import target, templates, written
@@ -37,7 +39,7 @@ def rendered(book: list[Chapter]) -> dict[Path, str]:
     """Every page that the book writes, and its text."""
     pages = {DOCS / "validation.md": front(book), DOCS / "studies.md": filled(DOCS / "studies.md")}
     pages |= {DOCS / "validation" / f"{one.name}.md": page(one) for one in book}
-    return pages | _prose(book)
+    return _prose(book) | pages
 
 
 def _prose(book: list[Chapter]) -> dict[Path, str]:
@@ -45,7 +47,9 @@ def _prose(book: list[Chapter]) -> dict[Path, str]:
     known, more = quoted(), words(book)
     texts = {target(template): written(template, known, more) for template in templates()}
     names = {page.relative_to(ROOT).as_posix(): asked for page, (_, asked) in texts.items()}
-    return {page: text for page, (text, _) in texts.items()} | {DOCS / "numbers.md": numbers(known, names)}
+    by_hand = {page: page.read_text(encoding="utf-8") for page in with_code()}
+    pages = by_hand | {page: text for page, (text, _) in texts.items()}
+    return {page: with_output(text) for page, text in pages.items()} | {DOCS / "numbers.md": numbers(known, names)}
 
 
 def write() -> list[Path]:
