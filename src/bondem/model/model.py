@@ -95,6 +95,15 @@ class Model:
             failure: FailureAssignment | None = None, mass_matrix: str = "lumped",
         ) -> None: ...  # fmt: skip
 
+    # What solvers read, in their own order and types. Neither `dir` nor the reference lists it.
+    _INTERNAL = (
+        "beam_softening", "bonds", "breaking", "cell_constants", "cells", "constraints", "contacts", "correction",
+        "failure_parts", "hands_over", "layout", "non_local", "non_local_constants", "period", "pressed", "softening",
+    )  # fmt: skip
+
+    def __dir__(self) -> list[str]:
+        return [name for name in object.__dir__(self) if name not in self._INTERNAL]
+
     def __post_init__(self) -> None:
         instance("Model", "lattice", self.lattice, Lattice, "a lattice, from bd.connect or bd.Lattice")
         density = array("Model", "density", self.density, wanted="a positive number [kg/m³], or one per element")
