@@ -10,7 +10,7 @@ import numpy as np
 
 from bondem._checks import array, choice, instance, possible, several, shown
 from bondem._drawing import draw
-from bondem._plausibility import question, question_bond_radius, question_strength
+from bondem._plausibility import physical, question_bond_radius, question_strength
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
 from bondem.boundary.wall_constraints import Holds, holds_wall
@@ -66,7 +66,7 @@ class Model:
         walls: rigid planes, cylinders and spheres; they need a `contact` law.
         failure: criterion by which bonds or facets break, such as `bd.PeripheralStress(...)`, or criteria of one kind
             by region: {region: criterion, (region, region): criterion}. None for bonds that never break. Bonds break
-            in explicit runs only.
+            in `solve_explicit` and `solve_quasistatic`; linear and relaxed statics and modes reject a model with it.
         mass_matrix: "lumped", the mass and inertia of each element, or "dispersion-corrected" for cells that cannot
             fail, in explicit runs and modes: waves of pressure have their celerity to 0.5 % at 10 elements per wave.
             A step takes longer, and energy is not conserved exactly where cells rotate.
@@ -111,7 +111,7 @@ class Model:
             raise InputError(f"density has shape {density.shape}; give a number or one value per element")
         if not possible(density) or not (density > 0.0).all():
             raise InputError("density has values that are not positive and finite; give positive values [kg/m³]")
-        question("Model", "density", float(density.min()))
+        physical("Model", "density", float(density.min()))
         object.__setattr__(self, "boundary", _conditions(self.boundary))
         object.__setattr__(self, "walls", check_walls(self.walls))
         if self.contact is not None and not isinstance(self.contact, ContactLaw):
