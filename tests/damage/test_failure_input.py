@@ -181,9 +181,9 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
     "an index that never fails": ("never stays below 1", "give an index that reaches 1", lambda: own(never)),
     "an index of the wrong sign": ("along stays below 1", "tension positive", lambda: own(along, tension=-1e6)),
     "an index that raises": ("complains raises 'no shear, please'", "returns k indices", lambda: own(complains)),
-    "statics": ("solve_explicit and solve_quasistatic only", "leave failure= out", lambda: bd.solve_static(free_model())),
-    "modes": ("solve_explicit and solve_quasistatic only", "leave failure= out", lambda: bd.solve_modes(free_model(), count=1)),
-    "relaxation": ("solve_explicit and solve_quasistatic only", "leave failure= out", lambda: bd.solve_relaxed(free_model())),
+    "statics": ("solve_quasistatic", "leave failure= out", lambda: bd.solve_static(free_model())),
+    "modes": ("solve_quasistatic", "leave failure= out", lambda: bd.solve_modes(free_model(), count=1)),
+    "relaxation": ("solve_quasistatic", "leave failure= out", lambda: bd.solve_relaxed(free_model())),
     "an index without a criterion": (
         "failure_index: the model has no criterion", "give it failure=",
         lambda: bd.failure_index(free_model(None), free_model(None).state()),

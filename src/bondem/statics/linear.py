@@ -66,7 +66,7 @@ class System:
                 " or load faces with bd.Fix and bd.Load"
             )
         if model.failure is not None:
-            raise InputError("bonds break in solve_explicit and solve_quasistatic only; leave failure= out of the model")
+            raise InputError("bonds break in solve_explicit and solve_quasistatic; leave failure= out of the model")
         if len(model.lattice.pairs) == 0:
             raise InputError("elements without bonds have no stiffness; bond them, or use solve_explicit")
         lattice, order = model.lattice, model.layout.order

@@ -84,7 +84,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     if model.contact is not None:
         raise InputError("contacts and walls act in explicit runs only; use solve_explicit with damping instead")
     if model.failure is not None:
-        raise InputError("bonds break in solve_explicit and solve_quasistatic only; leave failure= out of the model")
+        raise InputError("bonds break in solve_explicit and solve_quasistatic; leave failure= out of the model")
     if model.non_local is not None:
         raise InputError("solve_relaxed needs a potential, which the non-local law lacks; use solve_static")
     if model.cells is not None:
