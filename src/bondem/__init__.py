@@ -5,7 +5,6 @@ Type checkers and editors read `__init__.pyi`, which a test compares with the li
 """
 
 import importlib
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -148,7 +147,7 @@ def __getattr__(name: str) -> Any:
         return getattr(module, name)
     if name in _MODULES:
         return importlib.import_module(_MODULES[name])
-    within = [one for one, home in _MODULES.items() if name in dir(sys.modules.get(home)) and name[0] != "_"]
+    within = [one for one, home in _MODULES.items() if name[0] != "_" and name in dir(importlib.import_module(home))]
     known = {name: f"bd.{within[0]}.{name}"} if within else _INSTEAD
     raise AttributeError(no_attribute("bondem", name, __all__, known), name=name)
 

@@ -2,11 +2,12 @@
 
 import math
 import re
+import sys
 import warnings
 from dataclasses import dataclass, replace
 
 from bondem._checks import number
-from bondem._names import users_line
+from bondem._names import is_internal, users_line
 from bondem.errors import StrengthWarning, UnitWarning
 
 # Young's modulus [Pa] and density [kg/m³], to the order of magnitude, by a word in the name of a material.
@@ -105,6 +106,10 @@ _RANGES: dict[str, _Range] = {
     "fracture_energy": _ENERGY, "fracture_energy_shear": _ENERGY,
 }  # fmt: skip
 
+# Functions and modules between the call of a class and the check of its values.
+_MAKING = ("physical", "check_crack", "check_energies", "check_slip", "__post_init__", "__init__", "make", "guarded")
+_COPYING = ("copy", "dataclasses")
+
 # Radius of a bond over the mean radius of the elements.
 _BOND_RADIUS = (1e-3, 30.0)
 
@@ -130,7 +135,8 @@ def physical(owner: str, name: str, value: object, *, quantity: str = "", advice
     """
     known = _RANGES[quantity or name]
     found = number(owner, name, value, unit=known.unit, above=0.0, advice=advice or known.advice)
-    question(owner, name, found, quantity=quantity)
+    if _by_user():
+        question(owner, name, found, quantity=quantity)
     return found
 
 
@@ -138,7 +144,17 @@ def question(owner: str, name: str, value: float, *, quantity: str = "") -> None
     """Warn about a positive value whose unit may be wrong; arguments as in `physical`."""
     doubt = _RANGES[quantity or name].doubt(name, value)
     if doubt:
-        _question(f"{owner}: {doubt}")
+        _question(f"{owner}: {doubt}" if owner else doubt)
+
+
+def _by_user() -> bool:
+    """Return True if the user makes the object under construction, whose values are then not those of a trial."""
+    frame = sys._getframe(1)
+    while frame.f_back is not None and (
+        frame.f_code.co_name in _MAKING or frame.f_globals.get("__name__") in _COPYING
+    ):
+        frame = frame.f_back
+    return not is_internal(str(frame.f_globals.get("__name__")))
 
 
 def question_material(name: str, E: float, rho: float) -> None:

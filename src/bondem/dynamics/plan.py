@@ -96,7 +96,7 @@ class Plan:
             InputError: The number of steps is excessive, or zero although the duration is not.
         """
         assert self.dt is not None
-        if 0.0 < self.duration and round(self.duration / self.dt) == 0:
+        if self.duration > 0.0 and round(self.duration / self.dt) == 0:
             raise InputError(
                 f"duration = {self.duration:.3g} s is shorter than a step of {self.dt:.3g} s, so that nothing would"
                 " move; give a longer duration (seconds) or a smaller dt=, or duration=0 to record the start only"

@@ -30,11 +30,13 @@ class Number(Key):
     Attributes:
         unit: SI unit.
         above, below: limits, both excluded.
+        quantity: name in the table of plausible values (`bondem._plausibility`), if the unit is to be questioned.
     """
 
     unit: str = "-"
     above: float = -math.inf
     below: float = math.inf
+    quantity: str = ""
 
     def schema(self) -> Schema:
         """JSON schema of the value."""

@@ -42,6 +42,14 @@ def _stress(words: str) -> Number:
     return Number(words, "Pa", above=0.0)
 
 
+def _strength(words: str) -> Number:
+    return Number(words, "Pa", above=0.0, quantity="tension")
+
+
+def _energy(words: str) -> Number:
+    return Number(words, "J/m²", above=0.0, quantity="fracture_energy")
+
+
 def _length(words: str) -> Number:
     return Number(words, "m", above=0.0)
 
@@ -60,11 +68,11 @@ BOND = KeyTable("bonds of spheres, or cells", {
 })  # fmt: skip
 FAILURE = KeyTable("failure criterion", {
     "criterion": Text("kind of criterion", tuple(kind.__name__ for kind in CRITERIA)),
-    "tension": _stress("strength in tension"), "compression": _stress("strength in compression"),
-    "hydrostatic": _stress("strength in hydrostatic tension"), "cohesion": _stress("cohesion c"),
+    "tension": _strength("strength in tension"), "compression": _strength("strength in compression"),
+    "hydrostatic": _strength("strength in hydrostatic tension"), "cohesion": _strength("cohesion c"),
     "friction_angle": Number("friction angle φ", "rad"),
-    "fracture_energy": Number("fracture energy G_f", "J/m²", above=0.0),
-    "fracture_energy_shear": Number("fracture energy in shear G_II", "J/m²", above=0.0),
+    "fracture_energy": _energy("fracture energy G_f"),
+    "fracture_energy_shear": _energy("fracture energy in shear G_II"),
     "dilatancy": Number("dilatancy: the angle ψ of MohrCoulomb, the factor of DruckerPrager", "rad"),
     "friction": Number("friction of closed cracks", "-", above=_ZERO),
     "curve": Text("softening curve", ("straight", "bilinear")),
@@ -75,7 +83,7 @@ AGGREGATES = KeyTable("aggregates in the material, which is their matrix", {
     "diameters": Numbers("openings of the sieves", "m", 2),
     "mass_passing": Numbers("share of the mass that passes each sieve, from 0 to 1", "-", 2),
     "fraction": Number("volume fraction of the aggregates", "-", above=0.0, below=0.6),
-    "E": _stress("Young's modulus"), "nu": _poisson("Poisson's ratio"),
+    "E": Number("Young's modulus", "Pa", above=0.0, quantity="E"), "nu": _poisson("Poisson's ratio"),
     "gap": _length("smallest distance between two aggregates"), "failure": FAILURE, "interface": FAILURE,
 }, needed=("diameters", "mass_passing", "fraction", "E", "nu"))  # fmt: skip
 _SIZES = KeyTable("law of the radii", {
@@ -101,7 +109,7 @@ _SPECIMEN: dict[str, Key] = {
 }
 _TESTS = Texts("tests of each packing", (*ELASTIC_TESTS, *FAILURE_TESTS))
 _TARGETS = KeyTable("strengths to compare with", {
-    name: _stress("strength to compare with") for name in FAILURE_TESTS
+    name: _strength("strength to compare with") for name in FAILURE_TESTS
 })  # fmt: skip
 _OPTIONS: dict[str, Key] = {
     name: KeyTable(f"options of {name}", {
@@ -137,6 +145,9 @@ STUDY = KeyTable("", {
         "citation": Text("source of the values"), "E_mu": _stress("published bond modulus"),
         "r_mu_ratio": Number("published radius ratio", "-", above=0.0),
         "errors": KeyTable("published errors", {name: Number("published error") for name in ELASTIC_TESTS}),
+        "peaks": KeyTable("lowest and highest measured peak of the curve of a test", {
+            name: Numbers("lowest and highest peak", one.figure.units[1], 2) for name, one in FAILURE_TESTS.items()
+        }),
     }, needed=("citation",)),
     "campaign": CAMPAIGN, "tests": _TESTS, "specimen": KeyTable("specimen", _SPECIMEN), "targets": _TARGETS,
     "specimens": KeyTables("specimens of a test programme", SEVERAL), **_OPTIONS,

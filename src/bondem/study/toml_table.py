@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from bondem._checks import shown
+from bondem._plausibility import question
 from bondem._units import length_unit, quantity
 from bondem.errors import InputError, StudyError
 from bondem.study.declared import Count, Key, KeyTable, Number, Numbers, Text, Texts
@@ -98,7 +99,10 @@ class TomlTable:
         value = self._get(key, default, wanted)
         if value is default:
             return value
-        return self._number(self.name(key), value, unit, wanted, above, below)
+        found = self._number(self.name(key), value, unit, wanted, above, below)
+        if known.quantity:
+            question("", f"'{self.name(key)}'", found, quantity=known.quantity)
+        return found
 
     def _number(
         self, name: str, value: object, unit: str, wanted: str, above: float = -math.inf, below: float = math.inf
