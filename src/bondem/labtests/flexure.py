@@ -17,12 +17,14 @@ from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Box
 from bondem.geometry.shape_boundary import BOX_FACES
 from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.labtests.cracking import HALF, Cracking
 from bondem.labtests.line_probe import walls_along
 from bondem.labtests.quasi_static_rig import DENSITY, require_cells, softening_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Index, Region, Within
+from bondem.statics.quasistatic.load_response import Ends, MeasuringPoints
 from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult, solve_quasistatic
 
 # Load at a factor of 1 [N]: nothing depends on it.
@@ -49,8 +51,10 @@ class BendingTest(Plotted):
             [m]; `path.gauge` contains the requested gauges too.
         load: load P at each row of the curve [N], shape (k,).
         deflection: deflection at each row of the curve [m], shape (k,).
-        cmod: opening of the notch mouth along x at each row of the curve [m], shape (k,), between the cells on both
-            of its sides at the bottom. None for a beam without a notch.
+        cracking: cracks and pieces, and the energy that they took; `cracking.single` is True where the work is that
+            of one crack.
+        cmod: opening of the notch mouth along x at each row of the curve [m], shape (k,): mean over the width, at the
+            edges of the notch in the bottom, which move and rotate with their cells. None for a beam without a notch.
     """
 
     peak: float
@@ -62,6 +66,7 @@ class BendingTest(Plotted):
     path: QuasistaticResult
     load: Floats
     deflection: Floats
+    cracking: Cracking
     cmod: Floats | None
 
     @property
@@ -139,13 +144,19 @@ def three_point_bending(
     stiffness = path.load[0] / deflection[0]
     rollers = -0.5 * (path.gauge["left"] + path.gauge["right"])[:, 1]
     work = path.energy.sum() + 0.5 * path.load[-1] * rollers[-1]
+    top, section = int(np.argmax(path.load)), beam.width * beam.ligament
+    cracking = Cracking(
+        body=body, state=path.state, integrity=HALF, dissipated=float(path.energy.sum()), slipped=0.0,
+        stored=float(0.5 * path.load[top] * rollers[top]), section=section,
+        fracture_energy=softening_of("three_point_bending", failure, "a criterion").fracture_energy,
+    )  # fmt: skip
     curve = np.column_stack([deflection / beam.span, stress])
     mouth = np.append(0.0, path.gauge[_MOUTH][:, 0]) if _MOUTH in own else None
     return BendingTest(
         peak=float(stress.max()), E=float(stiffness * beam.compliance(matrix.nu)),
-        curve=np.vstack([np.zeros((1, 2)), curve]), work=float(work) / (beam.width * beam.ligament),
+        curve=np.vstack([np.zeros((1, 2)), curve]), work=float(work) / section,
         span=beam.span, ligament=beam.ligament, path=path, load=np.append(0.0, path.load),
-        deflection=np.append(0.0, deflection), cmod=mouth,
+        deflection=np.append(0.0, deflection), cracking=cracking, cmod=mouth,
     )  # fmt: skip
 
 
@@ -260,27 +271,38 @@ class _Beam:
         moment = (-float(off[2]) * force, 0.0, float(off[0]) * force)
         return Load(region, force=(0.0, force, 0.0), moment=moment)
 
-    def gauges(self) -> Mapping[str, tuple[Region, Region]]:
-        """Gauges from each support to the upper roller, and from each support to the middle of the section."""
+    def gauges(self) -> Mapping[str, Ends]:
+        """Gauges from each support to the upper roller and to the middle of the section, and of the notch mouth."""
         region = {name: self._region(face, at) for name, (face, at, _) in self._places().items()}
         x, y = float(self.middle[0]), float(self.middle[1])
         inside = self._about(x, float(self.upper[1]) - 0.5 * self.ligament)
         ends = {"left": self._about(x - 0.5 * self.span, y), "right": self._about(x + 0.5 * self.span, y)}
-        found: dict[str, tuple[Region, Region]] = {name: (region[name], region["top"]) for name in ends}
+        found: dict[str, Ends] = {name: (region[name], region["top"]) for name in ends}
         return found | {f"middle {name}": (end, inside) for name, end in ends.items()} | self._mouth()
 
-    def _mouth(self) -> dict[str, tuple[Region, Region]]:
-        """Return the gauge between the cells left and right of the notch at its mouth; none for a plain beam."""
+    def _mouth(self) -> dict[str, Ends]:
+        """Return the gauge between the edges of the notch at the bottom; none for a plain beam.
+
+        A cell at the mouth has a facet on a side of the notch and one on the bottom. Its edge is where the plane of
+        the side meets the bottom, and its share of the width is the extent of the side facet along z.
+        """
         assert self.body.cells is not None
-        free, names = self.body.cells.free, self.body.particles.envelope.faces
+        free, names, low = self.body.cells.free, self.body.particles.envelope.faces, float(self.lower[1])
         walls = [k for k, name in enumerate(names) if name not in BOX_FACES]
-        high = float(self.lower[1]) + self.strip
-        at = np.isin(free.face, walls) & (free.centroid[:, 1] < high) & (np.abs(free.normal[:, 0]) > _STEEP)
-        left = at & (free.centroid[:, 0] < self.middle[0])
-        sides = [np.unique(free.cell[side]) for side in (left, at & ~left)]
-        if not all(side.size for side in sides):
+        bottom = np.isin(free.cell, free.cell[self.body.on_face("y_min")])
+        sides = np.flatnonzero(np.isin(free.face, walls) & (np.abs(free.normal[:, 0]) > _STEEP) & bottom)
+        edge = free.centroid[sides]
+        edge[:, 0] += free.normal[sides, 1] / free.normal[sides, 0] * (edge[:, 1] - low)
+        edge[:, 1] = low
+        extent = np.sqrt(free.moment[sides, 2, 2] / free.area[sides])
+        left = edge[:, 0] < self.middle[0]
+        if left.all() or not left.any():
             return {}
-        return {_MOUTH: (Index(sides[0]), Index(sides[1]))}
+        first, second = (
+            MeasuringPoints(free.cell[sides[side]], edge[side], extent[side] / extent[side].sum())
+            for side in (left, ~left)
+        )
+        return {_MOUTH: (first, second)}
 
     def _about(self, x: float, y: float) -> Region:
         """Cells about a line along z, as wide and deep as a strip."""

@@ -1,16 +1,17 @@
 """Response of a body during loading: force and displacement of the driven region, and gauges."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._checks import instance
-from bondem._types import Floats, Mask
+from bondem._types import Floats, Ints, Mask
 from bondem.boundary.conditions import Drive, Load
 from bondem.boundary.loads import Pressure, facet_numbers
 from bondem.boundary.wall_constraints import holds_wall
 from bondem.errors import InputError
 from bondem.model.model import Model
+from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 
@@ -62,22 +63,60 @@ class Reading:
         return float(unbalanced[self._element, :3].sum(axis=0) @ self._way), self._size
 
 
-class RegionGauges:
-    """Displacements between two regions, each the mean over the elements."""
+@dataclass(frozen=True, eq=False)
+class MeasuringPoints:
+    """Material points whose mean displacement is measured, each moving rigidly with its element.
 
-    def __init__(self, model: Model, gauges: Mapping[str, tuple[Region, Region]]) -> None:
-        """Find the elements."""
-        instance("solve_quasistatic", "gauges", gauges, Mapping, '{"CMOD": (bd.Within(...), bd.Within(...))}')
+    Attributes:
+        element: element of each point, user's order, (k,).
+        position: points in the reference [m], (k, 3).
+        weight: share of each point in the mean, with the sum 1 [-], (k,).
+    """
+
+    element: Ints
+    position: Floats
+    weight: Floats
+
+    @classmethod
+    def of(cls, region: "Region | MeasuringPoints", lattice: Lattice) -> "MeasuringPoints":
+        """Return the centres of the elements of a region, with equal weight; points as they are."""
+        if isinstance(region, MeasuringPoints):
+            return region
+        element = region.select(lattice)
+        return cls(element, lattice.centre[element], np.full(len(element), 1.0 / len(element)))
+
+
+#: Ends of a gauge.
+Ends = tuple[Region | MeasuringPoints, Region | MeasuringPoints]
+
+
+class PointGauges:
+    """Displacements between pairs of regions, each the mean over the centres of its elements, or of points."""
+
+    def __init__(self, model: Model, gauges: Mapping[str, Ends]) -> None:
+        """Find the points.
+
+        Raises:
+            InputError: A gauge is not a pair of regions.
+        """
         self._ends = {}
         for name, ends in gauges.items():
-            wanted = "two regions"
-            if not (isinstance(ends, tuple) and len(ends) == 2 and all(isinstance(one, Region) for one in ends)):
+            pair = isinstance(ends, tuple) and len(ends) == 2
+            if not (pair and all(isinstance(one, Region | MeasuringPoints) for one in ends)):
                 raise InputError(
-                    f"solve_quasistatic: gauge '{name}' needs {wanted}, such as (bd.Face('x_min'), bd.Face('x_max'))"
+                    f"solve_quasistatic: gauge '{name}' needs two regions, such as"
+                    " (bd.Face('x_min'), bd.Face('x_max'))"
                 )
-            self._ends[name] = tuple(model.layout.rank[one.select(model.lattice)] for one in ends)
+            points = [MeasuringPoints.of(one, model.lattice) for one in ends]
+            self._ends[name] = [
+                (model.layout.rank[one.element], one.position - model.lattice.centre[one.element], one.weight)
+                for one in points
+            ]
 
     def read(self, motion: Floats) -> dict[str, Floats]:
-        """Return the displacement of each second region from its first [m], (3,) each."""
-        moved = motion.reshape(-1, 6)[:, :3]
-        return {name: moved[b].mean(axis=0) - moved[a].mean(axis=0) for name, (a, b) in self._ends.items()}
+        """Return the displacement of each second end from its first, for small rotations [m], (3,) each."""
+        u, phi = np.hsplit(motion.reshape(-1, 6), 2)
+        return {
+            name: np.subtract(*(weight @ (u[k] + np.cross(phi[k], arm)) for k, arm, weight in reversed(ends)))
+            for name, ends in self._ends.items()
+        }

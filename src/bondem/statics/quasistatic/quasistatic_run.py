@@ -1,5 +1,6 @@
 """Quasi-static fracture by load factors: bonds fail one by one, at whatever load each event requires."""
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
@@ -19,7 +20,7 @@ from bondem.statics.linear import Iteration, System, prefers_elimination
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.statics.quasistatic.equilibrium import Eliminated, Equilibrium, Iterated
 from bondem.statics.quasistatic.limits import FacetOnset, StressOnset, TractionOnset
-from bondem.statics.quasistatic.load_response import Reading, RegionGauges
+from bondem.statics.quasistatic.load_response import Ends, PointGauges, Reading
 from bondem.statics.quasistatic.sawtooth_softening import Teeth
 
 # Facets whose factors differ by less than this share come in the user's order.
@@ -101,7 +102,7 @@ def solve_quasistatic(
     together: float = 0.005,
     until: float = 0.02,
     most: int = 100_000,
-    gauges: Mapping[str, tuple[Region, Region]] | None = None,
+    gauges: Mapping[str, Ends] | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> QuasistaticResult:
     """Follow a body of cells as it fails without inertia, with all drives and loads scaled by one factor.
@@ -124,7 +125,8 @@ def solve_quasistatic(
             2 / `ripple`, must stay below it, because single events occur at much lower loads than others.
         most: largest number of events.
         gauges: pairs of regions whose relative displacement is recorded, by name.
-        progress: function called with the completed share, 0 … 1, by how far the load has fallen after its peak.
+        progress: function called with the completed share, 0 … 1, which never falls: how far the highest load of the
+            last events is below the peak.
 
     Raises:
         InputError: The model has no cells, another criterion, cells that yield, contacts or prestress, or nothing is
@@ -142,12 +144,12 @@ def solve_quasistatic(
     pairs = {} if gauges is None else instance(
         "solve_quasistatic", "gauges", gauges, Mapping, "a mapping of names to pairs of regions"
     )  # fmt: skip
-    reading, gauge = Reading(body, drive), RegionGauges(model, pairs)
+    reading, gauge = Reading(body, drive), PointGauges(model, pairs)
     path = _Path(model)
     softening: dict[int, tuple[Teeth, int]] = {}
     following = np.full(len(body.integrity), np.inf)
     motion = body.motion.copy()
-    first, peak, below, size, end = 0.0, 0.0, 0, 0.0, "events"
+    first, size, told, end = 0.0, 0.0, 0.0, "events"
     for event in range(limit):
         try:
             motion, found = _balance(body, equilibrium, motion, size)
@@ -170,7 +172,6 @@ def solve_quasistatic(
         if _folds(motion, factor):
             end = "folded"
             break
-        peak = max(peak, factor * load)
         for k in failing.tolist():
             if k not in softening:
                 softening[k] = onset.teeth(found, k, factor, band), 0
@@ -181,12 +182,15 @@ def solve_quasistatic(
             path.add(k, left)
             body.weaken(k, left, (bool(body.closed[k, 0]), bool(body.closed[k, 1])))
         path.add_event(factor, gauge.read(motion), motion)
-        if progress is not None and peak > 0.0 and share < 1.0:
-            progress(min(max((1.0 - factor * load / peak) / (1.0 - share), 0.0), 1.0))
-        below = below + 1 if factor * load < share * peak else 0
-        if below >= max(_LAST * (event + 1), _FEWEST / band):
+        borne = path.borne(math.ceil(max(_LAST * (event + 1), _FEWEST / band)))
+        if borne < share:
             end = "unloaded"
             break
+        if progress is not None:
+            told = max(told, (1.0 - borne) / (1.0 - share))
+            progress(told)
+    if progress is not None:
+        progress(1.0)
     return path.result(body, end, equilibrium)
 
 
@@ -249,7 +253,7 @@ class _Path:
         self._rows: list[tuple[float, float, float, float, float]] = []
         self._gauge: list[dict[str, Floats]] = []
         self._energy: list[float] = []
-        self._potential = self._load = self._way = self._work = 0.0
+        self._potential = self._load = self._way = self._work = self._peak = 0.0
         self._motion = np.zeros(6 * len(model.layout.order))
 
     def settle(self, potential: float, load: float, displacement: float) -> None:
@@ -275,6 +279,13 @@ class _Path:
         self._rows.append((factor, load, displacement, self._work, 0.5 * load * displacement))
         self._gauge.append({name: factor * moved for name, moved in gauge.items()})
         self._motion = factor * motion
+
+    def borne(self, last: int) -> float:
+        """Return the highest load of the last events over the peak of all, 1 if there are fewer events [-]."""
+        self._peak = max(self._peak, self._rows[-1][1])
+        if len(self._rows) < last or self._peak <= 0.0:
+            return 1.0
+        return max(load for _, load, *_ in self._rows[-last:]) / self._peak
 
     def result(self, body: DamagedBody, end: str, equilibrium: Equilibrium) -> QuasistaticResult:
         """Return the whole path."""
