@@ -2,7 +2,7 @@
 
     python -m benchmarks.calibration [--repeats 3] [--count 10000]          about 4 minutes on 2 cores
 
-From nothing: `bondem calibrate` in processes of their own, with an empty cache of compiled code and no kept packings.
+From nothing: `bondem calibrate` in processes of their own, with an empty cache and no kept packings.
 The paper's way: curves by explicit quasi-static runs, 100 000 steps each as in its figure 10. One such run is timed,
 on all threads, on the specimen that is calibrated; the curves take `RUNS` of them, which is extrapolated. The paper
 does not print how many points a curve has: five are assumed. Writes benchmarks/results/calibration.json.
@@ -31,7 +31,7 @@ RUNS = {"whole study": 5 + 25 + 5, "figs 15 and 16": 5 + 5}
 
 
 def from_nothing(count: int, *more: str) -> float:
-    """Wall time of the command with no compiled code and no packings at hand [s]."""
+    """Wall time of the command with no packings at hand [s]."""
     with tempfile.TemporaryDirectory() as empty:
         bare = os.environ | {"BONDEM_CACHE_DIR": empty, "BONDEM_PACKING_CACHE": "off"}
         begun = time.perf_counter()
@@ -73,7 +73,6 @@ def main() -> None:
         name: timed(lambda lattice=lattice: bd.calibrate(lattice, silica, law=bd.EulerBernoulli), options.repeats)
         for name, lattice in (("1 cylinder", bar), ("1 cell", cell))
     }
-    explicit_tension(bar, fit.law, density=fit.density, steps=1000, ramp=0.5, phi=1.3, stress=1e6)  # compiles
     run = explicit_tension(bar, fit.law, density=fit.density, steps=options.steps, ramp=0.5, phi=1.3, stress=1e6)
     ours = warm["1 cylinder"]["median"]
     paper = {
