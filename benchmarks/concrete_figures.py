@@ -56,6 +56,8 @@ def _draw(
             right.plot(1e3 * x, y / 1e6, color=BLUE, alpha=alpha, linewidth=width, label=label)
         if row["theory"] is not None and math.isfinite(row["theory"]):
             right.axhline(row["theory"] / 1e6, color=ORANGE, linestyle=(0, (4, 3)), label="put in")
-        right.set(xlabel=f"{told.strain} [10$^{{-3}}$]", ylabel=f"{told.stress} [MPa]")
+        bent = name == "three_point_bending"
+        strain, stress = ("deflection / span", "flexural stress") if bent else (told.strain, told.stress)
+        right.set(xlabel=f"{strain} [10$^{{-3}}$]", ylabel=f"{stress} [MPa]")
         right.set_ylim(bottom=0.0)
         right.legend(loc="best")

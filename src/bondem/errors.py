@@ -52,6 +52,10 @@ class ImbalanceWarning(UserWarning):
     """Warning of an explicit run whose energy ledger has an error of more than a small share of its energies."""
 
 
+class NotQuasistaticWarning(UserWarning):
+    """Warning of a run that is meant to be quasi-static, but whose forces contain inertia or are not reached."""
+
+
 class FaceWarning(UserWarning):
     """Warning of a face of particles without a shape that has far fewer elements than lie near it."""
 
@@ -94,6 +98,10 @@ class RaggedInterfaceWarning(UserWarning):
 
 class FractureEnergyWarning(UserWarning):
     """Warning of a test whose work per section is not a fracture energy, as it feeds more than one crack."""
+
+
+class ReportWarning(UserWarning):
+    """Warning of a figure or report that could not be written, beside results that were."""
 
 
 class AuxeticWarning(UserWarning):

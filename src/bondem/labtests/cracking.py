@@ -4,6 +4,7 @@ import math
 import warnings
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -79,9 +80,14 @@ class Cracking:
         return self.found.area
 
     @property
+    def sectioned(self) -> bool:
+        """True for a test with a section that a single crack can cross."""
+        return not math.isnan(self.section)
+
+    @property
     def projected(self) -> float:
         """Area of all cracks projected on the section [m²]; NaN without a section."""
-        if math.isnan(self.section):
+        if not self.sectioned:
             return math.nan
         return self.found.projected_area(np.eye(3)[self.axis].tolist()) if len(self.found) else 0.0
 
@@ -112,11 +118,29 @@ class Cracking:
 
     @property
     def mode(self) -> str:
-        """Description of the failure: whether the specimen has split, and whether its cells have yielded in shear."""
+        """Description of the failure: number of cracks, or in compression whether the specimen has split or yielded."""
+        if self.sectioned:
+            return "cracks once" if self.count == 1 else f"cracks {self.count} times" if self.count else "softens"
         split = self.pieces > 1
         if self.slipped > self.dissipated:
             return "yields in shear and splits" if split else "yields in shear and does not split"
         return "splits" if split else "cracks and does not split"
+
+    @property
+    def objection(self) -> str:
+        """Reason why the work per section cannot be a fracture energy, and what to do; "" where it can."""
+        if self.stored_ratio > 1.0:
+            return (
+                f"at its peak the specimen stores {self.stored_ratio:.3g} times the energy that one crack takes"
+                f" (G_f = {self.fracture_energy:.4g} J/m² times the section); use a shorter specimen or a notch, or"
+                " bd.labtests.three_point_bending, which follows snap-back"
+            )
+        if self.per_section > _SEVERAL * self.fracture_energy > 0.0:
+            return (
+                f"its cracks took {self.per_section / self.fracture_energy:.3g} times the energy of a single one; cut"
+                " a notch, so that the specimen cracks once"
+            )
+        return ""
 
     def warn(self, test: str) -> None:
         """Warn where the work of a test cannot be a fracture energy.
@@ -124,18 +148,19 @@ class Cracking:
         Args:
             test: name of the test.
         """
-        if self.stored_ratio > 1.0:
-            reason = (
-                f"at the peak the specimen stores {self.stored_ratio:.3g} times the energy of one crack"
-                f" (G_f = {self.fracture_energy:.4g} J/m² times the section)"
-            )
-            advice = "use a shorter specimen or a notch, or bd.labtests.three_point_bending, which follows snap-back"
-        elif self.per_section > _SEVERAL * self.fracture_energy > 0.0:
-            reason = f"its cracks took {self.per_section / self.fracture_energy:.3g} times the energy of a single one"
-            advice = "cut a notch, so that the specimen cracks once"
-        else:
-            return
-        warnings.warn(
-            f"labtests.{test}: the work per section is not a fracture energy: {reason}; {advice}",
-            FractureEnergyWarning, stacklevel=users_line(),
-        )  # fmt: skip
+        if self.objection:
+            warnings.warn(
+                f"labtests.{test}: the work per section is not a fracture energy: {self.objection}",
+                FractureEnergyWarning, stacklevel=users_line(),
+            )  # fmt: skip
+
+    def numbers(self) -> dict[str, Any]:
+        """Collect all numbers for `results.json`, in SI; without a section those that need it are NaN."""
+        return {
+            "mode": self.mode, "pieces": self.pieces, "crumbs": self.crumbs, "cracks": self.count,
+            "crack_area": self.surface, "crack_area_on_section": self.projected, "section": self.section,
+            "fracture_energy": self.fracture_energy, "dissipated": self.dissipated, "slipped": self.slipped,
+            "dissipated_per_crack_area": self.per_crack_area, "dissipated_per_section": self.per_section,
+            "stored_at_peak": self.stored, "stored_over_one_crack": self.stored_ratio,
+            "single_crack": self.single if self.sectioned else None,
+        }  # fmt: skip

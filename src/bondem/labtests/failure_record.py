@@ -9,11 +9,12 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.damage.cohesive_softening import Softening
-from bondem.fracture.fragments import fragments
+from bondem.labtests.cracking import Cracking
 from bondem.labtests.suited import Suited
-from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 
+# SI unit of a display unit.
+_SI = {"10$^{-3}$": "-", "µs": "s", "µm": "m", "MPa": "Pa", "kN": "N", "m/s": "m/s"}
 #: Curve of a test, as two arrays.
 Curve = tuple[Floats, Floats]
 
@@ -44,6 +45,7 @@ class TestFigure:
         slips: True to colour cells by their slip, if there is any.
         halved: True to leave out the nearer half.
         across, up: factor and unit of both axes.
+        quantity: name of the measured value.
         line: True to draw the strength of the material, where it is known.
     """
 
@@ -59,6 +61,12 @@ class TestFigure:
     across: tuple[float, str] = (1e3, "10$^{-3}$")
     up: tuple[float, str] = (1e-6, "MPa")
     line: bool = True
+    quantity: str = "strength"
+
+    @property
+    def units(self) -> tuple[str, str]:
+        """SI units of both axes."""
+        return _SI[self.across[1]], _SI[self.up[1]]
 
 
 def no_theory(softening: Softening, asked: Mapping[str, float]) -> float:
@@ -81,6 +89,11 @@ def nothing_of(result: Any) -> dict[str, Any]:
     return {}
 
 
+def cracking_of(result: Any, body: Lattice, fracture_energy: float) -> Cracking:
+    """Return `result.cracking`."""
+    return result.cracking
+
+
 @dataclass(frozen=True, kw_only=True)
 class FailureTest:
     """Laboratory test to failure of a body of cells.
@@ -101,7 +114,7 @@ class FailureTest:
         told: further numbers of a result, by name with unit; None is left out.
         energy: energy balance along the curve of a result [J], (k,) each.
         integrity: integrity of the facets at the end [-].
-        parted: True if fragments are coloured.
+        cracking: cracks and pieces of a result, with its body and the fracture energy of the material [J/m²].
     """
 
     name: str
@@ -119,11 +132,11 @@ class FailureTest:
     told: Callable[[Any], Mapping[str, float | None]] = nothing_of
     energy: Callable[[Any], Mapping[str, Floats]] = nothing_of
     integrity: Callable[[Any], Floats] = lambda result: result.state.bond_integrity
-    parted: bool = False
+    cracking: Callable[[Any, Lattice, float], Cracking] = cracking_of
 
-    def curves(self, result: Any, body: Lattice) -> dict[str, np.ndarray]:
+    def curves(self, result: Any, cracking: Cracking) -> dict[str, np.ndarray]:
         """Collect the curve of a result, and fields of the broken specimen for figures."""
-        state: State = result.state
+        state, body = cracking.state, cracking.body
         across, up = self.curve(result)
         damage = np.zeros(len(body.particles))
         for end in body.pairs.T:
@@ -131,4 +144,4 @@ class FailureTest:
         found = {"strain": across, "stress": up} | {name: np.asarray(one) for name, one in self.more(result).items()}
         found |= {"displacement": state.displacement, "orientation": state.orientation, "damage": damage,
                   "slip": state.slipped}  # fmt: skip
-        return found | ({"piece": fragments(body, state).label} if self.parted else {})
+        return found | {"piece": cracking.fragments.label}

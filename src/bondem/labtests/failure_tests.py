@@ -7,6 +7,8 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
+import numpy as np
+
 from bondem.damage.cohesive_softening import Softening
 from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.failure_assignment import FailureAssignment
@@ -16,13 +18,14 @@ from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.ball import BrokenBall
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.confined import triaxial
+from bondem.labtests.cracking import Cracking
 from bondem.labtests.crushing import SphereCrushing, sphere_crushing
 from bondem.labtests.energy_balance import AnyTest, energy_ledger
-from bondem.labtests.failure_record import FailureTest, TestFigure, TestOption
+from bondem.labtests.failure_record import Curve, FailureTest, TestFigure, TestOption
 from bondem.labtests.flexure import BendingTest, three_point_bending
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.punching import shear
-from bondem.labtests.quasi_static_rig import softening_of
+from bondem.labtests.quasi_static_rig import StrengthTest, softening_of
 from bondem.labtests.spalling import SpallTest, spall
 from bondem.labtests.splitting import brazilian
 from bondem.labtests.suited import BALLS, BEAM, BORED, DISC
@@ -51,87 +54,127 @@ def _bend(
 
 
 def _pieces(broken: BrokenBall) -> dict[str, float | None]:
-    return {"damage [-]": broken.damage, "fragments [-]": float(len(broken.sizes.diameter)),
-            "heaviest fragment [-]": broken.largest, "fines [-]": broken.fines}  # fmt: skip
+    return {"mass of the heaviest piece [%]": 100.0 * broken.largest,
+            "mass of pieces below D/5 [%]": 100.0 * broken.fines}  # fmt: skip
 
 
 def _crushed(test: SphereCrushing) -> dict[str, float | None]:
     return {
-        "F [N]": test.force, "F/D² [Pa]": test.jaeger, **_pieces(test.broken),
-        "difference of plate forces [-]": test.asymmetry, "energy error [-]": test.residual,
+        "peak load F [N]": test.force, "F / D² [Pa]": test.jaeger, "broken facets [%]": 100.0 * test.broken.damage,
+        **_pieces(test.broken), "difference of plate forces [%]": 100.0 * test.asymmetry,
+        "energy error [%]": 100.0 * test.residual,
     }  # fmt: skip
 
 
 def _thrown(test: SphereImpact) -> dict[str, float | None]:
     return {
         "largest force [N]": test.peak, "restitution [-]": test.restitution, **_pieces(test.broken),
-        "momentum [-]": test.momentum, "energy error [-]": test.residual,
+        "momentum error [%]": 100.0 * test.momentum, "energy error [%]": 100.0 * test.residual,
     }  # fmt: skip
 
 
 def _spalled(test: SpallTest) -> dict[str, float | None]:
     return {
         "pull-back [m/s]": test.pull_back, "highest velocity [m/s]": test.highest, "spall at [m]": test.place,
-        "first failure [s]": test.first, "energy error [-]": test.residual,
+        "first failure [s]": test.first, "energy error [%]": 100.0 * test.residual,
     }  # fmt: skip
+
+
+def _parted(result: Any, body: Lattice, fracture_energy: float) -> Cracking:
+    """Cracks of an explicit run whose pieces fly apart: only facets that have broken count."""
+    energy = result.run.history.energy
+    elastic = np.sum([energy[name] for name in ("normal", "shear", "bending", "twisting")], axis=0)
+    return Cracking(
+        body=body, state=result.state, integrity=0.0, dissipated=float(energy["fracture"][-1]),
+        slipped=float(energy["plastic"][-1]), stored=float(elastic.max()), fracture_energy=fracture_energy,
+    )  # fmt: skip
+
+
+def _bent(test: BendingTest) -> dict[str, float | None]:
+    top = int(np.argmax(test.load))
+    return {
+        "peak load [N]": float(test.load[top]),
+        "CMOD at the peak [m]": None if test.cmod is None else float(test.cmod[top]),
+        "deflection at the peak [m]": float(test.deflection[top]), "work per ligament [J/m²]": test.work,
+    }  # fmt: skip
+
+
+def _pulled(test: StrengthTest) -> dict[str, float | None]:
+    return {"work per section [J/m²]": test.work}
+
+
+def _load_curve(test: BendingTest) -> Curve:
+    """CMOD, or the deflection of a plain beam, and load."""
+    return (test.deflection if test.cmod is None else test.cmod), test.load
 
 
 _PULSE = {"pressure": "Pa", "rise": "s", "fall": "s"}
 _RECORDS = (
     FailureTest(
         name="direct_tension", perform=direct_tension, theory=_tensile, more=_worked, energy=energy_ledger,
-        figure=TestFigure("Direct tension"),
+        told=_pulled,
+        figure=TestFigure("Direct tension", quantity="tensile strength"),
     ),
     FailureTest(
         name="ucs", perform=uniaxial_compression, yields=True, theory=_compressive, more=_worked,
-        energy=energy_ledger, figure=TestFigure("Uniaxial compression", slips=True),
+        energy=energy_ledger, figure=TestFigure("Uniaxial compression", slips=True, quantity="compressive strength"),
     ),
     FailureTest(
         name="brazilian", perform=brazilian, suited=DISC, options={"half_angle": TestOption("rad")}, theory=_tensile,
         more=_worked, energy=energy_ledger,
         figure=TestFigure(
             "Brazilian test", strain="closing / D", stress="2 P / (π D t)", azimuth=math.radians(62.0),
-            elevation=math.radians(14.0),
+            elevation=math.radians(14.0), quantity="Brazilian strength 2 P / (π D t)",
         ),
     ),
     FailureTest(
         name="triaxial", perform=triaxial, options={"pressure": TestOption("Pa", needed=True)}, yields=True,
         theory=_compressive, more=_worked, energy=energy_ledger,
-        figure=TestFigure("Triaxial compression", stress="axial stress", slips=True),
+        figure=TestFigure(
+            "Triaxial compression", stress="axial stress", slips=True, quantity="axial stress at failure, σ1"
+        ),
     ),
     FailureTest(
         name="three_point_bending", perform=_bend, suited=BEAM, options={"span": TestOption("m")}, more=_worked,
-        energy=energy_ledger, integrity=lambda test: test.path.bond_integrity,
+        energy=energy_ledger, integrity=lambda test: test.path.bond_integrity, curve=_load_curve, told=_bent,
         figure=TestFigure(
-            "Three-point bending", strain="deflection / span", stress="flexural stress", azimuth=math.radians(8.0),
-            elevation=math.radians(66.0),
+            "Three-point bending", strain="CMOD (plain beam: deflection)", stress="load", across=(1e6, "µm"),
+            up=(1e-3, "kN"), line=False, azimuth=math.radians(16.0), elevation=math.radians(62.0),
+            quantity="flexural strength of the ligament",
         ),
     ),
     FailureTest(
         name="shear", perform=shear, suited=BORED, more=_worked, energy=energy_ledger,
-        figure=TestFigure("Shear test", strain="piston / ligament", stress="mean shear stress", halved=True),
+        figure=TestFigure(
+            "Shear test", strain="piston / ligament", stress="mean shear stress", halved=True,
+            quantity="mean shear stress at failure",
+        ),
     ),
     FailureTest(
         name="sphere_crushing", perform=sphere_crushing, suited=BALLS, options={"friction": TestOption("-")},
-        told=_crushed, parted=True,
-        figure=TestFigure("Crushing of a ball", strain="closing / D", stress="2.8 F / (π D²)"),
+        told=_crushed, cracking=_parted,
+        figure=TestFigure(
+            "Crushing of a ball", strain="closing / D", stress="2.8 F / (π D²)",
+            quantity="nominal tensile strength 2.8 F / (π D²)",
+        ),
     ),
     FailureTest(
         name="sphere_impact", perform=sphere_impact, suited=BALLS,
         options={"velocity": TestOption("m/s", needed=True), "friction": TestOption("-")},
         measured=lambda test: test.damage, unit="-", curve=lambda test: (test.time, test.force), told=_thrown,
-        parted=True,
+        cracking=_parted,
         figure=TestFigure(
-            "Impact of a ball", strain="time", stress="force on the plane", across=(1e6, "µs"), up=(1e-3, "kN")
+            "Impact of a ball", strain="time", stress="force on the plane", across=(1e6, "µs"), up=(1e-3, "kN"),
+            quantity="share of broken facets",
         ),
     ),
     FailureTest(
         name="spall", perform=spall, uniform=True,
         options={key: TestOption(unit, needed=True) for key, unit in _PULSE.items()},
-        theory=_tensile, curve=lambda test: (test.time, test.velocity), told=_spalled, parted=True,
+        theory=_tensile, curve=lambda test: (test.time, test.velocity), told=_spalled, cracking=_parted,
         figure=TestFigure(
             "Spalling", strain="time", stress="velocity of the free end", across=(1e6, "µs"), up=(1.0, "m/s"),
-            line=False,
+            line=False, quantity="spall strength",
         ),
     ),
 )  # fmt: skip
@@ -179,9 +222,10 @@ def failure_outcome(
     if test.uniform and not (isinstance(law, CellBond) and isinstance(failure, Criterion)):
         raise InputError(f"labtests.{name}: law or failure is given by region; give one law and one criterion")
     result = test.perform(body, law, failure, density=density, progress=progress, **asked)
+    cracking = test.cracking(result, body, softening.fracture_energy)
     return Outcome(
         name=name, measured=test.measured(result), unit=test.unit,
         theory=math.nan if isinstance(failure, Mapping) else test.theory(softening, asked),
-        curves=test.curves(result, body), state=result.state, energy=test.energy(result),
+        curves=test.curves(result, cracking), cracking=cracking, energy=test.energy(result),
         told={key: value for key, value in test.told(result).items() if value is not None},
     )  # fmt: skip

@@ -7,6 +7,7 @@ import numpy as np
 
 from bondem._drawing import Plotted
 from bondem._types import Floats
+from bondem.labtests.cracking import Cracking
 from bondem.model.state import State
 
 
@@ -26,8 +27,9 @@ class Outcome(Plotted):
             measured softness of the specimen (docs/decisions/0004-measures.md).
         curves: arrays for figures, and further scalars of the test.
         told: further numbers for the report, keyed by name with unit.
-        state: state of the broken specimen, for tests to failure.
-        energy: energy balance along the curve, `labtests.ledger.energy_ledger`, for tests to failure [J], (k,) each.
+        cracking: cracks and pieces of the broken specimen and the energy that they took, for tests to failure.
+        energy: energy balance along the curve, `labtests.energy_balance.energy_ledger`, for tests to failure [J],
+            (k,) each.
     """
 
     name: str
@@ -38,8 +40,13 @@ class Outcome(Plotted):
     theory_refined: float | None = None
     curves: Mapping[str, np.ndarray] = field(default_factory=dict)
     told: Mapping[str, float] = field(default_factory=dict)
-    state: State | None = None
+    cracking: Cracking | None = None
     energy: Mapping[str, Floats] = field(default_factory=dict)
+
+    @property
+    def state(self) -> State | None:
+        """State of the broken specimen, or None."""
+        return None if self.cracking is None else self.cracking.state
 
     @property
     def error(self) -> float:

@@ -6,23 +6,17 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from bondem.fracture.cracks import cracks
-from bondem.fracture.fragments import fragments
 from bondem.labtests.energy_balance import PARTS
 from bondem.labtests.failure_record import TestFigure
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.outcome import Outcome
 from bondem.report.crack_pictures import draw_cracks, draw_fragments
 from bondem.report.findings import Examined
-from bondem.report.numbers import with_unit
-from bondem.report.strength_figures import CRACKED, arranged, broken_in, panels, view_of
+from bondem.report.numbers import area, counted, many, with_unit
+from bondem.report.strength_figures import arranged, broken_in, magnified, panels, reach_of, view_of
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, legend_columns, sheet
 from bondem.specimen.lattice import Lattice
 
-# Largest motion of the pieces drawn, over the length of the specimen.
-_EXAGGERATED = 0.08
-# Pieces of fewer cells are counted as crumbs.
-_FEW = 10
 _COLOURS = dict(zip(PARTS, (BLUE, GREY, ORANGE, PURPLE, GREEN, PALE), strict=True))
 
 
@@ -35,19 +29,15 @@ def draw_pieces(path: Path, specimen: Examined) -> None:
 
 
 def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: Outcome, told: TestFigure) -> None:
-    state = outcome.state
-    assert state is not None
-    pieces = fragments(body, state, integrity=CRACKED)
-    found = cracks(body, state, integrity=CRACKED)
-    size = float(np.ptp(body.centre, axis=0).max())
-    reach = max(1.0, _EXAGGERATED * size / float(np.ptp(state.displacement, axis=0).max()))
-    large = int((pieces.size >= _FEW).sum())
-    draw_fragments(left, body, state, pieces, view=view_of(told), reach=reach)
-    crumbs = f", {_many(len(pieces) - large, 'crumb')}" if len(pieces) > large else ""
-    left.set_title(f"{told.title}: {_many(large, 'piece')}{crumbs}", color=INK)
-    left.text(0.02, 0.0, f"motion × {reach:.0f}", transform=left.transAxes, fontsize=8.5)
+    cracking = outcome.cracking
+    assert cracking is not None
+    state, found = cracking.state, cracking.found
+    reach = reach_of(body, state.displacement)
+    draw_fragments(left, body, state, cracking.fragments, view=view_of(told), reach=reach)
+    left.set_title(f"{told.title}: {counted(cracking)}", color=INK)
+    left.text(0.02, 0.0, magnified(reach), transform=left.transAxes, fontsize=8.5)
     scale = draw_cracks(right, body, found, view=view_of(told))
-    right.set_title(f"cracks: {1e6 * found.area:.0f} mm² in {_many(len(found.surfaces), 'surface')}", color=INK)
+    right.set_title(f"{many(cracking.count, 'crack')}, {area(cracking.surface)} of facets", color=INK)
     if len(found):
         bar = figure.colorbar(scale, ax=right, orientation="horizontal", shrink=0.6, aspect=30, pad=0.02)
         bar.set_label("opening [µm]")
@@ -64,7 +54,8 @@ def draw_energies(path: Path, specimen: Examined) -> None:
     with sheet(path, 4.1 * columns + 0.4, 3.2 * rows + 0.5, rows, columns, squeeze=False) as (figure, axes):
         for ax, name in zip(panels(axes, len(names)), names, strict=True):
             outcome = specimen.outcomes[name]
-            strain = 1e3 * outcome.curves["strain"]
+            told = FAILURE_TESTS[name].figure
+            strain = told.across[0] * outcome.curves["strain"]
             missing = np.abs(outcome.energy["balance"]).max()
             farther = strain >= np.maximum.accumulate(strain)
             strain, energy = strain[farther], {part: along[farther] for part, along in outcome.energy.items()}
@@ -73,14 +64,9 @@ def draw_energies(path: Path, specimen: Examined) -> None:
                 ax.fill_between(strain, top, top + energy[part], color=_COLOURS[part], linewidth=0.0, label=part)
                 top = top + energy[part]
             ax.plot(strain, energy["work"], color=INK, linestyle=(0, (4, 3)), linewidth=1.2, label="work of the load")
-            told = FAILURE_TESTS[name].figure
-            ax.set(xlabel=f"{told.strain} [10$^{{-3}}$]", ylabel="energy [J]", title=told.title)
+            ax.set(xlabel=f"{told.strain} [{told.across[1]}]", ylabel="energy [J]", title=told.title)
             ax.set_ylim(bottom=0.0)
             ax.text(0.02, 0.97, f"balance within {with_unit(float(missing), 'J', 2)}", transform=ax.transAxes,
                     va="top", fontsize=8.5)  # fmt: skip
         handles, labels = axes[0, 0].get_legend_handles_labels()
         figure.legend(handles, labels, loc="outside lower center", ncols=legend_columns(4 if columns > 1 else 2, 2))
-
-
-def _many(count: int, what: str) -> str:
-    return f"{count} {what}" if count == 1 else f"{count} {what}s"

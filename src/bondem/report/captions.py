@@ -31,18 +31,16 @@ CAPTIONS = {
         of the mode and those of theory.""",
     "wave": """Impact: mean velocity of both end faces [m/s] in time [µs]. One face is pushed at a held velocity;
         the wave has arrived when the far face, free and so twice as fast, passes half of its plateau.""",
-    "strength": """Tests to failure: stress [MPa] over strain [10⁻³] as each test defines them (or force [kN] and
-        velocity [m/s] over time [µs]), every packing, and the strength that was entered [MPa], where that has a
-        closed form.""",
+    "strength": """The curve of every specimen, the strength that was entered [MPa] where it has a closed form in
+        the test, and the range of the measured peaks where the study names it.""",
     "broken": """The first specimen as it broke, its motion exaggerated: cells as polyhedra, coloured by the damage
         of their facets [-], 0 intact to 1 broken, or by their plastic slip [%].""",
-    "pieces": """Cracks are facets that have lost half of their strength or more. First panel: what the others join,
-        each piece in a colour of its own, its motion exaggerated. Second panel: surfaces of cracks, coloured
-        by their opening [µm].""",
+    "pieces": """First panel: pieces and crumbs in a colour each, their motion exaggerated. Second panel: surfaces of
+        the cracks, coloured by their opening [µm].""",
     "cut_open": """Sections of the first specimen [mm]: aggregates in grey, matrix in sand. Red: facets that have
         cracked, the wider the more of their strength is lost.""",
-    "energies": """Energies [J] of the first specimen over strain [10⁻³]: what the work of the load (dashed) has
-        turned into.""",
+    "energies": """Energies [J] of the first specimen along its curve: what the work of the load (dashed) has turned
+        into.""",
     "errors": """Tests against theory at a glance: measured over theory, less one [%], means over the packings with
         scatter.""",
 }

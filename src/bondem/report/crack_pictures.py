@@ -23,17 +23,23 @@ from bondem.specimen.tessellation.polyhedra import Polyhedra, polyhedra
 
 # Share of light that falls on a surface seen edge-on.
 _AMBIENT = 0.55
+# Largest magnified rotation of a cell [rad].
+_SMALL = 0.7
 
 
-def corners_moved(solid: Polyhedra, body: Lattice, state: State, reach: float = 1.0) -> Floats:
-    """Displacements of the corners of cells whose displacements are magnified by `reach` [m], (v, 3).
+def corners_moved(
+    solid: Polyhedra, body: Lattice, displacement: Floats, orientation: Floats, reach: float = 1.0
+) -> Floats:
+    """Displacements of the corners of cells whose motion is magnified by `reach` [m], (v, 3).
 
-    Rotations of the cells are not exaggerated, as crumbs rotate by large angles.
+    Rotations are magnified too where they stay small, so that intact parts remain whole. Crumbs rotate by large
+    angles, which are drawn as they are.
     """
     owner = np.repeat(solid.cell, np.diff(solid.start))
     arm = solid.vertex - body.centre[owner]
-    turned = turned_vectors(state.orientation[owner], arm)
-    return reach * state.displacement[owner] + turned - arm
+    angle = 2.0 * np.arccos(np.clip(np.abs(orientation[:, 0]), 0.0, 1.0))
+    times = np.where(reach * angle <= _SMALL, reach, 1.0)[owner, None]
+    return reach * displacement[owner] + times * (turned_vectors(orientation[owner], arm) - arm)
 
 
 def draw_fragments(
@@ -50,7 +56,9 @@ def draw_fragments(
         reach: magnification of displacements [-].
     """
     solid = polyhedra(body)
-    draw_cells(ax, solid, piece_colours(pieces), view=view, moved=corners_moved(solid, body, state, reach))
+    draw_cells(ax, solid, piece_colours(pieces), view=view, moved=corners_moved(
+        solid, body, state.displacement, state.orientation, reach
+    ))  # fmt: skip
 
 
 def piece_colours(pieces: Fragments) -> Floats:

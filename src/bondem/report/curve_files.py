@@ -14,8 +14,6 @@ from bondem.report.findings import Examined, Findings
 
 #: Folder of the files within that of the results.
 CURVES = "curves"
-# SI unit of a display unit.
-_SI = {"10$^{-3}$": "-", "µs": "s", "MPa": "Pa", "kN": "N", "m/s": "m/s"}
 # Columns of the other tests: keys of `Outcome.curves`, in groups of one length.
 _SIGNALS = (
     ("", (("x", "x [m]"), ("profile", "motion of the section [m or rad]"))),
@@ -52,8 +50,8 @@ def _of_test(name: str, outcome: Outcome) -> dict[str, _Columns]:
     if name in FAILURE_TESTS and "strain" in curves:
         told = FAILURE_TESTS[name].figure
         columns = {
-            f"{told.strain} [{_SI[told.across[1]]}]": curves["strain"],
-            f"{told.stress} [{_SI[told.up[1]]}]": curves["stress"],
+            f"{told.strain} [{told.units[0]}]": curves["strain"],
+            f"{told.stress} [{told.units[1]}]": curves["stress"],
         }  # fmt: skip
         return {"": columns | {f"{part} [J]": values for part, values in outcome.energy.items()}}
     return {
@@ -63,7 +61,7 @@ def _of_test(name: str, outcome: Outcome) -> dict[str, _Columns]:
 
 
 def _of_specimen(one: Examined) -> dict[str, _Columns]:
-    """Layering at the walls, and the radial distribution of the centres."""
+    """Layering at the walls, and the radial distribution of the centres; none for cells."""
     found: dict[str, _Columns] = {}
     for face, layers in one.layering.items():
         found[f"layering_{face}"] = {

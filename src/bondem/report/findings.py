@@ -44,7 +44,7 @@ class Examined:
     Attributes:
         seed: seed of the packing.
         lattice: the specimen.
-        quality: fabric of the packing.
+        quality: fabric of a packing of spheres; None for a body of cells.
         tension: measured E and ν under the law of the study, or None.
         rho: mass of the connected elements over the volume of the shape [kg/m³], or None.
         outcomes: results of the tests, by name.
@@ -55,7 +55,7 @@ class Examined:
 
     seed: int
     lattice: Lattice
-    quality: Fabric
+    quality: Fabric | None = None
     tension: Tension | None = None
     rho: float | None = None
     outcomes: Mapping[str, Outcome] = field(default_factory=dict)
@@ -65,12 +65,14 @@ class Examined:
 
     @cached_property
     def layering(self) -> Mapping[str, Layering]:
-        """Effect of each wall on the packing; empty for a periodic cell."""
-        return wall_layering(self.lattice.particles)
+        """Effect of each wall on the packing; empty for a periodic cell and for a body of cells."""
+        return {} if self.lattice.cells is not None else wall_layering(self.lattice.particles)
 
     @cached_property
     def distribution(self) -> RadialDistribution | None:
-        """Radial distribution of the centres, or None if too few elements are away from the walls."""
+        """Radial distribution of the centres; None for cells, or if too few elements are away from the walls."""
+        if self.lattice.cells is not None:
+            return None
         try:
             return radial_distribution(self.lattice.particles)
         except InputError:
@@ -91,6 +93,7 @@ class Findings:
         results: contents of `results.json`.
         citation: source of `published`, or "".
         published: published errors of the tests, by name [-].
+        peaks: published ranges of the peaks of curves by test, in the SI unit of the curve.
         failures: failure criteria by part of the material.
         source: name and text of the study file, or None.
     """
@@ -104,6 +107,7 @@ class Findings:
     results: Mapping[str, Any]
     citation: str = ""
     published: Mapping[str, float] = field(default_factory=dict)
+    peaks: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     failures: Mapping[str, Criterion] = field(default_factory=dict)
     source: tuple[str, str] | None = None
 

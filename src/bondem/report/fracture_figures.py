@@ -12,6 +12,7 @@ from bondem.fracture.fragments import Fragments
 from bondem.fracture.magnitudes import BValue
 from bondem.model.state import State
 from bondem.report.crack_pictures import draw_cracks, draw_fragments
+from bondem.report.numbers import many
 from bondem.report.spheres import View
 from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
 from bondem.specimen.lattice import Lattice
@@ -45,10 +46,10 @@ def draw_fracture(
     with sheet(path, 10.0, 6.4, 2, 2, height_ratios=(1.25, 1.0)) as (figure, axes):
         (left, right), (below, corner) = axes
         draw_fragments(left, body, state, pieces, view=view, reach=reach)
-        left.set_title(f"{_many(int((pieces.size >= 10).sum()), 'piece')}, {_many(_crumbs(pieces), 'crumb')},"
+        left.set_title(f"{many(int((pieces.size >= 10).sum()), 'piece')}, {many(_crumbs(pieces), 'crumb')},"
                        f" motion × {reach:g}")  # fmt: skip
         scale = draw_cracks(right, body, cracks, view=view)
-        right.set_title(f"cracks, {1e6 * cracks.area:.0f} mm² in {_many(len(cracks.surfaces), 'surface')}")
+        right.set_title(f"cracks, {1e6 * cracks.area:.0f} mm² in {many(len(cracks.surfaces), 'surface')}")
         bar = figure.colorbar(scale, cax=right.inset_axes((0.03, 0.06, 0.34, 0.03)), orientation="horizontal")
         bar.set_label("opening [µm]")
         bar.outline.set_visible(False)
@@ -58,10 +59,6 @@ def draw_fracture(
 
 def _crumbs(pieces: Fragments) -> int:
     return int((pieces.size < 10).sum())
-
-
-def _many(count: int, what: str) -> str:
-    return f"{count} {what}" if count == 1 else f"{count} {what}s"
 
 
 def _draw_growth(ax: Axes, growth: CrackGrowth) -> None:

@@ -38,9 +38,10 @@ def draw_mesoscale(path: Path, body: Lattice, state: State, stones: Aggregates, 
     """
     solid, colour = polyhedra(body), _coloured(body, stones)
     with sheet(path, 11.0, 3.5, 1, 3, width_ratios=(1.25, 1.1, 1.0)) as (_, (left, middle, right)):
-        moved = corners_moved(solid, body, state)
+        still = state.displacement, state.orientation
+        moved = corners_moved(solid, body, *still)
         reach = max(1.0, _EXAGGERATED * float(np.ptp(body.centre[:, 0])) / max(float(np.ptp(moved[:, 0])), 1e-12))
-        draw_cells(left, solid, colour, view=_VIEW, moved=corners_moved(solid, body, state, reach))
+        draw_cells(left, solid, colour, view=_VIEW, moved=corners_moved(solid, body, *still, reach))
         left.set_title(f"broken, motion × {reach:.0f}")
         _draw_cut_open(middle, solid, body, state, colour, 2)
         middle.set_title("section, cracks in red")

@@ -3,6 +3,7 @@
 import math
 
 from bondem.geometry.elementary_shapes import Ball, Cylinder, Shape
+from bondem.labtests.cracking import Cracking
 
 _PREFIXES = {9: "G", 6: "M", 3: "k", 0: "", -3: "m", -6: "µ", -9: "n"}
 # Units that take a prefix; the others (kg/m³) are printed in powers of ten where need be.
@@ -34,6 +35,35 @@ def _significant(value: float, digits: int) -> str:
         return f"{value:.{max(places, 0)}f}"
     mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
     return f"{mantissa}·10{str(int(exponent)).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
+
+
+def between(low: float, high: float, unit: str) -> str:
+    """Format a range with one unit: "0.933 to 1.114 kN"."""
+    shown, _, name = with_unit(high, unit).rpartition(" ")
+    factor = float(shown.replace("−", "-")) / high
+    return f"{low * factor:.4g} to {high * factor:.4g} {name}"
+
+
+def area(value: float) -> str:
+    """Format an area in mm²."""
+    return f"{_significant(1e6 * value, 4)} mm²"
+
+
+def many(count: int, what: str) -> str:
+    """Format a count: "1 piece", "2 pieces"."""
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"
+
+
+def counted(cracking: Cracking) -> str:
+    """Format the numbers of pieces and crumbs of a broken specimen."""
+    crumbs = f" and {many(cracking.crumbs, 'crumb')}" if cracking.crumbs else ""
+    return f"{many(cracking.pieces, 'piece')}{crumbs}"
+
+
+def in_unit(name: str, value: float | None) -> tuple[str, str]:
+    """Split a name such as "peak load [N]" and format its value with the unit: ("peak load", "1.237 kN")."""
+    words, _, unit = name.rpartition(" [")
+    return words, with_unit(value, unit.removesuffix("]"))
 
 
 def percent(value: float) -> str:

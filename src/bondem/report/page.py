@@ -1,9 +1,9 @@
 """Report of a study: one self-contained HTML page, and its figures as PNG files."""
 
 import base64
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from datetime import date
 from functools import cache
 from io import BytesIO
 from pathlib import Path
@@ -13,10 +13,11 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from PIL import Image
 
+from bondem.errors import ReportWarning
 from bondem.interactions.law_catalogue import named
 from bondem.io.atomic import write_text
-from bondem.io.commit import commit
 from bondem.labtests.failure_tests import FAILURE_TESTS
+from bondem.labtests.outcome import Outcome
 from bondem.report.breakage_figures import draw_energies, draw_pieces
 from bondem.report.captions import CAPTIONS, OF_CELLS
 from bondem.report.cell_figures import draw_bent, draw_body
@@ -25,7 +26,18 @@ from bondem.report.dynamic_figures import draw_modes, draw_vibration, draw_wave
 from bondem.report.fabric_figures import draw_distribution, draw_layering
 from bondem.report.findings import Findings
 from bondem.report.mesoscale_figure import draw_cut_open
-from bondem.report.numbers import measures, percent, signed, signed_percent, with_unit
+from bondem.report.numbers import (
+    area,
+    between,
+    counted,
+    in_unit,
+    many,
+    measures,
+    percent,
+    signed,
+    signed_percent,
+    with_unit,
+)
 from bondem.report.quality import quality_rows
 from bondem.report.specimen_figures import draw_contacts, draw_geode, draw_specimen
 from bondem.report.static_figures import draw_free_parameter, draw_profiles, draw_tension
@@ -84,28 +96,39 @@ def write_report(
 ) -> None:
     """Write `report.html` and, optionally, `figures/*.png` into a folder.
 
+    A figure that cannot be drawn is left out, with a warning.
+
     Args:
         findings: results to report.
         out: existing folder.
         figures: True to draw figures.
         progress: callback, called with the completed share [-], 0 … 1.
+
+    Warns:
+        ReportWarning: a figure was not drawn.
     """
     drawings = drawings_of(findings) if figures else {}
     pictures: dict[str, Picture] = {}
-    if drawings:
-        (out / "figures" / PHONE).mkdir(parents=True, exist_ok=True)
+    undrawn: dict[str, str] = {}
     for done, (name, draw) in enumerate(drawings.items()):
         if progress is not None:
             progress(done / len(drawings))
         path = out / "figures" / f"{name}.png"
-        draw(path)
-        with narrow():
-            draw(path.parent / PHONE / path.name)
+        try:
+            (path.parent / PHONE).mkdir(parents=True, exist_ok=True)
+            draw(path)
+            with narrow():
+                draw(path.parent / PHONE / path.name)
+        except Exception as error:  # results are worth more than a figure
+            undrawn[name] = f"{type(error).__name__}: {error}"
+            warnings.warn(f"figure {name} was not drawn ({undrawn[name]}); the report lacks it", ReportWarning,
+                          stacklevel=2)  # fmt: skip
+            continue
         caption = OF_CELLS.get(name, CAPTIONS[name]) if findings.specimens[0].lattice.cells else CAPTIONS[name]
         if name == "errors" and findings.published:
             caption += " Ticks: published errors (unsigned)."
         pictures[name] = Picture.of(path, caption)
-    write_text(out / "report.html", page(findings, pictures))
+    write_text(out / "report.html", page(findings, pictures, undrawn))
     if progress is not None:
         progress(1.0)
 
@@ -115,11 +138,13 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
     first = findings.specimens[0]
     drawings: dict[str, Callable[[Path], None]] = {
         "specimen": lambda path: (draw_specimen if first.lattice.cells is None else draw_body)(path, first.lattice),
-        "geode": lambda path: draw_geode(path, first.quality),
-        "contacts": lambda path: draw_contacts(path, first.lattice),
     }
-    if first.layering:
-        drawings["layering"] = lambda path: draw_layering(path, first.layering, first.quality.core_volume_fraction)
+    quality = first.quality
+    if quality is not None:
+        drawings["geode"] = lambda path: draw_geode(path, quality)
+        drawings["contacts"] = lambda path: draw_contacts(path, first.lattice)
+    if quality is not None and first.layering:
+        drawings["layering"] = lambda path: draw_layering(path, first.layering, quality.core_volume_fraction)
     distribution = first.distribution
     if distribution is not None:
         drawings["distribution"] = lambda path: draw_distribution(path, distribution)
@@ -157,13 +182,14 @@ def templates() -> Environment:
         trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
     environment.filters |= {
-        "quantity": with_unit, "percent": percent, "signed": signed_percent, "difference": signed
+        "quantity": with_unit, "percent": percent, "signed": signed_percent, "difference": signed, "area": area,
+        "counted": counted, "many": many,
     }  # fmt: skip
     return environment
 
 
-def page(findings: Findings, pictures: dict[str, Picture]) -> str:
-    """HTML text of the report."""
+def page(findings: Findings, pictures: dict[str, Picture], undrawn: Mapping[str, str] | None = None) -> str:
+    """HTML text of the report; `undrawn` are errors of figures by name, which the page states."""
     rows = rows_of(findings)
     solid = bool(pictures) and findings.specimens[0].lattice.cells is not None
     law = findings.bonds.law if findings.bonds is not None else None
@@ -185,8 +211,7 @@ def page(findings: Findings, pictures: dict[str, Picture]) -> str:
         quality=quality_rows(findings.specimens),
         shape=measures(findings.specimens[0].lattice.particles.envelope),
         failures=[(part, type(one).__name__, told(one)) for part, one in findings.failures.items()],
-        commit=commit(),
-        today=date.today().isoformat(),
+        undrawn=undrawn,
     )
 
 
@@ -200,8 +225,9 @@ def _contents(
         ("theory", "Tests against theory", any(not row["failing"] for row in rows)),
         ("elasticity", "Calibration" if findings.fit else "Elasticity, measured", macro and macro["E"] is not None),
         ("static", "Static tests", "profiles" in pictures), ("vibration", "Vibration", "modes" in pictures),
-        ("impact", "Impact", "wave" in pictures), ("packing", "Quality of the packing", True),
-        ("study", "Study file", findings.source is not None),
+        ("impact", "Impact", "wave" in pictures),
+        ("packing", "Quality of the packing", findings.specimens[0].quality is not None),
+        ("study", "Study file", findings.source is not None), ("origin", "Origin", True),
     )  # fmt: skip
     return [(anchor, title) for anchor, title, there in known if there]
 
@@ -215,14 +241,27 @@ def rows_of(findings: Findings) -> list[dict[str, Any]]:
             "name": FAILURE_TESTS[name].figure.title if name in FAILURE_TESTS else name.replace("_", " "),
             "key": name,
             "failing": name in FAILURE_TESTS,
+            "quantity": FAILURE_TESTS[name].figure.quantity if name in FAILURE_TESTS else "",
+            "cracking": outcomes[0].cracking,
+            "peak": _peak(name, outcomes, findings.peaks.get(name)),
             **row,
             "error_timoshenko": _mean([one.error_timoshenko for one in outcomes]),
             "error_refined": _mean([one.error_refined for one in outcomes]),
             "free_vibration": _mean([_number(one.curves.get("free_vibration")) for one in outcomes]),
             "published": findings.published.get(name),
-            "told": {key: _mean([one.told.get(key) for one in outcomes]) for key in outcomes[0].told},
+            "told": [in_unit(key, _mean([one.told.get(key) for one in outcomes])) for key in outcomes[0].told],
         })  # fmt: skip
     return rows
+
+
+def _peak(name: str, outcomes: Sequence[Outcome], band: tuple[float, float] | None) -> dict[str, Any] | None:
+    """Mean peak of the curves beside the measured range; None without one."""
+    if band is None:
+        return None
+    found, told = float(np.mean([one.curves["stress"].max() for one in outcomes])), FAILURE_TESTS[name].figure
+    off = 0.0 if band[0] <= found <= band[1] else found / (band[0] if found < band[0] else band[1]) - 1.0
+    return {"name": f"peak {told.stress}", "value": found, "unit": told.units[1], "off": off,
+            "measured": between(*band, told.units[1])}  # fmt: skip
 
 
 def _number(value: object) -> float | None:

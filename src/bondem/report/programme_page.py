@@ -2,13 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from datetime import date
 from pathlib import Path
 from typing import Any
 
 from bondem.damage.criteria.criterion import Criterion
 from bondem.io.atomic import write_text
-from bondem.io.commit import commit
 from bondem.report.captions import CAPTIONS
 from bondem.report.criterion_told import told
 from bondem.report.page import PHONE, Picture, templates
@@ -51,6 +49,7 @@ def write_programme(
     out: Path,
     *,
     figures: bool,
+    origin: Mapping[str, Any],
     source: tuple[str, str] | None = None,
 ) -> None:
     """Write `report.html` and, optionally, `figures/targets.png`.
@@ -63,6 +62,7 @@ def write_programme(
         chapters: sections of the specimens, in folders within `out`.
         out: existing folder.
         figures: True to draw, and to show the figures of the specimens.
+        origin: version, commit, command, date and machine of the run.
         source: name and text of the study file, or None.
     """
     summary = None
@@ -84,8 +84,7 @@ def write_programme(
         pictures=pictures,
         seconds=sum(sum(one.results["timing"].values()) for one in chapters),
         source=source,
-        commit=commit(),
-        today=date.today().isoformat(),
+        origin=origin,
     )
     write_text(out / "report.html", page)
 

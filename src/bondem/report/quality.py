@@ -9,7 +9,7 @@ import numpy as np
 from bondem._types import Vector
 from bondem.report.findings import Examined
 from bondem.report.numbers import percent, signed_percent, with_unit
-from bondem.specimen.fabric import LIMITS
+from bondem.specimen.fabric import LIMITS, Fabric
 
 
 @dataclass(frozen=True)
@@ -32,22 +32,23 @@ class QualityRow:
 
 
 def quality_rows(specimens: Sequence[Examined]) -> list[QualityRow]:
-    """Rows of the measures of all packings, with the first packing shown separately."""
-    return [
-        _row(specimens, name, measure, write, LIMITS.get(limit), meaning)
+    """Rows of the measures of all packings of spheres, with the first packing shown separately; none for cells."""
+    known = [one.quality for one in specimens if one.quality is not None]
+    return [] if not known else [
+        _row(known, name, measure, write, LIMITS.get(limit), meaning)
         for name, measure, write, limit, meaning in _MEASURES
     ]
 
 
 def _row(
-    specimens: Sequence[Examined],
+    packings: Sequence[Fabric],
     name: str,
-    measure: Callable[[Examined], float],
+    measure: Callable[[Fabric], float],
     write: Callable[[float], str],
     limit: float | None,
     meaning: str,
 ) -> QualityRow:
-    values = [float(measure(one)) for one in specimens]
+    values = [float(measure(one)) for one in packings]
     known = [value for value in values if math.isfinite(value)]
     ends = [write(value) for value in (min(known), max(known))] if known else ["–"]
     return QualityRow(
@@ -64,8 +65,8 @@ def _worst(values: Vector) -> float:
     return float(known[np.argmax(np.abs(known))]) if len(known) else math.nan
 
 
-def _elements(one: Examined) -> int:
-    return len(one.lattice.particles)
+def _elements(one: Fabric) -> int:
+    return int(one.coordination_histogram.sum())
 
 
 def _four(value: float) -> str:
@@ -76,46 +77,46 @@ def _three(value: float) -> str:
     return with_unit(value, digits=3)
 
 
-_MEASURES: tuple[tuple[str, Callable[[Examined], float], Callable[[float], str], str, str], ...] = (
-    ("volume fraction φ", lambda one: one.quality.volume_fraction, _four, "",
+_MEASURES: tuple[tuple[str, Callable[[Fabric], float], Callable[[float], str], str, str], ...] = (
+    ("volume fraction φ", lambda one: one.volume_fraction, _four, "",
      "Volume of the elements over that of the shape; overlaps count twice. Random spheres jam near 0.64."),
-    ("φ of the core", lambda one: one.quality.core_volume_fraction, _four, "",
+    ("φ of the core", lambda one: one.core_volume_fraction, _four, "",
      "Volume fraction at least three mean radii from every wall, without the gaps at walls: that of the material."),
-    ("coordination number z", lambda one: one.quality.coordination_number, _four, "",
+    ("coordination number z", lambda one: one.coordination_number, _four, "",
      "Mean number of bonds per element."),
-    ("z of the backbone", lambda one: one.quality.backbone_coordination_number, _four, "",
+    ("z of the backbone", lambda one: one.backbone_coordination_number, _four, "",
      "Mean number of bonds between elements that are held in place: 6 at jamming, fewer near supporting walls,"
      " more beyond jamming."),
-    ("loose elements", lambda one: one.quality.loose / _elements(one), percent, "",
+    ("loose elements", lambda one: one.loose / _elements(one), percent, "",
      "Elements held by fewer than four others and walls, so free to move: rattlers in the sense of jamming. Bonded,"
      " they transmit load nevertheless."),
-    ("elements not connected", lambda one: one.quality.rattlers / _elements(one), percent, "rattlers",
+    ("elements not connected", lambda one: one.rattlers / _elements(one), percent, "rattlers",
      "Elements without a bond to the specimen, or in a small separate piece: excluded from every test."),
-    ("largest overlap / R̄", lambda one: one.quality.largest_overlap, percent, "",
+    ("largest overlap / R̄", lambda one: one.largest_overlap, percent, "",
      "Largest overlap of a pair. A coordination beyond that of jamming requires overlap."),
-    ("fineness", lambda one: one.quality.fineness, _three, "",
+    ("fineness", lambda one: one.fineness, _three, "",
      "Edge of a cube with the volume of the shape, in mean diameters: the size of the specimen relative to its"
      " elements."),
-    ("smallest extent", lambda one: one.quality.smallest_extent, _three, "",
+    ("smallest extent", lambda one: one.smallest_extent, _three, "",
      "Smallest extent of the shape along x, y or z, in mean diameters; below about ten, walls dominate."),
-    ("isotropy error e, eq (11)", lambda one: one.quality.isotropy_error, _three, "",
+    ("isotropy error e, eq (11)", lambda one: one.isotropy_error, _three, "",
      "Mean square difference of the shares of bond directions on 320 faces from 1/320: the published measure; small"
      " for any packing."),
-    ("anisotropy beyond chance", lambda one: one.quality.rms_excess, percent, "",
+    ("anisotropy beyond chance", lambda one: one.rms_excess, percent, "",
      "Variation of the number of bonds with direction, rms. Walls align the bonds next to them."),
-    ("anisotropy of the core", lambda one: one.quality.core_rms_excess, percent, "rms_excess",
+    ("anisotropy of the core", lambda one: one.core_rms_excess, percent, "rms_excess",
      "Anisotropy two mean radii or more from every wall: that of the material. A crystal has several hundred %."),
-    ("preferred direction", lambda one: one.quality.core_stretch, percent, "stretch",
+    ("preferred direction", lambda one: one.core_stretch, percent, "stretch",
      "Largest difference of an eigenvalue of the fabric tensor of the core from 1/3, over 1/3."),
-    ("strata of density", lambda one: _worst(one.quality.strata.density), percent, "density",
+    ("strata of density", lambda one: _worst(one.strata.density), percent, "density",
      "Difference between slices of the core, rms beyond chance, along the worst of x, y, z. Gravity leaves strata."),
-    ("strata of coordination", lambda one: _worst(one.quality.strata.coordination), percent, "coordination",
+    ("strata of coordination", lambda one: _worst(one.strata.coordination), percent, "coordination",
      "Difference of the bonds per element between slices of the core, rms beyond chance, along the worst axis."),
-    ("strata of size", lambda one: _worst(one.quality.strata.size), percent, "size",
+    ("strata of size", lambda one: _worst(one.strata.size), percent, "size",
      "Difference of the mean radius between slices, over the standard deviation of radii: segregation by size."),
-    ("change of density", lambda one: _worst(one.quality.strata.density_gradient), signed_percent, "",
+    ("change of density", lambda one: _worst(one.strata.density_gradient), signed_percent, "",
      "Change of density from end to end of the core by a linear fit, along the worst axis."),
-    ("layers", lambda one: _worst(one.quality.strata.layers), percent, "layers",
+    ("layers", lambda one: _worst(one.strata.layers), percent, "layers",
      "Amplitude of the density of centres as a wave of about one diameter: 0 in a random packing, up to 200 % in"
      " plane layers."),
 )  # fmt: skip

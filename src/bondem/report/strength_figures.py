@@ -13,27 +13,25 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 from bondem._types import Floats
-from bondem.geometry.rotations import turned_vectors
 from bondem.labtests.failure_record import TestFigure
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.cell_pictures import draw_cells
+from bondem.report.crack_pictures import corners_moved
 from bondem.report.findings import Examined, Findings
 from bondem.report.spheres import View
 from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, for_phones, legend_columns, sheet
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import polyhedra
 
-#: Facets that have at most this integrity left are cracks, and join no pieces [-].
-CRACKED = 0.5
-# Largest opening drawn, over the length of the specimen.
-_EXAGGERATED = 0.08
+# Largest opening drawn, over the length of the specimen, and the steps of magnifications in a decade.
+_EXAGGERATED, _STEPS = 0.08, (1.0, 2.0, 5.0)
 # Figures in a row.
 _COLUMNS = 3
 
 
 
 def draw_curves(path: Path, findings: Findings) -> None:
-    """Draw stress over strain of every packing, with the strength of the material."""
+    """Draw the curve of every packing, with the strength of the material and the measured range of peaks."""
     names = broken_in(findings.specimens[0])
     rows, columns = arranged(len(names))
     with sheet(path, 4.1 * columns + 0.4, 3.2 * rows, rows, columns, squeeze=False) as (figure, axes):
@@ -45,6 +43,10 @@ def draw_curves(path: Path, findings: Findings) -> None:
                 outcome = one.outcomes[name]
                 ax.plot(across * outcome.curves["strain"], up * outcome.curves["stress"], color=BLUE, alpha=0.8,
                         linewidth=1.2, label="each packing" if n == 0 else None)  # fmt: skip
+            band = findings.peaks.get(name)
+            if band is not None:
+                ax.axhspan(up * band[0], up * band[1], color=GREY, alpha=0.3, linewidth=0.0,
+                           label=f"peaks measured, {findings.citation}")  # fmt: skip
             theory = findings.specimens[0].outcomes[name].theory
             if math.isfinite(theory) and told.line:
                 ax.axhline(up * theory, color=ORANGE, linestyle=(0, (4, 3)), label="strength of the material")
@@ -74,27 +76,29 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
         told: style of the figure.
     """
     solid = polyhedra(body)
-    owner = np.repeat(solid.cell, np.diff(solid.start))
     view = view_of(told)
     slipped = told.slips and float(curves["slip"].max()) > 0.0
     value = 100.0 * curves["slip"] if slipped else curves["damage"]
     norm = Normalize(0.0, (float(value.max()) or 1.0) if slipped else 1.0)
-    arm = solid.vertex - body.centre[owner]
-    moved = curves["displacement"][owner] + turned_vectors(curves["orientation"][owner], arm) - arm
-    moved -= moved.mean(axis=0)
-    reach = reach_of(body, moved)
+    reach = reach_of(body, curves["displacement"])
+    moved = corners_moved(solid, body, curves["displacement"], curves["orientation"], reach)
     colour = np.asarray(colormaps[SEQUENTIAL](norm(value)))[:, :3]
     shown = None
     if told.halved:
         toward = view.axes[2] * (0.0, 1.0, 1.0)
         shown = (body.centre - np.mean(body.particles.envelope.bounds, axis=0)) @ toward < 0.0
-    draw_cells(ax, solid, colour, view=view, moved=reach * moved, shown=shown, piece=curves.get("piece"))
-    ax.set_title(f"{told.title}, motion × {reach:.0f}", color=INK)
+    draw_cells(ax, solid, colour, view=view, moved=moved, shown=shown, piece=curves.get("piece"))
+    ax.set_title(f"{told.title}, {magnified(reach)}", color=INK)
     bar = figure.colorbar(
         ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.7, aspect=30, pad=0.02
     )
     bar.set_label("plastic slip of the cell [%]" if slipped else "largest damage of its facets, 1 − s [-]")
     bar.outline.set_edgecolor(GREY)
+
+
+def magnified(reach: float) -> str:
+    """Format the magnification of a picture."""
+    return "true motion" if reach == 1.0 else f"motion × {reach:g}"
 
 
 def view_of(told: TestFigure) -> View:
@@ -103,14 +107,18 @@ def view_of(told: TestFigure) -> View:
 
 
 def reach_of(body: Lattice, moved: Floats) -> float:
-    """Magnification of motion in pictures, at least 1 [-].
+    """Magnification of motion in pictures: 1, 2, 5, 10, … [-].
 
     Args:
         body: the specimen.
         moved: displacements [m], (k, 3).
     """
     size, most = float(np.ptp(body.centre, axis=0).max()), float(np.ptp(moved, axis=0).max())
-    return max(1.0, _EXAGGERATED * size / most) if most > 0.0 else 1.0
+    most_times = _EXAGGERATED * size / most if most > 0.0 else 1.0
+    if most_times <= 1.0:
+        return 1.0
+    decade = 10.0 ** math.floor(math.log10(most_times))
+    return decade * max(step for step in _STEPS if step * decade <= most_times)
 
 
 def broken_in(specimen: Examined) -> list[str]:

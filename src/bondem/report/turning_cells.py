@@ -7,13 +7,13 @@ import numpy as np
 from matplotlib import colormaps
 
 from bondem._types import Floats, Ints
-from bondem.fracture.fragments import fragments
-from bondem.geometry.rotations import turned_vectors
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.cell_pictures import outlined
+from bondem.report.crack_pictures import corners_moved
 from bondem.report.findings import Examined
+from bondem.report.numbers import counted
 from bondem.report.piece_colours import piece_palette
-from bondem.report.strength_figures import CRACKED, reach_of
+from bondem.report.strength_figures import magnified, reach_of
 from bondem.report.style import SEQUENTIAL
 from bondem.specimen.tessellation.polyhedra import Polyhedra, polyhedra
 
@@ -41,20 +41,18 @@ def turning_cells_of(one: Examined) -> TurningCells:
     """Cells at rest, coloured by size; after a test to failure where they are, each piece in a colour of its own."""
     body, solid = one.lattice, polyhedra(one.lattice)
     assert body.cells is not None
-    broken = [name for name in FAILURE_TESTS if name in one.outcomes and one.outcomes[name].state is not None]
+    broken = [name for name in FAILURE_TESTS if name in one.outcomes and one.outcomes[name].cracking is not None]
     if broken:
-        state = one.outcomes[broken[0]].state
-        assert state is not None
-        pieces = fragments(body, state, integrity=CRACKED)
-        owner = np.repeat(solid.cell, np.diff(solid.start))
-        arm = solid.vertex - body.centre[owner]
-        moved = state.displacement[owner] + turned_vectors(state.orientation[owner], arm) - arm
-        reach = reach_of(body, moved)
-        place, label = solid.vertex + reach * (moved - moved.mean(axis=0)), pieces.label
+        cracking = one.outcomes[broken[0]].cracking
+        assert cracking is not None
+        state, pieces = cracking.state, cracking.fragments
+        reach = reach_of(body, state.displacement)
+        place, label = solid.vertex + corners_moved(
+            solid, body, state.displacement, state.orientation, reach
+        ), pieces.label  # fmt: skip
         colour = piece_palette(len(pieces))[label]
-        many = f"{len(pieces)} pieces" if len(pieces) > 1 else "1 piece"
         title = FAILURE_TESTS[broken[0]].figure.title
-        caption = f"{title}: the broken specimen, motion × {reach:.0f}, {many} in a colour each"
+        caption = f"{title}: the broken specimen, {magnified(reach)}, {counted(cracking)} in a colour each"
     else:
         size = np.cbrt(body.cells.volume / body.cells.volume.mean())
         share = (size - size.min()) / max(float(np.ptp(size)), 1e-12)

@@ -2,6 +2,7 @@
 
 import json
 import time
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
@@ -13,6 +14,7 @@ from bondem.calibration.elastic import Calibration, Trial, calibrate
 from bondem.calibration.reach import recommend
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import Plan, settled
+from bondem.errors import ReportWarning
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.io.atomic import write_text
@@ -35,7 +37,7 @@ from bondem.report.findings import Bonding, Examined, Findings
 from bondem.report.page import write_report
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.bonding import connect
-from bondem.specimen.fabric import fabric
+from bondem.specimen.fabric import Fabric, fabric
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 from bondem.study.results import collect
@@ -90,13 +92,13 @@ def _carry_out(study: Study, out: Path, tell: Progress) -> dict[str, Any]:
         results=results,
         citation=study.reference.citation if study.reference else "",
         published=study.reference.errors if study.reference else {},
+        peaks=study.reference.peaks if study.reference else {},
         failures=study.failures,
         source=study.source,
     )
     out.mkdir(parents=True, exist_ok=True)
     results["curves"] = write_curves(findings, out)
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
-    write_report(findings, out, figures=study.figures, progress=lambda share: tell("report", share))
     if study.vtk:
         write_vtkhdf(out / "specimen.vtkhdf", lattices[0], elements=pulled(specimens[0]))
     if study.packing_files:
@@ -106,7 +108,18 @@ def _carry_out(study: Study, out: Path, tell: Progress) -> dict[str, Any]:
     if study.run_files and bonds is not None:
         for one in specimens:
             keep_specimen(out / f"specimen_{one.seed}.h5", one.lattice, one.law, bonds.density)
+    _report(findings, out, study.figures, tell)
     return results
+
+
+def _report(findings: Findings, out: Path, figures: bool, tell: Progress) -> None:
+    """Write the report last, so that nothing else is lost where it fails."""
+    try:
+        write_report(findings, out, figures=figures, progress=lambda share: tell("report", share))
+    except Exception as error:
+        (out / "report.html").unlink(missing_ok=True)  # that of an earlier run would mislead
+        warnings.warn(f"the report was not written ({type(error).__name__}: {error}); all numbers are in"
+                      f" '{out / 'results.json'}'", ReportWarning, stacklevel=2)  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,7 +173,7 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Pro
     stage = f"test {k + 1} of {study.packings}"
     tell(stage, 0.0)
     if bonds is None:
-        specimen = Examined(seed=study.seed + k, lattice=lattice, quality=fabric(lattice))
+        specimen = Examined(seed=study.seed + k, lattice=lattice, quality=_quality(lattice))
         tell(stage, 1.0)
         return specimen
     law, density = _law(study, bonds, body), bonds.density
@@ -173,7 +186,7 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Pro
     specimen = Examined(
         seed=study.seed + k,
         lattice=lattice,
-        quality=fabric(lattice),
+        quality=_quality(lattice),
         tension=tension,
         rho=rho,
         law=law,
@@ -197,6 +210,11 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Pro
             outcomes[name] = ELASTIC_TESTS[name].perform(bar)
     tell(stage, 1.0)
     return replace(specimen, outcomes=outcomes)
+
+
+def _quality(lattice: Lattice) -> Fabric | None:
+    """Fabric of a packing of spheres; None for cells, as the packing that they were cut from is no part of them."""
+    return fabric(lattice) if lattice.cells is None else None
 
 
 def _law(study: Study, bonds: Bonding, body: _Body) -> AnyLaw:

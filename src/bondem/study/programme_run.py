@@ -10,13 +10,13 @@ import bondem
 from bondem._core_build import source_digest
 from bondem._progress import reported
 from bondem.io.atomic import write_text
-from bondem.io.commit import commit
 from bondem.io.folder import only_writer
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.numbers import measures, with_unit
 from bondem.report.programme_page import Chapter, write_programme
 from bondem.study.pipeline import Progress, run_study
 from bondem.study.programme import Programme, Series
+from bondem.study.provenance import provenance
 from bondem.study.study_file import Study
 
 # Written last: what stands beside it is whole.
@@ -54,12 +54,12 @@ def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress)
     assert study.material is not None
     failing = [one.study for one in programme.series if one.study.failure is not None]
     chapters = [_chapter(one, found[one.name]) for one in programme.series]
-    results = {"programme": programme.name, "rows": rows, "specimens": found, "version": bondem.__version__,
-               "commit": commit()}  # fmt: skip
+    origin = provenance()
+    results = {"programme": programme.name, "rows": rows, "specimens": found} | origin
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     failures = failing[0].failures if failing else {}
     write_programme(programme.name, study.material, failures, rows, chapters, out, figures=study.figures,
-                    source=programme.source)  # fmt: skip
+                    origin=origin, source=programme.source)  # fmt: skip
     return results
 
 

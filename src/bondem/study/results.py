@@ -7,15 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from bondem import __version__
-from bondem.fracture.cracks import cracks
-from bondem.fracture.fragments import fragments
 from bondem.fracture.lost_area import lost_area
 from bondem.interactions.beams.bond_law import BondLaw
-from bondem.io.commit import commit
 from bondem.labtests.outcome import Outcome
 from bondem.report.findings import Bonding, Examined
-from bondem.report.strength_figures import CRACKED
+from bondem.specimen.fabric import Fabric
+from bondem.study.provenance import provenance
 from bondem.study.study_file import Study
 
 _COMMON = {item.name for item in fields(BondLaw)}
@@ -35,8 +32,7 @@ def collect(
         "macro": _macro(bonds, specimens) if bonds is not None else None,
         "tests": {name: _test(name, specimens) for name in study.tests},
         "timing": timing,
-        "version": __version__,
-        "commit": commit(),
+        **provenance(),
         "seed": study.seed,
         "packings": [_packing(one, k < calibrating) for k, one in enumerate(specimens)],
     })  # fmt: skip
@@ -76,12 +72,13 @@ def deviation(values: Sequence[float]) -> float | None:
 
 
 def _specimen(one: Examined) -> dict[str, Any]:
+    """Numbers of a specimen; those of a packing of spheres are null for cells, which fill their shape."""
     return _aggregates(one) | {
         "elements": len(one.lattice.particles),
         "bonds": len(one.lattice.pairs),
-        "volume_fraction": one.quality.volume_fraction,
-        "coordination_number": one.quality.coordination_number,
-        "isotropy_error": one.quality.isotropy_error,
+        "volume_fraction": None if one.quality is None else one.quality.volume_fraction,
+        "coordination_number": one.lattice.coordination_number,
+        "isotropy_error": None if one.quality is None else one.quality.isotropy_error,
         "rattlers": one.lattice.rattlers,
     }
 
@@ -116,23 +113,13 @@ def _test(name: str, specimens: Sequence[Examined]) -> dict[str, Any]:
 
 
 def _packing(one: Examined, calibrating: bool) -> dict[str, Any]:
-    quality, tension = one.quality, one.tension
+    tension = one.tension
     return {
         "seed": one.seed,
         "calibrating": calibrating,
         **_specimen(one),
-        "core_volume_fraction": quality.core_volume_fraction,
-        "loose": quality.loose,
-        "backbone_coordination_number": quality.backbone_coordination_number,
-        "fineness": quality.fineness,
-        "smallest_extent": quality.smallest_extent,
-        "rms_excess": quality.rms_excess,
-        "core_rms_excess": quality.core_rms_excess,
-        "core_stretch": quality.core_stretch,
-        "eigenvalues": quality.eigenvalues.tolist(),
-        "strata": {item.name: getattr(quality.strata, item.name).tolist() for item in fields(quality.strata)},
-        "largest_overlap": quality.largest_overlap,
-        "fabric_reasons": list(quality.reasons),
+        **(_fabric(one.quality) if one.quality is not None else {}),
+        "fabric_reasons": [] if one.quality is None else list(one.quality.reasons),
         "E": tension.E if tension is not None else None,
         "nu": tension.nu if tension is not None else None,
         "E_paper": tension.E_paper if tension is not None else None,
@@ -157,17 +144,25 @@ def _packing(one: Examined, calibrating: bool) -> dict[str, Any]:
     }
 
 
+def _fabric(quality: Fabric) -> dict[str, Any]:
+    """Measures of a packing of spheres."""
+    same = (
+        "core_volume_fraction", "loose", "backbone_coordination_number", "fineness", "smallest_extent", "rms_excess",
+        "core_rms_excess", "core_stretch", "largest_overlap",
+    )  # fmt: skip
+    strata = {item.name: getattr(quality.strata, item.name).tolist() for item in fields(quality.strata)}
+    return {name: getattr(quality, name) for name in same} | {
+        "eigenvalues": quality.eigenvalues.tolist(), "strata": strata
+    }  # fmt: skip
+
+
 def _failure(one: Examined, outcome: Outcome) -> dict[str, Any] | None:
-    """Fragments and final energy balance of a test to failure; None for other tests."""
-    if outcome.state is None:
+    """Cracks, pieces and final energy balance of a test to failure; None for other tests."""
+    if outcome.cracking is None:
         return None
-    body = one.lattice
-    found: dict[str, Any] = {
-        "pieces": len(fragments(body, outcome.state, integrity=CRACKED)),
-        "crack_area": cracks(body, outcome.state, integrity=CRACKED).area,
-    }
+    found = outcome.cracking.numbers()
     if one.aggregates is not None:
-        found["lost_area"] = lost_area(body, outcome.state, one.aggregates)
+        found["lost_area"] = lost_area(one.lattice, outcome.cracking.state, one.aggregates)
     if not outcome.energy:
         return found
     return found | {

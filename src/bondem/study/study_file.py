@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+import sys
 import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -16,6 +17,7 @@ from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.law_catalogue import CALIBRATED, CELL_LAWS
 from bondem.io.text_file import read_text
 from bondem.labtests.elastic_tests import ELASTIC_TESTS
+from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.suited import broken_only
 from bondem.packing import EVEN, SEED
 from bondem.specimen import materials
@@ -65,12 +67,14 @@ class Reference:
         citation: source of the values.
         E_mu, r_mu_ratio: bond modulus [Pa] and radius ratio [-], or None.
         errors: error of each test, measured / theory - 1 [-].
+        peaks: lowest and highest measured peak of the curve of a test to failure, in its SI unit.
     """
 
     citation: str
     E_mu: float | None = None
     r_mu_ratio: float | None = None
     errors: Mapping[str, float] = field(default_factory=dict)
+    peaks: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -237,6 +241,9 @@ def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         advice = 'texts need straight quotes: "granite"' if _CURLY & {*text} else "correct it there"
         raise StudyError(f"study '{path}' is not valid TOML ({error}); {advice}") from None
+    except ValueError:  # Python reads no integers of more digits
+        digits = sys.get_int_max_str_digits()
+        raise StudyError(f"study '{path}' has a number of more than {digits} digits; correct it") from None
     try:
         return parse(data)
     except StudyError as error:
@@ -357,11 +364,26 @@ def _output(table: TomlTable) -> _Output:
         )  # fmt: skip
 
 
+def _range(table: TomlTable, name: str) -> tuple[float, float]:
+    """Lowest and highest value of a test.
+
+    Raises:
+        StudyError: not two values in ascending order.
+    """
+    values = table.numbers(name)
+    if len(values) != 2 or values[0] > values[1]:
+        raise StudyError(f"'{table.name(name)}': not a range; give the lowest and the highest value")
+    return values[0], values[1]
+
+
 def _reference(table: TomlTable) -> Reference:
     with table:
         with table.section("errors") as errors:
             published = {name: errors.number(name) for name in TESTS if errors.has(name)}
+        with table.section("peaks") as peaks:
+            ranges = {name: _range(peaks, name) for name in FAILURE_TESTS if peaks.has(name)}
         return Reference(
+            peaks=ranges,
             citation=table.text("citation"),
             E_mu=table.number("E_mu", default=None),
             r_mu_ratio=table.number("r_mu_ratio", default=None),
