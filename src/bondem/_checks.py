@@ -7,9 +7,10 @@ import errno
 import math
 import os
 import stat
-from collections.abc import Iterable, Mapping, Sequence
+import sys
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar, get_args
 
 import numpy as np
 
@@ -31,7 +32,10 @@ def shown(value: object) -> str:
         value = value.item()
     if isinstance(value, np.ndarray) and value.ndim:
         return f"array of {value.dtype}, shape {value.shape}"
-    written = repr(value)
+    try:
+        written = repr(value)
+    except ValueError:  # Python writes no integers of more digits than this
+        written = f"an integer of more than {sys.get_int_max_str_digits()} digits"
     if type(value).__module__.startswith("bondem."):
         written = written.partition("\n")[0]
     text = " ".join(written.split())
@@ -193,12 +197,13 @@ def several(
     return tuple(instance(owner, name, item, kinds, wanted) for item in items)
 
 
-def choice(owner: str, name: str, value: object, options: Sequence[str]) -> str:
-    """Return one of a list of words.
+def choice(owner: str, name: str, value: object, words: Any) -> Any:
+    """Return one of several words, given by their `Literal` type, with which signatures declare them once.
 
     Raises:
-        InputError: The value is not in the list.
+        InputError: The value is not one of the words.
     """
+    options = get_args(words)
     if not isinstance(value, str) or value not in options:
         raise InputError(f"{owner}: {name} = {shown(value)}; choose from {', '.join(filter(None, options))}")
     return value

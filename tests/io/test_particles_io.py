@@ -99,7 +99,7 @@ def test_csv_columns_units_and_diameters(write):
     ("text", "message"),
     [
         ("x,y,z,r\n0,0,0,1\n\n0,0,five,1\n", r"bad.csv', line 4: 'five' is not a number"),
-        ("x,y,z,r\n0,0,0,1\n0,0,nan,1\n", r"line 3: nan is not finite"),
+        ("x,y,z,r\n0,0,0,1\n0,0,nan,1\n", r"line 3: 'nan' is not finite"),
         ("x,y,z,r\n0,0,0\n", r"line 2: 3 columns where at least 4"),
         ("x,y,z,r\n0,0,0,-1\n", r"line 2: -1 is not a size"),
         ("x,y,w,r\n0,0,0,1\n", r"line 1: no column 'z' among x, y, w, r; .*columns="),

@@ -17,7 +17,7 @@ from bondem.io.run_contents import RunContents, read_contents
 
 @click.command("watch")
 @click.argument("run_file", metavar="RUN.h5", type=click.Path(path_type=Path))
-@click.option("--interval", type=click.FloatRange(min=0.05), default=1.0, show_default=True, metavar="SECONDS",
+@click.option("--interval", type=click.FloatRange(0.05, 86400.0), default=1.0, show_default=True, metavar="SECONDS",
               help="Time between two readings of the file.")  # fmt: skip
 @click.option("--patience", type=click.FloatRange(min=0.0), default=60.0, show_default=True, metavar="SECONDS",
               help="Time limit for the file to appear.")  # fmt: skip

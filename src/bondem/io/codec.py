@@ -49,6 +49,8 @@ _TYPES: dict[str, type] = {
     )
 }  # fmt: skip
 
+_MOST_BITS = 64
+
 
 def encode(value: Any) -> Any:
     """Encode a value of known dataclasses, mappings, sequences, text and numbers for JSON.
@@ -57,6 +59,8 @@ def encode(value: Any) -> Any:
         RunFileError: a type that is not in the list.
     """
     match value:
+        case int() if value.bit_length() > _MOST_BITS:
+            raise RunFileError(f"a whole number of {value.bit_length()} bits cannot be written; give one of 64 bits")
         case None | bool() | int() | float() | str():
             return value
         case np.generic():

@@ -85,8 +85,8 @@ def _strained(path: Path, title: str, velocities: Iterable[tuple[int, str]]) -> 
     if STRAINED in title:
         return "bd.export wrote it of a state with displacements"
     step = _STEP.search(title)
-    if step and int(step[1]) > 0:
-        return f"it is of timestep {int(step[1])}"
+    if step and step[1].strip("0"):
+        return f"it is of timestep {step[1][:18]}"
     if any(any(floats(path, line, text.split()[1:])) for line, text in velocities):
         return "its elements have velocities, which are not read"
     return ""

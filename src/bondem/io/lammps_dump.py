@@ -60,6 +60,8 @@ def read_dump(
     table = np.array([_row(path, number, text, len(columns)) for number, text in rows])
     by_name = dict(zip(columns, table.T, strict=True))
     if "id" in by_name:
+        if not np.isfinite(by_name["id"]).all():
+            raise InputError(f"'{path}', line {line}: an id below is no number; write the snapshot again")
         order = np.argsort(by_name["id"], kind="stable")
         twice = np.flatnonzero(np.diff(by_name["id"][order]) == 0)
         if twice.size:

@@ -1,7 +1,8 @@
 """Cache of packings on disk: identical requests reuse a stored packing.
 
 The files are in the folder `packings` of bondem's cache: `$BONDEM_CACHE_DIR/bondem`, or the folder that the system
-provides for caches, such as `~/.cache/bondem`. Each file is named after its request. The folder may be deleted at any time.
+provides for caches, such as `~/.cache/bondem`. Each file is named after its request. The folder may be deleted at any
+time.
 `BONDEM_PACKING_CACHE=off` in the environment disables the cache, so that every packing is computed.
 """
 

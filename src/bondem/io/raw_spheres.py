@@ -64,9 +64,11 @@ def floats(path: Path, line: int, words: Sequence[str]) -> list[float]:
         try:
             found.append(float(word))
         except ValueError:
-            raise InputError(f"'{path}', line {line}: '{word}' is not a number; correct or remove the line") from None
+            raise InputError(
+                f"'{path}', line {line}: {shown(word)} is not a number; correct or remove the line"
+            ) from None
         if not math.isfinite(found[-1]):
-            raise InputError(f"'{path}', line {line}: {word} is not finite; correct or remove the line")
+            raise InputError(f"'{path}', line {line}: {shown(word)} is not finite; correct or remove the line")
     return found
 
 
@@ -77,7 +79,9 @@ def snapshot_number(path: Path, frame: int, count: int) -> int:
         InputError: the file has no such snapshot.
     """
     if not -count <= frame < count:
-        raise InputError(f"frame = {frame}: '{path}' has {count} snapshots; give one from 0 to {count - 1}, or -1")
+        raise InputError(
+            f"frame = {shown(frame)}: '{path}' has {count} snapshots; give one from 0 to {count - 1}, or -1"
+        )
     return frame % count
 
 

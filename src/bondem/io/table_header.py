@@ -20,6 +20,8 @@ _ALIASES = {
 }
 _KNOWN = {alias for aliases in _ALIASES.values() for alias in aliases}
 _BRACKETS = re.compile(r"^(?P<name>[^\[(]*)[\[(](?P<unit>[^\])]*)[\])]?.*$")
+# Columns of a table at most.
+_MOST = 100_000
 # In brackets behind names without a unit.
 _NO_UNIT = ("", "-", "1")
 
@@ -87,7 +89,7 @@ def choose(
         InputError: a column is missing, or its unit is not known.
     """
     if columns is not None and len(columns) != 4:
-        raise InputError(f"columns = {columns!r}: not four columns; give those of x, y, z and radius")
+        raise InputError(f"columns = {shown(columns)}: not four columns; give those of x, y, z and radius")
     if header is None:
         return Chosen((0, 1, 2, 3) if columns is None else tuple(_number(path, line, None, one) for one in columns))
     names = [column.name for column in header]
@@ -129,7 +131,7 @@ def _named(path: Path, line: int, names: list[str], wanted: str) -> int:
 
 
 def _number(path: Path, line: int, names: list[str] | None, one: str | int) -> int:
-    if isinstance(one, bool) or not isinstance(one, int | str) or (isinstance(one, int) and one < 0):
+    if isinstance(one, bool) or not isinstance(one, int | str) or (isinstance(one, int) and not 0 <= one < _MOST):
         raise InputError(f"columns = {shown(one)}: not a column; give names in the header or numbers from 0")
     if isinstance(one, int):
         return one

@@ -96,9 +96,9 @@ def _columns(
     """Columns of x, y, z and, where there is one, of the size, and its share in a radius."""
     number_given = size is not None and not isinstance(size, str)
     if columns is not None:
-        numbers = [one for one in columns if isinstance(one, int) and not isinstance(one, bool) and one >= 0]
+        numbers = [one for one in columns if isinstance(one, int) and not isinstance(one, bool) and 0 <= one < 10_000]
         if len(columns) != 4 or len(numbers) != 4:
-            raise InputError(f"columns = {columns!r}; give four numbers from 0, of x, y, z and radius")
+            raise InputError(f"columns = {shown(columns)}; give four numbers from 0, of x, y, z and radius")
         return numbers, 1.0
     if properties is None:
         if number_given:
@@ -110,7 +110,7 @@ def _columns(
     at, found = 0, dict[str, tuple[int, int]]()
     words = properties.split(":")
     for name, width in zip(words[::3], words[2::3], strict=False):
-        if not width.isdecimal():
+        if not width.isdecimal() or len(width) > 4:
             raise InputError(f"'{path}', line {line}: Properties={shown(properties)} is no list of name:type:columns")
         found[name.lower()] = at, int(width)
         at += int(width)
