@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from book.chapter import Chapter, Section
 from book.claims import CLAIMS, Claim
 from book.markdown import GENERATED, address, counts, mark, notes, required, sentence
+from book.questions import QUESTIONS, by_question
 from book.row import Row, Verdict, tally
 from book.shown import left_out, shown
 
@@ -13,6 +14,9 @@ _INTRODUCTION = """# Validation
 These pages compare numbers computed by bondem with published values, with theories and with required tolerances.
 Every comparison that failed is listed on this page.
 Verification (closed forms, conservation laws) is in `tests/`, in a folder per subject, and runs with the tests."""
+_CHART = """![Error over tolerance of every comparison, by what it helps to decide](figures/tolerances.svg)
+
+*Each mark is one comparison. At 1 the error is as large as the tolerance; marks at the ends lie there or beyond.*"""
 _MEASURED = """## How it was measured
 
 Every number of bondem in a table comes from a command: a study, a benchmark or the tests.
@@ -22,12 +26,8 @@ The last column of a table, #, is the number of the command.
 
 Each chapter states the inputs that a paper leaves open, and how they were chosen.
 Times and speeds are medians on machines with 2 shared cores.
-Facets soften along the present directions of stress since
-[decision 0028](decisions/0028-softening-along-present-directions.md).
-The scorecard of fracture tests, the toughness, the strengths with 1000 elements and the concrete with up to 2000
-elements were measured with this rule, except for some packings of the concrete.
 The result files have the commit of each row.
-Other results with facets that crack are older.
+[Numbers](numbers.md) lists the numbers that other pages quote, with command, size and date.
 
 A program computes each verdict from the number and the requirement in the same row:
 
@@ -48,10 +48,16 @@ They remain in `benchmarks/results` and in the figures.
 - `python -m book --rows` counts the rows, and checks that every miss is printed."""
 
 
-def front(chapters: Sequence[Chapter]) -> str:
-    """`docs/validation.md`."""
-    lines = [GENERATED + _INTRODUCTION, _claims(CLAIMS, chapters), _MEASURED, _failed(chapters), _contents(chapters)]
-    return "\n\n".join([*(line for line in lines if line), *_misses(chapters)]) + "\n"
+def front(chapters: Sequence[Chapter], older: str = "") -> str:
+    """`docs/validation.md`.
+
+    Args:
+        chapters: all chapters.
+        older: the results that are older than a change of the code, as an item of a list; "" where there are none.
+    """
+    head = GENERATED + _INTRODUCTION
+    parts = [head, _CHART, _claims(CLAIMS, chapters), _failed(chapters), _contents(chapters), _measured(older)]
+    return "\n\n".join([*(part for part in parts if part), *_misses(chapters)]) + "\n"
 
 
 def missed(chapter: Chapter) -> Iterator[tuple[Section, Row]]:
@@ -69,9 +75,14 @@ def _claims(claims: Sequence[Claim], chapters: Sequence[Chapter]) -> str:
     held = sum(not any(row.verdict.is_miss for row in rows) for _, _, rows in found)
     said = f"Of {len(found)} claims, {held} hold and {len(found) - held} fail in part or fully."
     lines = ["## What is claimed", said]
-    for subject in dict.fromkeys(claim.subject for claim, _, _ in found):
-        lines += [f"### {subject}", "\n".join(_claim(*one) for one in found if one[0].subject == subject)]
+    for question in QUESTIONS:
+        if mine := [_claim(*one) for one in found if one[0].question == question]:
+            lines += [f"### {question}", "\n".join(mine)]
     return "\n\n".join(lines)
+
+
+def _measured(older: str) -> str:
+    return "\n".join([_MEASURED, *[older] * bool(older)])
 
 
 def _claim(claim: Claim, chapter: Chapter, rows: Sequence[Row]) -> str:
@@ -109,7 +120,7 @@ def _failed(chapters: Sequence[Chapter]) -> str:
     lines.append("\n".join(
         f"- {_reference(chapter)}, {many} of {sum(row.verdict is not Verdict.NO_PAPER for row in chapter.rows)}:"
         f" {chapter.misses}"
-        for chapter in chapters if (many := len(list(missed(chapter))))
+        for some in by_question(chapters).values() for chapter in some if (many := len(list(missed(chapter))))
     ))  # fmt: skip
     return "\n\n".join(lines)
 
@@ -117,12 +128,15 @@ def _failed(chapters: Sequence[Chapter]) -> str:
 def _contents(chapters: Sequence[Chapter]) -> str:
     head = "| chapter | comparisons | met | met by the mean | missed | of these explained |"
     lines = ["## Contents", "", head, "|---|--:|--:|--:|--:|--:|"]
-    lines += [_line(_reference(chapter), list(chapter.rows)) for chapter in chapters]
+    lines += [_line(_reference(chapter), list(chapter.rows)) for some in by_question(chapters).values()
+              for chapter in some]  # fmt: skip
     rows = [row for chapter in chapters for row in chapter.rows]
     lines.append(_line("**all**", rows))
     printed = sum(len(shown(section.rows)) for chapter in chapters for section in chapter.sections)
     lines += ["", f"The pages print these comparisons in {printed} rows;"
               f" {len(left_out(rows))} further numbers have no reference value."]  # fmt: skip
+    # the chapters stand below this page in the contents beside every page
+    lines += ["", "```{toctree}", ":hidden:", "", *(f"validation/{chapter.name}" for chapter in chapters), "```"]
     return "\n".join(lines)
 
 

@@ -5,13 +5,14 @@ from pathlib import Path
 
 from book.chapter import Chapter
 from book.chapters import FILES
+from book.chart import chart
 from book.errors import BookError
 from book.front import front
 from book.markdown import page
 from book.numbers import numbers
 from book.printed import pages as with_code
 from book.printed import with_output
-from book.prose import words
+from book.prose import older, words
 from book.quoted import quoted
 from book.quoting import target, templates, written
 from book.results import ROOT
@@ -37,9 +38,9 @@ def chapters() -> list[Chapter]:
 
 def rendered(book: list[Chapter]) -> dict[Path, str]:
     """Every page that the book writes, and its text."""
-    pages = {DOCS / "validation.md": front(book), DOCS / "studies.md": filled(DOCS / "studies.md")}
+    pages = {DOCS / "validation.md": front(book, older(book)), DOCS / "studies.md": filled(DOCS / "studies.md")}
     pages |= {DOCS / "validation" / f"{one.name}.md": page(one) for one in book}
-    return _prose(book) | pages
+    return _prose(book) | pages | {DOCS / "figures" / "tolerances.svg": chart(book)}
 
 
 def _prose(book: list[Chapter]) -> dict[Path, str]:

@@ -116,6 +116,12 @@ class Row:
         return Verdict.MET if not spread or self.tolerance.holds(ends, paper) else Verdict.BY_MEAN
 
     @property
+    def used(self) -> float | None:
+        """The share of the tolerance that the number uses, 1 at the limit; None where a share has no meaning."""
+        paper = self.paper if isinstance(self.paper, float | int) else None
+        return self.tolerance.used(self.ours.values, paper) if self.tolerance else None
+
+    @property
     def remarks(self) -> list[str]:
         """The reason, where the row is missed, and the note."""
         return [self.reason] * (self.verdict is Verdict.EXPLAINED) + [self.note] * bool(self.note)

@@ -23,6 +23,11 @@ class Tolerance(ABC):
     def words(self, form: Form | Said) -> str:
         """The condition as it stands in a table."""
 
+    def used(self, values: Sequence[float], paper: float | None) -> float | None:
+        """The share of the tolerance that the worst value uses, 1 at the limit; None where a share has no meaning."""
+        del values, paper
+        return None
+
 
 @final
 @dataclass(frozen=True, kw_only=True)
@@ -42,6 +47,11 @@ class Near(Tolerance):
         room = self.absolute if self.absolute is not None else (self.relative or 0.0) * abs(about)
         return all(abs(value - about) <= room * _ROUNDING for value in values)
 
+    def used(self, values: Sequence[float], paper: float | None) -> float | None:
+        about = _given(self.target, paper)
+        room = self.absolute if self.absolute is not None else (self.relative or 0.0) * abs(about)
+        return max(abs(value - about) for value in values) / room if room else None
+
     def words(self, form: Form | Said) -> str:
         about = "" if self.target is None else f"{form.bare(self.target)} "
         if self.absolute is not None:
@@ -59,6 +69,10 @@ class AtMost(Tolerance):
     def holds(self, values: Sequence[float], paper: float | None) -> bool:
         return max(map(abs, values)) <= abs(_given(self.limit, paper)) * _ROUNDING
 
+    def used(self, values: Sequence[float], paper: float | None) -> float | None:
+        limit = abs(_given(self.limit, paper))
+        return max(map(abs, values)) / limit if limit else None
+
     def words(self, form: Form | Said) -> str:
         return "≤ published" if self.limit is None else f"≤ {form.text(self.limit, signed=False)}"
 
@@ -72,6 +86,9 @@ class AtLeast(Tolerance):
 
     def holds(self, values: Sequence[float], paper: float | None) -> bool:
         return min(values) * _ROUNDING >= _given(self.limit, paper)
+
+    def used(self, values: Sequence[float], paper: float | None) -> float | None:
+        return _given(self.limit, paper) / min(values) if min(values) > 0.0 else None
 
     def words(self, form: Form | Said) -> str:
         return "≥ published" if self.limit is None else f"≥ {form.text(self.limit, signed=False)}"
@@ -88,6 +105,11 @@ class Between(Tolerance):
     def holds(self, values: Sequence[float], paper: float | None) -> bool:
         del paper
         return all(self.low <= value <= self.high for value in values)
+
+    def used(self, values: Sequence[float], paper: float | None) -> float | None:
+        del paper
+        middle, room = (self.low + self.high) / 2.0, (self.high - self.low) / 2.0
+        return max(abs(value - middle) for value in values) / room
 
     def words(self, form: Form | Said) -> str:
         return f"{form.bare(self.low)}–{form.text(self.high)}"

@@ -4,6 +4,7 @@ import json
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -12,6 +13,7 @@ import pytest
 from book import pages
 from book.__main__ import main
 from book.chapter import Chapter, Section
+from book.chart import chart
 from book.counting import counted
 from book.errors import BookError
 from book.fast import chapter as fast_chapter
@@ -218,12 +220,35 @@ def test_a_chapter_with_misses_says_in_words_what_failed(monkeypatch):
 def test_the_front_page_hides_no_missed_row():
     missed = Row(case="the one", ours=ours(2.0), tolerance=AtMost(1.0))
     rows = Section(title="Its rows", rows=(missed, Row(case="aside", ours=ours(1.0))))
-    one = Chapter(name="it", title="It", summary="", misses="It is too large.", sections=(rows,))
+    one = Chapter(name="surface", title="It", summary="", misses="It is too large.", sections=(rows,))
     text = front([one])
-    assert "| [It](validation/it.md) | 1 |  |  | **1** |  |" in text
-    assert "- [It](validation/it.md), 1 of 1: It is too large." in text
-    assert "- [the one](validation/it.md#its-rows): **2**, required ≤ 1" in text
+    assert "| [It](validation/surface.md) | 1 |  |  | **1** |  |" in text
+    assert "- [It](validation/surface.md), 1 of 1: It is too large." in text
+    assert "- [the one](validation/surface.md#its-rows): **2**, required ≤ 1" in text
     assert "aside" not in text
+    with pytest.raises(BookError, match="chapter of no question"):
+        front([replace(one, name="it")])
+
+
+def test_the_chart_has_a_mark_for_every_comparison_and_draws_misses_right_of_the_limit():
+    rows = [
+        Row(case="half", ours=ours(0.5), tolerance=AtMost(1.0)),
+        Row(case="twice", ours=ours(2.0), tolerance=AtMost(1.0)),
+        Row(case="tenth", ours=ours(10.1), paper=10.0, tolerance=Near(absolute=1.0)),
+        Row(case="so", ours=ours(1.0), tolerance=So()),
+        Row(case="three times", ours=ours(4.0), paper=1.0, tolerance=Near(relative=1.0), reason="known"),
+        Row(case="aside", ours=ours(1.0)),
+    ]
+    assert [row.used for row in rows] == [0.5, 2.0, pytest.approx(0.1), None, 3.0, None]
+    section = Section(title="A", rows=tuple(rows))
+    one = Chapter(name="surface", title="It", summary="", misses="x", sections=(section,))
+    legend, drawn = chart([one]).split("Surface correction")
+    marks = re.findall(r'class="(met|missed|explained)" (?:cx="|d="M)([\d.]+)', drawn)
+    assert [kind for kind, _ in marks] == ["met", "met", "met", "missed", "explained"]
+    limit = float(re.findall(r'class="l" d="M([\d.]+)', legend)[0])
+    assert all((float(x) > limit) is (kind != "met") for kind, x in marks)
+    for row in (row for chapter in pages.chapters() for row in chapter.rows if row.used is not None):
+        assert (row.used > 1.0 + 1e-9) is row.verdict.is_miss, row.case
 
 
 def test_links_follow_a_page_into_its_folder():
@@ -234,7 +259,7 @@ def test_links_follow_a_page_into_its_folder():
 
 def test_the_pages_are_what_the_results_render_to(monkeypatch, capsys):
     assert main(["--check"]) == 0, capsys.readouterr().out
-    monkeypatch.setattr(pages, "front", lambda chapters: "typed by hand")
+    monkeypatch.setattr(pages, "front", lambda *_: "typed by hand")
     assert main(["--check"]) == 1
     assert "docs/validation.md differs from the results" in capsys.readouterr().out
 
