@@ -198,12 +198,18 @@ def several(
 
 
 def choice(owner: str, name: str, value: object, words: Any) -> Any:
-    """Return one of several words, given by their `Literal` type, with which signatures declare them once.
+    """Return one of several words.
+
+    Args:
+        owner: class or function that was called.
+        name: name of the argument.
+        value: value of the argument.
+        words: the `Literal` type with which a signature declares them, or a sequence.
 
     Raises:
         InputError: The value is not one of the words.
     """
-    options = get_args(words)
+    options = get_args(words) or words
     if not isinstance(value, str) or value not in options:
         raise InputError(f"{owner}: {name} = {shown(value)}; choose from {', '.join(filter(None, options))}")
     return value

@@ -83,7 +83,7 @@ def _guarded(function: Callable[..., Any], *, bound: bool = False, within: str =
 
     @wraps(function)
     def guarded(*args: Any, **named: Any) -> Any:
-        refusal = ""
+        refusal, shown, frames = "", None, None
         try:
             return function(*args, **named)
         except TypeError:
@@ -97,7 +97,7 @@ def _guarded(function: Callable[..., Any], *, bound: bool = False, within: str =
             if os.environ.get("BONDEM_TRACEBACK") == _FULL:
                 raise
             shown, frames = error, _shortened(error)
-        if refusal:
+        if shown is None:
             raise ArgumentError(refusal)
         raise shown.with_traceback(frames)  # the environment variable BONDEM_TRACEBACK=full shows all frames
 

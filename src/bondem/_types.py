@@ -1,6 +1,7 @@
 """Aliases of arrays with their shapes: n elements, m bonds, s samples."""
 
-from typing import Annotated
+from collections.abc import Sequence
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,8 +18,13 @@ PerBond3 = Annotated[Floats, "(m, 3)"]
 Pairs = Annotated[Ints, "(m, 2)"]
 Vector = Annotated[Floats, "(3,)"]
 
+# Three numbers that a user gives: a tuple, a list or an array, which classes store as a tuple.
+Triple = Sequence[float] | Floats
+Axis = Literal["x", "y", "z"]
+
 __all__ = [
     "ArrayLike",
+    "Axis",
     "Floats",
     "Ints",
     "Mask",
@@ -28,5 +34,6 @@ __all__ = [
     "PerElement",
     "PerElement3",
     "PerElement6",
+    "Triple",
     "Vector",
 ]

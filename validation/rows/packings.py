@@ -8,13 +8,13 @@ import math
 import time
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from bondem.geometry.elementary_shapes import Box, Cell, Cylinder, Shape
 from bondem.io.particles_file import load_bonded, save_particles
-from bondem.packing import pack
+from bondem.packing import Method, pack
 from bondem.specimen.bonding import connect
 from bondem.specimen.fabric import fabric
 from bondem.specimen.geode import geode
@@ -90,7 +90,7 @@ class PackingRequest(Request):
         """Pack, bond and measure, and keep the packing; the time is that of packing."""
         start = time.perf_counter()
         particles = pack(
-            self.shape, count=self.count, spread=self.spread, method=self.method, seed=self.seed,
+            self.shape, count=self.count, spread=self.spread, method=cast(Method, self.method), seed=self.seed,
             jamming=self.target == "jamming",
         )  # fmt: skip
         seconds = round(time.perf_counter() - start, 3)

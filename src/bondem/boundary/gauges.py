@@ -1,13 +1,14 @@
 """Gauges: quantities recorded during a run, as region × quantity × reduction."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 from bondem._checks import choice, count
 from bondem.specimen.regions import Region, as_region
 
-QUANTITIES = ("displacement", "velocity", "rotation", "angular_velocity", "force")
-WALL_QUANTITIES = ("displacement", "velocity", "force", "growth")
-REDUCTIONS = ("mean", "sum", "max_abs")
+Quantity = Literal["displacement", "velocity", "rotation", "angular_velocity", "force"]
+WallQuantity = Literal["displacement", "velocity", "force", "growth"]
+Reduction = Literal["", "mean", "sum", "max_abs"]
 
 
 @dataclass(frozen=True)
@@ -23,14 +24,14 @@ class Gauge:
     """
 
     region: Region
-    quantity: str
-    reduction: str = ""
+    quantity: Quantity
+    reduction: Reduction = ""
 
     def __post_init__(self) -> None:
         as_region("Gauge", self.region)
-        choice("Gauge", "quantity", self.quantity, QUANTITIES)
+        choice("Gauge", "quantity", self.quantity, Quantity)
         usual = "sum" if self.quantity == "force" else "mean"
-        asked = choice("Gauge", "reduction", self.reduction, ("", *REDUCTIONS))
+        asked = choice("Gauge", "reduction", self.reduction, Reduction)
         object.__setattr__(self, "reduction", asked or usual)
 
 
@@ -46,11 +47,11 @@ class WallGauge:
     """
 
     wall: int
-    quantity: str
+    quantity: WallQuantity
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "wall", count("WallGauge", "wall", self.wall, advice="the number of a wall, from 0"))
-        choice("WallGauge", "quantity", self.quantity, WALL_QUANTITIES)
+        choice("WallGauge", "quantity", self.quantity, WallQuantity)
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from bondem.calibration.reach import recommend
 from bondem.calibration.response import Response, Slope
 from bondem.calibration.search import Search
 from bondem.calibration.surface_correction import SurfaceCorrection
-from bondem.calibration.uncertainty import Sample
+from bondem.calibration.uncertainty import Kind, Sample
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.interactions.law_catalogue import DEFAULT
@@ -28,6 +28,8 @@ from bondem.specimen.material import Material
 # bonds are 1.2 and 1.8 times as stiff as those of a periodic cell at 0.8 and 0.4, 0.8 and 0.9 times at 1 and 1.5.
 _SLENDER = 1.0
 _RANGE = "two positive values of the free parameter, the smaller first"
+#: Quantities of a calibration that scatter from packing to packing.
+Quantity = Literal["E", "nu", "E_mu", "value"]
 
 
 @dataclass(frozen=True)
@@ -99,7 +101,7 @@ class Calibration:
         """Standard deviation of ν over the lattices [-]; 0 for a single lattice."""
         return self.sample("nu").std
 
-    def sample(self, quantity: str) -> Sample:
+    def sample(self, quantity: Quantity) -> Sample:
         """Values of one quantity for all calibrating lattices.
 
         Args:
@@ -109,7 +111,7 @@ class Calibration:
         Raises:
             InputError: an unknown quantity.
         """
-        choice("sample", "quantity", quantity, ("E", "nu", "E_mu", "value"))
+        choice("sample", "quantity", quantity, Quantity)
         E, nu = (np.array([getattr(one, name) for one in self.responses]) for name in ("E", "nu"))
         if quantity in ("E", "nu"):
             return Sample(E if quantity == "E" else nu)
@@ -119,7 +121,7 @@ class Calibration:
         log_E = np.log(E / E.mean()) + np.array([slope.log_E for slope in self.slopes]) * shift
         return Sample(self.law.E * np.exp(-log_E))
 
-    def interval(self, quantity: str, *, kind: str = "confidence", level: float = 0.95) -> tuple[float, float]:
+    def interval(self, quantity: Quantity, *, kind: Kind = "confidence", level: float = 0.95) -> tuple[float, float]:
         """Compute an interval for the mean of all packings ("confidence") or for one new packing ("prediction").
 
         The interval applies to packings made like those of the calibration; see `Sample.interval`.
@@ -134,7 +136,7 @@ class Calibration:
         """
         return self.sample(quantity).interval(kind=kind, level=level)
 
-    def packings_for(self, precision: float, *, quantity: str = "E", level: float = 0.95) -> int:
+    def packings_for(self, precision: float, *, quantity: Quantity = "E", level: float = 0.95) -> int:
         """Return the number of calibrating packings that a mean within ± precision × mean requires.
 
         Args:

@@ -19,7 +19,7 @@ from bondem._types import Floats
 from bondem.calibration.secant import Secant
 from bondem.calibration.strength_runs import Runs, StrengthRun, Test, functions_of
 from bondem.calibration.strength_search import StrengthSearch
-from bondem.calibration.uncertainty import Sample
+from bondem.calibration.uncertainty import Kind, Sample
 from bondem.errors import ConvergenceError, InputError
 
 _WHO = "calibrate_strength"
@@ -95,7 +95,7 @@ class StrengthCalibration:
         parameter: str,
         measured: Mapping[str, Sequence[float]] | None = None,
         *,
-        kind: str = "confidence",
+        kind: Kind = "confidence",
         level: float = 0.95,
     ) -> tuple[float, float]:
         """Compute an interval of a parameter from the scatter of packings.

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from scipy.special import stdtrit
@@ -10,14 +11,14 @@ from bondem._checks import choice
 from bondem._types import Floats
 from bondem.errors import InputError
 
-KINDS = ("confidence", "prediction")
+Kind = Literal["confidence", "prediction"]
 # More packings than this nobody makes; then the answer is "more".
 _MOST = 100_000
 
 
-def half_width(n: int, *, kind: str, level: float) -> float:
+def half_width(n: int, *, kind: Kind, level: float) -> float:
     """Half-width of an interval over the standard deviation of n packings; see `Sample.interval`."""
-    choice("interval", "kind", kind, KINDS)
+    choice("interval", "kind", kind, Kind)
     if not 0.0 < level < 1.0:
         raise InputError(f"level = {level}: not a probability; give a number between 0 and 1, such as 0.95")
     if n < 2:
@@ -46,7 +47,7 @@ class Sample:
         """Standard deviation of the values, with n - 1 in the denominator; 0 for a single packing."""
         return float(np.std(self.values, ddof=1)) if len(self.values) > 1 else 0.0
 
-    def interval(self, *, kind: str = "confidence", level: float = 0.95) -> tuple[float, float]:
+    def interval(self, *, kind: Kind = "confidence", level: float = 0.95) -> tuple[float, float]:
         """Compute the interval of the mean of all packings ("confidence") or of one new packing ("prediction").
 
         The interval is mean ± t s √(1/n) or ± t s √(1 + 1/n), with t of n - 1 degrees of freedom. For normally

@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from bondem._checks import choice, instance, number, vector
-from bondem._types import Floats, Mask, PerElement, PerElement3, Vector
+from bondem._types import Axis, Floats, Mask, PerElement, PerElement3, Triple, Vector
 from bondem.errors import InputError
 from bondem.geometry.planes import Planes, placed, shared, turn_about
 from bondem.geometry.quadrature import Content, content
@@ -23,14 +23,14 @@ class Shape(Walled):
     the second. Place them with `moved` and `rotated`.
     """
 
-    def moved(self, by: Sequence[float]) -> "Shape":
+    def moved(self, by: Triple) -> "Shape":
         """Return the shape moved by the vector `by` [m], (3,)."""
         x, y, z = vector(type(self).__name__, "by", by, unit="m")
         return _place(self, np.eye(3), np.array([x, y, z]))
 
-    def rotated(self, axis: str, angle: float) -> "Shape":
+    def rotated(self, axis: Axis, angle: float) -> "Shape":
         """Return the shape rotated right-handed by `angle` [rad] about "x", "y" or "z" through the origin."""
-        choice(f"{type(self).__name__}.rotated", "axis", axis, ("x", "y", "z"))
+        choice(f"{type(self).__name__}.rotated", "axis", axis, Axis)
         angle = number(f"{type(self).__name__}.rotated", "angle", angle, unit="rad")
         return _place(self, turn_about(axis, angle), np.zeros(3))
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast, get_args
+from typing import TYPE_CHECKING, Any, Literal, cast, get_args
 
 import numpy as np
 
@@ -43,7 +43,7 @@ from bondem.specimen.ordering import Layout
 from bondem.specimen.particles import freeze
 
 #: Mass matrices of a model.
-MASS_MATRICES = ("lumped", "dispersion-corrected")
+MassMatrix = Literal["lumped", "dispersion-corrected"]
 
 
 @of_material
@@ -84,7 +84,7 @@ class Model:
     contact: ContactLaw | None = None
     walls: Sequence[Wall] = field(default=())
     failure: FailureAssignment | None = None
-    mass_matrix: str = "lumped"
+    mass_matrix: MassMatrix = "lumped"
 
     if TYPE_CHECKING:
 
@@ -92,7 +92,7 @@ class Model:
             self, lattice: Lattice, bond: BondAssignment | CellAssignment | NonLocal | None,
             density: float | ArrayLike | Material, boundary: Sequence[BoundaryCondition] = (),
             contact: ContactLaw | None = None, walls: Sequence[Wall] = (),
-            failure: FailureAssignment | None = None, mass_matrix: str = "lumped",
+            failure: FailureAssignment | None = None, mass_matrix: MassMatrix = "lumped",
         ) -> None: ...  # fmt: skip
 
     # What solvers read, in their own order and types. Neither `dir` nor the reference lists it.
@@ -121,7 +121,7 @@ class Model:
             raise InputError("contact= with parallel=True applies to beams; leave out parallel= for cells, NonLocal")
         if self.walls and self.contact is None:
             raise InputError("walls= need a contact law; give contact=bd.LinearContact(E=...)")
-        choice("Model", "mass_matrix", self.mass_matrix, MASS_MATRICES)
+        choice("Model", "mass_matrix", self.mass_matrix, MassMatrix)
         elastic_cells = self._cells is not None and self.failure is None and self.contact is None
         if self.mass_matrix != "lumped" and not elastic_cells:
             raise InputError(

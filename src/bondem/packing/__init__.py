@@ -1,6 +1,7 @@
 """Packings: spheres that fill a shape, dense, random and isotropic."""
 
 from collections.abc import Callable, Sequence
+from typing import Literal, get_args
 
 import numpy as np
 
@@ -28,16 +29,17 @@ from bondem.packing.two_sided import Around, around_surfaces
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.particles import Particles, filled
 
-__all__ = ["EVEN", "METHOD", "METHODS", "SEED", "aggregates", "pack"]
+__all__ = ["EVEN", "METHOD", "METHODS", "SEED", "Method", "aggregates", "pack"]
 
 _METHODS = {"quench": quench, "growth": grow, "compression": compress, "shear": sheared}
 # Relaxation steps after which progress stands at one half; how many are needed is not known beforehand.
 _USUAL_STEPS = 2000
 #: Names of the methods, the default one, that for cells, which takes neither sizes nor targets, and the default seed:
 #: one place for Python, studies and the command line.
-METHOD = "quench"
-EVEN = "even"
-METHODS = (*_METHODS, EVEN)
+Method = Literal["quench", "growth", "compression", "shear", "even"]
+METHOD: Method = "quench"
+EVEN: Method = "even"
+METHODS: tuple[Method, ...] = get_args(Method)
 SEED = 1
 
 # More would take a day, and more memory than a machine has.
@@ -53,7 +55,7 @@ def pack(
     around: Around | Sequence[Around] | None = None,
     spread: float | None = None,
     sizes: SizeLaw | None = None,
-    method: str = METHOD,
+    method: Method = METHOD,
     seed: int = SEED,
     coordination_number: float | None = None,
     volume_fraction: float | None = None,
@@ -121,7 +123,7 @@ def pack(
         PackingError: The target was not reached.
     """
     instance("pack", "shape", shape, Shape, "a shape such as bd.Cylinder(radius=5e-3, length=40e-3)")
-    choice("pack", "method", method, METHODS)
+    choice("pack", "method", method, Method)
     if (count is None) == (size is None):
         raise InputError("pack: give either count=, the number of spheres, or size=, the size of cells")
     if size is not None and method != EVEN:

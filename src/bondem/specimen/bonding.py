@@ -1,6 +1,7 @@
 """Bonding of elements, by gap, by reach or by the facets of Laguerre cells."""
 
 from collections.abc import Callable
+from typing import Literal
 
 import numpy as np
 from scipy.spatial import KDTree
@@ -13,7 +14,7 @@ from bondem.specimen.particles import Particles
 from bondem.specimen.tessellation.cutting import tessellate
 
 #: Methods of bonding elements.
-METHODS = ("distance", "laguerre")
+Method = Literal["distance", "laguerre"]
 
 # Contacts of a packing touch to rounding only: what overlaps by less than this share of R̄ still touches.
 _TOUCH = 1e-9
@@ -28,7 +29,7 @@ def connect(
     *,
     tolerance: float | None = None,
     reach: float | None = None,
-    method: str = "distance",
+    method: Method = "distance",
     progress: Callable[[float], None] | None = None,
 ) -> Lattice:
     """Bond neighbouring elements, either by distance or by cutting the shape into cells.
@@ -50,7 +51,7 @@ def connect(
             cell.
         DisconnectedError: The specimen consists of two large pieces.
     """
-    choice("connect", "method", method, METHODS)
+    choice("connect", "method", method, Method)
     if method == "laguerre":
         if tolerance is not None or reach is not None:
             raise InputError("connect: all cells that share a facet are bonded; leave out tolerance= and reach=")

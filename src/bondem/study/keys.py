@@ -4,8 +4,10 @@ The reader (`TomlTable`) checks values by them, and `schema()` is their JSON sch
 strict than `bondem check`, which also knows how keys depend on each other.
 """
 
-from bondem.interactions.beams.bond_law import RADIUS_RULES
-from bondem.interactions.cells.cell_bond import FACET_ROTATIONS
+from typing import get_args
+
+from bondem.interactions.beams.bond_law import RadiusRule
+from bondem.interactions.cells.cell_bond import FacetRotation
 from bondem.interactions.law_catalogue import CALIBRATED, CELL_LAWS
 from bondem.labtests.elastic_tests import ELASTIC_TESTS
 from bondem.labtests.failure_tests import FAILURE_TESTS
@@ -61,8 +63,8 @@ MATERIAL = KeyTable("material of the specimen", {
 })  # fmt: skip
 BOND = KeyTable("bonds of spheres, or cells", {
     "law": Text("law of the bonds, or of the cells", (*CALIBRATED, *CELL_LAWS)),
-    "facet_rotation": Text("option of the cell law", tuple(FACET_ROTATIONS)),
-    "nu_mu": _poisson("Poisson's ratio of a bond"), "radius_rule": Text("radius of a bond", tuple(RADIUS_RULES)),
+    "facet_rotation": Text("option of the cell law", get_args(FacetRotation)),
+    "nu_mu": _poisson("Poisson's ratio of a bond"), "radius_rule": Text("radius of a bond", get_args(RadiusRule)),
     "tolerance": Number("largest gap of a bond over the mean radius"),
     "reach": Number("largest length of a bond over the sum of both radii", "-", above=0.0),
 })  # fmt: skip

@@ -12,7 +12,7 @@ from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
 from bondem.geometry.surface import Surface
 from bondem.io.importing import read_particles
 from bondem.labtests.punching import punch_specimen
-from bondem.packing import EVEN, METHOD, pack
+from bondem.packing import EVEN, METHOD, Method, pack
 from bondem.packing.sizes import SPREAD, Lognormal, Sieve, SizeLaw, Uniform
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.particles import Particles
@@ -40,7 +40,7 @@ class SpecimenPlan:
     shape: Shape
     count: int
     sizes: SizeLaw | None = Uniform()
-    method: str = METHOD
+    method: Method = METHOD
     target: Mapping[str, Any] = field(default_factory=dict)
 
     def particles(

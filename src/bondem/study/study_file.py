@@ -13,7 +13,7 @@ from bondem.damage.criteria.criterion import Criterion
 from bondem.errors import StudyError
 from bondem.geometry.elementary_shapes import BoundingBox, Box, Cylinder, Shape
 from bondem.interactions.beams.bond_law import BondLaw
-from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.cell_bond import CellBond, FacetRotation
 from bondem.interactions.law_catalogue import CALIBRATED, CELL_LAWS
 from bondem.io.text_file import read_text
 from bondem.labtests.elastic_tests import ELASTIC_TESTS
@@ -52,7 +52,7 @@ class BondPlan:
 
     law: type[BondLaw] | None = None
     cells: type[CellBond] | None = None
-    facet_rotation: str = CellBond.facet_rotation
+    facet_rotation: FacetRotation = CellBond.facet_rotation
     nu_mu: float = 0.3
     radius_rule: str = "mean"
     tolerance: float | None = 0.0

@@ -133,7 +133,7 @@ class TomlTable:
             raise StudyError(f"'{self.name(key)}' = {shown(value)}; give {wanted}")
         return value
 
-    def text(self, key: str, *, default: Any = _NEEDED) -> str:
+    def text(self, key: str, *, default: Any = _NEEDED) -> Any:
         """Text, one of the choices if there are any."""
         choices = self._declared(key, Text).choices
         wanted = f"one of {', '.join(choices)}" if choices else "a text"

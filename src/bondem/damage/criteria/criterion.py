@@ -22,6 +22,9 @@ from bondem.interactions.beams.bond_law import BondStiffness, Section
 INTACT, TENSION, SHEAR, BENDING, TWISTING = range(5)
 MODES = ("intact", "tension", "shear", "bending", "twisting")
 
+#: Stresses by which criteria evaluate facets.
+On = Literal["stress", "traction"]
+
 # Columns of the coefficients of a bond.
 COEFFICIENTS = 4
 
@@ -74,14 +77,14 @@ class Criterion(ABC):
     """
 
     scatter: Weibull | Normal | None = None
-    on: Literal["stress", "traction"] | None = None
+    on: On | None = None
 
     def __post_init__(self) -> None:
         if self.scatter is not None:
             wanted = "bd.Weibull(...), bd.Normal(...) or None"
             instance(type(self).__name__, "scatter", self.scatter, (Weibull, Normal), wanted)
         if self.on is not None:
-            choice(type(self).__name__, "on", self.on, ("stress", "traction"))
+            choice(type(self).__name__, "on", self.on, On)
 
     @property
     @abstractmethod

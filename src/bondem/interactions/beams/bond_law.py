@@ -8,7 +8,7 @@ A law is therefore data, computed once per bond; `core/laws/beam.hpp` is the phy
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
 
@@ -18,8 +18,8 @@ from bondem._types import PerBond
 from bondem.errors import InputError
 from bondem.interactions.beams.free_parameter import RADIUS_RATIO, FreeParameter
 
-RADIUS_RULES = ("mean", "pair_min", "pair_mean")
-FORMULATIONS = ("total", "incremental")
+RadiusRule = Literal["mean", "pair_min", "pair_mean"]
+Formulation = Literal["total", "incremental"]
 
 
 @dataclass(frozen=True)
@@ -111,8 +111,8 @@ class BondLaw(ABC):
     nu: float
     radius_ratio: float | None = None
     radius: float | None = None
-    radius_rule: str = "mean"
-    formulation: str = "total"
+    radius_rule: RadiusRule = "mean"
+    formulation: Formulation = "total"
 
     def __post_init__(self) -> None:
         law = type(self).__name__
@@ -123,8 +123,8 @@ class BondLaw(ABC):
         for name in ("radius_ratio", "radius"):
             if getattr(self, name) is not None:
                 number(law, name, getattr(self, name), above=0.0)
-        choice(law, "radius_rule", self.radius_rule, RADIUS_RULES)
-        choice(law, "formulation", self.formulation, FORMULATIONS)
+        choice(law, "radius_rule", self.radius_rule, RadiusRule)
+        choice(law, "formulation", self.formulation, Formulation)
 
     @property
     def G(self) -> float:

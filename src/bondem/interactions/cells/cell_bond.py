@@ -1,14 +1,14 @@
 """The cell law: facets between the cells of a body, with the material's own E and ν."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar, overload
+from typing import TYPE_CHECKING, ClassVar, Literal, overload
 
 from bondem._checks import choice, number
 from bondem._plausibility import physical
 from bondem.specimen.material import Material, of_material
 
 #: Parts of the relative rotation of two cells that strain the facet between them.
-FACET_ROTATIONS = ("bending", "full", "none")
+FacetRotation = Literal["bending", "full", "none"]
 
 
 @of_material
@@ -50,21 +50,21 @@ class CellBond:
 
     E: float
     nu: float
-    facet_rotation: str = "bending"
+    facet_rotation: FacetRotation = "bending"
 
     if TYPE_CHECKING:
 
         @overload
-        def __init__(self, material: Material, *, facet_rotation: str = "bending") -> None: ...
+        def __init__(self, material: Material, *, facet_rotation: FacetRotation = "bending") -> None: ...
         @overload
         def __init__(
-            self, *, E: float | Material, nu: float | Material, facet_rotation: str = "bending"
+            self, *, E: float | Material, nu: float | Material, facet_rotation: FacetRotation = "bending"
         ) -> None: ...
 
     def __post_init__(self) -> None:
         physical("CellBond", "E", self.E)
         number("CellBond", "nu", self.nu, above=-1.0, below=0.5, advice="a Poisson's ratio in (-1, 0.5)")
-        choice("CellBond", "facet_rotation", self.facet_rotation, FACET_ROTATIONS)
+        choice("CellBond", "facet_rotation", self.facet_rotation, FacetRotation)
 
     @property
     def G(self) -> float:

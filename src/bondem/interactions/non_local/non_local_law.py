@@ -18,18 +18,18 @@ axes. The text of the paper does not print it; without it nothing but its own la
 """
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar, overload
+from typing import TYPE_CHECKING, ClassVar, Literal, overload
 
 from bondem._checks import choice, instance, number
 from bondem._plausibility import physical
 from bondem.specimen.material import Material, of_material
 
 #: Points of action of the force of a bond, and of l in eq (1): the centroid of the facet, or the line of centres.
-LEVERS = ("facet", "contact")
+Lever = Literal["facet", "contact"]
 #: Definitions of A: areas of the facets of a body, or the authors' own weights on a lattice of spheres.
-AREAS = ("facet", "weighted")
+Areas = Literal["facet", "weighted"]
 #: Definitions of V in eq (1): volume of the cell, or of the sphere, as printed.
-VOLUMES = ("cell", "sphere")
+Volume = Literal["cell", "sphere"]
 # What keeps 0 / 0 away and changes no other number [N²].
 _NOTHING = 1e-200
 
@@ -68,30 +68,30 @@ class NonLocal:
 
     E: float
     nu: float
-    lever: str = "facet"
-    areas: str = "facet"
-    volume: str = "cell"
+    lever: Lever = "facet"
+    areas: Areas = "facet"
+    volume: Volume = "cell"
     limited: bool = True
 
     if TYPE_CHECKING:
 
         @overload
         def __init__(
-            self, material: Material, *, lever: str = "facet", areas: str = "facet", volume: str = "cell",
+            self, material: Material, *, lever: Lever = "facet", areas: Areas = "facet", volume: Volume = "cell",
             limited: bool = True,
         ) -> None: ...  # fmt: skip
         @overload
         def __init__(
-            self, *, E: float | Material, nu: float | Material, lever: str = "facet", areas: str = "facet",
-            volume: str = "cell", limited: bool = True,
+            self, *, E: float | Material, nu: float | Material, lever: Lever = "facet", areas: Areas = "facet",
+            volume: Volume = "cell", limited: bool = True,
         ) -> None: ...  # fmt: skip
 
     def __post_init__(self) -> None:
         physical("NonLocal", "E", self.E)
         number("NonLocal", "nu", self.nu, least=0.0, below=0.5, advice="a Poisson's ratio in [0, 0.5)")
-        choice("NonLocal", "lever", self.lever, LEVERS)
-        choice("NonLocal", "areas", self.areas, AREAS)
-        choice("NonLocal", "volume", self.volume, VOLUMES)
+        choice("NonLocal", "lever", self.lever, Lever)
+        choice("NonLocal", "areas", self.areas, Areas)
+        choice("NonLocal", "volume", self.volume, Volume)
         instance("NonLocal", "limited", self.limited, bool, "True or False")
 
     @property
