@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tomllib
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 import click
@@ -67,6 +68,14 @@ def commands():
     return found
 
 
+def shown():
+    """What a page shows below a block of quick commands, for the first of them."""
+    pairs = ((one, other) for page in PAGES for one, other in pairwise(fenced(page)))
+    blocks = [(one.text, other.text) for one, other in pairs if (one.language, other.language) == ("sh", "text")]
+    return {commands.splitlines()[0]: text for commands, text in blocks if commands.startswith(QUICK)}
+
+
+SHOWN = shown()
 BLOCKS = [block for page in PAGES for block in fenced(page)]
 WITH_CODE = [page for page in PAGES if any(block.language == "python" for block in fenced(page))]
 COMMANDS = commands()
@@ -76,6 +85,7 @@ def test_snippets_are_found_and_say_what_they_are():
     assert not [str(block) for block in BLOCKS if block.language not in LANGUAGES]
     assert {page.name for page in WITH_CODE} >= {"README.md", "calibration.md"}
     assert len(COMMANDS) >= 15
+    assert SHOWN
     for page in PAGES:  # a fence that is not closed would hide what follows
         assert len(re.findall(r"^```", read(page), re.MULTILINE)) == 2 * len(fenced(page))
 
@@ -161,3 +171,5 @@ def test_quick_commands_run(command, clone):
     environment = os.environ | {"PATH": f"{folder}:{os.environ['PATH']}"}
     done = subprocess.run(words_of(command), env=environment, cwd=clone, capture_output=True, text=True, timeout=600)
     assert (done.returncode, done.stderr) == (0, "")
+    printed = {line.rstrip() for line in done.stdout.splitlines()}
+    assert set(SHOWN.get(command, "").splitlines()) <= printed
