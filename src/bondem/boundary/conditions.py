@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, vector
-from bondem._types import Floats, Ints
+from bondem._types import Floats, Ints, Triple
 from bondem.boundary.balanced_forces import balanced_forces
 from bondem.boundary.loads import (
     Absorbing,
@@ -123,8 +123,8 @@ class Load:
     """
 
     region: Region
-    force: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    moment: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    force: Triple = (0.0, 0.0, 0.0)
+    moment: Triple = (0.0, 0.0, 0.0)
     schedule: Schedule = Constant(1.0)
 
     def __post_init__(self) -> None:

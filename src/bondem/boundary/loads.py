@@ -10,7 +10,7 @@ from scipy.spatial import KDTree
 
 from bondem._checks import array, instance, number, possible, shown, vector
 from bondem._plausibility import physical
-from bondem._types import Floats, Ints, PerBond, PerElement, PerElement3
+from bondem._types import Floats, Ints, PerBond, PerElement, PerElement3, Triple
 from bondem.boundary.balanced_forces import balanced_forces
 from bondem.boundary.schedules import Constant, Schedule, as_schedule
 from bondem.errors import InputError
@@ -43,7 +43,7 @@ class BodyForce:
             made.
     """
 
-    acceleration: tuple[float, float, float] | Sequence[Sequence[float]] | Callable[[PerElement3], PerElement3]
+    acceleration: Triple | Sequence[Sequence[float]] | Callable[[PerElement3], PerElement3]
     region: Region = Everything()
     schedule: Schedule = Constant(1.0)
 

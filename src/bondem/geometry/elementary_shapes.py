@@ -7,7 +7,7 @@ import numpy as np
 
 from bondem._checks import array, number, shown
 from bondem._plausibility import question_size
-from bondem._types import Floats, PerElement, PerElement3, Vector
+from bondem._types import Floats, PerElement, PerElement3, Triple, Vector
 from bondem.errors import InputError
 from bondem.geometry.planes import Planes, box_planes
 from bondem.geometry.shape import Shape
@@ -98,7 +98,7 @@ class Box(Shape):
         size: edge lengths [m], (3,).
     """
 
-    size: tuple[float, float, float]
+    size: Triple
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", _edges("Box", self.size))
@@ -141,7 +141,7 @@ class Cell(Shape):
         size: edge lengths [m], (3,).
     """
 
-    size: tuple[float, float, float]
+    size: Triple
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", _edges("Cell", self.size))

@@ -10,7 +10,7 @@ import numpy as np
 from bondem._checks import instance, number, vector
 from bondem._drawing import Plotted
 from bondem._progress import staged
-from bondem._types import Floats
+from bondem._types import Floats, Triple
 from bondem.boundary.gauges import WallGauge
 from bondem.boundary.walls import PlaneWall
 from bondem.damage.failure_assignment import FailureAssignment
@@ -72,6 +72,11 @@ class SphereImpact(Plotted):
         return float(self.force.max(initial=0.0))
 
     @property
+    def table(self) -> dict[str, Floats]:
+        """Force on the plane in time, by name and unit, (k,) each."""
+        return {"time [s]": self.time, "force [N]": self.force}
+
+    @property
     def state(self) -> State:
         """State of the ball after the impact."""
         return self.run.state
@@ -84,7 +89,7 @@ def sphere_impact(
     failure: FailureAssignment | None = None,
     *,
     density: float | Material,
-    velocity: float | tuple[float, float, float],
+    velocity: float | Triple,
     wall: PlaneWall | None = None,
     friction: float = 0.0,
     contact: ContactLaw | None = None,

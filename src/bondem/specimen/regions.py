@@ -8,7 +8,7 @@ import numpy as np
 
 from bondem._checks import count, instance, number, shown, vector
 from bondem._names import users_line
-from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement3, Vector
+from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement3, Triple, Vector
 from bondem.errors import EmptyRegionError, FaceWarning, InputError
 from bondem.geometry.elementary_shapes import Shape
 from bondem.specimen.lattice import Lattice
@@ -182,8 +182,8 @@ class Plane(Region):
         InputError: A value is not finite, or the normal has zero length.
     """
 
-    point: tuple[float, float, float]
-    normal: tuple[float, float, float]
+    point: Triple
+    normal: Triple
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "point", vector("Plane", "point", self.point, unit="m"))
