@@ -59,13 +59,14 @@ class _Range:
     high: float
     slips: tuple[tuple[str, float], ...] = ()
 
-    def doubt(self, name: str, value: float) -> str:
+    def doubt(self, name: str, value: float, *, explained: bool = True) -> str:
         """Return a sentence about an implausible value, or "".
 
-        The value 1 is a unit of one's own, and so is a small value that no unit of data sheets explains.
+        The value 1 is a unit of one's own, and so are values that no unit of data sheets explains; these give a
+        sentence with `explained=False`.
         """
         meant = self.meant(value)
-        if self.low <= value <= self.high or value == 1.0 or (value < self.low and not meant):
+        if self.low <= value <= self.high or value == 1.0 or (explained and not meant):
             return ""
         words = f"{self.low:.2g} to {self.high:.2g} {self.unit}"
         if math.isinf(self.high):
@@ -172,7 +173,7 @@ def question_material(name: str, E: float, rho: float) -> None:
                 )
                 return
     for symbol, value, known in zip("Eρ", (E, rho), ranges, strict=True):
-        doubt = known.doubt(symbol, value)
+        doubt = known.doubt(symbol, value, explained=False)
         if doubt:
             _question(f"material '{name}': {doubt}")
             return

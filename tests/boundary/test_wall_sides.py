@@ -27,7 +27,7 @@ FACING = (
 def started(*walls: bd.Wall) -> bd.ExplicitResult:
     law, contact = bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.5), bd.LinearContact(E=1e7)
     model = bd.Model(ROW, law, 2000.0, contact=contact, walls=walls)
-    return bd.solve_explicit(model, duration=1e-4)
+    return bd.solve_explicit(model, duration=1e-2)
 
 
 @pytest.mark.parametrize(("wall", "words"), AWAY.values(), ids=AWAY)

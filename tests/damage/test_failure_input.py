@@ -147,8 +147,8 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
         lambda: bd.DruckerPrager(tension=2e6, compression=1e6),
     ),
     "a cone that never ends": (
-        "hydrostatic = 26 Pa is no more than 2/3 of tension", "give more",
-        lambda: bd.DruckerPrager(tension=40.0, hydrostatic=26.0),
+        "hydrostatic = 2.6e+07 Pa is no more than 2/3 of tension", "give more",
+        lambda: bd.DruckerPrager(tension=40e6, hydrostatic=26e6),
     ),
     "more dilatancy than friction": (
         "dilatancy = 0.5", "give β in [0, α]",
@@ -198,7 +198,7 @@ REFUSED: dict[str, tuple[str, str, Callable[[], object]]] = {
 # Parameters: the class and the parameter are named, and what would do.
 PERIPHERAL, COULOMB = {"tension": 1.0, "shear": 1.0}, {"tension": 1.0, "cohesion": 1.0, "friction_angle": 0.5}
 LINEAR = {"force": 1.0, "shear": 1.0, "bending": 1.0, "twisting": 1.0}
-CONE, OWN = {"tension": 1.0, "compression": 9.0, "fracture_energy": 1.0}, {"function": along, "tension": 1e6}
+CONE, OWN = {"tension": 1e6, "compression": 9e6, "fracture_energy": 1.0}, {"function": along, "tension": 1e6}
 ELLIPTIC, WEIBULL = {"elongation": 0.1, "rotation": 0.1}, {"modulus": 5.0, "volume": 1.0}
 WRONG = [
     *((bd.PeripheralStress, PERIPHERAL, name, bad, "in Pa") for name in PERIPHERAL for bad in (0.0, -1.0, math.nan)),

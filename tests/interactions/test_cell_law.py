@@ -89,6 +89,7 @@ def test_six_rigid_motions_and_no_more_are_without_energy():
         assert value[6] >= 1e-4 * value[-1]
 
 
+@pytest.mark.filterwarnings("ignore:CellBond. E = :bondem.errors.UnitWarning")  # in units of its own
 @pytest.mark.parametrize(
     "shape",
     [
@@ -130,6 +131,7 @@ def test_bulk_moduli_are_those_of_the_material():
 
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ThinBodyWarning")
+@pytest.mark.filterwarnings("ignore:CellBond. E = :bondem.errors.UnitWarning")  # in units of its own
 def test_plane_stress_of_a_plate_one_cell_thick():
     """Free facets on both sides open until they bear no traction: E and ν are those of plane stress."""
     body = crooked_cells((6, 6, 1), spread=0.0, seed=3)
@@ -184,6 +186,7 @@ def test_work_of_loads_is_energy_and_reactions_balance():
     assert about.sum(axis=0) == pytest.approx(wanted, rel=1e-8)
 
 
+@pytest.mark.filterwarnings("ignore:CellBond. E = :bondem.errors.UnitWarning")  # in units of its own
 def test_tractions_reach_the_cells_that_they_act_on():
     """Uniform pressure on all faces: the stress of every cell is -p, though its own facets bear part of the load."""
     body, nu = crooked_cells((6, 6, 6)), 0.3

@@ -110,6 +110,7 @@ def test_the_loop_is_that_of_solve_explicit(chen) -> None:
 # ---- damping
 
 
+@pytest.mark.filterwarnings("ignore:Timoshenko. E = :bondem.errors.UnitWarning")  # too weak to matter
 def test_local_damping_acts_on_each_component_by_its_own_velocity() -> None:
     # force and velocity are not parallel: by vectors, γ |F| v/|v| would change z too, and share x and y otherwise
     gamma, dt = 0.3, 1e-9

@@ -65,6 +65,7 @@ def test_modes_are_those_of_the_whole_matrices(held):
     np.testing.assert_allclose(phi @ M @ phi.T, np.eye(5), atol=1e-7)
 
 
+@pytest.mark.filterwarnings("ignore:Model. density = :bondem.errors.UnitWarning")  # in units of its own
 def test_rigid_motion_has_its_mass_and_the_matrix_is_positive():
     model = bd.Model(crooked_cells((5, 3, 3)), bd.CellBond(E=1.0, nu=0.45), 2.0, **CORRECTED)
     system = System.of(model)

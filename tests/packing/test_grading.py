@@ -88,6 +88,7 @@ def test_spheres_can_be_given_again():
     np.testing.assert_array_equal(again.radius, packed.radius)
 
 
+@pytest.mark.filterwarnings("ignore:CellBond. E = :bondem.errors.UnitWarning")  # in units of its own
 def test_a_uniform_strain_has_its_tractions():
     """The patch test: 1e-12 of E, as in bodies of equal cells."""
     bar = body(NOTCHED, FIELD)

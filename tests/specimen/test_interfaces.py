@@ -86,6 +86,7 @@ def bent(body):
     return curvature(bimetal(body, bd.Fix(bd.Face("x_min")), load)) / (1e-3 / stiffness) - 1.0
 
 
+@pytest.mark.filterwarnings("ignore:CellBond. E = :bondem.errors.UnitWarning")  # in units of its own
 @pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.validate) for seed in (2, 3, 4, 5))])
 def test_a_bimetal_strip_bends_as_timoshenko_says(seed):
     """Within 1 % on every packing; with cells that know nothing of the plane +3 to +15 %."""
@@ -98,6 +99,7 @@ def test_a_bimetal_strip_bends_as_timoshenko_says(seed):
     assert abs(bent(body)) < 0.01
 
 
+@pytest.mark.filterwarnings("ignore:CellBond. E = :bondem.errors.UnitWarning")  # in units of its own
 def test_a_ragged_interface_is_a_warning():
     body = strip(1, ends=False)
     with pytest.warns(RaggedInterfaceWarning, match="around=surface"):
