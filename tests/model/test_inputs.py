@@ -27,7 +27,7 @@ HELD = model_of(bd.Fix(LEFT))
 
 
 def run(**options):
-    return bd.solve_explicit(HELD, **({"duration": 1e-7} | options))
+    return bd.solve_explicit(HELD, **({"duration": 1e-6} | options))
 
 
 REFUSED = {
