@@ -35,7 +35,10 @@ _HEADLINES: dict[str, Callable[[Any], str]] = {
     "History": lambda o: f"{len(o.time)} records from {o.time[0]:.4g} to {o.time[-1]:.4g} s",
     "BrokenBonds": lambda o: f"{len(o)} broken bonds",
     "Fragments": lambda o: f"{len(o.mass)} fragments",
-}  # fmt: skip
+} | dict.fromkeys(
+    ("Placed", "Joined", "Overlap", "Cut"),
+    lambda o: "{:.4g} × {:.4g} × {:.4g} m".format(*(o.bounds[1] - o.bounds[0])),
+)  # fmt: skip
 # Of these the properties tell more than the attributes.
 _SHOWN: dict[str, tuple[str, ...]] = {
     "State": ("displacement", "velocity", "angular_velocity", "bond_integrity", "contacts", "wall_force"),

@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from bondem._checks import choice, instance, number, vector
+from bondem._checks import choice, instance, number, shown, vector
 from bondem._types import Axis, Floats, Mask, PerElement, PerElement3, Triple, Vector
 from bondem.errors import InputError
 from bondem.geometry.planes import Planes, placed, shared, turn_about
@@ -65,7 +65,7 @@ def _refuse_periodic(*shapes: Shape) -> None:
     for shape in shapes:
         instance("", "the other operand of a shape", shape, Shape, "a shape such as bd.Box(...)")
         if shape.period is not None:
-            raise InputError(f"{shape} is periodic and has no walls to move or cut; take a Box of the same size")
+            raise InputError(f"{shown(shape)} is periodic, without walls to move or cut; take a Box of the same size")
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from bondem._checks import shown
 from bondem._core import Pass
 from bondem._types import Floats
 from bondem.errors import InputError, PackingError
@@ -52,7 +53,8 @@ def grow(
     """
     if not isinstance(shape, Box | Cylinder | Ball | Cell):
         raise InputError(
-            f"method='growth' fills Box, Cylinder, Ball and Cell, not {shape}; use method='quench' or 'compression'"
+            f"method='growth' fills Box, Cylinder, Ball and Cell, not {shown(shape)}; use method='quench' or"
+            " 'compression'"
         )
     start = _START_FRACTION
     if isinstance(target, Fraction):

@@ -12,6 +12,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy.spatial import KDTree
 
+from bondem._checks import shown
 from bondem._types import Floats
 from bondem.errors import PackingError
 from bondem.geometry.elementary_shapes import Shape
@@ -72,7 +73,7 @@ def separated(
         if beside.relax(1.0, tolerance=_ROUGH, steps=_STEPS).largest_overlap <= _BESIDE:
             break
     else:
-        raise PackingError(f"the {int(large.sum())} large spheres do not fit beside each other into {shape}")
+        raise PackingError(f"the {int(large.sum())} large spheres do not fit beside each other into {shown(shape)}")
     small = relative_radius[~large] * (fraction * shape.volume / float(volume.sum())) ** (1.0 / 3.0)
     centre = np.concatenate([beside.sphere[:, :3], _between(shape, beside.sphere, small, random)])
     radius = np.concatenate([beside.sphere[:, 3], small])

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.ndimage import map_coordinates, minimum_filter
 
+from bondem._checks import shown
 from bondem._types import Floats, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
@@ -171,7 +172,8 @@ def _depth_grid(
     fine = [(n - 1) * _COARSE + 1 for n in coarse]
     if math.prod(fine) > _MOST_NODES:
         raise InputError(
-            f"{len(radius)} spheres are too many for the walls of {shape}; ask for fewer, or bd.carve a packed Box"
+            f"{len(radius)} spheres are too many for the walls of {shown(shape)}; ask for fewer, or bd.carve a packed"
+            " Box"
         )
     corner = 0.5 * (lower + upper) - 0.5 * h * (np.array(fine) - 1)
     rough = depth_at(corner + _COARSE * h * np.indices(coarse).reshape(3, -1).T).reshape(coarse)

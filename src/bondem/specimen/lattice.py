@@ -199,7 +199,7 @@ def carve(lattice: Lattice, shape: Shape) -> Lattice:
     instance("carve", "shape", shape, Shape, "a shape such as bd.Box(...)")
     keep = shape.contains(lattice.particles.position)
     if not keep.any():
-        raise InputError(f"no element lies inside {shape}; check its size and position (metres)")
+        raise InputError(f"no element lies inside {shown(shape)}; check its size and position (metres)")
     number = np.cumsum(keep) - 1
     inside = keep[lattice.pairs].all(axis=1)
     periodic = lattice.particles.period if shape.period is not None else None

@@ -37,7 +37,7 @@ class Region(ABC):
         chosen = np.flatnonzero(self.mask(lattice) & lattice.connected if len(lattice.pairs) else self.mask(lattice))
         if chosen.size == 0:
             raise EmptyRegionError(
-                f"{self} selects no connected element; check its name, units (metres) and depth"
+                f"{shown(self)} selects no connected element; check its name, units (metres) and depth"
             )
         return chosen
 
@@ -94,7 +94,7 @@ class Face(Region):
         layer = int((gap <= particles.mean_radius).sum())
         if particles.shape is None and layer >= _LAYER and chosen.sum() < _SPARSE * layer:
             warnings.warn(
-                f"{self} selects {chosen.sum()} of the {layer} elements within R̄ of the bounding box, as the"
+                f"{shown(self)} selects {chosen.sum()} of the {layer} elements within R̄ of the bounding box, as the"
                 " particles have no shape; give bd.Particles shape=, or the face depth=1.0",
                 FaceWarning,
                 stacklevel=users_line(),

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bondem._checks import shown
 from bondem._types import Floats, Ints, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Ball, BoundingBox, Box, Cylinder
@@ -64,7 +65,7 @@ def wall_triangles(shape: Shape) -> Floats:
         return wall_triangles(shape.shape) @ np.array(shape.turn).T + shape.by
     if isinstance(shape, Overlap | Cut | Joined):
         return np.concatenate([wall_triangles(shape.first), wall_triangles(shape.second)])
-    raise InputError(f"{shape} cannot be cut into cells; use a Surface of it, bd.Surface(vertices=, triangles=)")
+    raise InputError(f"{shown(shape)} cannot be cut into cells; use bd.Surface(vertices=, triangles=) of it")
 
 
 @dataclass(frozen=True)
