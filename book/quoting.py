@@ -5,6 +5,7 @@ in braces, `{{ 30 }}`: an input, a size, a published value. Numbers in code, lin
 """
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -17,6 +18,7 @@ from book.forms import PLAIN, Form
 from book.results import ROOT, Measurement
 
 TEXTS = Path(__file__).parent / "texts"
+_FRONT_MATTER = re.compile(r"---\n.*?\n---\n", re.DOTALL)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,4 +106,12 @@ def written(template: Path, quoted: Sequence[Quoted], words: Mapping[str, Any]) 
         text = environment.get_template(template.relative_to(TEXTS).as_posix()).render({**words, **subjects})
     except TemplateError as error:
         raise BookError(f"{template.relative_to(ROOT)}: {error}; name it in book/quoted") from None
-    return text, set().union(*(subject.asked for subject in subjects.values()))
+    return _marked(text, template), set().union(*(subject.asked for subject in subjects.values()))
+
+
+def _marked(text: str, template: Path) -> str:
+    """A page that says where it is edited, at its top or below its front matter."""
+    front = _FRONT_MATTER.match(text)
+    end = front.end() if front else 0
+    comment = f"<!-- Written by `python -m book`; edit {template.relative_to(ROOT).as_posix()}, not this file. -->\n"
+    return text[:end] + comment + text[end:]
