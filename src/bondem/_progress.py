@@ -174,6 +174,7 @@ class Board:
         self.kind, self.note = _kind(), ""
         self._shares: dict[str, float] = {}
         self._since: dict[str, float] = {}
+        self._stage = ""
         self._begun, self._closed = time.monotonic(), threading.Event()
         self._view: _Bars | _Lines | None = None
         self._lock = threading.RLock()
@@ -188,8 +189,9 @@ class Board:
         with self._lock:
             if stage not in self._since:
                 self._since[stage] = time.monotonic()
-                self.note = ""  # that of the stage before
                 LOG.info("%s", stage)
+            if stage != self._stage:
+                self._stage, self.note = stage, ""  # the remark was on the stage before
             if share >= 1.0 > self._shares.get(stage, 0.0):
                 LOG.info("%s: done in %s", stage, span(time.monotonic() - self._since[stage]))
             self._shares[stage] = share

@@ -146,7 +146,8 @@ def test_a_report_without_a_material(examined, tmp_path):
     results = {
         "specimen": {"elements": 600, "bonds": len(examined[0].lattice.pairs), "volume_fraction": 0.64,
                      "coordination_number": 5.9, "isotropy_error": 1e-6, "rattlers": 1},
-        "micro": None, "macro": None, "tests": {}, "seed": 1, "version": "1",
+        "micro": None, "macro": None, "tests": {}, "unseen": None, "seed": 1, "version": "1", "commit": None,
+        "command": "bondem run s.toml", "date": "2026-01-02T03:04:05", "machine": "M", "python": "3", "threads": 1,
         "timing": {"pack_s": 1.0, "calibrate_s": 0.0, "tests_s": 0.1},
         "packings": [{"seed": 1, "fabric_reasons": []}, {"seed": 2, "fabric_reasons": ["it is in strata"]}],
     }  # fmt: skip

@@ -251,7 +251,7 @@ def test_results_have_the_pinned_layout(finished):
     assert set(results["macro"]) == {"E", "nu", "rho", "E_std", "nu_std"}
     assert list(results["tests"]) == SMALL["tests"]
     for row in results["tests"].values():
-        assert set(row) == {"measured", "theory", "theory_timoshenko", "error", "scatter", "unit"}
+        assert set(row) == {"measured", "theory", "theory_timoshenko", "error", "error_95", "scatter", "unit"}
     assert set(results["timing"]) == {"pack_s", "calibrate_s", "tests_s"}
     assert (results["version"], results["seed"]) == (bd.__version__, 7)
 

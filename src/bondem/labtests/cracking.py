@@ -61,7 +61,7 @@ class Cracking:
 
     @property
     def count(self) -> int:
-        """Number of cracks: connected surfaces of at least ten facets."""
+        """Number of cracks: connected surfaces of at least ten facets; cracks that meet are one."""
         return int((self.found.surfaces.count >= FEW).sum())
 
     @property
@@ -118,13 +118,13 @@ class Cracking:
 
     @property
     def mode(self) -> str:
-        """Description of the failure: number of cracks, or in compression whether the specimen has split or yielded."""
+        """Description of the failure: how often it cracks, or in compression whether it has split or yielded."""
         if self.sectioned:
             return "cracks once" if self.count == 1 else f"cracks {self.count} times" if self.count else "softens"
-        split = self.pieces > 1
+        split = "splits" if self.pieces > 1 else "does not split"
         if self.slipped > self.dissipated:
-            return "yields in shear and splits" if split else "yields in shear and does not split"
-        return "splits" if split else "cracks and does not split"
+            return f"yields in shear and {split}"
+        return split if self.pieces > 1 or not len(self.found) else f"cracks and {split}"
 
     @property
     def objection(self) -> str:

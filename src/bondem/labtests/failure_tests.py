@@ -67,7 +67,11 @@ def _crushed(test: SphereCrushing) -> dict[str, float | None]:
 
 
 def _thrown(test: SphereImpact) -> dict[str, float | None]:
+    energy = test.run.history.energy
+    moving = energy["translation"] + energy["rotation"]
     return {
+        "kinetic energy before [J]": float(moving[0]), "kinetic energy after [J]": float(moving[-1]),
+        "dissipated by facets [J]": float(energy["fracture"][-1]), "friction [J]": float(energy["friction"][-1]),
         "largest force [N]": test.peak, "restitution [-]": test.restitution, **_pieces(test.broken),
         "momentum error [%]": 100.0 * test.momentum, "energy error [%]": 100.0 * test.residual,
     }  # fmt: skip
@@ -227,5 +231,6 @@ def failure_outcome(
         name=name, measured=test.measured(result), unit=test.unit,
         theory=math.nan if isinstance(failure, Mapping) else test.theory(softening, asked),
         curves=test.curves(result, cracking), cracking=cracking, energy=test.energy(result),
+        axes=test.figure.axes,
         told={key: value for key, value in test.told(result).items() if value is not None},
     )  # fmt: skip

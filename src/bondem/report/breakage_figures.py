@@ -36,8 +36,9 @@ def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: 
     draw_fragments(left, body, state, cracking.fragments, view=view_of(told), reach=reach)
     left.set_title(f"{told.title}: {counted(cracking)}", color=INK)
     left.text(0.02, 0.0, magnified(reach), transform=left.transAxes, fontsize=8.5)
+    cracks = many(cracking.count, "crack") if cracking.sectioned else "cracks"
     scale = draw_cracks(right, body, found, view=view_of(told))
-    right.set_title(f"{many(cracking.count, 'crack')}, {area(cracking.surface)} of facets", color=INK)
+    right.set_title(f"{cracks}, {area(cracking.surface)} of facets", color=INK)
     if len(found):
         bar = figure.colorbar(scale, ax=right, orientation="horizontal", shrink=0.6, aspect=30, pad=0.02)
         bar.set_label("opening [µm]")

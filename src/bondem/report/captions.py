@@ -33,9 +33,9 @@ CAPTIONS = {
         the wave has arrived when the far face, free and so twice as fast, passes half of its plateau.""",
     "strength": """The curve of every specimen, the strength that was entered [MPa] where it has a closed form in
         the test, and the range of the measured peaks where the study names it.""",
-    "broken": """The first specimen as it broke, its motion exaggerated: cells as polyhedra, coloured by the damage
-        of their facets [-], 0 intact to 1 broken, or by their plastic slip [%].""",
-    "pieces": """First panel: pieces and crumbs in a colour each, their motion exaggerated. Second panel: surfaces of
+    "broken": """The first specimen as it broke: cells as polyhedra, coloured by the damage of their facets [-], 0
+        intact to 1 broken, or by their plastic slip [%].""",
+    "pieces": """First panel: pieces and crumbs in a colour each. Second panel: surfaces of
         the cracks, coloured by their opening [µm].""",
     "cut_open": """Sections of the first specimen [mm]: aggregates in grey, matrix in sand. Red: facets that have
         cracked, the wider the more of their strength is lost.""",

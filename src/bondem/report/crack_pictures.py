@@ -56,9 +56,8 @@ def draw_fragments(
         reach: magnification of displacements [-].
     """
     solid = polyhedra(body)
-    draw_cells(ax, solid, piece_colours(pieces), view=view, moved=corners_moved(
-        solid, body, state.displacement, state.orientation, reach
-    ))  # fmt: skip
+    moved = corners_moved(solid, body, state.displacement, state.orientation, reach)
+    draw_cells(ax, solid, piece_colours(pieces), view=view, moved=moved, piece=pieces.label)
 
 
 def piece_colours(pieces: Fragments) -> Floats:

@@ -1,6 +1,7 @@
 """Readable numbers."""
 
 import math
+from collections.abc import Sequence
 
 from bondem.geometry.elementary_shapes import Ball, Cylinder, Shape
 from bondem.labtests.cracking import Cracking
@@ -44,6 +45,14 @@ def between(low: float, high: float, unit: str) -> str:
     return f"{low * factor:.4g} to {high * factor:.4g} {name}"
 
 
+def off_between(interval: Sequence[float] | None, target: float) -> str:
+    """Format an interval as signed percentages off a target: "−0.4 to +1.1 %"; a dash without one."""
+    if interval is None:
+        return "–"
+    low, high = (signed(100.0 * (one / target - 1.0), 2) for one in interval)
+    return f"{low} to {high} %"
+
+
 def area(value: float) -> str:
     """Format an area in mm²."""
     return f"{_significant(1e6 * value, 4)} mm²"
@@ -63,7 +72,8 @@ def counted(cracking: Cracking) -> str:
 def in_unit(name: str, value: float | None) -> tuple[str, str]:
     """Split a name such as "peak load [N]" and format its value with the unit: ("peak load", "1.237 kN")."""
     words, _, unit = name.rpartition(" [")
-    return words, with_unit(value, unit.removesuffix("]"))
+    unit = unit.removesuffix("]")
+    return words, with_unit(value, unit, 3 if unit == "%" else 4)
 
 
 def percent(value: float) -> str:

@@ -33,6 +33,7 @@ from bondem.report.numbers import (
     in_unit,
     many,
     measures,
+    off_between,
     percent,
     signed,
     signed_percent,
@@ -183,7 +184,7 @@ def templates() -> Environment:
     )  # fmt: skip
     environment.filters |= {
         "quantity": with_unit, "percent": percent, "signed": signed_percent, "difference": signed, "area": area,
-        "counted": counted, "many": many,
+        "counted": counted, "many": many, "off_between": off_between,
     }  # fmt: skip
     return environment
 
@@ -241,6 +242,7 @@ def rows_of(findings: Findings) -> list[dict[str, Any]]:
             "name": FAILURE_TESTS[name].figure.title if name in FAILURE_TESTS else name.replace("_", " "),
             "key": name,
             "failing": name in FAILURE_TESTS,
+            "interval": off_between(None if row["error_95"] is None else [1.0 + one for one in row["error_95"]], 1.0),
             "quantity": FAILURE_TESTS[name].figure.quantity if name in FAILURE_TESTS else "",
             "cracking": outcomes[0].cracking,
             "peak": _peak(name, outcomes, findings.peaks.get(name)),

@@ -41,8 +41,9 @@ def draw_curves(path: Path, findings: Findings) -> None:
             (across, along), (up, of) = told.across, told.up
             for n, one in enumerate(findings.specimens):
                 outcome = one.outcomes[name]
+                several = n == 0 and len(findings.specimens) > 1
                 ax.plot(across * outcome.curves["strain"], up * outcome.curves["stress"], color=BLUE, alpha=0.8,
-                        linewidth=1.2, label="each packing" if n == 0 else None)  # fmt: skip
+                        linewidth=1.2, label="each specimen" if several else None)  # fmt: skip
             band = findings.peaks.get(name)
             if band is not None:
                 ax.axhspan(up * band[0], up * band[1], color=GREY, alpha=0.3, linewidth=0.0,
@@ -53,7 +54,8 @@ def draw_curves(path: Path, findings: Findings) -> None:
             ax.set(xlabel=f"{told.strain} [{along}]", ylabel=f"{told.stress} [{of}]", title=told.title)
             ax.set_ylim(bottom=0.0)
             lines |= {str(line.get_label()): line for line in ax.get_legend_handles_labels()[0]}
-        figure.legend(lines.values(), lines.keys(), loc="outside lower center", ncols=legend_columns(2))
+        if lines:
+            figure.legend(lines.values(), lines.keys(), loc="outside lower center", ncols=legend_columns(2))
 
 
 def draw_broken(path: Path, specimen: Examined) -> None:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from bondem.calibration.uncertainty import Sample
 from bondem.fracture.lost_area import lost_area
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.labtests.outcome import Outcome
@@ -30,6 +31,7 @@ def collect(
         "specimen": _specimen(specimens[0]),
         "micro": _micro(bonds) if bonds is not None else None,
         "macro": _macro(bonds, specimens) if bonds is not None else None,
+        "unseen": _unseen(specimens[calibrating:]) if bonds is not None and calibrating else None,
         "tests": {name: _test(name, specimens) for name in study.tests},
         "timing": timing,
         **provenance(),
@@ -71,6 +73,24 @@ def deviation(values: Sequence[float]) -> float | None:
     return float(np.std(values, ddof=1)) if len(values) > 1 else None
 
 
+def _interval(values: Sequence[float]) -> list[float] | None:
+    """95 % interval of the mean of a sample; None for a single value, or where a value is NaN."""
+    several = len(values) > 1 and bool(np.isfinite(values).all())
+    return list(Sample(np.array(values)).interval()) if several else None
+
+
+def _unseen(specimens: Sequence[Examined]) -> dict[str, Any] | None:
+    """Moduli of the packings that were not calibrated on: mean, and its 95 % interval; None without such packings."""
+    tensions = [one.tension for one in specimens if one.tension is not None]
+    if not tensions:
+        return None
+    found: dict[str, Any] = {"packings": len(tensions)}
+    for name in ("E", "nu"):
+        values = [float(getattr(one, name)) for one in tensions]
+        found[name] = {"mean": np.mean(values), "confidence_95": _interval(values)}
+    return found
+
+
 def _specimen(one: Examined) -> dict[str, Any]:
     """Numbers of a specimen; those of a packing of spheres are null for cells, which fill their shape."""
     return _aggregates(one) | {
@@ -108,6 +128,7 @@ def _test(name: str, specimens: Sequence[Examined]) -> dict[str, Any]:
         "theory_timoshenko": np.mean(against) if against else None,
         "error": np.mean(errors),
         "scatter": deviation(spread),
+        "error_95": _interval(errors),
         "unit": outcomes[0].unit,
     }
 
