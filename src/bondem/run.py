@@ -1,10 +1,12 @@
 """Public solvers, which open the run file and choose the device."""
 
 import importlib
+import os
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
+from typing import Literal
 
 from bondem._checks import instance, place, shown
 from bondem._extras import install
@@ -16,6 +18,7 @@ from bondem.dynamics.damping import AnyDamping
 from bondem.dynamics.events import Event
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import Callback, ExplicitResult, Loop, Plan, Status
+from bondem.dynamics.quasistatic_check import measured
 from bondem.dynamics.restart import begin, check_gauges
 from bondem.dynamics.schemes import Scheme, VelocityVerlet
 from bondem.dynamics.signals import noticing, stop_by
@@ -32,6 +35,8 @@ from bondem.statics.relaxation import solve_relaxed
 from bondem.statics.static import solve_static
 
 __all__ = ["resume", "solve_explicit", "solve_modes", "solve_relaxed", "solve_static"]
+
+Device = Literal["cpu", "gpu"]
 
 
 @staged("explicit run")
@@ -50,7 +55,7 @@ def solve_explicit(
     safety: float = 0.9,
     imbalance: tuple[float, float] | None = (0.01, 0.10),
     state: State | None = None,
-    device: str = "cpu",
+    device: Device = "cpu",
     out: str | Path | None = None,
     resume: bool = False,
     progress: Callable[[float], None] | None = None,
@@ -97,6 +102,9 @@ def solve_explicit(
         StepWarning: The given dt is above 0.9 of the critical step; the message of the result repeats this.
         ImbalanceWarning: The error of the energy ledger exceeds the first limit of `imbalance`.
         StageWarning: A schedule that is new in this stage began before it.
+        NotQuasistaticWarning: The run looks quasi-static (a servo wall; two ends, one of them driven, with damping or
+            slowly), but its kinetic energy, the difference of the forces at both ends or the force of a servo wall
+            says that it is not; `result.quasistatic` has the numbers.
 
     Raises:
         UnstableStepError: dt exceeds the critical step.
@@ -152,6 +160,8 @@ def _unless(stopped: int | None, result: ExplicitResult, sink: RunFile | None) -
     if stopped is not None and result.message.startswith("interrupted"):
         on = "" if sink is None else f"; bd.resume('{sink.path}') continues from there"
         stop_by(stopped, f"{result.message}, step {result.steps}{on}", result)
+    if not result.status.failed:
+        result.quasistatic.warn()
     return result
 
 
@@ -170,7 +180,7 @@ def _kept(
             "solve_explicit: resume = True, but a file does not hold what callback= remembers; end the run by until="
         )
     path = place("out", out)
-    if not path.exists():
+    if not os.path.exists(path):
         return None
     if identity_in(path) != identity_of(model, plan, begun):
         raise InputError(
@@ -184,7 +194,7 @@ def _kept(
 def resume(
     path: str | Path,
     *,
-    device: str = "cpu",
+    device: Device = "cpu",
     failure: Criterion | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> ExplicitResult:
@@ -235,7 +245,7 @@ def _over(kept: Checkpoint) -> ExplicitResult | None:
         return None
     return ExplicitResult(
         status=status, iterations=state.step, residual=kept.history.imbalance, state=state, history=kept.history,
-        dt=plan.dt or 0.0, message=message,
+        dt=plan.dt or 0.0, message=message, quasistatic=measured(kept.model, plan, kept.history, state),
     )  # fmt: skip
 
 

@@ -264,6 +264,7 @@ def test_same_bits_of_a_body_that_is_crushed(tmp_path: Path, record: Record) -> 
     record("same bits", True)
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.NotQuasistaticWarning")  # fast on purpose
 def test_index_says_how_near_each_bond_is(one_thread: None) -> None:
     """Below 1 of all that is whole, and the last of them that broke was the nearest a step before."""
     states: dict[int, bd.State] = {}

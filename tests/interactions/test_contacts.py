@@ -157,6 +157,7 @@ def test_energy_closes_to_second_order() -> None:
     assert misses[2] < 0.3 * misses[0]
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.NotQuasistaticWarning")  # fast on purpose
 def test_the_bits_depend_on_neither_threads_nor_lists(monkeypatch: pytest.MonkeyPatch) -> None:
     need_two_threads()
     edge = 12
@@ -178,6 +179,7 @@ def test_the_bits_depend_on_neither_threads_nor_lists(monkeypatch: pytest.Monkey
         np.testing.assert_array_equal(runs[0].history.energy["friction"], other.history.energy["friction"])
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.NotQuasistaticWarning")  # fast on purpose
 def test_going_on_from_a_run_file_changes_no_bit(tmp_path: Path) -> None:
     law = bd.LinearContact(E=E, friction=0.4, damping=0.1)
     walls = [
@@ -313,6 +315,7 @@ def test_a_packing_at_rest_bears_nothing(broken: bool) -> None:
     assert (moved > 1e-6) == broken
 
 
+@pytest.mark.filterwarnings("ignore::bondem.errors.NotQuasistaticWarning")  # fast on purpose
 def test_an_intact_bond_has_no_contact_and_a_broken_one_has() -> None:
     lattice = two_spheres(1.99, 1.0)
     law = bd.EulerBernoulli(E=E, nu=0.2, radius=0.5)

@@ -25,7 +25,8 @@ BONDEM_TABLE(Walls, F(shape, "walls 9"), F(body, "walls 14"), F(friction, "walls
 BONDEM_TABLE(WallMotions, F(times, "wall_times"), F(values, "wall_times"), F(start, "wall_schedules+1"),
              F(drive_wall, "wall_drives"), F(drive_component, "wall_drives"), F(drive_schedule, "wall_drives"),
              F(drive_rate, "wall_drives"), F(servo_wall, "servos"), F(servo_schedule, "servos"), F(servo_speed, "servos"),
-             F(servo_mass, "servos"), F(free_wall, "free_walls"), F(free_mass, "free_walls"), F(free_force, "free_walls 3"))
+             F(servo_mass, "servos"), F(servo_damping, "servos"), F(free_wall, "free_walls"), F(free_mass, "free_walls"),
+             F(free_force, "free_walls 3"))
 BONDEM_TABLE(PairSources, F(bond_start, "n+1"), F(bond_first, "m"),
              F(wanted, "m"), F(rest_start, "n+1"), F(rest_first, "rest"), F(rest_gap, "rest"), F(kept_start, "n+1"),
              F(kept_first, "kept"), F(kept_memory, "kept 6"))

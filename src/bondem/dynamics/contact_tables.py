@@ -95,6 +95,7 @@ class WallMotions(NamedTuple):
     servo_schedule: Ints
     servo_speed: Floats  #: largest speed [m/s]
     servo_mass: Floats  #: [kg]
+    servo_damping: Floats  #: share of the missing force that resists the motion [-]
     free_wall: Ints
     free_mass: Floats  #: [kg]
     free_force: Floats  #: on each beside that of elements [N], (f, 3)

@@ -12,6 +12,7 @@ from bondem.dynamics.energy_check import EnergyCheck
 from bondem.dynamics.history import GrowingHistory, History
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Callback, ExplicitResult, Loop, Plan, Status, settled
 from bondem.dynamics.pulse import Pulse, heard, tell
+from bondem.dynamics.quasistatic_check import measured
 from bondem.dynamics.signals import Halt
 from bondem.dynamics.sink import Sink
 from bondem.dynamics.strain_gauges import StrainGauges
@@ -66,11 +67,14 @@ def integrate(
     names = tuple(plan.gauges)
     state = State(model) if state is None else state
     history = History.empty(names) if history is None else history
-    if plan.every and state.step % plan.every and state.step < plan.steps and history.time[-1:] == state.time:
+    midway = plan.every > 0 and state.step % plan.every > 0 and state.step < plan.steps
+    if midway and len(history) and history.time[-1] == state.time:
         history = History(history.records[:-1], names)  # the end of a part of the run is no record of the whole
     written = GrowingHistory(history)
     loop = (CoreLoop if loop_of is None else loop_of)(model, plan, state, dt)
     total = plan.steps
+    if progress is not None and total:
+        progress(state.step / total)
     joined, beyond = ("bonds", _BEAMS) if model.cells is None else ("facets", _CELLS)
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
     kept = (state.copy(),)
@@ -164,6 +168,7 @@ def integrate(
     return ExplicitResult(
         status=status, iterations=state.step, residual=history.imbalance,
         state=state, history=history, dt=dt, message=message + turned + warning,
+        quasistatic=measured(model, plan, history, state),
     )  # fmt: skip
 
 

@@ -12,6 +12,7 @@ from bondem.boundary.gauges import AnyGauge, Gauge, StrainGauge, WallGauge
 from bondem.dynamics.damping import AnyDamping, DampingTerms
 from bondem.dynamics.events import Event
 from bondem.dynamics.history import History
+from bondem.dynamics.quasistatic import Quasistatic
 from bondem.dynamics.schemes import Scheme, VelocityVerlet
 from bondem.dynamics.timestep import choose_step
 from bondem.errors import InputError
@@ -121,12 +122,14 @@ class ExplicitResult(Solution, Plotted):
         history: records of the run.
         dt: time step [s].
         message: one line about the end of the run.
+        quasistatic: kinetic over elastic energy, difference of the forces at both ends, forces of servo walls.
     """
 
     state: State
     history: History
     dt: float
     message: str
+    quasistatic: Quasistatic
 
     @property
     def events(self) -> BrokenBonds:

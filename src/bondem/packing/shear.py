@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from bondem._checks import shown
 from bondem._threads import threads
 from bondem._types import Floats
 from bondem.boundary.gauges import WallGauge
@@ -119,7 +120,9 @@ def compact(
         PackingError: The run became unstable.
     """
     if not isinstance(shape, Box | Cylinder):
-        raise InputError(f"method='shear' fills Box and Cylinder, not {shape}; use another method, or carve a Box")
+        raise InputError(
+            f"method='shear' fills Box and Cylinder, not {shown(shape)}; use another method, or carve a Box"
+        )
     solid = 4.0 / 3.0 * math.pi * float((relative_radius**3).sum())
     radius = relative_radius * (_FRACTION * shape.volume / solid) ** (1.0 / 3.0)
     position, top = _grid(shape, radius, random)
@@ -149,7 +152,7 @@ def _grid(shape: Box | Cylinder, radius: Floats, random: np.random.Generator) ->
     lower, upper = shape.bounds
     counts = np.floor((upper - lower)[1:] / edge).astype(int)
     if (counts < 1).any():
-        raise InputError(f"{n} spheres are too large for {shape}; ask for more spheres or a wider shape")
+        raise InputError(f"{n} spheres are too large for {shown(shape)}; ask for more spheres or a wider shape")
     pitch = (upper - lower)[1:] / counts
     y, z = ((np.arange(count) + 0.5) * p for count, p in zip(counts, pitch, strict=True))
     layer = np.stack(np.meshgrid(lower[1] + y, lower[2] + z, indexing="ij"), axis=-1).reshape(-1, 2)
@@ -198,7 +201,7 @@ class _Press:
         with threads(1 if len(radius) < 3000 else None):
             done = integrate(model, plan, state=state, progress=on_share)
         if done.status is not Status.COMPLETED:
-            raise PackingError(f"shear compaction of {len(radius)} spheres in {self._shape} {done.message}")
+            raise PackingError(f"shear compaction of {len(radius)} spheres in {shown(self._shape)} {done.message}")
         length = top + float(done.state.wall_displacement[1, 0])
         return Compaction(done.state.position, radius, length, done.history, done.steps)
 
@@ -206,7 +209,7 @@ class _Press:
         """Return the wall at x_min, the pressure wall, the shear walls, and the walls that only repel."""
         shape = self._shape
         lower, upper = shape.bounds
-        pressing = Servo(_PRESSURE * self._area, speed=self._speed)
+        pressing = Servo(_PRESSURE * self._area, speed=self._speed, damping=0.0)
         ends: list[Wall] = [
             PlaneWall((0.0, 0.0, 0.0), (1.0, 0.0, 0.0)),
             PlaneWall((top, 0.0, 0.0), (-1.0, 0.0, 0.0), motion=pressing),

@@ -85,7 +85,7 @@ struct WallMotions {
     Array<const Index, 1> drive_wall, drive_component, drive_schedule;
     Array<const Byte, 1> drive_rate;  // 1 for a velocity, 0 for a displacement
     Array<const Index, 1> servo_wall, servo_schedule;
-    Array<const double, 1> servo_speed, servo_mass;  // largest speed [m/s], mass [kg]
+    Array<const double, 1> servo_speed, servo_mass, servo_damping;  // largest speed [m/s], mass [kg], damping [-]
     Array<const Index, 1> free_wall;
     Array<const double, 1> free_mass;  // [kg]
     Array<const double, 2> free_force;  // beside that of elements [N], (f, 3)

@@ -96,7 +96,7 @@ class ContactTables:
         self._motions = WallMotions(
             walls.times, walls.values, walls.start, walls.drive_wall, walls.drive_component, walls.drive_schedule,
             walls.drive_rate, walls.servo_wall, walls.servo_schedule, walls.servo_speed, walls.servo_mass,
-            walls.free_wall, walls.free_mass, walls.free_force,
+            walls.servo_damping, walls.free_wall, walls.free_mass, walls.free_force,
         )  # fmt: skip
         self._deepest = 0.0
         found = self._search.find(state.step)

@@ -1,7 +1,7 @@
 // Walls as rigid bodies: how they move, what they do to elements, and what elements do to them.
 //
 // A driven wall follows its schedules. A servo is a platen of some mass that is pushed along its normal by a wanted force
-// against the force of the elements; its speed is limited. A free wall moves by the force of the elements and one of its
+// against the force of the elements; a share of the missing force resists its motion, and its speed is limited. A free wall moves by the force of the elements and one of its
 // own: half a kick before it moves, half when the forces on it are known. The work of a wall on the elements is the
 // trapezoid of its power.
 #include "rigid_walls.hpp"
@@ -37,7 +37,10 @@ void follow_servo(const Turn &turn, const WallMotions &motions, const Walls &wal
     const Index w = motions.servo_wall(e);
     const WallPlace wall(walls, w);
     const double dt = turn.clock.dt, force = wanted(motions, motions.servo_schedule(e), turn.clock.time + dt);
-    const double inward = wall.towards_elements() + dt * (force - walls.body(w, normal_force)) / motions.servo_mass(e);
+    const double missing = force - walls.body(w, normal_force), moving = wall.towards_elements();
+    const double resisting = motions.servo_damping(e) * absolute(missing);
+    const double acting = missing - (moving > 0.0 ? resisting : moving < 0.0 ? -resisting : 0.0);
+    const double inward = moving + dt * acting / motions.servo_mass(e);
     const double speed = within(inward, -motions.servo_speed(e), motions.servo_speed(e));
     if (wall.flat()) {
         const Vector v = speed * wall.axis();

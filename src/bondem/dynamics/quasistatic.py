@@ -1,0 +1,60 @@
+"""Measures of how far an explicit run is from equilibrium."""
+
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from bondem._names import users_line
+from bondem.errors import NotQuasistaticWarning
+
+# Limits of a quasi-static run: kinetic over elastic energy, difference of the forces at both ends, and error of the
+# force of a servo wall, each as a share [-]. An inertial stress of a fifth of the static one has a kinetic energy of
+# about a twentieth of the elastic one.
+_KINETIC, _DIFFERENCE, _SERVO = 0.05, 0.10, 0.10
+_ADVICE = "load more slowly and for longer, or add damping such as bd.LocalDamping(0.2), or do not read it as static"
+
+
+@dataclass(frozen=True)
+class Quasistatic:
+    """Measures of how far a run is from equilibrium, `run.quasistatic`; they are near 0 for quasi-static loading.
+
+    Attributes:
+        kinetic: largest kinetic energy over the largest elastic energy [-], up to the latter; for a run that only
+            servo walls load, in the last tenth of the records. NaN without records.
+        difference: largest difference of the forces of the two force gauges of a run over the largest of these forces
+            [-], in the same records; NaN unless exactly two gauges record opposite forces.
+        servo: force of each servo wall at the end and its prescribed force [N], by the index of the wall.
+        meant: reason why the run is taken to be meant quasi-static; empty for other runs, which are not judged.
+    """
+
+    kinetic: float
+    difference: float
+    servo: Mapping[int, tuple[float, float]]
+    meant: str
+
+    @property
+    def faults(self) -> tuple[str, ...]:
+        """Measures beyond their limits, in words; empty for a quasi-static run and for one that is not meant so."""
+        if not self.meant:
+            return ()
+        found = [
+            f"servo wall {k} presses with {force:.4g} N at the end, not {wanted:.4g} N"
+            for k, (force, wanted) in self.servo.items() if abs(force - wanted) > _SERVO * wanted
+        ]  # fmt: skip
+        if self.kinetic > _KINETIC:
+            found.append(f"its kinetic energy reached {self.kinetic:.2g} of the elastic energy (limit {_KINETIC:g})")
+        if self.difference > _DIFFERENCE:
+            found.append(f"the forces at both ends differed by {self.difference:.2g} of them (limit {_DIFFERENCE:g})")
+        return tuple(found)
+
+    def warn(self) -> None:
+        """Warn of a run that is meant to be quasi-static and is not.
+
+        Warns:
+            NotQuasistaticWarning: a measure is beyond its limit.
+        """
+        if self.faults:
+            warnings.warn(
+                f"this run ({self.meant}) is not quasi-static: {'; '.join(self.faults)}; {_ADVICE}",
+                NotQuasistaticWarning, stacklevel=users_line(),
+            )  # fmt: skip

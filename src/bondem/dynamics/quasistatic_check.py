@@ -1,0 +1,119 @@
+"""Measurement of runs that are meant to be quasi-static: kinetic energy, forces at both ends and of servo walls.
+
+A run is taken to be meant so if it has a servo wall, or if it squeezes or stretches the specimen between two ends, at
+least one of which is driven, and it either has local or mass damping, or gauges of force and takes its time: the
+largest elastic energy comes late. Impacts, waves, vibrations and pulses of pressure are not judged.
+"""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from bondem.boundary.conditions import Drive, Fix
+from bondem.boundary.gauges import Gauge, WallGauge
+from bondem.boundary.schedules import Schedule
+from bondem.boundary.walls import Driven, PlaneWall, Servo
+from bondem.dynamics.damping import DampingTerms
+from bondem.dynamics.history import History
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.quasistatic import Quasistatic
+from bondem.model.model import Model
+from bondem.model.state import State
+
+# Steps to the largest elastic energy, over the number of elements along the specimen, from which on loading without
+# damping counts as slow: a wave passes an element in two to four steps.
+_PASSES = 60.0
+_ELASTIC = ("normal", "shear", "bending", "twisting", "contact")
+# Column of a wall: the sum of its normal forces.
+_NORMAL_FORCE = 13
+
+
+def measured(model: Model, plan: Plan, history: History, state: State) -> Quasistatic:
+    """Evaluate a run from its records and its last state."""
+    kinetic = difference = math.nan
+    passes = 0.0
+    if len(history) > 1:
+        energy = history.energy
+        elastic = np.sum([energy[name] for name in _ELASTIC], axis=0)
+        top = int(np.argmax(elastic))
+        # what only servo walls load is to be at rest at the end; the initial motion is prescribed
+        first, last = (1, top + 1) if _driven(model) else (len(history) - max(1, len(history) // 10), len(history))
+        moving, held = (energy["translation"] + energy["rotation"])[first:last], elastic[first:last].max(initial=0.0)
+        kinetic = float(moving.max(initial=0.0) / held) if held > 0.0 else math.nan
+        difference = _difference(plan, history, slice(first, last))
+        passes = top * plan.every * _share_of_a_step(model)
+    servo = {
+        k: (float(state.walls[k, _NORMAL_FORCE]), wall.motion.force.at(state.time))
+        for k, wall in enumerate(model.walls)
+        if isinstance(wall.motion, Servo) and wall.motion.force.at(state.time) > 0.0
+    }
+    return Quasistatic(kinetic, difference, servo, _meant(model, plan, passes))
+
+
+def _difference(plan: Plan, history: History, chosen: slice) -> float:
+    """Largest difference of the forces of two gauges over the largest one [-]; NaN unless they are opposite."""
+    names = _force_gauges(plan)
+    if len(names) != 2:
+        return math.nan
+    one, other = (history[name][chosen] for name in names)
+    largest = max(float(np.linalg.norm(force, axis=1).max(initial=0.0)) for force in (one, other))
+    if not largest > 0.0 or not float((one * other).sum()) < 0.0:
+        return math.nan
+    return float(np.linalg.norm(one + other, axis=1).max()) / largest
+
+
+def _force_gauges(plan: Plan) -> list[str]:
+    """Names of the gauges that record the whole force on a region or a wall."""
+    return [
+        name for name, gauge in plan.gauges.items()
+        if isinstance(gauge, Gauge | WallGauge) and gauge.quantity == "force"
+        and getattr(gauge, "reduction", "sum") == "sum"
+    ]  # fmt: skip
+
+
+def _share_of_a_step(model: Model) -> float:
+    """Share of the specimen that a wave passes in a step: an element at most [-]."""
+    lower, upper = model.lattice.particles.envelope.bounds
+    extent = float(np.max(np.asarray(upper) - np.asarray(lower)))
+    return 2.0 * model.lattice.particles.mean_radius / extent
+
+
+def _meant(model: Model, plan: Plan, passes: float) -> str:
+    if any(isinstance(wall.motion, Servo) for wall in model.walls):
+        return "with a servo wall"
+    if not any(_squeezed(model, axis) for axis in range(3)):
+        return ""
+    terms = DampingTerms.of(plan.damping)
+    if terms.gamma or terms.alpha:
+        return "driven between two ends, with damping"
+    slow = bool(_force_gauges(plan)) and passes > _PASSES
+    return "driven slowly between two ends, whose force is recorded" if slow else ""
+
+
+def _driven(model: Model) -> bool:
+    """True if a condition or a wall is driven along some axis."""
+    return any(any(_ends(model, axis)) for axis in range(3))
+
+
+def _squeezed(model: Model, axis: int) -> bool:
+    """True if two ends hold the specimen along an axis, and one of them is driven."""
+    ends = list(_ends(model, axis))
+    return len(ends) > 1 and any(ends)
+
+
+def _ends(model: Model, axis: int) -> Iterator[bool]:
+    """True for each end that is driven along an axis, False for each that is fixed along it."""
+    for condition in model.boundary:
+        if isinstance(condition, Fix) and axis in condition.components:
+            yield False
+        if isinstance(condition, Drive):
+            yield from (_moves(schedule) for dof, schedule, _ in condition.motion if dof == axis)
+    for wall in model.walls:
+        if isinstance(wall, PlaneWall) and abs(wall.normal[axis]) > 0.5:
+            motion = wall.motion.motion if isinstance(wall.motion, Driven) else ()
+            yield any(_moves(schedule) for component, schedule, _ in motion if component == axis)
+
+
+def _moves(schedule: Schedule) -> bool:
+    return bool(np.any(schedule.table[1]))
