@@ -133,7 +133,8 @@ def test_a_study_crushes_and_throws_balls(tmp_path: Path) -> None:
     crushed, thrown = (results["packings"][0]["tests"][name] for name in ("sphere_crushing", "sphere_impact"))
     assert crushed["unit"] == "Pa"
     assert crushed["measured"] > 0.0
-    assert thrown["measured"] == thrown["told"]["damage [-]"] > 0.0
+    assert thrown["measured"] > 0.0
+    assert crushed["failure"]["pieces"] + crushed["failure"]["crumbs"] > 1
     assert results["macro"]["E"] is None
     assert (tmp_path / "figures" / "broken.png").stat().st_size > 10_000
     assert "restitution" in (tmp_path / "report.html").read_text()

@@ -56,6 +56,4 @@ def direct_tension(
         sign=1.0, expected=weakest.tension, reach=1.3 * found[0].tension / moduli.soft, opening=1.5 * opening,
         ending=0.002, pressure=0.0, traverses=traverses,
     )  # fmt: skip
-    test = load_to_failure("direct_tension", body, law, failure, loading, density=density, out=out, progress=progress)
-    test.cracking.warn("direct_tension")
-    return test
+    return load_to_failure("direct_tension", body, law, failure, loading, density=density, out=out, progress=progress)
