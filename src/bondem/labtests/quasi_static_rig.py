@@ -76,6 +76,11 @@ class StrengthTest(Plotted):
         """State of the broken specimen."""
         return self.run.state
 
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Curve, with time and energies of its records, by name and unit, (k,) each."""
+        return {"strain [-]": self.curve[:, 0], "stress [Pa]": self.curve[:, 1]} | dict(self.run.table)
+
 
 @dataclass(frozen=True, eq=False)
 class Rig:
@@ -241,10 +246,12 @@ def run_to_failure(
     dt = choose_step(model, VelocityVerlet(), None, safety=0.9, damping=damping).dt
     every = max(1, round(duration / _RECORDS / dt))
     G = softening_of(test, failure, "a criterion with its fracture_energy").fracture_energy
-    return run_test(
+    found = run_test(
         test, model, lambda run: _read(run, body, rig, speed, begin, G), duration=duration, dt=dt, every=every,
         out=out, damping=damping, until=rig.end, gauges=rig.gauges, progress=progress,
     )  # fmt: skip
+    found.cracking.warn(test)
+    return found
 
 
 def _read(run: ExplicitResult, body: Lattice, rig: Rig, speed: float, begin: float, G: float) -> StrengthTest:
