@@ -135,8 +135,9 @@ def _contents(chapters: Sequence[Chapter]) -> str:
     printed = sum(len(shown(section.rows)) for chapter in chapters for section in chapter.sections)
     lines += ["", f"The pages print these comparisons in {printed} rows;"
               f" {len(left_out(rows))} further numbers have no reference value."]  # fmt: skip
-    # the chapters stand below this page in the contents beside every page
-    lines += ["", "```{toctree}", ":hidden:", "", *(f"validation/{chapter.name}" for chapter in chapters), "```"]
+    # the chapters, and pages of theory beside them, stand below this page in the contents
+    names = [f"validation/{chapter.name}" for chapter in chapters]
+    lines += ["", "```{toctree}", ":hidden:", ":glob:", "", *names, "validation/*", "```"]
     return "\n".join(lines)
 
 

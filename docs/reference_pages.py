@@ -2,7 +2,7 @@
 
 An example of a name is the shortest statement that uses it in the code of the guides, which the tests run as printed,
 or else in `examples/`, which the tests run too. Types in signatures are those of the annotations, with arrays written
-as "array" and classes without their modules.
+as "array", public unions by their names, and classes without their modules. Members that `dir` omits are omitted.
 """
 
 import ast
@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 DOCS = Path(__file__).parent
 _FENCE = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -20,6 +20,8 @@ _WITHIN = r"(?:\[(?:[^\[\]]|\[(?:[^\[\]]|\[[^\[\]]*\])*\])*\])?"
 _ARRAY = re.compile(rf"~?(?:numpy\.)?(?:typing\.)?(?:nd|ND)[aA]rray{_WITHIN}")
 # Two stars, but not those of a name in bold, "**StepWarning** -- text", as napoleon writes the section Warns.
 _STARS = re.compile(r"(?<!\w)\*\*(?!\w+\*\* --)|(?<=\w)\*\*(?! --)")
+# Of arrays with a shape, `Annotated[array, "(n,)"]`.
+_SHAPE = re.compile(r"Annotated\[(array), '[^']*'\]")
 _MODULES = re.compile(r"~?\b(?:bondem|collections|typing|pathlib|numpy)(?:\.\w+)*\.(?=[A-Z])")
 
 
@@ -87,11 +89,35 @@ def add_example(app: object, what: str, name: str, thing: object, options: objec
         lines += ["", ".. rubric:: Example", "", ".. code-block:: python", "", *code, ""]
 
 
+@cache
+def unions() -> dict[str, str]:
+    """The name of each union, by what Sphinx writes for it, the longest first."""
+    from sphinx.util.typing import stringify_annotation
+
+    import bondem
+    from bondem import _types
+
+    named = [(name, getattr(bondem, name)) for name in bondem.__all__] + [("array", _types.ArrayLike)]
+    found = {
+        _shortened(stringify_annotation(one, mode)): name
+        for name, one in named if get_args(one) and not isinstance(one, type) for mode in ("smart", "fully-qualified")
+    }  # fmt: skip
+    return dict(sorted(found.items(), key=lambda item: -len(item[0])))
+
+
+def _shortened(text: str) -> str:
+    text = _MODULES.sub("", _ARRAY.sub("array", text))
+    return _SHAPE.sub(r"\1", text)
+
+
 def readable(text: str | None) -> str | None:
     """A signature with short names of types."""
     if text is None:
         return None
-    return _MODULES.sub("", _ARRAY.sub("array", text)).replace("ArrayLike", "array")
+    text = _shortened(text)
+    for written, name in unions().items():
+        text = text.replace(written, name)
+    return text.replace("ArrayLike", "array")
 
 
 def shorten(app: object, what: str, name: str, thing: object, options: object, signature: str | None,
@@ -106,9 +132,24 @@ def shorten_properties(app: object, document: Any) -> None:
     from sphinx import addnodes
 
     for note in document.findall(addnodes.desc_annotation):
+        for both in list(note.findall(addnodes.pending_xref_condition)):
+            if both["condition"] == "resolved":  # the short name, beside the whole one
+                both.parent.remove(both)
         text = note.astext()
-        if "ndarray" in text or "NDArray" in text:
+        if "array" in text.lower():
             note.children = [nodes.Text(readable(text) or "")]
+
+
+def internal() -> dict[str, str]:
+    """Members of public classes that `dir` of their objects leaves out, by the name of the class."""
+    import bondem
+
+    found = {}
+    for name in bondem.__all__:
+        one = getattr(bondem, name)
+        if isinstance(one, type) and "__dir__" in vars(one):
+            found[f"bondem.{name}"] = ", ".join(sorted({*dir(one)} - {*one.__dir__(object.__new__(one))}))
+    return found
 
 
 def escape_bars(app: object, what: str, name: str, thing: object, options: object, lines: list[str]) -> None:

@@ -4,6 +4,7 @@ Sphinx parses the pages and resolves all references. It writes no HTML, which ta
 search index are built by `.github/workflows/docs.yml`.
 """
 
+import operator
 import pickle
 import re
 import subprocess
@@ -15,6 +16,7 @@ import pytest
 import bondem as bd
 
 DOCS = Path(__file__).parents[2] / "docs"
+CODE = re.compile(r"^```.*?^```$|`[^`\n]+`", re.MULTILINE | re.DOTALL)
 
 
 @pytest.fixture(scope="module")
@@ -36,13 +38,54 @@ def page(path):
     return pickle.loads(path.read_bytes()).astext()
 
 
+REFERENCE = {path.stem: path.read_text(encoding="utf-8") for path in sorted((DOCS / "reference").glob("*.md"))}
+
+
+def listed(text):
+    """Public names that a page of the reference lists."""
+    return re.findall(r"^   ~bondem\.([\w.]+)$", text, re.MULTILINE)
+
+
 def test_the_reference_has_every_public_name():
-    text = (DOCS / "reference" / "index.md").read_text(encoding="utf-8")
-    listed = re.findall(r"^   ~bondem\.([\w.]+)$", text, re.MULTILINE)
-    assert len(set(listed)) == len(listed)
+    names = [name for text in REFERENCE.values() for name in listed(text)]
+    assert len(set(names)) == len(names)
     ours = set(bd.__all__) - {"__version__", "errors", "labtests", "materials"}
-    assert {name for name in listed if "." not in name} == ours
-    assert {name for name in listed if "." in name} >= {f"labtests.{name}" for name in bd.labtests.__all__}
+    assert {name for name in names if "." not in name} == ours
+    assert {name for name in names if "." in name} >= {f"labtests.{name}" for name in bd.labtests.__all__}
+    assert all(re.search(rf"^{page}$", REFERENCE["index"], re.MULTILINE) for page in REFERENCE if page != "index")
+
+
+def test_the_reference_keeps_what_one_calls_apart_from_what_one_gets():
+    """No page of the documentation makes a result by its class, and functions are not among results."""
+    code = "".join(path.read_text(encoding="utf-8") for path in DOCS.rglob("*.md"))
+    for text in REFERENCE.values():
+        for name in listed(text.partition("## What you get")[2].partition("## Types")[0]):
+            assert isinstance(operator.attrgetter(name)(bd), type), name
+            assert f"bd.{name}(" not in code, name
+        for name in listed(text.partition("## What you get")[0]):
+            assert callable(operator.attrgetter(name)(bd)), name
+
+
+def test_scripts_of_the_gallery_have_twenty_lines_of_code_in_eighty_columns():
+    for script in (DOCS.parent / "examples" / "gallery").glob("*.py"):
+        source = script.read_text(encoding="utf-8")
+        code = source.split('"""')[2].splitlines()  # behind the title and its text
+        assert len([line for line in code if line and not line.startswith(("import", "from"))]) <= 20, script.name
+        assert max(map(len, source.splitlines())) <= 80, script.name
+
+
+def test_formulas_of_the_pages_become_mathml():
+    convert = pytest.importorskip("latex2mathml.converter").convert
+    formulas = [
+        found.strip("$") for path in DOCS.rglob("*.md")
+        for found in re.findall(r"\$\$.+?\$\$|\$[^$\n]+\$", CODE.sub("", path.read_text(encoding="utf-8")), re.DOTALL)
+    ]  # fmt: skip
+    assert len(formulas) > 60
+    for formula in formulas:  # a command that is not known stays as it is written
+        assert "\\" not in convert(formula), formula
+    conf = (DOCS / "conf.py").read_text(encoding="utf-8")
+    assert "mathjax" not in conf
+    assert "intersphinx" not in conf  # pages are made and read without a network
 
 
 @pytest.mark.validate
