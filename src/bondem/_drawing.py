@@ -1,12 +1,28 @@
-"""The way from objects to their pictures: all drawing is in `bondem.report`, which is loaded at the first picture."""
+"""The way from results to pictures and tables: `bondem.report` and `bondem.io`, loaded at the first use."""
 
 import importlib
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from bondem._types import Floats
+
 
 class Plotted:
-    """A result that can be drawn."""
+    """A result that can be drawn and written as a table."""
+
+    @property
+    def table(self) -> Mapping[str, Floats]:
+        """Columns of the result by name and SI unit, such as "load [N]", arrays of one length."""
+        raise NotImplementedError
+
+    @property
+    def drawn(self) -> Mapping[str, Floats]:
+        """Columns that `plot` draws, all over the first one; none for a picture of the body alone.
+
+        By default these are the columns of `table` with the unit of its second column.
+        """
+        return of_one_unit(self.table)
 
     def plot(
         self, path: str | Path | None = None, *, reach: float | None = None, view: tuple[float, float] = (28.0, 24.0)
@@ -25,6 +41,35 @@ class Plotted:
             InputError: a file that cannot be written, or a view that is not two angles.
         """
         return draw("draw_result", self, path, reach=reach, view=view)
+
+    def to_csv(self, path: str | Path) -> None:
+        """Write `table` as CSV: names with units in the first line, then a line per row, in SI units.
+
+        Args:
+            path: file to write; an existing file is replaced once the new one is complete.
+
+        Raises:
+            InputError: the file cannot be written.
+        """
+        write = importlib.import_module("bondem.io.csv_table").write_csv
+        write(path, self.table, owner=f"{type(self).__name__}.to_csv")
+
+
+def columns_of(pattern: str, names: Iterable[str], values: Floats) -> dict[str, Floats]:
+    """Return columns of (n, k) by name, such as "displacement {} [m]" of x, y and z."""
+    return {pattern.format(name): column for name, column in zip(names, values.T, strict=True)}
+
+
+def of_one_unit(table: Mapping[str, Floats]) -> dict[str, Floats]:
+    """Return the first column of a table, and those with the unit of its second column."""
+    first, *others = table
+    unit = unit_of(others[0] if others else first)
+    return {first: table[first]} | {name: table[name] for name in others if unit_of(name) == unit}
+
+
+def unit_of(column: str) -> str:
+    """Return the unit in the name of a column, "N" of "load [N]"."""
+    return column.rpartition("[")[2].rstrip("]")
 
 
 def draw(drawing: str, *what: Any, **options: Any) -> Any:

@@ -185,6 +185,8 @@ USUAL: dict[str, dict[str, Any]] = {
     "aggregates": {"shape": BOX, "sieve": bd.Sieve((0.2, 0.3), (0.0, 1.0)), "fraction": 0.1, "gap": 0.05, "seed": 1},
     "pack": {"shape": BOX, "count": 40, "size": None, "spread": 0.2, "sizes": None, "method": "quench", "seed": 1,
              "coordination_number": None, "volume_fraction": 0.5, "jamming": False},
+    "principal_stresses": {"stress": np.eye(3)},
+    "von_mises_stress": {"stress": np.eye(3)},
     "radial_distribution": {"particles": Later(lambda: BAR.made().particles), "reach": 2.0, "bins": 10},
     "solve_explicit": {"model": MODEL, "duration": 1e-4, "dt": 1e-5, "scheme": None, "damping": None, "gauges": None,
                        "every": 5, "save_every": 0, "until": (), "safety": 0.9, "state": None, "device": "cpu"},

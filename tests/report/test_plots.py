@@ -63,7 +63,7 @@ def test_a_window_needs_a_display() -> None:
 def test_runs_and_tests_are_drawn() -> None:
     run = bd.solve_explicit(torn_row(), duration=2e-4, every=20, imbalance=None)
     told = words(run.plot())
-    assert "energy [J]" in told
+    assert "energy [µJ]" in told
     assert "pieces, motion × " in told
     curve = np.column_stack([np.linspace(0.0, 1e-3, 5), np.linspace(0.0, 4e6, 5)])
     test = bd.labtests.StrengthTest(

@@ -73,6 +73,18 @@ class History:
         held = held + ledger["plastic"]
         return ledger | {"balance": held - held[:1]}
 
+    @property
+    def parts(self) -> dict[str, Floats]:
+        """Work and the energies that it becomes [J], with elastic and kinetic energies as sums, (s,) each."""
+        energy = self.energy
+        return {
+            "work": energy["work"],
+            "elastic": sum((energy[name] for name in _STORED[2:]), np.zeros(len(self))),
+            "kinetic": energy["translation"] + energy["rotation"],
+            "fracture": energy["fracture"], "plastic": energy["plastic"], "friction": energy["friction"],
+            "damping": energy["loss"],
+        }  # fmt: skip
+
     def to_pandas(self) -> Any:
         """Return the records as a pandas.DataFrame over time [s].
 

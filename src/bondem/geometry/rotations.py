@@ -51,6 +51,16 @@ def rotation_vector(quaternion: Floats) -> Floats:
     return q[:, 1:] * ratio
 
 
+def turned_further(quaternion: Floats, rotation: Floats) -> Floats:
+    """Return unit quaternions (n, 4), rotated further by rotation vectors (n, 3)."""
+    half = 0.5 * np.linalg.norm(rotation, axis=1, keepdims=True)
+    vector = 0.5 * rotation * np.sinc(half / np.pi)
+    w, v = quaternion[:, :1], quaternion[:, 1:]
+    scalar = np.cos(half) * w - (vector * v).sum(axis=1, keepdims=True)
+    product = np.concatenate([scalar, np.cos(half) * v + w * vector + np.cross(vector, v)], axis=1)
+    return product / np.linalg.norm(product, axis=1, keepdims=True)
+
+
 def relative_rotations(p: Floats, q: Floats) -> tuple[Floats, Floats]:
     """Return scalar, (k,), and vector part, (k, 3), of p* q of unit quaternions (k, 4), with a positive scalar."""
     scalar = (p * q).sum(axis=1)

@@ -12,16 +12,17 @@ from bondem.errors import InputError
 from bondem.io.atomic import require_writable
 from bondem.io.field_names import check_names
 from bondem.io.hdf5 import put, writing
-from bondem.io.vtk_cells import fields_of_cells, write_cells
+from bondem.io.vtk_cells import fields_of_cells, fields_of_motion, write_cells
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
+from bondem.statics.static import StaticResult
 
 
 def write_vtkhdf(
     path: str | Path,
     lattice: Lattice,
     *,
-    state: State | None = None,
+    state: State | StaticResult | None = None,
     elements: Mapping[str, ArrayLike] | None = None,
     bonds: Mapping[str, ArrayLike] | None = None,
 ) -> None:
@@ -30,13 +31,16 @@ def write_vtkhdf(
     A body of cells is written as polyhedra (ParaView 6.0 and later), with `elements` as fields of the cells. For a
     state under `CellBond`, the file also has the mean stress of each cell, its dilatation and λ θ.
 
+    A static solution adds displacement, rotation, reaction and reaction_moment, and the stress of each element with
+    its principal_stresses (σ1, σ2, σ3) and von_mises_stress. Elements are drawn at their displaced places.
+
     Bonds that cross the border of a periodic cell are omitted, as their lines would cross the whole cell.
 
     Args:
         path: file to write, usually with the suffix .vtkhdf.
         lattice: elements and bonds.
-        state: state of the elements; adds displacement, orientation as a quaternion (w, x, y, z), velocity, angular
-            velocity and integrity. Cells move and turn with it.
+        state: state or static solution of the elements; a state adds displacement, orientation as a quaternion (w, x,
+            y, z), velocity, angular velocity and integrity. Cells move and turn with it.
         elements: further fields by name, each (n,) or (n, k).
         bonds: further fields of the bonds by name, each (m,) or (m, k).
 
@@ -46,7 +50,8 @@ def write_vtkhdf(
     path = place("write_vtkhdf: path", path)
     instance("write_vtkhdf", "lattice", lattice, Lattice, "a lattice")
     if state is not None:
-        instance("write_vtkhdf", "state", state, State, "a state of a model of this lattice")
+        wanted = "a state, or a solution of bd.solve_static, of a model of this lattice"
+        instance("write_vtkhdf", "state", state, (State, StaticResult), wanted)
         if len(state.displacement) != len(lattice.particles):
             raise InputError(
                 f"write_vtkhdf: the state has {len(state.displacement)} elements, the lattice"
@@ -61,19 +66,14 @@ def write_vtkhdf(
         check_names("write_vtkhdf", elements or {}, own=own, forbidden="/")
         given = own | dict(elements or {})
         checked = {name: _checked(name, field, len(lattice.particles)) for name, field in given.items()}
-        write_cells(path, lattice, state, checked)
+        write_cells(path, lattice, state.state if isinstance(state, StaticResult) else state, checked)
         return
     particles, pairs = lattice.particles, lattice.pairs
     points = particles.position if state is None else particles.position + state.displacement
     of_elements: dict[str, ArrayLike] = {"radius": particles.radius, "connected": lattice.connected.astype(np.int8)}
     of_bonds: dict[str, ArrayLike] = {"length": lattice.length}
-    if state is not None:
-        of_elements |= {
-            "displacement": state.displacement,
-            "orientation": state.orientation,
-            "velocity": state.velocity,
-            "angular_velocity": state.angular_velocity,
-        }
+    of_elements |= fields_of_motion(state)
+    if isinstance(state, State):
         of_bonds["integrity"] = state.bond_integrity
     for added, own in ((elements, of_elements), (bonds, of_bonds)):
         check_names("write_vtkhdf", added or {}, own=own, forbidden="/")

@@ -16,6 +16,7 @@ from bondem.observables.cell_forces import CellForces
 from bondem.observables.cell_stress import dilatation, mean_stress
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import polyhedra
+from bondem.statics.static import StaticResult
 
 # What VTK calls a polyhedron, and the version of VTKHDF that knows it.
 _POLYHEDRON = 42
@@ -24,16 +25,29 @@ _VERSION = (2, 5)
 _SAME = 1e-7
 
 
-def fields_of_cells(body: Lattice, state: State | None) -> dict[str, ArrayLike]:
-    """Fields of the cells in every file, with motion and stress for a given state."""
+def fields_of_motion(state: State | StaticResult | None) -> dict[str, ArrayLike]:
+    """Fields of elements in every file: motion of a state; motion, reactions and stresses of a static solution."""
+    if state is None:
+        return {}
+    if isinstance(state, State):
+        return {
+            "displacement": state.displacement, "orientation": state.orientation, "velocity": state.velocity,
+            "angular_velocity": state.angular_velocity,
+        }  # fmt: skip
+    return {
+        "displacement": state.displacement, "rotation": state.rotation, "reaction": state.reaction[:, :3],
+        "reaction_moment": state.reaction[:, 3:], "stress": state.stress.reshape(-1, 9),
+        "principal_stresses": state.principal_stresses, "von_mises_stress": state.von_mises_stress,
+    }  # fmt: skip
+
+
+def fields_of_cells(body: Lattice, state: State | StaticResult | None) -> dict[str, ArrayLike]:
+    """Fields of the cells in every file, with motion and stress for a given state or static solution."""
     assert body.cells is not None
     fields: dict[str, ArrayLike] = {"volume": body.cells.volume, "free_area": body.cells.free_area}
-    if state is None:
+    fields |= fields_of_motion(state)
+    if not isinstance(state, State):
         return fields
-    fields |= {
-        "displacement": state.displacement, "orientation": state.orientation, "velocity": state.velocity,
-        "angular_velocity": state.angular_velocity,
-    }  # fmt: skip
     model = state.model
     if isinstance(model, Model) and model.cells is not None:
         forces = CellForces.of(model, state)

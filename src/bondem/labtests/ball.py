@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._drawing import Plotted
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.fracture.fragments import Fragments, fragments
@@ -20,7 +21,7 @@ _FRICTION = 0.4
 
 
 @dataclass(frozen=True, eq=False)
-class FragmentSizes:
+class FragmentSizes(Plotted):
     """Size distribution of the fragments of a broken ball, by mass.
 
     The diameter of a fragment is D (m / M)^(1/3), with D and M of the ball and m of the fragment. Rattlers, which
@@ -33,6 +34,11 @@ class FragmentSizes:
 
     diameter: Floats
     passing: Floats
+
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Diameters and mass shares of fragments of at most these diameters, by name and unit, (f,) each."""
+        return {"diameter [m]": self.diameter, "mass share of smaller fragments [-]": self.passing}
 
     @classmethod
     def of(cls, pieces: Fragments, lattice: Lattice, diameter: float) -> "FragmentSizes":
@@ -48,7 +54,7 @@ class FragmentSizes:
 
 
 @dataclass(frozen=True, eq=False)
-class BrokenBall:
+class BrokenBall(Plotted):
     """Fragments of a broken ball.
 
     Attributes:
@@ -62,6 +68,11 @@ class BrokenBall:
     sizes: FragmentSizes
     damage: float
     fines: float
+
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Size distribution of the fragments; see `FragmentSizes`."""
+        return self.sizes.table
 
     @property
     def largest(self) -> float:

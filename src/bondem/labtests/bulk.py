@@ -5,13 +5,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._checks import instance
+from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.labtests.arguments import AnyLaw
-from bondem.labtests.isotropic import Isotropic
+from bondem.labtests.isotropic import Isotropic, directional_moduli, matrix_table
 from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
 from bondem.statics.linear import System
@@ -25,7 +26,7 @@ _RTOL = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
-class BulkModuli:
+class BulkModuli(Plotted):
     """Elastic moduli of a periodic cell.
 
     Attributes:
@@ -55,6 +56,16 @@ class BulkModuli:
             for t in range(s, 6):
                 C[s, t] = C[t, s] = np.vdot(k, one.products(self.strains[t])) / self.volume
         return C
+
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Stiffness matrix by name and unit, a row for each stress."""
+        return matrix_table(self.stiffness)
+
+    @property
+    def drawn(self) -> dict[str, Floats]:
+        """Young's moduli by direction in the three planes of coordinates."""
+        return directional_moduli(self.stiffness)
 
     @property
     def isotropic(self) -> Isotropic:

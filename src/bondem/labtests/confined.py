@@ -51,6 +51,11 @@ class TriaxialTest(Plotted):
         return self.test.curve
 
     @property
+    def table(self) -> dict[str, Floats]:
+        """Curve, with time and energies of its records, by name and unit, (k,) each."""
+        return self.test.table
+
+    @property
     def work(self) -> float:
         """Work of platens and pressure until the end, per area of the section [J/m²]."""
         return self.test.work

@@ -82,6 +82,12 @@ class SphereCrushing(Plotted):
         return self.force / self.diameter**2
 
     @property
+    def table(self) -> dict[str, Floats]:
+        """Curve, with time and energies of its records, by name and unit, (k,) each."""
+        curve = {"approach over diameter [-]": self.curve[:, 0], "2.8 F / (π D²) [Pa]": self.curve[:, 1]}
+        return curve | dict(self.run.table)
+
+    @property
     def state(self) -> State:
         """State of the broken ball."""
         return self.run.state

@@ -28,13 +28,7 @@ def energy_ledger(test: AnyTest) -> dict[str, Floats]:
 
 def _of_run(test: StrengthTest | BrazilianTest | TriaxialTest) -> dict[str, Floats]:
     run = test.run if isinstance(test, StrengthTest) else test.test.run
-    energy = run.history.energy
-    return {
-        "elastic": energy["normal"] + energy["shear"] + energy["bending"] + energy["twisting"] + energy["contact"],
-        "kinetic": energy["translation"] + energy["rotation"],
-        "fracture": energy["fracture"], "plastic": energy["plastic"], "friction": energy["friction"],
-        "damping": energy["loss"], "work": energy["work"],
-    }  # fmt: skip
+    return run.history.parts
 
 
 def _of_path(test: BendingTest) -> dict[str, Floats]:

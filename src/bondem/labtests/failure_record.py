@@ -68,6 +68,11 @@ class TestFigure:
         """SI units of both axes."""
         return _SI[self.across[1]], _SI[self.up[1]]
 
+    @property
+    def axes(self) -> tuple[str, str]:
+        """Names and SI units of both axes."""
+        return f"{self.strain} [{self.units[0]}]", f"{self.stress} [{self.units[1]}]"
+
 
 def no_theory(softening: Softening, asked: Mapping[str, float]) -> float:
     """Return NaN, for tests without a closed form."""

@@ -74,6 +74,15 @@ class BendingTest(Plotted):
         """State of the broken beam at its last equilibrium."""
         return self.path.state
 
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Notch opening if there is a notch, load, deflection, strain and stress of the curve, by name and unit."""
+        mouth = {} if self.cmod is None else {"CMOD [m]": self.cmod}
+        others = {"load [N]": self.load, "deflection over span [-]": self.curve[:, 0]}
+        deflection = {"deflection [m]": self.deflection}
+        both = mouth | others | deflection if mouth else deflection | others
+        return both | {"3 P L / (2 b h²) [Pa]": self.curve[:, 1]}
+
 
 @staged("three point bending")
 def three_point_bending(

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._drawing import Plotted, columns_of
 from bondem._progress import staged
 from bondem._types import Floats, PerElement
 from bondem.boundary.conditions import Fix
@@ -18,7 +19,7 @@ from bondem.statics.modes import ModesResult, solve_modes
 
 
 @dataclass(frozen=True, eq=False)
-class NaturalFrequencies:
+class NaturalFrequencies(Plotted):
     """First natural frequencies of a specimen clamped at x_min.
 
     Attributes:
@@ -32,6 +33,12 @@ class NaturalFrequencies:
     torsion: float
     modes: ModesResult
     mass_share: Floats
+
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Frequency and effective mass of every mode, by name and unit, (count,) each."""
+        share = columns_of("effective mass share {} [-]", ("x", "y", "z", "about x"), self.mass_share)
+        return dict(self.modes.table) | share
 
 
 @staged("natural frequencies")

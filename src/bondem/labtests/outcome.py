@@ -10,6 +10,14 @@ from bondem._types import Floats
 from bondem.labtests.cracking import Cracking
 from bondem.model.state import State
 
+# Columns of elastic tests: keys of `Outcome.curves`, in groups of one length, by the ending of the names of files.
+_SIGNALS = (
+    ("", (("x", "x [m]"), ("profile", "motion of the section [m or rad]"))),
+    ("", (("time", "time [s]"), ("near", "velocity of struck face [m/s]"), ("far", "velocity of far face [m/s]"))),
+    ("", (("time", "time [s]"), ("signal", "mean motion of the free end [m or rad]"))),
+    ("_spectrum", (("frequency", "frequency [Hz]"), ("amplitude", "amplitude [m or rad]"))),
+)  # fmt: skip
+
 
 @dataclass(frozen=True, eq=False)
 class Outcome(Plotted):
@@ -26,6 +34,7 @@ class Outcome(Plotted):
             section that carries the axial force [unit]. It is a consistency check, not a validation, as it uses the
             measured softness of the specimen (docs/decisions/0004-measures.md).
         curves: arrays for figures, and further scalars of the test.
+        axes: names and units of "strain" and "stress" in the curves of tests to failure.
         told: further numbers for the report, keyed by name with unit.
         cracking: cracks and pieces of the broken specimen and the energy that they took, for tests to failure.
         energy: energy balance along the curve, `labtests.energy_balance.energy_ledger`, for tests to failure [J],
@@ -42,6 +51,29 @@ class Outcome(Plotted):
     told: Mapping[str, float] = field(default_factory=dict)
     cracking: Cracking | None = None
     energy: Mapping[str, Floats] = field(default_factory=dict)
+    axes: tuple[str, str] = ("strain [-]", "stress [Pa]")
+
+    @property
+    def tables(self) -> dict[str, dict[str, Floats]]:
+        """Curves as columns by name and unit, in tables by the ending of their file names; none without curves."""
+        found: dict[str, dict[str, Floats]] = {}
+        if "strain" in self.curves:
+            curve = dict(zip(self.axes, (self.curves["strain"], self.curves["stress"]), strict=True))
+            found[""] = curve | {f"{part} [J]": values for part, values in self.energy.items()}
+        return found | {
+            ending: {label: self.curves[key] for key, label in named}
+            for ending, named in _SIGNALS if all(key in self.curves for key, _ in named)
+        }  # fmt: skip
+
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Curve by name and unit, or the measured and theoretical values if there is no curve."""
+        values = {
+            "measured": self.measured, "theory": self.theory, "theory with shear": self.theory_timoshenko,
+            "refined theory": self.theory_refined,
+        }  # fmt: skip
+        row = {f"{name} [{self.unit}]": np.array([one]) for name, one in values.items() if one is not None}
+        return next(iter(self.tables.values()), row)
 
     @property
     def state(self) -> State | None:

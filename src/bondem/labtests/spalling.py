@@ -122,6 +122,11 @@ class SpallTest(Plotted):
         return float(self.lengths[0]) if len(self.lengths) > 1 else None
 
     @property
+    def table(self) -> dict[str, Floats]:
+        """Velocity of the free end in time, by name and unit, (k,) each."""
+        return {"time [s]": self.time, "velocity of the free end [m/s]": self.velocity}
+
+    @property
     def state(self) -> State:
         """Final state of the bar."""
         return self.run.state

@@ -84,6 +84,11 @@ class BrazilianTest(Plotted):
         return self.test.curve
 
     @property
+    def table(self) -> dict[str, Floats]:
+        """Curve, with time and energies of its records, by name and unit, (k,) each."""
+        return self.test.table
+
+    @property
     def work(self) -> float:
         """Work of the platens until the end, per area D t of the section [J/m²]."""
         return self.test.work

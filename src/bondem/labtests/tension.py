@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._drawing import Plotted, columns_of
 from bondem._names import users_line
 from bondem._progress import staged
 from bondem._types import Floats, Ints
@@ -23,7 +24,7 @@ from bondem.statics.static import StaticResult, Statics
 
 
 @dataclass(frozen=True, eq=False)
-class Tension:
+class Tension(Plotted):
     """Result of a tension test along x.
 
     Attributes:
@@ -45,6 +46,20 @@ class Tension:
     strain: Floats
     gyration: Floats
     solution: StaticResult
+
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Moduli, stress and strain by name and unit, one row."""
+        paper = {} if self.nu_paper is None else {"nu by eq (15) [-]": self.nu_paper}
+        components = self.strain.reshape(1, 9)[:, [0, 4, 8, 1, 5, 2]]
+        strain = columns_of("strain {} [-]", ("xx", "yy", "zz", "xy", "yz", "xz"), components)
+        found = {"E [Pa]": self.E, "E by eq (14) [Pa]": self.E_paper, "nu [-]": self.nu, **paper}
+        return {name: np.array([value]) for name, value in (found | {"stress [Pa]": self.stress}).items()} | strain
+
+    @property
+    def drawn(self) -> dict[str, Floats]:
+        """Young's moduli."""
+        return {name: self.table[name] for name in ("E [Pa]", "E by eq (14) [Pa]")}
 
 
 @staged("static tension")

@@ -6,14 +6,15 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._checks import choice
+from bondem._drawing import Plotted
 from bondem._progress import staged
-from bondem._types import Floats, PerElement6
+from bondem._types import Axis, Floats, PerElement6
 from bondem.boundary.balanced_forces import balanced_forces
 from bondem.errors import InputError
 from bondem.geometry.face_patches import face_patches
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.gauge_length import AffineField, at_generators
-from bondem.labtests.isotropic import Isotropic
+from bondem.labtests.isotropic import Isotropic, directional_moduli, matrix_table
 from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
@@ -27,7 +28,7 @@ _PATCH = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class UniformStress:
+class UniformStress(Plotted):
     """Elastic moduli of a body of any shape.
 
     Attributes:
@@ -44,6 +45,16 @@ class UniformStress:
     def stiffness(self) -> Floats:
         """Stiffness matrix, inverse of the compliance [Pa], (6, 6)."""
         return np.asarray(np.linalg.inv(self.compliance), dtype=float)
+
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Stiffness matrix by name and unit, a row for each stress."""
+        return matrix_table(self.stiffness)
+
+    @property
+    def drawn(self) -> dict[str, Floats]:
+        """Young's moduli by direction in the three planes of coordinates."""
+        return directional_moduli(self.stiffness)
 
     @property
     def isotropic(self) -> Isotropic:
@@ -70,9 +81,9 @@ class UniformStress:
         """Poisson's ratio of the isotropic average [-]."""
         return self.isotropic.nu
 
-    def along(self, axis: str) -> tuple[float, float]:
+    def along(self, axis: Axis) -> tuple[float, float]:
         """Return Young's modulus [Pa] and Poisson's ratio [-] in uniaxial tension along "x", "y" or "z"."""
-        k = "xyz".index(choice("along", "axis", axis, ("x", "y", "z")))
+        k = "xyz".index(choice("along", "axis", axis, Axis))
         S = self.compliance
         return 1.0 / S[k, k], -0.5 * (S[:3, k].sum() - S[k, k]) / S[k, k]
 

@@ -57,6 +57,19 @@ class FreeVibration(Plotted):
     released: float = 0.0
 
     @property
+    def table(self) -> dict[str, Floats]:
+        """Motions of the free face and energies in time, by name and unit, (s,) each."""
+        units = {"tension": "m", "bending": "m", "torsion": "rad"}
+        moved = {f"{kind} [{units[kind]}]": values for kind, values in self.signal.items()}
+        return {"time [s]": self.time} | moved | {f"{name} [J]": values for name, values in self.energy.items()}
+
+    @property
+    def drawn(self) -> dict[str, Floats]:
+        """Motions of the free face over their largest values, in time."""
+        moved = {f"{kind} over its largest value [-]": one / np.abs(one).max() for kind, one in self.signal.items()}
+        return {"time [s]": self.time} | moved
+
+    @property
     def free(self) -> slice:
         """Slice of the records after release."""
         return slice(int(np.argmax(self.time >= self.released * (1.0 - 1e-9))), len(self.time))

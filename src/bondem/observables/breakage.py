@@ -25,8 +25,9 @@ from bondem.model.model import Model
 from bondem.model.non_local_tables import indices_of_pairs
 from bondem.model.state import State
 from bondem.model.state_compatibility import difference
-from bondem.observables.cell_forces import CellForces
+from bondem.observables.cell_forces import CellForces, SmallMotion
 from bondem.observables.crack_index import crack_index
+from bondem.observables.posed_state import posed
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,8 +72,10 @@ class BrokenBonds:
         return len(self.time)
 
 
-def failure_index(model: Model, state: State) -> PerBond:
+def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
     """Compute the index of the model's criterion for each bond: 1 at failure, 0 for broken bonds.
+
+    A static solution is that of the same model without its criterion, `dataclasses.replace(model, failure=None)`.
 
     Beams that soften have 1. Criteria on the stress of the material (`bd.Rankine`, or with a fracture energy) have
     the largest principal stress over the strength. This index is 0 for a facet without tension and 1 for one that
@@ -80,21 +83,23 @@ def failure_index(model: Model, state: State) -> PerBond:
 
     Args:
         model: model with a failure criterion.
-        state: state of this model, at any rotation.
+        state: state of this model, at any rotation, or a solution of `bd.solve_static`.
 
     Returns:
         Index [-], user's order, shape (m,).
 
     Raises:
-        InputError: The model has no criterion, or the state belongs to another model.
+        InputError: The model has no criterion, or the state or solution belongs to another model.
     """
     instance("failure_index", "model", model, Model, "bd.Model(...)")
-    instance("failure_index", "state", state, State, "the state of a run, or model.state()")
+    motion = state
+    if not isinstance(state, State):
+        state = _at_rest(model, state)
     other = difference(state.model, model)
     if other:
         raise InputError(f"failure_index: the state belongs to another {other}; give one of this model")
     if model.softening is not None:
-        return crack_index(model, state)
+        return crack_index(model, state, motion)
     table = model.breaking
     if table is None:
         raise InputError("failure_index: the model has no criterion; give it failure=bd.PeripheralStress(...)")
@@ -109,10 +114,26 @@ def failure_index(model: Model, state: State) -> PerBond:
         found[begun] = state.integrity[begun] > 0.0
     else:
         pose = state.pose.copy()
-        pose[:, STRESS] = CellForces.of(model, state).stress[layout.order]
+        pose[:, STRESS] = CellForces.of(model, motion).stress[layout.order]
         strained = model.cells.stretched(state.rest_strain, layout)
         facets, _ = cell_tables(strained, layout, model.period, state.integrity, layout.i)
         found = indices_of_facets(pose, facets, table)
     own = np.empty_like(found)
     own[layout.bond_order] = found
     return own
+
+
+def _at_rest(model: Model, solution: SmallMotion) -> State:
+    """Return the state of a static solution.
+
+    Raises:
+        InputError: The object is no solution, or belongs to another lattice.
+    """
+    moved = getattr(solution, "displacement", None)
+    if moved is None or not hasattr(solution, "rotation"):
+        instance("failure_index", "state", solution, State, "the state of a run, model.state(), or a static solution")
+    assert moved is not None
+    of = getattr(solution, "model", model)
+    if of.lattice is not model.lattice or len(moved) != len(model.lattice.particles):
+        raise InputError("failure_index: the solution belongs to another lattice; give one of this model")
+    return posed(model, solution)

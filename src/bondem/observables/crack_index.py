@@ -9,11 +9,11 @@ from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.cells.cell_body import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.observables.cell_forces import CellForces
+from bondem.observables.cell_forces import CellForces, SmallMotion
 from bondem.observables.cell_stress import mean_stress
 
 
-def crack_index(model: Model, state: State) -> PerBond:
+def crack_index(model: Model, state: State, motion: SmallMotion | State) -> PerBond:
     """Compute the index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength).
 
     It is 0 for broken facets and 1 for facets that soften. It is 0 for facets without tension, but for `bd.Rankine`
@@ -21,16 +21,23 @@ def crack_index(model: Model, state: State) -> PerBond:
     along the present principal directions over the strength along them. Facets of material planes have the index of
     their traction.
 
+    Args:
+        model: model whose facets may crack.
+        state: state of this model.
+        motion: the same state, or the small motion whose pose it is.
+
     Returns:
         Index [-], user's order, shape (m,).
     """
     table, body = _table(model), model.lattice
     facets, _ = body_of(body)
     i, j = body.pairs.T
-    forces = CellForces.of(model, state)
+    forces = CellForces.of(model, motion)
     stress = mean_stress(model, forces)
     mean = 0.5 * (stress[i] + stress[j])
-    n, t = turned_vectors(state.orientation[i], facets.normal), forces.force / facets.area[:, None]
+    n, t = facets.normal, forces.force / facets.area[:, None]
+    if isinstance(motion, State):
+        n = turned_vectors(motion.orientation[i], n)
     bending, order = _bending(model, state), model.layout.bond_order
     place = np.empty_like(order)
     place[order] = np.arange(len(order))

@@ -1,27 +1,14 @@
 """Every curve and history that a report draws, as CSV files with names and SI units in their first line."""
 
-import csv
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from bondem.io.atomic import replacing
-from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.labtests.outcome import Outcome
+from bondem.io.csv_table import write_csv
 from bondem.report.findings import Examined, Findings
 
 #: Folder of the files within that of the results.
 CURVES = "curves"
-# Columns of the other tests: keys of `Outcome.curves`, in groups of one length.
-_SIGNALS = (
-    ("", (("x", "x [m]"), ("profile", "motion of the section [m or rad]"))),
-    ("", (("time", "time [s]"), ("near", "velocity of struck face [m/s]"), ("far", "velocity of far face [m/s]"))),
-    ("", (("time", "time [s]"), ("signal", "mean motion of the free end [m or rad]"))),
-    ("_spectrum", (("frequency", "frequency [Hz]"), ("amplitude", "amplitude [m or rad]"))),
-)  # fmt: skip
-
 _Columns = Mapping[str, Any]
 
 
@@ -39,25 +26,9 @@ def write_curves(findings: Findings, out: Path) -> dict[str, list[str]]:
     written = {name: [_write(out, name, columns)] for name, columns in tables.items()}
     for one in findings.specimens:
         for name, outcome in one.outcomes.items():
-            for ending, columns in _of_test(name, outcome).items():
+            for ending, columns in outcome.tables.items():
                 written.setdefault(name, []).append(_write(out, f"{name}{ending}_seed_{one.seed}", columns))
     return written
-
-
-def _of_test(name: str, outcome: Outcome) -> dict[str, _Columns]:
-    """Tables of a test by the ending of their names."""
-    curves = outcome.curves
-    if name in FAILURE_TESTS and "strain" in curves:
-        told = FAILURE_TESTS[name].figure
-        columns = {
-            f"{told.strain} [{told.units[0]}]": curves["strain"],
-            f"{told.stress} [{told.units[1]}]": curves["stress"],
-        }  # fmt: skip
-        return {"": columns | {f"{part} [J]": values for part, values in outcome.energy.items()}}
-    return {
-        ending: {label: curves[key] for key, label in columns}
-        for ending, columns in _SIGNALS if all(key in curves for key, _ in columns)
-    }  # fmt: skip
 
 
 def _of_specimen(one: Examined) -> dict[str, _Columns]:
@@ -96,9 +67,5 @@ def _of_calibration(findings: Findings) -> dict[str, _Columns]:
 def _write(out: Path, name: str, columns: _Columns) -> str:
     (out / CURVES).mkdir(parents=True, exist_ok=True)
     file = f"{CURVES}/{name}.csv"
-    rows = np.column_stack([np.asarray(values, dtype=float) for values in columns.values()])
-    with replacing(out / file) as path, open(path, "w", newline="", encoding="utf-8") as stream:
-        table = csv.writer(stream, lineterminator="\n")
-        table.writerow(columns)
-        table.writerows([f"{value:.10g}" for value in row] for row in rows)
+    write_csv(out / file, columns, owner="report")
     return file

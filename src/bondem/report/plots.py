@@ -1,7 +1,7 @@
 """Pictures of objects from Python: `lattice.plot()`, `model.plot()`, `test.plot()` and `run.plot()`."""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from io import BytesIO
 from typing import Any
@@ -16,30 +16,32 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from bondem._checks import array, number, place, shown
+from bondem._drawing import Plotted
 from bondem._types import ArrayLike, Floats
 from bondem.boundary.conditions import Drive, Fix, Load
 from bondem.boundary.loads import Absorbing, BodyForce, Pressure
-from bondem.dynamics.history import History
-from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import InputError
 from bondem.fracture.fragments import fragments
 from bondem.geometry.rotations import turned_vectors
 from bondem.geometry.surface import Surface
 from bondem.io.atomic import replacing, require_writable
 from bondem.labtests.cracking import HALF
-from bondem.labtests.outcome import Outcome
-from bondem.labtests.vibration import FreeVibration
+from bondem.labtests.modal import NaturalFrequencies
+from bondem.labtests.tension import Tension
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.report.cell_pictures import draw_cells
+from bondem.report.column_curves import draw_columns
 from bondem.report.overlays import SCALE, draw_arrow, draw_box, draw_walls
 from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View, render
 from bondem.report.strength_figures import reach_of
-from bondem.report.style import BLUE, GREEN, GREY, ORANGE, PURPLE, SEQUENTIAL, SETTINGS
+from bondem.report.style import BLUE, GREEN, ORANGE, PURPLE, SEQUENTIAL, SETTINGS
 from bondem.report.surface_picture import draw_patches
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import polyhedra
+from bondem.statics.modes import ModesResult
+from bondem.statics.static import StaticResult
 
 _PLAIN = "#d5dbe1"
 _DOTS_PER_INCH, _PIXELS = 160, 900
@@ -128,84 +130,65 @@ def draw_model(
     return figure
 
 
-def draw_result(result: Any, path: Any, *, reach: float | None, view: tuple[float, float]) -> Drawing:
+def draw_result(result: Plotted, path: Any, *, reach: float | None, view: tuple[float, float]) -> Drawing:
     """Draw a result for `Plotted.plot`."""
     who = f"{type(result).__name__}.plot"
-    eye, curves, state = _view(who, view), _curves_of(result), getattr(result, "state", None)
-    with _figure(who, path, 1 + (state is not None)) as (figure, axes):
-        _draw_curves(axes[0], *curves)
-        if state is not None and isinstance(state.model, Model):
-            model, ax = state.model, axes[1]
-            sides = _bounds(model.lattice)
-            pieces = fragments(model.lattice, state, integrity=HALF)
-            if len(pieces) > 1:
-                _broken_body(ax, state, pieces, reach, eye)
-            else:
-                _moved_body(figure, ax, model.lattice, state.displacement, state.orientation, reach, eye)
-            draw_box(ax, *sides, eye)
-            draw_walls(ax, model, state, *sides, eye)
+    eye, drawn, bodies = _view(who, view), result.drawn, _bodies(result)
+    with _figure(who, path, bool(drawn) + len(bodies)) as (figure, axes):
+        if drawn:
+            draw_columns(axes[0], drawn)
+        for ax, draw_body in zip(axes[bool(drawn) :], bodies, strict=True):
+            draw_body(figure, ax, reach, eye)
             ax.autoscale_view()
     return figure
 
 
-def _curves_of(result: Any) -> tuple[list[tuple[str, Floats, Floats]], str, str]:
-    """Named curves of a result, and what their axes are called."""
-    if isinstance(result, ExplicitResult):
-        return _energies(result.history)
-    if isinstance(result, FreeVibration):
-        kinds = [(kind, 1e6 * result.time, values / np.abs(values).max()) for kind, values in result.signal.items()]
-        return kinds, "time [µs]", "motion of the free end / largest [-]"
-    if isinstance(result, Outcome):
-        return _outcome(result)
-    if hasattr(result, "load"):  # a path of equilibria
-        return [("", 1e3 * result.displacement, 1e-3 * result.load)], "displacement [mm]", "load [kN]"
-    if hasattr(result, "velocity") and hasattr(result, "bar"):
-        return [("", 1e6 * result.time, result.velocity)], "time [µs]", "velocity of the free end [m/s]"
-    if hasattr(result, "force") and hasattr(result, "time"):
-        return [("", 1e6 * result.time, 1e-3 * result.force)], "time [µs]", "force on the plane [kN]"
-    curve = result.curve
-    return [("", 1e3 * curve[:, 0], 1e-6 * curve[:, 1])], "strain [10$^{-3}$]", "stress [MPa]"
+def _bodies(result: Any) -> list[Callable[[Figure, Axes, float | None, View], None]]:
+    """Pictures of the specimen of a result: where it is, its lowest mode, or its motion and stress."""
+    match result:
+        case NaturalFrequencies():
+            return _bodies(result.modes)
+        case Tension():
+            return _bodies(result.solution)
+        case ModesResult():
+            mode, frequency = result.shape[0], result.frequency[0]
 
+            def lowest(figure: Figure, ax: Axes, reach: float | None, view: View) -> None:
+                # without units: their size depends on the mass only
+                size = np.linalg.norm(mode[:, :3], axis=1).max() or 1.0
+                moved = result.model.lattice.particles.mean_radius / size * mode
+                far = np.linalg.norm(moved[:, :3], axis=1)
+                _coloured_body(figure, ax, result.model.lattice, far / far.max(), "motion over its largest value [-]",
+                               moved[:, :3], moved[:, 3:], reach, view)  # fmt: skip
+                ax.set_title(f"lowest mode, {frequency:.4g} Hz")
 
-def _energies(history: History) -> tuple[list[tuple[str, Floats, Floats]], str, str]:
-    """The parts of the ledger that are not zero, in time."""
-    energy, time = history.energy, 1e6 * history.time
-    kinetic = energy["translation"] + energy["rotation"]
-    elastic = sum(energy[name] for name in ("normal", "shear", "bending", "twisting", "contact"))
-    parts: Mapping[str, Any] = {
-        "work": energy["work"], "kinetic": kinetic, "elastic": elastic, "fracture": energy["fracture"],
-        "plastic": energy["plastic"], "friction": energy["friction"], "damping": energy["loss"],
-    }  # fmt: skip
-    known = [(name, time, np.asarray(values)) for name, values in parts.items() if np.any(values)]
-    return known, "time [µs]", "energy [J]"
+            return [lowest]
+        case StaticResult():
+            model, turned = result.model, result.state.orientation if result.nonlinear else result.rotation
 
+            def motion(figure: Figure, ax: Axes, reach: float | None, view: View) -> None:
+                _moved_body(figure, ax, model.lattice, result.displacement, turned, reach, view)
 
-def _outcome(result: Outcome) -> tuple[list[tuple[str, Floats, Floats]], str, str]:
-    """The curve of an outcome of a test.
+            def stress(figure: Figure, ax: Axes, reach: float | None, view: View) -> None:
+                _coloured_body(figure, ax, model.lattice, 1e-6 * result.von_mises_stress, "von Mises stress [MPa]",
+                               result.displacement, turned, reach, view)  # fmt: skip
 
-    Raises:
-        InputError: it has none.
-    """
-    curves = result.curves
-    if "strain" in curves:
-        return [(result.name, 1e3 * curves["strain"], 1e-6 * curves["stress"])], "strain [10$^{-3}$]", "stress [MPa]"
-    if "far" in curves:
-        both = [(name, 1e6 * curves["time"], curves[name]) for name in ("near", "far")]
-        return both, "time [µs]", "mean velocity of a face [m/s]"
-    if "signal" in curves:
-        return [(result.name, 1e6 * curves["time"], curves["signal"])], "time [µs]", "mean motion of the free end"
-    if "profile" in curves:
-        return [(result.name, 1e3 * curves["x"], curves["profile"])], "x [mm]", "motion of the section [m or rad]"
-    raise InputError(f"Outcome.plot: {result.name} has no curve; draw another test")
+            return [motion, stress]
+    state = getattr(result, "state", None)
+    if state is None or not isinstance(state.model, Model):
+        return []
 
+    def broken(figure: Figure, ax: Axes, reach: float | None, view: View) -> None:
+        sides = _bounds(state.model.lattice)
+        pieces = fragments(state.model.lattice, state, integrity=HALF)
+        if len(pieces) > 1:
+            _broken_body(ax, state, pieces, reach, view)
+        else:
+            _moved_body(figure, ax, state.model.lattice, state.displacement, state.orientation, reach, view)
+        draw_box(ax, *sides, view)
+        draw_walls(ax, state.model, state, *sides, view)
 
-def _draw_curves(ax: Axes, curves: Sequence[tuple[str, Floats, Floats]], across: str, up: str) -> None:
-    colours = (BLUE, ORANGE, GREEN, PURPLE, GREY, "#1f2933", "#b5a400")
-    for (name, x, y), colour in zip(curves, colours, strict=False):
-        ax.plot(x, y, color=colour, label=name or None)
-    ax.set(xlabel=across, ylabel=up)
-    if any(name for name, _, _ in curves):
-        ax.legend(loc="best")
+    return [broken]
 
 
 def _motion(model: Model, solution: Any) -> tuple[State | None, Floats | None, Floats | None]:
@@ -284,10 +267,18 @@ def _moved_body(
 ) -> None:  # fmt: skip
     """Draw a body where it is, coloured by how far its elements have moved."""
     far = np.linalg.norm(moved, axis=1)
+    _coloured_body(figure, ax, lattice, far, "displacement [m]", moved, turned, reach, view)
+
+
+def _coloured_body(
+    figure: Figure, ax: Axes, lattice: Lattice, values: Floats, label: str, moved: Floats, turned: Floats | None,
+    reach: float | None, view: View,
+) -> None:  # fmt: skip
+    """Draw a body where it is, coloured by values of its elements."""
     reach = _reach(lattice, moved, reach)
-    scale = Normalize(0.0, float(far.max()) or 1.0)
-    _body(ax, lattice, colormaps[SEQUENTIAL](scale(far))[:, :3], view, moved=moved, turned=turned, reach=reach)
-    _bar(figure, ax, scale, "displacement [m]")
+    scale = Normalize(0.0, float(values.max()) or 1.0)
+    _body(ax, lattice, colormaps[SEQUENTIAL](scale(values))[:, :3], view, moved=moved, turned=turned, reach=reach)
+    _bar(figure, ax, scale, label)
     ax.set_title(f"motion × {reach:.3g}")
 
 

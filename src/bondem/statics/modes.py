@@ -12,6 +12,7 @@ from scipy.sparse.linalg import LinearOperator, eigsh
 from bondem._blas import one_blas_thread
 from bondem._checks import count as whole_number
 from bondem._checks import instance
+from bondem._drawing import Plotted
 from bondem._names import users_line
 from bondem._progress import staged
 from bondem._types import Floats, Ints
@@ -48,7 +49,7 @@ _UNSTABLE = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
-class ModesResult(Solution):
+class ModesResult(Solution, Plotted):
     """The lowest natural modes, without rigid motions that the supports leave free.
 
     The residual is the largest error of ω² that K φ - ω² M φ allows, over the largest requested ω².
@@ -57,10 +58,17 @@ class ModesResult(Solution):
         frequency: ω / 2π, ascending [Hz], shape (count,).
         shape: φ of each mode, translations and rotations (u, θ) in the user's order, normalised to
             φᵀ M φ = 1 kg·m², largest component positive, shape (count, n, 6).
+        model: model that vibrates.
     """
 
     frequency: Floats
     shape: Floats
+    model: Model
+
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Number and frequency of every mode, by name and unit, (count,) each."""
+        return {"mode [-]": np.arange(1.0, len(self.frequency) + 0.5), "frequency [Hz]": self.frequency}
 
 
 @one_blas_thread
@@ -117,7 +125,7 @@ def solve_modes(
     shape *= np.sign(shape[np.abs(shape).argmax(axis=0), np.arange(count)])
     frequency = np.sqrt(np.maximum(square, 0.0)) / (2.0 * np.pi)
     return ModesResult(
-        frequency, shape.T.reshape(count, -1, 6)[:, model.layout.rank].copy(),
+        frequency, shape.T.reshape(count, -1, 6)[:, model.layout.rank].copy(), model,
         iterations=rounds, residual=_residual(system, M, mass, square, shape),
     )  # fmt: skip
 

@@ -15,7 +15,7 @@ from scipy.sparse import bsr_array
 from bondem._types import Floats
 from bondem.boundary.couples import Couple
 from bondem.errors import ConvergenceError, InputError
-from bondem.geometry.rotations import rotation_vector
+from bondem.geometry.rotations import rotation_vector, turned_further
 from bondem.interactions.beams.beam_tables import beam_tables, count_turned, loads_of_each
 from bondem.interactions.beams.bond_table import with_twins
 from bondem.model.cell_tangent import cell_forces, current_forms, facet_gradient, gradients_at, grip_blocks
@@ -261,13 +261,3 @@ def unbalanced(model: Model, system: System, pose: Floats) -> float:
     rest = np.where(system.free, load - force, 0.0) * metric
     scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, walls, force) * metric)
     return float(np.linalg.norm(rest) / scale) if scale > 0.0 else 0.0
-
-
-def turned_further(quaternion: Floats, rotation: Floats) -> Floats:
-    """Return unit quaternions (n, 4), rotated further by rotation vectors (n, 3)."""
-    half = 0.5 * np.linalg.norm(rotation, axis=1, keepdims=True)
-    vector = 0.5 * rotation * np.sinc(half / np.pi)
-    w, v = quaternion[:, :1], quaternion[:, 1:]
-    scalar = np.cos(half) * w - (vector * v).sum(axis=1, keepdims=True)
-    product = np.concatenate([scalar, np.cos(half) * v + w * vector + np.cross(vector, v)], axis=1)
-    return product / np.linalg.norm(product, axis=1, keepdims=True)

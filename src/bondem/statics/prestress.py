@@ -7,14 +7,14 @@ from typing import cast
 import numpy as np
 
 from bondem._checks import instance
-from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.cell_forces import wall_places
 from bondem.observables.facet_loads import loads_on_facets
+from bondem.observables.posed_state import posed
 from bondem.statics.linear import System
-from bondem.statics.nonlinear import at_pose, strained, turned_further, unbalanced
+from bondem.statics.nonlinear import at_pose, strained, unbalanced
 from bondem.statics.static import StaticResult
 
 # Unbalanced force over what loads and supports bear, above which nothing rests there.
@@ -43,7 +43,7 @@ def about_equilibrium(model: Model, system: System, prestress: StaticResult | St
     if isinstance(prestress, State):
         loaded, pose = _of_state(model, prestress), prestress.pose.copy()
     else:
-        loaded, pose = strained(model, 1.0), _posed(model, prestress)
+        loaded, pose = strained(model, 1.0), posed(model, prestress).pose
     left = unbalanced(loaded, system, pose) if isinstance(prestress, StaticResult) else 0.0
     if left > _REST:
         raise InputError(
@@ -51,14 +51,6 @@ def about_equilibrium(model: Model, system: System, prestress: StaticResult | St
             " solve_static returned for it, with nonlinear=True where motions are large"
         )
     return replace(system, matrix=at_pose(loaded, system, pose))
-
-
-def _posed(model: Model, result: StaticResult) -> Floats:
-    order = model.layout.order
-    pose = State(model).pose
-    pose[:, :3] += result.displacement[order]
-    pose[:, 4:] = turned_further(pose[:, 4:], result.rotation[order])
-    return pose
 
 
 def _of_state(model: Model, state: State) -> Model:

@@ -136,7 +136,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     values = turned[layout.rank]
     reaction = np.where(held, -relaxation.before - load, 0.0)[layout.rank]
     return StaticResult(
-        values[:, :3].copy(), values[:, 3:].copy(), reaction, energy_of(model, state, state.eigenstrain),
+        values[:, :3].copy(), values[:, 3:].copy(), reaction, energy_of(model, state, state.eigenstrain), model, True,
         iterations=done, residual=float(ratio),
     )  # fmt: skip
 

@@ -1,26 +1,35 @@
 """Static equilibrium of a model under its final loads."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from bondem._blas import one_blas_thread
 from bondem._checks import instance
+from bondem._drawing import Plotted, columns_of
 from bondem._progress import staged
 from bondem._types import Floats, PerBond, PerElement, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.model.model import Model
 from bondem.model.solution import Solution
+from bondem.model.state import State
+from bondem.observables.cell_stress import cell_stress
 from bondem.observables.energy import EnergyParts, energy_of, linear_energy, stress_free_gap, wall_motion
+from bondem.observables.posed_state import posed
+from bondem.observables.principal_stresses import principal_stresses, von_mises_stress
+from bondem.specimen.particles import freeze
 from bondem.statics.linear import System, solver
 from bondem.statics.non_local_statics import LaggedStatics
 from bondem.statics.nonlinear import follow, strained
 
 
 @dataclass(frozen=True, eq=False)
-class StaticResult(Solution):
+class StaticResult(Solution, Plotted):
     """An equilibrium, in the user's order; rattlers stay at 0.
+
+    `bd.failure_index` evaluates a criterion for it, and `bd.write_vtkhdf` writes it with its stresses.
 
     Its residual is the unbalanced force over the sum of applied and supporting force. These are roots of sums of
     squares, with torques divided by the mean radius.
@@ -30,12 +39,56 @@ class StaticResult(Solution):
         rotation: rotation vectors [rad], shape (n, 3).
         reaction: force and moment of the supports on each element [N, N·m], shape (n, 6); 0 for free elements.
         energy: elastic energy of the bonds.
+        model: model that is in equilibrium.
+        nonlinear: True if rotations may be large.
     """
 
     displacement: PerElement3
     rotation: PerElement3
     reaction: PerElement6
     energy: EnergyParts
+    model: Model
+    nonlinear: bool = False
+
+    @property
+    def state(self) -> State:
+        """State at rest in this equilibrium."""
+        return posed(self.model, self)
+
+    @cached_property
+    def stress(self) -> Floats:
+        """Mean stress tensor of every element, `bd.cell_stress` [Pa], shape (n, 3, 3)."""
+        return freeze(cell_stress(self.model, self.state if self.nonlinear else self))
+
+    @property
+    def principal_stresses(self) -> PerElement3:
+        """Principal stresses σ1 ≥ σ2 ≥ σ3 of every element, tension positive [Pa], shape (n, 3)."""
+        return principal_stresses(self.stress)
+
+    @property
+    def von_mises_stress(self) -> PerElement:
+        """Stress of von Mises of every element [Pa], shape (n,)."""
+        return von_mises_stress(self.stress)
+
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Motion, reaction and stress of every element, by name and unit, (n,) each."""
+        stress = self.stress.reshape(-1, 9)[:, [0, 4, 8, 1, 5, 2]]
+        return (
+            columns_of("{} [m]", "xyz", self.model.lattice.centre)
+            | columns_of("displacement {} [m]", "xyz", self.displacement)
+            | columns_of("rotation {} [rad]", "xyz", self.rotation)
+            | columns_of("reaction {} [N]", "xyz", self.reaction[:, :3])
+            | columns_of("reaction moment {} [N·m]", "xyz", self.reaction[:, 3:])
+            | columns_of("stress {} [Pa]", ("xx", "yy", "zz", "xy", "yz", "xz"), stress)
+            | columns_of("principal stress {} [Pa]", "123", self.principal_stresses)
+            | {"von Mises stress [Pa]": self.von_mises_stress}
+        )
+
+    @property
+    def drawn(self) -> dict[str, Floats]:
+        """No curves: figures show the elements, with their motion and stress."""
+        return {}
 
     def scaled(self, factor: float) -> "StaticResult":
         """Return the same result with motions times a factor, as a guess for bonds of another modulus."""
@@ -79,7 +132,7 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     wall = None if end.cells is None else end.cells.grips.motion
     energy = energy_of(end, bent.state, bent.state.eigenstrain, wall=wall)
     return StaticResult(
-        values[:, :3].copy(), values[:, 3:].copy(), (reaction + bent.walls)[layout.rank], energy,
+        values[:, :3].copy(), values[:, 3:].copy(), (reaction + bent.walls)[layout.rank], energy, model, True,
         iterations=bent.rounds, residual=bent.residual,
     )  # fmt: skip
 
@@ -125,6 +178,7 @@ class Statics:
             rotation=rotation,
             reaction=reaction[layout.rank] + of_walls(model, displacement, rotation, strain),
             energy=linear_energy(model, displacement, rotation, strain),
+            model=model,
             iterations=iterations,
             residual=_residual(system, unbalanced, load.reshape(n, 6)),
         )
@@ -170,7 +224,8 @@ def _of_lagged(model: Model, system: System, statics: LaggedStatics, load: Float
     reaction = np.where(model.constraints.held(n), unbalanced, 0.0)
     return StaticResult(
         displacement=found.motion[:, :3].copy(), rotation=found.motion[:, 3:].copy(), reaction=reaction[rank],
-        energy=strain.energy, iterations=found.rounds, residual=_residual(system, unbalanced, load.reshape(n, 6)),
+        energy=strain.energy, model=model, iterations=found.rounds,
+        residual=_residual(system, unbalanced, load.reshape(n, 6)),
     )  # fmt: skip
 
 

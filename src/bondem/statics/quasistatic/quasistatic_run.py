@@ -8,7 +8,7 @@ import numpy as np
 
 from bondem._blas import one_blas_thread
 from bondem._checks import count, instance, number
-from bondem._drawing import Plotted
+from bondem._drawing import Plotted, columns_of
 from bondem._progress import staged
 from bondem._types import Floats, Ints, PerBond, PerElement3
 from bondem.errors import ConvergenceError, InputError
@@ -91,6 +91,17 @@ class QuasistaticResult(Plotted):
         """Largest load [N]."""
         return float(self.load.max(initial=0.0))
 
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Load, displacement, energies and gauges at each event by name and unit, (e,) each."""
+        found = {
+            "displacement [m]": self.displacement, "load [N]": self.load, "factor [-]": self.factor,
+            "work [J]": self.work, "stored [J]": self.stored, "dissipated [J]": self.energy,
+        }  # fmt: skip
+        for name, moved in self.gauge.items():
+            found |= columns_of(f"{name} {{}} [m]", "xyz", moved)
+        return found
+
 
 @one_blas_thread
 @staged("quasi-static run")
@@ -150,6 +161,8 @@ def solve_quasistatic(
     following = np.full(len(body.integrity), np.inf)
     motion = body.motion.copy()
     first, size, told, end = 0.0, 0.0, 0.0, "events"
+    if progress is not None:
+        progress(0.0)
     for event in range(limit):
         try:
             motion, found = _balance(body, equilibrium, motion, size)

@@ -1,0 +1,54 @@
+"""Columns of results as curves or bars, with units that suit their values."""
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from bondem._drawing import unit_of
+from bondem._types import Floats
+from bondem.report.style import BLUE, GREEN, GREY, ORANGE, PURPLE
+
+# Units that take prefixes, and the prefixes by powers of ten.
+_PREFIXED = ("m", "s", "N", "Pa", "J", "Hz", "m/s", "N·m")
+_PREFIX = {-12: "p", -9: "n", -6: "µ", -3: "m", 3: "k", 6: "M", 9: "G"}
+# Name of an axis of several quantities, by their unit.
+_KIND = {"J": "energy", "m": "displacement", "m/s": "velocity"}
+# Points of a curve that are drawn as such.
+_FEW = 20
+
+
+def draw_columns(ax: Axes, drawn: Mapping[str, Floats]) -> None:
+    """Draw columns over the first one, or the values of a single row as bars."""
+    names, values = list(drawn), [np.asarray(one, dtype=float) for one in drawn.values()]
+    if len(values[0]) == 1:
+        label, factor = _scaled(names[0], np.concatenate(values))
+        ax.barh([_quantity(name) for name in names], [factor * one[0] for one in values], color=BLUE)
+        ax.set_xlabel(label.removeprefix(_quantity(names[0])).strip())
+        return
+    colours = (BLUE, ORANGE, GREEN, PURPLE, GREY, "#1f2933", "#b5a400")
+    across, by = _scaled(names[0], values[0])
+    label, up = _scaled(names[1], np.concatenate(values[1:]))
+    marker, line = ("o", "none") if len(values[0]) < _FEW else ("", "-")
+    for name, one, colour in zip(names[1:], values[1:], colours, strict=False):
+        ax.plot(by * values[0], up * one, color=colour, label=_quantity(name), marker=marker, linestyle=line)
+    if len(names) > 2:
+        label = f"{_KIND.get(unit_of(names[1]), '')} {label.removeprefix(_quantity(names[1])).strip()}".strip()
+        ax.legend(loc="best")
+    ax.set(xlabel=across, ylabel=label)
+
+
+def _quantity(column: str) -> str:
+    return column.rpartition("[")[0].strip()
+
+
+def _scaled(column: str, values: Floats) -> tuple[str, float]:
+    """Return the name of a column with a unit that suits its values, and the factor of the values."""
+    unit, size = unit_of(column), float(np.abs(values[np.isfinite(values)]).max(initial=0.0))
+    power = 3 * math.floor(math.log10(size) / 3.0 + 1e-9) if size > 0.0 else 0
+    if unit in _PREFIXED and -12 <= power <= 9 and power:
+        return f"{_quantity(column)} [{_PREFIX[power]}{unit}]", 10.0**-power
+    if unit == "-" and power < -1:
+        return f"{_quantity(column)} [10$^{{{power}}}$]", 10.0**-power
+    return column, 1.0
