@@ -7,7 +7,8 @@ from typing import Protocol
 import numpy as np
 
 from bondem._checks import count, instance, number, several, shown
-from bondem._drawing import Plotted
+from bondem._drawing import Plotted, columns_of
+from bondem._types import Floats
 from bondem.boundary.gauges import AnyGauge, Gauge, StrainGauge, WallGauge
 from bondem.dynamics.damping import AnyDamping, DampingTerms
 from bondem.dynamics.events import Event
@@ -140,6 +141,21 @@ class ExplicitResult(Solution, Plotted):
     def steps(self) -> int:
         """Number of steps since the start of the run."""
         return self.iterations
+
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Energies and gauges of the history in time, by name and unit, (s,) each."""
+        history = self.history
+        found = {"time [s]": history.time} | {f"{name} [J]": values for name, values in history.energy.items()}
+        for name in history.gauges:
+            found |= columns_of(f"{name} {{}} [SI]", "xyz", history[name])
+        return found
+
+    @property
+    def drawn(self) -> dict[str, Floats]:
+        """Work and the energies that it becomes in time, without those that are zero."""
+        parts = {f"{name} [J]": values for name, values in self.history.parts.items() if np.any(values)}
+        return {"time [s]": self.history.time} | parts
 
 
 # What a loop finds of a run.

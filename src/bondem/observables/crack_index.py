@@ -24,7 +24,7 @@ def crack_index(model: Model, state: State, motion: SmallMotion | State) -> PerB
     Args:
         model: model whose facets may crack.
         state: state of this model.
-        motion: the same state, or the small motion whose pose it is.
+        motion: small motion of which `state` is the pose, or `state` itself.
 
     Returns:
         Index [-], user's order, shape (m,).
