@@ -19,6 +19,8 @@ from bondem.specimen.ordering import Layout
 _MARGIN = 0.7
 # The same of other criteria, and of the size of a stress at which they are reached, found in a few directions.
 _WIDER, _NEARER = 0.5, 0.7
+# Factor by which nobody refines a specimen: it takes a million times as many elements.
+_OUT_OF_REACH = 100.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,7 +139,7 @@ class SofteningTable:
                 cohesion[own] = soft.slip.cohesion * factor
                 last_slip[own] = _last_slip(cells.k[own] / area[own], cohesion[own], soft.slip.fracture_energy)
             if soft.fracture_energy > 0.0:
-                _check_length(facets.span[part.bonds], cells, layout.i[own], soft)
+                require_short(facets.span[part.bonds], _modulus(cells, layout.i[own]), soft)
                 # the last opening, as the traction that it takes from a whole facet
                 end = cells.k[own] / area[own] * soft.last * soft.fracture_energy / strength[own]
                 last[own] = np.maximum(end, SNAP * strength[own] / soft.steep)
@@ -166,23 +168,33 @@ def _last_slip(stiffness: PerBond, cohesion: PerBond, energy: float) -> PerBond:
     return np.maximum(stiffness * 2.0 * energy / cohesion, SNAP * cohesion)
 
 
-def _check_length(span: PerBond, cells: CellConstants, i: Ints, softening: Softening) -> None:
+def _modulus(cells: CellConstants, i: Ints) -> PerBond:
+    """Return Young's modulus of the cells `i` [Pa], (c,)."""
+    return cells.G[i] * (3.0 * cells.lame[i] + 2.0 * cells.G[i]) / (cells.lame[i] + cells.G[i])
+
+
+def require_short(span: PerBond, E: PerBond, softening: Softening) -> None:
     """Reject elements that snap back, because they stretch more at their strength than the first line opens.
 
     Args:
         span: lengths across the facets of a material [m], (c,).
-        cells: constants of the body.
-        i: cells of the facets, (c,).
+        E: Young's modulus of their cells [Pa], (c,).
         softening: softening of the material.
+
+    Raises:
+        InputError: More than half of the elements are too long for the fracture energy.
     """
     if not len(span):
         return
-    E = cells.G[i] * (3.0 * cells.lame[i] + 2.0 * cells.G[i]) / (cells.lame[i] + cells.G[i])
     steepest = softening.steep * softening.last
     longest = steepest * E * softening.fracture_energy / softening.tension**2
-    if np.median(span / longest) > 1.0:
+    excess = float(np.median(span / longest))
+    if excess > 1.0:
+        advice = "use smaller elements, or fracture_energy=None for brittle facets"
+        if excess > _OUT_OF_REACH:
+            advice = "check the units of the strength, the fracture energy and E (SI)"
         raise InputError(
             f"elements {np.median(span):.3g} m long release more energy than fracture_energy="
             f"{softening.fracture_energy:g} J/m² absorbs: they snap back above {steepest:.3g} E G_f / f_t² ="
-            f" {np.median(longest):.3g} m; use smaller elements, or fracture_energy=None for brittle facets"
+            f" {np.median(longest):.3g} m; {advice}"
         )

@@ -195,7 +195,7 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Pro
     outcomes: dict[str, Outcome] = {}
     if tension is None:  # a ball, or a specimen with a notch or borings, is broken only
         for name in study.tests:
-            outcomes[name] = _to_failure(name, study, body, bonds, partial(tell, f"{name}, {stage}"))
+            outcomes[name] = to_failure(name, study, body, bonds, partial(tell, f"{name}, {stage}"))
         tell(stage, 1.0)
         return replace(specimen, outcomes=outcomes)
     bar = ElasticBar(lattice, law, tension, density, rho)
@@ -205,7 +205,7 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Pro
     for done, name in enumerate(study.tests):
         tell(stage, 0.6 + 0.4 * done / len(study.tests))
         if name in FAILURE_TESTS:
-            outcomes[name] = _to_failure(name, study, body, bonds, partial(tell, f"{name}, {stage}"))
+            outcomes[name] = to_failure(name, study, body, bonds, partial(tell, f"{name}, {stage}"))
         else:
             outcomes[name] = ELASTIC_TESTS[name].perform(bar)
     tell(stage, 1.0)
@@ -224,7 +224,7 @@ def _law(study: Study, bonds: Bonding, body: _Body) -> AnyLaw:
     return study.aggregates.laws(cast(CellBond, bonds.law), body.aggregates)
 
 
-def _to_failure(
+def to_failure(
     name: str, study: Study, body: _Body, bonds: Bonding, progress: Callable[[float], None]
 ) -> Outcome:
     """Run a test to failure of a body of cells, after the checks of the study."""

@@ -120,9 +120,9 @@ class TomlTable:
         return float(found)
 
     def has_text(self, *keys: str) -> bool:
-        """True if one of the keys is a text, or a list with a text, so that a unit is given."""
-        given = [self._data.get(key) for key in keys]
-        return any(isinstance(one, str) for item in given for one in (item if isinstance(item, list) else [item]))
+        """True if all of the keys that are given are texts, or lists of texts, so that their units are given."""
+        given = [self._data[key] for key in keys if key in self._data]
+        return all(isinstance(one, str) for item in given for one in (item if isinstance(item, list) else [item]))
 
     def count(self, key: str, *, default: Any = _NEEDED) -> int:
         """Whole number."""

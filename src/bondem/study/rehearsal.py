@@ -1,0 +1,60 @@
+"""Rehearsal of a study: all that `bondem run` does before its first step, so that nothing is refused later."""
+
+import numpy as np
+
+from bondem.calibration.reach import recommend
+from bondem.damage.criteria.criterion import Criterion
+from bondem.damage.softening_table import require_short
+from bondem.labtests.failure_tests import FAILURE_TESTS
+from bondem.study.pipeline import bonds_of, packed, to_failure
+from bondem.study.specimen_step import SpecimenPlan
+from bondem.study.study_file import Study
+
+# Largest specimen that is packed for a rehearsal, some seconds of a core; the cache keeps the packing for the run.
+_MOST = 20_000
+# Length of an element over the edge of a cube of its volume: 1.13 in packings of 2000 to 50 000 cells.
+_LENGTH = 1.13
+
+
+class _BegunError(Exception):
+    """End of the rehearsal of a test, raised where its run begins."""
+
+
+def rehearse(study: Study) -> str:
+    """Make the first specimen of a study and begin its tests to failure, without a step.
+
+    Returns:
+        What was done, for the user.
+
+    Raises:
+        BondemError: what `bondem run` would raise before or at the beginning of a test.
+    """
+    material = study.material
+    if material is not None and study.bond.law is None and study.bond.cells is None:
+        recommend(material.nu)
+    tests = [name for name in study.tests if name in FAILURE_TESTS]
+    if material is None or not tests:
+        return "keys only, as no test is to failure"
+    if isinstance(study.specimen, SpecimenPlan) and study.specimen.count > _MOST:
+        _require_short(study.specimen, material.E, study.failure)
+        return f"keys and element sizes only, as the specimen has more than {_MOST} elements"
+    body = packed(study, 0, lambda stage, share: None)
+    bonds = bonds_of(study, material, (body.lattice,), lambda stage, share: None)
+    for name in tests:
+        try:
+            to_failure(name, study, body, bonds, _begin)
+        except _BegunError:
+            continue
+    return f"the first specimen is packed, and {', '.join(tests)} began"
+
+
+def _require_short(plan: SpecimenPlan, E: float, failure: Criterion | None) -> None:
+    """Reject elements that are too long for the fracture energy, by their mean volume."""
+    softening = None if failure is None else failure.softening
+    if softening is not None and softening.fracture_energy > 0.0:
+        length = _LENGTH * (plan.shape.volume / plan.count) ** (1.0 / 3.0)
+        require_short(np.array([length]), np.array([E]), softening)
+
+
+def _begin(share: float) -> None:
+    raise _BegunError
