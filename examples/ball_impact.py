@@ -5,7 +5,7 @@ break by their peripheral stress; a pair whose beam breaks under pressure stays 
 
 Expected: a third of the bonds break near the impact and grains spray off; the largest fragment has most of the mass.
 A quarter of the energy goes into friction, a twentieth into bonds, and all parts add up to what came in, to a
-thousandth. Takes about 5 s on one core, once compiled.
+thousandth. Takes about 2 s of a core.
 Run it with:  python examples/ball_impact.py [FOLDER]
 """
 

@@ -5,7 +5,7 @@ where the strength of a facet is reached it breaks, brittle. Every break is an e
 energy; the pieces are what unbroken facets join.
 
 Expected: the bar breaks in its middle part, in tension, into two large pieces and crumbs along the cracks; what was
-stored, set free and moves adds up to the work of the walls. Takes about 10 s on one core, once compiled.
+stored, set free and moves adds up to the work of the walls. Takes about 2 s of a core.
 Run it with:  python examples/breaking_bar.py [FOLDER]
 """
 

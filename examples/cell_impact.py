@@ -4,9 +4,9 @@ Physics: a ball of 50 mm radius flies at 20 m/s against a rigid wall. Its materi
 cohesion of 14 MPa, an angle of friction of 35° and a fracture energy of 100 J/m²: nothing is calibrated. Facets
 soften in tension, cells yield in shear, and where faces of a crack no longer face each other cells touch as spheres.
 
-Expected: most of the energy goes into crushing at the wall (60 %), a seventh into cracks and some per cent into
-friction; the parts add up to what came in within a thousandth. Hundreds of pieces; the largest has a quarter of the
-mass. Takes some seconds on one core, once compiled.
+Expected: nearly half of the energy goes into crushing at the wall (45 %), a tenth into cracks and a sixth into
+friction; the parts add up to what came in within a ten-thousandth. Hundreds of pieces; the largest has a twelfth of
+the mass. Takes about 3 s of a core.
 Run it with:  python examples/cell_impact.py [FOLDER]
 """
 

@@ -6,7 +6,7 @@ without shear, and parallel bonds something in between. Then the same by explici
 damping, and the end when nothing moves any more.
 
 Expected: 8.534, 8.488 and 8.508 mm; the paper's runs gave 8.537, 8.489 and 8.508 mm.
-Run time: two seconds (and half a minute of compilation the first time).
+Run time: about one second of a core.
 
     python examples/chen_cantilever.py
 """

@@ -4,7 +4,7 @@ The total formulation takes forces from where the elements are: none. The increm
 rates, and rotations do not commute: a cycle by the angle α leaves a moment of about α²/2 times the bending
 stiffness, however small the steps, and ten cycles ten times that: 24 % of the largest moment for α = 0.05 rad.
 
-    python examples/closed_cycle.py        a second, after compilation
+    python examples/closed_cycle.py        about a second
 """
 
 import numpy as np

@@ -5,7 +5,7 @@ Pulled by platens it breaks at once where its path of equilibria turns back to s
 `bd.solve_quasistatic` follows that path, one event of failing facets after the other.
 
 Expected: peaks of both within 2 %; the path turns back; its work over the ligament is G_f within 5 %.
-About 40 s on one core, once compiled. Run it with:  python examples/snap_back.py [FOLDER]
+About 20 s of a core. Run it with:  python examples/snap_back.py [FOLDER]
 """
 
 import sys
