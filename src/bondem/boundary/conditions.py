@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._checks import instance, vector
+from bondem._checks import instance, number, vector
 from bondem._types import Floats, Ints, Triple
 from bondem.boundary.balanced_forces import balanced_forces
 from bondem.boundary.loads import (
@@ -42,16 +42,26 @@ class Fix:
         region: constrained elements.
         translation: axes along which the centres are constrained, a part of "xyz".
         rotation: axes about which the orientations are constrained, a part of "xyz".
+        friction: coefficient of friction μ of a platen on a face of cells, constrained along one axis [-]: the facets
+            stick to it across this axis as long as their shear force is at most μ times their pressure, and slide on
+            it beyond. 0 and None are smooth platens. Static solutions let the facets stick.
     """
 
     region: Region
     translation: str = "xyz"
     rotation: str = "xyz"
+    friction: float | None = None
 
     def __post_init__(self) -> None:
         as_region("Fix", self.region)
+        _check_friction("Fix", self.region, self.components, self.friction)
         if not self.components:
             raise InputError("Fix: no degree of freedom is held; name axes in translation= or rotation=")
+
+    @property
+    def across(self) -> int:
+        """Axis along which a platen with friction presses, 0, 1 or 2."""
+        return self.components[0]
 
     @property
     def components(self) -> tuple[int, ...]:
@@ -78,12 +88,14 @@ class Drive:
         vx, vy, vz: velocities [m/s].
         rx, ry, rz: rotations of each element [rad].
         wx, wy, wz: angular velocities [rad/s].
+        friction: coefficient of friction of a platen [-], see `Fix`.
     """
 
     region: Region
     motion: tuple[tuple[int, Schedule, bool], ...]
+    friction: float | None
 
-    def __init__(self, region: Region, **components: float | Schedule) -> None:
+    def __init__(self, region: Region, *, friction: float | None = None, **components: float | Schedule) -> None:
         as_region("Drive", region)
         names = {}
         for k, axis in enumerate("xyz"):
@@ -98,8 +110,31 @@ class Drive:
         )
         if len({dof for dof, _, _ in motion}) < len(motion):
             raise InputError("Drive: give the displacement or the velocity of a component, not both")
+        _check_friction("Drive", region, tuple(dof for dof, *_ in motion), friction)
+        object.__setattr__(self, "friction", friction)
         object.__setattr__(self, "region", region)
         object.__setattr__(self, "motion", motion)
+
+    @property
+    def across(self) -> int:
+        """Axis along which a platen with friction presses, 0, 1 or 2."""
+        return self.motion[0][0]
+
+
+def _check_friction(owner: str, region: Region, components: tuple[int, ...], friction: object) -> None:
+    """Check the friction of a platen.
+
+    Raises:
+        InputError: Not a coefficient, or a condition that is no platen: not on a face, or along several axes.
+    """
+    if friction is None:
+        return
+    number(owner, "friction", friction, least=0.0, advice="a coefficient of zero or more, or None")
+    if len(components) != 1 or components[0] > 2 or not is_face(region):
+        raise InputError(
+            f"{owner}: friction is that of a platen, which is constrained along one axis on a face; give one axis and"
+            ' a bd.Face, such as bd.Fix(bd.Face("x_min"), translation="x", rotation="", friction=0.3)'
+        )
 
 
 @dataclass(frozen=True)

@@ -33,6 +33,9 @@ class Holds:
         drives: schedules of walls that move.
         drive: schedule that each facet follows along x, y, z, or -1, shape (g, 3).
         rate: mask of the schedules that are velocities.
+        friction: μ of the platen on which a facet may slide across the direction in which it is held, NaN for walls
+            that hold it, shape (g,). Such facets are held along all axes.
+        across: axis along which a platen presses, 0, 1 or 2, shape (g,).
     """
 
     facet: Ints
@@ -40,6 +43,13 @@ class Holds:
     drives: tuple[Schedule, ...]
     drive: Ints
     rate: tuple[bool, ...]
+    friction: Floats
+    across: Ints
+
+    @property
+    def clamped(self) -> Mask:
+        """Mask of the facets that are held along all axes without sliding, shape (g,)."""
+        return self.axes.all(axis=1) & np.isnan(self.friction)
 
     @classmethod
     def of(cls, body: Lattice, boundary: Sequence[BoundaryCondition]) -> "Holds":
@@ -47,12 +57,15 @@ class Holds:
         assert body.cells is not None
         count = len(body.cells.free.cell)
         axes, drive = np.zeros((count, 3), dtype=bool), np.full((count, 3), -1)
+        friction, across = np.full(count, np.nan), np.zeros(count, dtype=np.int64)
         drives: list[Schedule] = []
         rate: list[bool] = []
         for condition in boundary:
             if not isinstance(condition, Fix | Drive) or not holds_wall(condition):
                 continue
             found = facet_numbers(condition.region, body)
+            if condition.friction is not None:
+                axes[found], friction[found], across[found] = True, condition.friction, condition.across
             if isinstance(condition, Fix):
                 for axis in condition.components:
                     if axis < 3:
@@ -64,7 +77,7 @@ class Holds:
                     drives.append(schedule)
                     rate.append(is_rate)
         facet = np.flatnonzero(axes.any(axis=1))
-        return cls(facet, axes[facet], tuple(drives), drive[facet], tuple(rate))
+        return cls(facet, axes[facet], tuple(drives), drive[facet], tuple(rate), friction[facet], across[facet])
 
     def flat(self, normal: Floats) -> Ints:
         """Return the facets whose normal is held, as indices into `cells.free`; `normal` is of all these, (k, 3)."""
@@ -74,7 +87,8 @@ class Holds:
         """Return True if the same facets are held and moved in the same way."""
         arrays = ((self.facet, other.facet), (self.axes, other.axes), (self.drive, other.drive))
         moved = self.drives == other.drives and self.rate == other.rate
-        return moved and all(np.array_equal(*each) for each in arrays)
+        alike = np.array_equal(self.friction, other.friction, equal_nan=True)
+        return moved and alike and all(np.array_equal(*each) for each in arrays)
 
     def final_motion(self) -> Floats:
         """Return displacements of the walls at the end of all schedules [m], shape (g, 3)."""
@@ -109,6 +123,8 @@ class WallConstraints(NamedTuple):
     wall: Floats  #: displacement of the wall now [m], (g, 3)
     came: Floats  #: its increment in this step [m], (g, 3)
     load: Floats  #: force and torque on the cell [N, N·m], (g, 6)
+    friction: Floats  #: μ of a wall on which the facet may slide, NaN for one that holds it, (g,)
+    inward: Floats  #: axis along which such a wall presses on the cell, (g, 3)
 
 
 @dataclass(frozen=True, eq=False)
@@ -232,6 +248,8 @@ class Grips:
     def _table(self, layout: Layout, row_of: Ints, place: int, base: Floats) -> WallConstraints:
         cell, count, holds = layout.rank[self.cell], len(self.cell), self.holds
         tables = [schedule.table for schedule in holds.drives]
+        inward = np.eye(3)[holds.across]
+        inward *= -np.sign((inward * self.normal).sum(axis=1, keepdims=True))
         return WallConstraints(
             cell=cell, row=row_of[cell], k=self.k, lever=self.lever, arm=self.arm.copy(),
             share=self.share,
@@ -241,6 +259,7 @@ class Grips:
             values=np.concatenate([np.zeros(0), *(values for _, values in tables)]),
             start=np.cumsum([0, *(len(t) for t, _ in tables)]).astype(np.int64), place=place,
             wall=base[:, :3].copy(), came=np.zeros((count, 3)), load=np.zeros((count, 6)),
+            friction=holds.friction, inward=inward,
         )  # fmt: skip
 
 

@@ -38,7 +38,7 @@ BONDEM_TABLE(FacetRelease, F(whole, "n"), F(weight, "n"), F(given, "n"), F(slack
 BONDEM_TABLE(WallConstraints, F(cell, "held"), F(row, "held"), F(k, "held"), F(lever, "held 3"), F(arm, "held 3"),
              F(share, "held 3"), F(H, "held 6"), F(base, "held 7"), F(axes, "held 3"), F(drive, "held 3"),
              F(rate, "hold_schedules"), F(times, "hold_times"), F(values, "hold_times"), F(start, "hold_schedules+1"),
-             F(place, ""), F(wall, "held 3"), F(came, "held 3"), F(load, "held 6"))
+             F(place, ""), F(wall, "held 3"), F(came, "held 3"), F(load, "held 6"), F(friction, "held"), F(inward, "held 3"))
 BONDEM_TABLE(FacetTractions, F(value, "tractions n"), F(schedule, "tractions"), F(place, ""), F(factor, "tractions"),
              F(came, "tractions"))
 BONDEM_TABLE(CellStrains, F(schedule, "strains"), F(base_i, "3 strained"), F(base_j, "3 strained"), F(still, "strained"),

@@ -83,7 +83,8 @@ def _arguments(value: Any) -> dict[str, Any]:
         return {"function": value.name} | {name: getattr(value, name) for name in kept}
     if isinstance(value, Drive):
         names = ("x", "y", "z", "rx", "ry", "rz"), ("vx", "vy", "vz", "wx", "wy", "wz")
-        return {"region": value.region} | {names[rate][dof]: schedule for dof, schedule, rate in value.motion}
+        motion = {names[rate][dof]: schedule for dof, schedule, rate in value.motion}
+        return {"region": value.region, "friction": value.friction} | motion
     if isinstance(value, Driven):
         names = ("x", "y", "z", "growth")
         return {"v" * rate + names[component]: schedule for component, schedule, rate in value.motion}

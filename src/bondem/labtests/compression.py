@@ -1,4 +1,4 @@
-"""Compression between smooth platens, with or without confining pressure: UCS and triaxial strength."""
+"""Compression between platens, with or without confining pressure: UCS and triaxial strength."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -21,13 +21,17 @@ def uniaxial_compression(
     failure: FailureAssignment,
     *,
     pressure: float = 0.0,
+    platen_friction: float = 0.0,
     density: float | Material | None = None,
     traverses: float = 100.0,
     reach: float = 2.0,
     out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> StrengthTest:
-    """Compress a body of cells along x between smooth platens, until the stress has dropped to half of the peak.
+    """Compress a body of cells along x between platens, until the stress has dropped to half of the peak.
+
+    Smooth platens leave the stress uniform, so that the peak is a strength of the material. Rough platens restrain
+    the ends of the body: squat bodies are then stronger than slender ones.
 
     Args:
         body: specimen of cells.
@@ -35,6 +39,8 @@ def uniaxial_compression(
         failure: `bd.MohrCoulomb` or `bd.DruckerPrager` with a fracture energy, or criteria by region.
         pressure: confining pressure on the sides, of a membrane that rotates with the cells [Pa]; 0 for uniaxial
             compression.
+        platen_friction: coefficient of friction between platens and body [-]; 0 for smooth platens, as with grease or
+            brushes, which leave the ends free to expand.
         density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower.
         reach: limit of the strain, over the strain at the expected peak [-].
@@ -54,6 +60,7 @@ def uniaxial_compression(
     density = constant("density", density)
     number("labtests.uniaxial_compression", "pressure", pressure, unit="Pa", least=0.0)
     number("labtests.uniaxial_compression", "reach", reach, above=0.0)
+    rough = number("labtests.uniaxial_compression", "platen_friction", platen_friction, least=0.0)
     moduli = Moduli.of("uniaxial_compression", body, law, density)
     wanted = "bd.MohrCoulomb or bd.DruckerPrager with a fracture_energy"
     found = [one.slip for one in softenings_of("uniaxial_compression", body, failure, wanted)]
@@ -62,7 +69,7 @@ def uniaxial_compression(
         raise InputError(f"labtests.uniaxial_compression: the criterion has no shear strength; give {wanted}")
     loading = Loading(
         sign=-1.0, expected=min(strengths), reach=reach * strengths[0] / moduli.soft, opening=0.0, ending=0.5,
-        pressure=pressure, traverses=traverses,
+        pressure=pressure, traverses=traverses, friction=rough,
     )  # fmt: skip
     return load_to_failure(
         "uniaxial_compression", body, law, failure, loading, density=density, out=out, progress=progress

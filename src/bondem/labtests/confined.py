@@ -78,13 +78,14 @@ def triaxial(
     failure: FailureAssignment,
     *,
     pressure: float,
+    platen_friction: float = 0.0,
     density: float | Material | None = None,
     traverses: float = 100.0,
     reach: float = 2.0,
     out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> TriaxialTest:
-    """Compress a body of cells along x between smooth platens, under the confining pressure of a membrane.
+    """Compress a body of cells along x between platens, under the confining pressure of a membrane.
 
     The pressure rises while the platens accelerate, in the first fifth of the time to the expected peak, and is
     constant afterwards. Call the function once for each confining pressure.
@@ -94,6 +95,8 @@ def triaxial(
         law: cell law, or cell laws by region; their moduli and the weakest criterion set the loading rate.
         failure: `bd.MohrCoulomb` or `bd.DruckerPrager` with a fracture energy, or criteria by region.
         pressure: confining pressure on the sides, positive [Pa]; the membrane rotates with the cells.
+        platen_friction: coefficient of friction between platens and body [-]; 0 for smooth platens, as with grease or
+            brushes, which leave the ends free to expand.
         density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower.
         reach: limit of the strain, over the strain at the expected peak [-].
@@ -110,7 +113,7 @@ def triaxial(
     advice = "a positive pressure; without one it is labtests.uniaxial_compression"
     around = number("labtests.triaxial", "pressure", pressure, unit="Pa", above=0.0, advice=advice)
     test = uniaxial_compression(
-        body, law, failure, pressure=around, density=density, traverses=traverses, reach=reach, out=out,
-        progress=progress,
-    )
+        body, law, failure, pressure=around, platen_friction=platen_friction, density=density, traverses=traverses,
+        reach=reach, out=out, progress=progress,
+    )  # fmt: skip
     return TriaxialTest(test, around)

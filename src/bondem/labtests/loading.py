@@ -1,4 +1,4 @@
-"""Slow loading of a specimen of cells along x to failure, between smooth platens."""
+"""Slow loading of a specimen of cells along x to failure, between smooth or rough platens."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -26,6 +26,7 @@ class Loading:
         ending: share of the peak stress at which the test ends [-].
         pressure: confining pressure on the sides [Pa].
         traverses: number of passes of sound along the specimen before the expected peak [-].
+        friction: coefficient of friction of the platens [-], 0 for smooth ones.
     """
 
     sign: float
@@ -35,6 +36,7 @@ class Loading:
     ending: float
     pressure: float
     traverses: float
+    friction: float = 0.0
 
 
 def load_to_failure(
@@ -48,7 +50,7 @@ def load_to_failure(
     out: str | Path | None,
     progress: Callable[[float], None] | None,
 ) -> StrengthTest:
-    """Load a specimen slowly between smooth platens until it has failed.
+    """Load a specimen slowly between platens until it has failed.
 
     Raises:
         InputError: a lattice without cells, or a shape without faces x_min and x_max.
@@ -73,11 +75,12 @@ def load_to_failure(
 
 
 def _platens(body: Lattice, loading: Loading, speed: float, begin: float) -> list[BoundaryCondition]:
-    """Conditions of the smooth platens and of the pressure on the sides."""
+    """Conditions of the platens and of the pressure on the sides."""
+    rough = loading.friction or None
     sides = [name for name in body.particles.envelope.faces if name not in ("x_min", "x_max")]
     found: list[BoundaryCondition] = [
-        Fix(Face("x_min"), translation="x", rotation=""),
-        Drive(Face("x_max"), vx=Ramp(0.0, speed, begin)),
+        Fix(Face("x_min"), translation="x", rotation="", friction=rough),
+        Drive(Face("x_max"), vx=Ramp(0.0, speed, begin), friction=rough),
     ]
     if loading.pressure > 0.0:
         rise = Ramp(0.0, 1.0, begin)

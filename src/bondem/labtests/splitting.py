@@ -111,13 +111,14 @@ def brazilian(
     failure: FailureAssignment,
     *,
     half_angle: float | None = None,
+    platen_friction: float = 0.0,
     density: float | Material | None = None,
     traverses: float = 100.0,
     ending: float = 0.9,
     out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> BrazilianTest:
-    """Compress a cylinder along x across a diameter along y between smooth rigid platens, until the load has dropped.
+    """Compress a cylinder along x across a diameter along y between rigid platens, until the load has dropped.
 
     The platens of a plain `bd.Cylinder` constrain the free facets in two strips of its side along y only. The stress
     across the diameter at the centre is then below that of a line load. The factor is the mean of cos β (1 - 4 sin²
@@ -134,6 +135,8 @@ def brazilian(
         law: cell law, or cell laws by region; the first one is the matrix and sets the loading rate.
         failure: criterion with a tensile strength, `bd.MohrCoulomb` with a fracture energy, or criteria by region.
         half_angle: half angle α of the strips [rad]; None for 5°, or for three quarters of a cell if larger.
+        platen_friction: coefficient of friction between platens and disc [-]; 0 for smooth platens, for which the
+            factor holds.
         density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
         traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
         ending: share of the peak load at which the test ends [-]: the disc has split. With a lower share, `peak` may
@@ -153,6 +156,7 @@ def brazilian(
     owner = "labtests.brazilian"
     check_traverses("brazilian", traverses)
     share = number(owner, "ending", ending, least=0.0, below=1.0)
+    rough = number(owner, "platen_friction", platen_friction, least=0.0) or None
     matrix = require_cells("brazilian", body, law, density)
     found = softenings_of("brazilian", body, failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
     strengths = [strength for strength in map(splitting_strength, found) if math.isfinite(strength)]
@@ -168,7 +172,7 @@ def brazilian(
 
     def platens(speed: float, begin: float) -> list[BoundaryCondition]:
         pairs = (jaws.top, 0.5 * speed), (jaws.bottom, -0.5 * speed)
-        return [Drive(jaw, vy=Ramp(0.0, each, begin)) for jaw, each in pairs]
+        return [Drive(jaw, vy=Ramp(0.0, each, begin), friction=rough) for jaw, each in pairs]
 
     rig = Rig(
         axis=1, sign=-1.0, near=jaws.bottom, far=jaws.top, section=0.5 * math.pi * jaws.diameter * jaws.thickness,

@@ -113,6 +113,8 @@ class Model:
             raise InputError("density has values that are not positive and finite; give positive values [kg/m³]")
         physical("Model", "density", float(density.min()))
         object.__setattr__(self, "boundary", _conditions(self.boundary))
+        if self._cells is None and any(getattr(one, "friction", None) is not None for one in self.boundary):
+            raise InputError("friction= of Fix and Drive acts on cells only; press spheres by walls= with friction")
         object.__setattr__(self, "walls", check_walls(self.walls))
         if self.contact is not None and not isinstance(self.contact, ContactLaw):
             raise InputError(f"contact = {shown(self.contact)}; give a contact law such as bd.LinearContact")

@@ -151,6 +151,8 @@ inline void dilate_walls_of_row(Index r, const Moving &all, const WallConstraint
 inline void apply_walls_of_row(Index r, const Moving &all, const WallConstraints &walls, const RowOrder &order,
                                const Rows &rows) {
     const double before = half_work(r, walls, order);
+    for (Index e = order.start(r); e < order.start(r + 1); e++)
+        all.loss(walls.cell(order.load(e)), rubbed_loss) += slide_hold(all.pose, all.rest, walls, order.load(e));
     load_row(r, all, walls, order, rows);
     rows.work(r) += before + half_work(r, walls, order);
 }

@@ -112,7 +112,7 @@ struct WallConstraints {
     Array<double, 2> arm;  // the same with stress-free and plastic strains of the cell [m], (g, 3)
     Array<const double, 2> share;  // A m along the held axes [m²], (g, 3)
     Array<const double, 2> H;  // resistance to rotation, xx, yy, zz, xy, xz, yz [N·m], (g, 6)
-    Array<const double, 2> base;  // where the motion of the wall counts from [m], and the quaternion of the cell there, (g, 7)
+    Array<double, 2> base;  // where the motion of the wall counts from [m], and the quaternion of the cell there, (g, 7)
     Array<const double, 2> axes;  // 1 where held, along x, y, z, (g, 3)
     Array<const Index, 2> drive;  // schedule that moves the wall along x, y, z, or -1, (g, 3)
     Array<const Byte, 1> rate;  // whether a schedule is a velocity
@@ -122,6 +122,8 @@ struct WallConstraints {
     Array<double, 2> wall;  // displacement of the wall now [m], (g, 3)
     Array<double, 2> came;  // by how much it has come in this step [m], (g, 3)
     Array<double, 2> load;  // force and torque on the cell [N, N·m], (g, 6)
+    Array<const double, 1> friction;  // μ of a wall on which the facet may slide, NaN for one that holds it, (g,)
+    Array<const double, 2> inward;  // axis along which such a wall presses on the cell, (g, 3)
 };
 // Tractions on free facets, l of them, which change the dilatation of their cells.
 struct FacetTractions {

@@ -17,6 +17,8 @@ struct Moving {
     Array<const double, 2> rest;  // centres in the reference [m], (n, 3)
 };
 
+constexpr Index rubbed_loss = 2;  // column of the losses of an element
+
 // Beams, m of them, sorted by j; a few may follow that have no force, so that lanes can be filled.
 struct Beams {
     Array<const Short, 1> i, j;

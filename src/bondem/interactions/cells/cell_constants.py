@@ -305,11 +305,11 @@ def _grips(
     whole = resistance(free.moment[facet], normal, stiffness, rotation)
     if rotation == "full":  # a wall that only keeps the facet plane lets it turn in its plane
         bent = resistance(free.moment[facet], normal, stiffness * flat, "bending")
-        every = np.all(axes, axis=1, keepdims=True)[:, :, None]
+        every = holds.clamped[:, None, None]
         H = np.where(every, H, bent)
         whole = np.where(every, whole, resistance(free.moment[facet], normal, stiffness, "bending"))
     if rotation == "bending":
-        clamped = stiffness * np.all(axes, axis=1)
+        clamped = stiffness * holds.clamped
         twist = twist_at_walls(free.moment[facet], free.area[facet], normal, clamped, walls, (cell, cell))
         H, whole = H + twist, whole + twist
     lever = free.centroid[facet] - cells.centroid[cell]

@@ -33,6 +33,8 @@ void add_wall_dilatation(const Turn &, const Moving &all, const WallConstraints 
 
 void apply_walls(const Turn &, const Moving &all, const WallConstraints &walls, const Rows &rows) {
     add_half_work(walls, rows);
+    for (Index g = 0; g < walls.cell.size(); g++)
+        all.loss(walls.cell(g), rubbed_loss) += slide_hold(all.pose, all.rest, walls, g);
     load_all(all, walls, rows);
     add_half_work(walls, rows);
 }

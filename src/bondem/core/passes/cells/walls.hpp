@@ -4,6 +4,9 @@
 //     δ = P (wall - u)      V θ += s · δ      U = ½ k |δ|² + 2 v · H v
 //     u = x + R b - its place in the reference
 //
+// A wall with friction μ holds a facet across its pressure N as long as |f_t| ≤ μ N; beyond, the facet slides: the wall is
+// moved after it, by as much as brings f_t to μ N, and the work ½ (f before + f after) · slip is lost to friction.
+//
 // P keeps the held axes, k = 2 G A / d is that of the half facet of the cell, and v the vector part of q q₀*, the rotation
 // of the cell since the wall holds it. A wall that takes over a face which has moved begins where that is: `base` has the
 // displacement there and q₀.
@@ -48,11 +51,38 @@ inline double dilatation_of_hold(const Array<double, 2> &pose, const Array<const
     return dot(walls.share.row<const Vector>(g), held_facet(pose, rest, walls, g).gap);
 }
 
+// Force of a wall on its cell, whose stress is known [N].
+inline Vector force_of_hold(const Array<double, 2> &pose, const WallConstraints &walls, Index g, const Vector &gap) {
+    return plus(walls.k(g) * gap, pose(walls.cell(g), stress_column), walls.share.row<const Vector>(g));
+}
+
+// Lets a facet slide on its wall where friction cannot hold it; returns the energy that is lost to friction [J].
+inline double slide_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest, const WallConstraints &walls,
+                         Index g) {
+    const double friction = walls.friction(g);
+    if (!(friction >= 0.0)) return 0.0;
+    const Vector f = force_of_hold(pose, walls, g, held_facet(pose, rest, walls, g).gap);
+    const Vector inward = walls.inward.row<const Vector>(g);
+    const double pressing = dot(f, inward), limit = friction * positive(pressing);
+    const Vector along = f - pressing * inward;
+    const double size = length(along);
+    if (size <= limit) return 0.0;
+    const Vector slip = ((limit - size) / (size * walls.k(g))) * along;
+    double lost = 0.0;
+    for (Index axis = 0; axis < 3; axis++) {
+        const double after = limit / size * along[axis] + pressing * inward[axis];
+        lost -= 0.5 * (walls.load(g, axis) + after) * slip[axis];
+        walls.wall(g, axis) += slip[axis];
+        walls.base(g, axis) += slip[axis];
+    }
+    return lost;
+}
+
 // Sets force and torque of a wall on its cell, whose stress is known.
 inline void load_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest, const WallConstraints &walls,
                       Index g) {
     const HeldFacet facet = held_facet(pose, rest, walls, g);
-    const Vector f = plus(walls.k(g) * facet.gap, pose(walls.cell(g), stress_column), walls.share.row<const Vector>(g));
+    const Vector f = force_of_hold(pose, walls, g, facet.gap);
     const HeldTurn turn = held_turn(pose, walls, g);
     const Vector h = resistance_of(walls, g) * turn.v;
     const Vector torque = cross(facet.arm, f) - 2.0 * plus(cross(turn.v, h), turn.w, h);

@@ -7,11 +7,6 @@
 #include "loaded_cracks.hpp"
 
 namespace bondem {
-namespace {
-
-constexpr Index rubbed_loss = 2;  // column of the losses of an element
-
-}  // namespace
 
 #if defined(BONDEM_LANES)
 
