@@ -150,4 +150,6 @@ if not TYPE_CHECKING:  # type checkers shall find wrong names themselves
 
 
 def __dir__() -> list[str]:
-    return sorted(name for name, thing in globals().items() if isinstance(thing, type))
+    return sorted(
+        name for name, thing in globals().items() if isinstance(thing, type) and issubclass(thing, BaseException)
+    )
