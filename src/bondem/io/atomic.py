@@ -31,9 +31,11 @@ def replacing(path: Path) -> Iterator[Path]:
     A kill at any moment leaves the old file or none, never a partial one. The permissions of an old file are kept.
 
     Raises:
+        InputError: there is something else of this name than a file.
         RunFileError: the disk is full, or another failure to write.
     """
     target = target_of(path)
+    _require_plain(target, f"'{path}'")
     aside = _beside(target)
     try:
         with open(aside, "xb"):
@@ -80,10 +82,7 @@ def require_writable(path: Path, what: str) -> None:
         InputError: the file cannot be written; the message states the reason.
     """
     target, whose = target_of(path), f"{what} '{path}'"
-    if os.path.isdir(target):
-        raise InputError(f"{whose} is a folder; give the name of a file")
-    if os.path.exists(target) and not os.path.isfile(target):
-        raise InputError(f"{whose} is a device or a pipe; give the name of a file")
+    _require_plain(target, whose)
     with _refused(whose):
         with suppress(FileNotFoundError):
             os.stat(target)
@@ -123,6 +122,13 @@ def make_folder(path: Path) -> None:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise failed(path, error) from error
+
+
+def _require_plain(target: Path, whose: str) -> None:
+    if os.path.isdir(target):
+        raise InputError(f"{whose} is a folder; give the name of a file")
+    if os.path.exists(target) and not os.path.isfile(target):
+        raise InputError(f"{whose} is a device or a pipe; give the name of a file")
 
 
 @contextmanager

@@ -110,6 +110,7 @@ class JournaledFile(io.RawIOBase):
         self._end = self._at if size is None else size
         if self._end > self._committed:
             try:
+                self._require_uncut()
                 self._file.truncate(self._end)
                 self._size = self._end
             except OSError as error:
@@ -200,9 +201,7 @@ class JournaledFile(io.RawIOBase):
         """
         if self._aside is not None:
             return
-        own = os.fstat(self._file.fileno())
-        if own.st_size < self._size:
-            raise OSError("it was cut during the run")
+        own = self._require_uncut()
         try:
             found = os.stat(self._path)
         except FileNotFoundError:
@@ -214,6 +213,17 @@ class JournaledFile(io.RawIOBase):
             return
         if (found.st_dev, found.st_ino) != (own.st_dev, own.st_ino):
             raise OSError("it was replaced by another file during the run")
+
+    def _require_uncut(self) -> os.stat_result:
+        """Return the state of the file, which is at least as long as this process left it.
+
+        Raises:
+            OSError: somebody has cut it.
+        """
+        found = os.fstat(self._file.fileno())
+        if found.st_size < self._size:
+            raise OSError("it was cut during the run")
+        return found
 
     def _page(self, number: int) -> bytearray:
         page = self._pages.get(number)
@@ -230,8 +240,7 @@ class JournaledFile(io.RawIOBase):
         if self._error is not None or self._file.closed:
             return
         try:
-            if os.fstat(self._file.fileno()).st_size < self._size:
-                raise OSError("it was cut during the run")
+            self._require_uncut()
             while data:
                 done = os.pwrite(self._file.fileno(), data, at)
                 data, at = data[done:], at + done

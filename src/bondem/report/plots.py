@@ -24,8 +24,8 @@ from bondem.errors import InputError
 from bondem.fracture.fragments import fragments
 from bondem.geometry.rotations import turned_vectors
 from bondem.geometry.surface import Surface
-from bondem.io.atomic import replacing, require_writable
-from bondem.labtests.cracking import HALF
+from bondem.io.atomic import require_writable, write_bytes
+from bondem.labtests.cracking import CRACKED
 from bondem.labtests.modal import NaturalFrequencies
 from bondem.labtests.tension import Tension
 from bondem.model.model import Model
@@ -180,7 +180,7 @@ def _bodies(result: Any) -> list[Callable[[Figure, Axes, float | None, View], No
 
     def broken(figure: Figure, ax: Axes, reach: float | None, view: View) -> None:
         sides = _bounds(state.model.lattice)
-        pieces = fragments(state.model.lattice, state, integrity=HALF)
+        pieces = fragments(state.model.lattice, state, integrity=CRACKED)
         if len(pieces) > 1:
             _broken_body(ax, state, pieces, reach, view)
         else:
@@ -363,5 +363,6 @@ def _figure(who: str, path: Any, count: int) -> Iterator[tuple[Drawing, list[Axe
         axes = figure.subplots(1, count, squeeze=False)
         yield figure, list(axes[0])
         if file is not None:
-            with replacing(file) as aside:
-                figure.savefig(aside)
+            stream = BytesIO()  # matplotlib leaves files open that it cannot write
+            figure.savefig(stream, format=file.suffix[1:].lower())
+            write_bytes(file, stream.getbuffer())
