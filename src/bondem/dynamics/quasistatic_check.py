@@ -105,7 +105,7 @@ def _squeezed(model: Model, axis: int) -> bool:
 def _ends(model: Model, axis: int) -> Iterator[bool]:
     """True for each end that is driven along an axis, False for each that is fixed along it."""
     for condition in model.boundary:
-        if isinstance(condition, Fix) and axis in condition.components:
+        if isinstance(condition, Fix) and (axis in condition.components or condition.friction):
             yield False
         if isinstance(condition, Drive):
             yield from (_moves(schedule) for dof, schedule, _ in condition.motion if dof == axis)
