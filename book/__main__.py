@@ -23,7 +23,8 @@ def main(arguments: list[str] | None = None) -> int:
         help="list pages that differ from the results, and missing figures")
     action.add_argument("--rows", action="store_true", help="count rows by verdict, before and after the rule")
     action.add_argument("--list", action="store_true", help="list the measurements and their commands")
-    action.add_argument("--measure", nargs="*", metavar="NAME", help="repeat measurements; all without names")
+    action.add_argument("--measure", nargs="*", metavar="NAME",
+        help="repeat measurements, or those that a page quotes; all without names")
     action.add_argument("--fast", nargs="?", const="", metavar="DIR",
         help="measure a small part from nothing; in DIR if given")
     parser.add_argument("--no-run", action="store_true",

@@ -2,14 +2,20 @@
 
 import json
 import os
+import re
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
+from book.dates import keep_dates
 from book.errors import BookError
 from book.figures import take
 from book.measurements import MEASUREMENTS
+from book.printed import PRINTED
+from book.quoted import quoted
+from book.quoting import TEXTS, templates, written
 from book.results import ROOT, Measurement
 from validation.frame.sources import commit
 
@@ -20,7 +26,7 @@ def measure(names: list[str], *, build: Path = BUILD, run: bool = True) -> None:
     """Run the commands of some measurements, or of all, and take in their results.
 
     Args:
-        names: of measurements; none for all.
+        names: of measurements, or pages such as "README.md", which stand for all that they quote; none for all.
         build: folder in which a command leaves its own, as NAME.
         run: False takes in what is there already.
 
@@ -28,8 +34,9 @@ def measure(names: list[str], *, build: Path = BUILD, run: bool = True) -> None:
         BookError: no such measurement, or a command that fails.
     """
     known = {one.name: one for one in MEASUREMENTS}
+    names = list(dict.fromkeys(one for name in names for one in _meant(name)))
     if unknown := sorted(set(names) - set(known)):
-        raise BookError(f"no measurement '{unknown[0]}'; there are {', '.join(known)}")
+        raise BookError(f"no measurement '{unknown[0]}'; there are {', '.join(known)}, and pages that quote them")
     for name in names or list(known):
         made = commit()
         if run:
@@ -37,11 +44,38 @@ def measure(names: list[str], *, build: Path = BUILD, run: bool = True) -> None:
         _take_in(known[name], build)
         if run:
             sign(known[name], made)
+    keep_dates()
+
+
+def _meant(name: str) -> list[str]:
+    """The measurements that a page quotes, and that of what its code prints; else the name itself."""
+    template = TEXTS / name
+    if template not in templates():
+        return [name]
+    numbers = quoted()
+    asked = written(template, numbers, {"date": str, "older": ""})[1]
+    records = [one.record.name for one in numbers if one.name in asked]
+    return [*dict.fromkeys(records), PRINTED.name]
 
 
 def _run(one: Measurement, build: Path) -> None:
+    """Run the commands of a measurement anew: cases that they kept in `out`, or in a record they add to, go first."""
     build.mkdir(parents=True, exist_ok=True)
-    for command in one.command.split("; "):
+    for script in re.findall(r"benchmarks/(\w+)\.py", one.command):
+        shutil.rmtree(ROOT / "out" / script, ignore_errors=True)
+    former = one.path.read_bytes() if one.goes_on and one.path.exists() else None
+    if former is not None:
+        one.path.unlink()
+    try:
+        _run_commands(one, build)
+    except BaseException:
+        if former is not None:
+            one.path.write_bytes(former)
+        raise
+
+
+def _run_commands(one: Measurement, build: Path) -> None:
+    for command in one.command.split(" && "):
         print(f"{one.name}: {command}", flush=True)
         words = shlex.split(command.replace("BUILD", str(build)))
         words = [*{"python": [sys.executable]}.get(words[0], [str(Path(sys.executable).with_name(words[0]))]),

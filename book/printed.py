@@ -12,6 +12,7 @@ import io
 import json
 import os
 import re
+import shutil
 import sys
 import tempfile
 from collections.abc import Iterator
@@ -24,6 +25,7 @@ from validation.frame.sources import commit
 
 PRINTED = Measurement("printed", "python -m book.printed", "3 min")
 _CODE = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+_FIGURE = re.compile(r"figures/(\w+\.png)\)")
 _OUTPUT = re.compile(r"\n\n```text\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -80,6 +82,9 @@ def main(names: list[str]) -> None:
         with tempfile.TemporaryDirectory() as folder, chdir(folder):
             Path("examples").symlink_to(ROOT / "examples")
             known |= {key: printed for key, printed, output in run(page, text) if output is not None}
+            for figure in _FIGURE.findall(text):  # those that the code of the page has drawn
+                if Path(figure).exists():
+                    shutil.copyfile(figure, ROOT / "docs/figures" / figure)
     present = {key for page in pages() for key, _, output in blocks(page.read_text(encoding="utf-8")) if output}
     kept = {
         "command": PRINTED.command,

@@ -32,6 +32,7 @@ class Measurement:
             writes `benchmarks/results/NAME.json` itself.
         figures: those to keep: path in BUILD/NAME → name in `docs/figures`.
         file: the JSON, where it is not that of the name.
+        goes_on: whether the command leaves out cases that the JSON has already.
     """
 
     name: str
@@ -40,6 +41,7 @@ class Measurement:
     condense: Callable[[Path], dict[str, Any]] | None = None
     figures: Mapping[str, str] = field(default_factory=dict)
     file: Path | None = None
+    goes_on: bool = False
 
     @property
     def path(self) -> Path:

@@ -14,8 +14,12 @@ WAVES = Measurement("cell_waves", "python benchmarks/cell_waves.py")
 RAYLEIGH = Measurement("cell_rayleigh", "python benchmarks/cell_rayleigh.py", "10 min")
 HOLE = Measurement("cell_hole", "python benchmarks/cell_hole.py", "40 min")
 INERTIA = Measurement("cell_inertia", "python benchmarks/cell_inertia.py", "10 min")
-BODIES = Measurement("cell_bodies", "python benchmarks/cell_bodies.py")
-BEAMS = Measurement("beam_bodies", "python benchmarks/beam_bodies.py", "40 min")
+BODIES = Measurement(
+    "cell_bodies", "python benchmarks/cell_bodies.py && python benchmarks/cell_bodies.py --summary", "1 h"
+)
+BEAMS = Measurement(
+    "beam_bodies", "python benchmarks/beam_bodies.py && python benchmarks/beam_bodies.py --summary", "40 min"
+)
 MEASUREMENTS = (MODULI, UNIFORM, WAVES, RAYLEIGH, HOLE, INERTIA, BODIES, BEAMS)
 
 #: Required tolerances [-].

@@ -16,6 +16,7 @@ BENDING = Measurement(
     " --together 0.005 && python benchmarks/bending_energy.py --counts 10000 --seeds 1 --ripples 0.02"
     " --together 0.005",
     "15 min",
+    goes_on=True,
 )
 MESOSCALE = Measurement(
     "mesoscale",

@@ -9,12 +9,15 @@ from book.results import Measurement
 from book.row import Row
 from book.tolerances import AtLeast, AtMost, Near, So
 
-STRENGTH = Measurement("strength", "python benchmarks/strength.py", "2 h")
-BRAZILIAN = Measurement("brazilian", "python benchmarks/brazilian.py --seeds 1 2 3 4 5", "30 min")
+STRENGTH = Measurement(
+    "strength", "python benchmarks/strength.py --anew && python benchmarks/strength.py --summary", "2 h"
+)
+BRAZILIAN = Measurement("brazilian", "python benchmarks/brazilian.py --seeds 1 2 3 4 5", "30 min", goes_on=True)
 FACTORS = Measurement(
     "load_factors",
     "python benchmarks/load_factors.py --counts 300 1000 --seeds 1 2 3 4 5 --steps 0.01 --ripples 0.02",
     "10 min",
+    goes_on=True,
 )
 MEASUREMENTS = (STRENGTH, BRAZILIAN, FACTORS, TESTS)
 

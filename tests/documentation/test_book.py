@@ -20,6 +20,7 @@ from book.fast import chapter as fast_chapter
 from book.forms import PERCENT, SIGNED, Form, Said
 from book.front import front
 from book.markdown import moved, slug, table
+from book.measure import _run as measure_one
 from book.measure import sign
 from book.measurements import MEASUREMENTS
 from book.outcomes import TESTS
@@ -320,6 +321,19 @@ def test_results_that_name_no_command_and_commit_get_those_of_the_measurement(tm
     assert json.loads(kept.read_text()) == {"command": "python it.py", "commit": "abc", "answer": 42}
     sign(it, "def")
     assert json.loads(kept.read_text())["commit"] == "abc"
+
+
+def test_a_record_that_a_command_adds_to_is_measured_anew_and_stays_where_the_command_fails(tmp_path):
+    kept = tmp_path / "it.json"
+    kept.write_text("old")
+    ends = "import pathlib, sys; p = pathlib.Path(sys.argv[1]); "
+    fails = Measurement("it", f'python -c "{ends}sys.exit(p.exists() or 3)" {kept}', file=kept, goes_on=True)
+    with pytest.raises(BookError, match="status 3"):
+        measure_one(fails, tmp_path)
+    assert kept.read_text() == "old"
+    works = replace(fails, command=f'python -c "{ends}p.write_text(str(p.exists()))" {kept}')
+    measure_one(works, tmp_path)
+    assert kept.read_text() == "False"
 
 
 def test_every_kept_result_names_its_command_and_what_code_made_it():

@@ -4,6 +4,7 @@ Sphinx parses the pages and resolves all references. It writes no HTML, which ta
 search index are built by `.github/workflows/docs.yml`.
 """
 
+import importlib
 import operator
 import pickle
 import re
@@ -74,6 +75,41 @@ def test_scripts_of_the_gallery_have_twenty_lines_of_code_in_eighty_columns():
         assert max(map(len, source.splitlines())) <= 80, script.name
 
 
+def test_code_of_the_pages_has_eighty_columns():
+    pages = [page for page in sorted(DOCS.rglob("*.md")) if "decisions" not in page.parts]
+    long = [
+        f"{page.name}: {line}" for page in pages
+        for code in re.findall(r"^```(?:python|sh|toml)\n(.*?)^```$", page.read_text(encoding="utf-8"), re.M | re.S)
+        for line in code.splitlines() if len(line) > 80
+    ]  # fmt: skip
+    assert not long
+
+
+def test_a_notebook_has_the_code_of_its_page(monkeypatch):
+    pytest.importorskip("jupytext")
+    monkeypatch.syspath_prepend(str(DOCS))
+    notebooks = importlib.import_module("notebooks")
+    assert {"start/first_crack", "start/own_part", "guides/from_pfc", "guides/materials"} <= {*notebooks.pages()}
+    for name in notebooks.pages():
+        text = (DOCS / f"{name}.md").read_text(encoding="utf-8")
+        code = re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+        cells = [cell.source for cell in notebooks.notebook(name).cells]
+        assert [one.strip() for one in code] == [one for one in cells if one in {part.strip() for part in code}]
+        assert not [one for one in cells if "```text" in one or "](" in one.replace("](http", "")]
+
+
+@pytest.mark.validate
+@pytest.mark.parametrize("name", ["start/first_crack", "guides/from_pfc"])
+def test_a_notebook_runs_in_a_kernel(name, monkeypatch, tmp_path):
+    pytest.importorskip("jupytext")
+    client = pytest.importorskip("nbclient")
+    pytest.importorskip("ipykernel")
+    monkeypatch.syspath_prepend(str(DOCS))
+    made = importlib.import_module("notebooks").notebook(name)
+    client.NotebookClient(made, timeout=300, resources={"metadata": {"path": str(tmp_path)}}).execute()
+    assert any(output.get("text") for cell in made.cells for output in cell.get("outputs", ()))
+
+
 def test_formulas_of_the_pages_become_mathml():
     convert = pytest.importorskip("latex2mathml.converter").convert
     formulas = [
@@ -108,3 +144,11 @@ def test_the_pages_are_in_the_order_of_a_reader():
     text = (DOCS / "index.md").read_text(encoding="utf-8")
     order = re.findall(r"^:caption: (\w+)$", text, re.MULTILINE)
     assert order == ["Start", "Guides", "Theory", "Validation", "Reference", "More"]
+
+
+def test_no_example_template_or_guide_speaks_of_compilation_at_run_time():
+    root = DOCS.parent
+    pages = [*(root / "examples").rglob("*.py"), *(root / "examples").glob("*.toml"), *(DOCS / "guides").glob("*.md"),
+             *(root / "src/bondem/study/templates").glob("*.toml"), *(DOCS / "start").glob("*.md")]  # fmt: skip
+    said = re.compile(r"once compiled|after compilation|(?:for|of) compilation")
+    assert not [page.name for page in pages if said.search(page.read_text(encoding="utf-8"))]

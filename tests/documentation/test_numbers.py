@@ -7,6 +7,7 @@ import pytest
 
 from book.dates import COMMITS, commit, date
 from book.errors import BookError
+from book.measure import measure
 from book.prose import words
 from book.quoted import quoted
 from book.quoting import TEXTS, ceiling, target, templates, written
@@ -62,6 +63,19 @@ def test_a_page_follows_its_record_and_asks_for_no_number_that_is_not_there(monk
     assert "1.77 at most" in written(template, other, more)[0]
     with pytest.raises(BookError, match="name it in book/quoted"):
         written(template, [one for one in NUMBERS if one.name != "bars.largest_work"], more)
+
+
+def test_measuring_a_page_measures_all_that_it_quotes(monkeypatch):
+    done = []
+    monkeypatch.setattr("book.measure._run", lambda one, build: done.append(one.name))
+    monkeypatch.setattr("book.measure._take_in", lambda one, build: None)
+    monkeypatch.setattr("book.measure.sign", lambda one, made: None)
+    monkeypatch.setattr("book.measure.keep_dates", lambda: None)
+    measure(["README.md"])
+    assert set(done) >= {"loading_paths", "uniform_stress", "peers", "silica_four", "printed"}
+    assert len(set(done)) == len(done)
+    with pytest.raises(BookError, match="no measurement 'READYOU"):
+        measure(["READYOU.md"])
 
 
 def test_several_numbers_are_a_range_and_a_bound_is_not_below_its_number():

@@ -59,12 +59,13 @@ def commands():
     """Every command of a shell block, or indented by four blanks, with what is behind # taken off."""
     found = []
     for page in PAGES:
-        lines = [(one.line, line) for one in fenced(page) if one.language == "sh" for line in one.text.splitlines()]
+        lines = [(one.line, line) for one in fenced(page) if one.language == "sh"
+                 for line in one.text.replace("\\\n", "").splitlines()]  # fmt: skip
         outside = FENCE.sub("", read(page))
         lines += [(0, line.strip()) for line in re.findall(r"^    (\S.*)$", outside, re.MULTILINE)
                   if line.split()[0] in PROGRAMS]  # fmt: skip
         found += [pytest.param(part.strip(), id=f"{page.relative_to(ROOT)}:{number}: {part.strip()}")
-                  for number, line in lines for part in line.split("&&")]  # fmt: skip
+                  for number, line in lines if not line.startswith("#") for part in line.split("&&")]  # fmt: skip
     return found
 
 
