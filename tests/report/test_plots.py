@@ -8,6 +8,7 @@ from matplotlib.collections import PolyCollection
 
 import bondem as bd
 from bondem.errors import InputError
+from bondem.labtests.cracking import Cracking
 from tests.models import torn_row, turned_cubes
 from tests.specimens import two_spheres
 
@@ -66,8 +67,9 @@ def test_runs_and_tests_are_drawn() -> None:
     assert "energy [µJ]" in told
     assert "pieces, motion × " in told
     curve = np.column_stack([np.linspace(0.0, 1e-3, 5), np.linspace(0.0, 4e6, 5)])
+    cracking = Cracking(run.state.model.lattice, run.state, 0.0, 0.0, 0.0, 1.0, 100.0)
     test = bd.labtests.StrengthTest(
-        peak=4e6, E=4e9, curve=curve, work=1.0, asymmetry=0.0, kinetic=0.0, residual=0.0, run=run
+        peak=4e6, E=4e9, curve=curve, work=1.0, asymmetry=0.0, kinetic=0.0, residual=0.0, cracking=cracking, run=run
     )
     figure = test.plot(reach=1.0, view=(0.0, 0.0))
     assert "stress [MPa]" in words(figure)

@@ -16,7 +16,7 @@ from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 
 #: Facets of this integrity or less are cracks and join no pieces, in tests that end before the last facet has parted.
-HALF = 0.5
+CRACKED = 0.1
 #: Pieces of fewer cells are crumbs, and crack surfaces of fewer facets are not counted.
 FEW = 10
 # Energy dissipated per section over that of one crack, above which there was more than one [-].

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -45,6 +45,7 @@ class TestFigure:
         slips: True to colour cells by their slip, if there is any.
         halved: True to leave out the nearer half.
         across, up: factor and unit of both axes.
+        plain: name of the quantity across for a specimen without a notch; "" for that of all.
         quantity: name of the measured value.
         line: True to draw the strength of the material, where it is known.
     """
@@ -61,6 +62,7 @@ class TestFigure:
     across: tuple[float, str] = (1e3, "10$^{-3}$")
     up: tuple[float, str] = (1e-6, "MPa")
     line: bool = True
+    plain: str = ""
     quantity: str = "strength"
 
     @property
@@ -138,6 +140,10 @@ class FailureTest:
     energy: Callable[[Any], Mapping[str, Floats]] = nothing_of
     integrity: Callable[[Any], Floats] = lambda result: result.state.bond_integrity
     cracking: Callable[[Any, Lattice, float], Cracking] = cracking_of
+
+    def figure_of(self, curves: Mapping[str, Any]) -> TestFigure:
+        """Style of the figures of one specimen, by its curves."""
+        return replace(self.figure, strain=self.figure.plain) if "plain" in curves else self.figure
 
     def curves(self, result: Any, cracking: Cracking) -> dict[str, np.ndarray]:
         """Collect the curve of a result, and fields of the broken specimen for figures."""

@@ -17,7 +17,7 @@ from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Box
 from bondem.geometry.shape_boundary import BOX_FACES
 from bondem.interactions.cells.cell_constants import CellAssignment
-from bondem.labtests.cracking import HALF, Cracking
+from bondem.labtests.cracking import CRACKED, Cracking
 from bondem.labtests.line_probe import walls_along
 from bondem.labtests.quasi_static_rig import DENSITY, require_cells, softening_of
 from bondem.model.model import Model
@@ -155,7 +155,7 @@ def three_point_bending(
     work = path.energy.sum() + 0.5 * path.load[-1] * rollers[-1]
     top, section = int(np.argmax(path.load)), beam.width * beam.ligament
     cracking = Cracking(
-        body=body, state=path.state, integrity=HALF, dissipated=float(path.energy.sum()), slipped=0.0,
+        body=body, state=path.state, integrity=CRACKED, dissipated=float(path.energy.sum()), slipped=0.0,
         stored=float(0.5 * path.load[top] * rollers[top]), section=section,
         fracture_energy=softening_of("three_point_bending", failure, "a criterion").fracture_energy,
     )  # fmt: skip

@@ -25,7 +25,7 @@ from bondem.errors import InputError
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.arguments import check
-from bondem.labtests.cracking import HALF, Cracking
+from bondem.labtests.cracking import CRACKED, Cracking
 from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -272,7 +272,7 @@ def _read(run: ExplicitResult, body: Lattice, rig: Rig, speed: float, begin: flo
     elastic = energy["normal"] + energy["shear"] + energy["bending"] + energy["twisting"]
     both = np.abs(history["far"][:, rig.axis] + history["near"][:, rig.axis])[: top + 1] / rig.section
     cracking = Cracking(
-        body=body, state=run.state, integrity=HALF, dissipated=float(energy["fracture"][-1]),
+        body=body, state=run.state, integrity=CRACKED, dissipated=float(energy["fracture"][-1]),
         slipped=float(energy["plastic"][-1]), stored=float(elastic[top]), fracture_energy=G,
         section=rig.torn if rig.sign > 0.0 else math.nan, axis=rig.axis,
     )  # fmt: skip

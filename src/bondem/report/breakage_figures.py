@@ -55,7 +55,7 @@ def draw_energies(path: Path, specimen: Examined) -> None:
     with sheet(path, 4.1 * columns + 0.4, 3.2 * rows + 0.5, rows, columns, squeeze=False) as (figure, axes):
         for ax, name in zip(panels(axes, len(names)), names, strict=True):
             outcome = specimen.outcomes[name]
-            told = FAILURE_TESTS[name].figure
+            told = FAILURE_TESTS[name].figure_of(outcome.curves)
             strain = told.across[0] * outcome.curves["strain"]
             missing = np.abs(outcome.energy["balance"]).max()
             farther = strain >= np.maximum.accumulate(strain)

@@ -12,7 +12,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
-from bondem._types import Floats
+from bondem._types import Floats, Mask
 from bondem.labtests.failure_record import TestFigure
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.cell_pictures import draw_cells
@@ -37,13 +37,18 @@ def draw_curves(path: Path, findings: Findings) -> None:
     with sheet(path, 4.1 * columns + 0.4, 3.2 * rows, rows, columns, squeeze=False) as (figure, axes):
         lines: dict[str, Artist] = {}
         for ax, name in zip(panels(axes, len(names)), names, strict=True):
-            told = FAILURE_TESTS[name].figure
+            told = FAILURE_TESTS[name].figure_of(findings.specimens[0].outcomes[name].curves)
             (across, along), (up, of) = told.across, told.up
             for n, one in enumerate(findings.specimens):
                 outcome = one.outcomes[name]
-                several = n == 0 and len(findings.specimens) > 1
-                ax.plot(across * outcome.curves["strain"], up * outcome.curves["stress"], color=BLUE, alpha=0.8,
-                        linewidth=1.2, label="each specimen" if several else None)  # fmt: skip
+                x, y = across * outcome.curves["strain"], up * outcome.curves["stress"]
+                label = "each specimen" if n == 0 and len(findings.specimens) > 1 else None
+                if (np.diff(x) < 0.0).any():  # a path of events that turns back
+                    every = "every failure event" if n == 0 else None
+                    ax.plot(x, y, color=BLUE, alpha=0.3, linewidth=0.6, label=every)
+                    outer = enveloping(y)
+                    x, y, label = x[outer], y[outer], label or "envelope"
+                ax.plot(x, y, color=BLUE, alpha=0.8, linewidth=1.4, label=label)
             band = findings.peaks.get(name)
             if band is not None:
                 ax.axhspan(up * band[0], up * band[1], color=GREY, alpha=0.3, linewidth=0.0,
@@ -56,6 +61,12 @@ def draw_curves(path: Path, findings: Findings) -> None:
             lines |= {str(line.get_label()): line for line in ax.get_legend_handles_labels()[0]}
         if lines:
             figure.legend(lines.values(), lines.keys(), loc="outside lower center", ncols=legend_columns(2))
+
+
+def enveloping(load: Floats) -> Mask:
+    """Return True for the points of a path whose load no later point exceeds, or before the peak no earlier one."""
+    rising, falling = np.maximum.accumulate(load), np.maximum.accumulate(load[::-1])[::-1]
+    return load >= np.minimum(rising, falling)
 
 
 def draw_broken(path: Path, specimen: Examined) -> None:
