@@ -9,7 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import bondem as bd
-from bondem.errors import RunFileError, StudyError
+from bondem.errors import InputError, RunFileError, StudyError
 from bondem.study.programme import read
 from tests.specimens import spheres
 
@@ -85,3 +85,36 @@ def test_a_head_that_cannot_be_read_is_damage(run: Path, tmp_path: Path) -> None
     for reader in (bd.read_contents, bd.read_run):
         with pytest.raises(RunFileError, match=r"damaged|not a run file"):
             reader(tmp_path / "run.h5")
+
+
+@pytest.fixture(scope="module")
+def saved(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    body, folder = spheres(bd.Box((4e-3, 2e-3, 2e-3)), 100), tmp_path_factory.mktemp("saved")
+    bd.save_particles(folder / "own.h5", body)
+    bd.write_vtkhdf(folder / "own.vtkhdf", body)
+    return {path.suffix: path for path in folder.iterdir()}
+
+
+@pytest.mark.parametrize("suffix", [".h5", ".vtkhdf"])
+def test_damaged_particles_are_what_was_written_or_refused_in_one_line(
+    tmp_path: Path, saved: dict[str, Path], suffix: str
+) -> None:
+    """Every file is cut somewhere, has one changed bit, or 512 bytes of zeros, as a disk leaves them."""
+    random, path = np.random.default_rng(3), tmp_path / f"damaged{suffix}"
+    whole, data = bd.read_lattice(saved[suffix]), saved[suffix].read_bytes()
+    for number in range(100):
+        broken, at = bytearray(data), int(random.integers(len(data)))
+        if number < 25:
+            broken = broken[: len(data) * number // 25]
+        else:
+            broken[at] ^= 1 << int(random.integers(8))
+            broken[at : at + 512 * (number % 3 == 0)] = bytes(len(broken[at : at + 512 * (number % 3 == 0)]))
+        path.write_bytes(broken)
+        try:
+            found = bd.read_lattice(path)
+        except (InputError, RunFileError) as error:
+            check_line(error)
+        else:
+            np.testing.assert_array_equal(found.particles.position, whole.particles.position)
+            np.testing.assert_array_equal(found.particles.radius, whole.particles.radius)
+            np.testing.assert_array_equal(found.pairs, whole.pairs)
