@@ -79,6 +79,15 @@ def absorbing_bar() -> bd.Model:
     ])  # fmt: skip
 
 
+def cells_on_rough_platens() -> bd.Model:
+    """Cells that are squeezed between platens, on which some stick and others slide."""
+    ends = [
+        bd.Fix(bd.Face("x_min"), "x", "", friction=0.1),
+        bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, -2.0, 0.02), friction=0.3),
+    ]
+    return bd.Model(body(4, 3, 3), bd.CellBond(E=1e7, nu=0.3), density=1000.0, boundary=ends)
+
+
 def breaking_cells(model: bd.Model, tension: float, **options: Any) -> bd.Model:
     """A body of cells, whose facets break."""
     scatter = bd.Weibull(modulus=6.0, volume=0.3, seed=2)
@@ -114,6 +123,9 @@ CASES: dict[str, Callable[[], Case]] = {
     ),
     "cells with corrected mass": lambda: (
         replace(held_bar(), mass_matrix="dispersion-corrected"), moving, 120, 1e-3, {"damping": DAMPED, "every": 3}
+    ),
+    "cells on rough platens": lambda: (
+        cells_on_rough_platens(), moving, 120, 1e-3, {"gauges": CELL_GAUGES, "every": 5}
     ),
     "layer of cells": lambda: (sheet(), moving, 150, 1e-3, {"damping": DAMPED, "every": 3}),
     "periodic cells": lambda: (
