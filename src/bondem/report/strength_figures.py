@@ -34,7 +34,8 @@ def draw_curves(path: Path, findings: Findings) -> None:
     """Draw the curve of every packing, with the strength of the material and the measured range of peaks."""
     names = broken_in(findings.specimens[0])
     rows, columns = arranged(len(names))
-    with sheet(path, 4.1 * columns + 0.4, 3.2 * rows, rows, columns, squeeze=False) as (figure, axes):
+    width, high = (6.2, 3.7) if len(names) == 1 else (4.1 * columns + 0.4, 3.2 * rows)
+    with sheet(path, width, high, rows, columns, squeeze=False) as (figure, axes):
         lines: dict[str, Artist] = {}
         for ax, name in zip(panels(axes, len(names)), names, strict=True):
             told = FAILURE_TESTS[name].figure_of(findings.specimens[0].outcomes[name].curves)
@@ -60,7 +61,7 @@ def draw_curves(path: Path, findings: Findings) -> None:
             ax.set_ylim(bottom=0.0)
             lines |= {str(line.get_label()): line for line in ax.get_legend_handles_labels()[0]}
         if lines:
-            figure.legend(lines.values(), lines.keys(), loc="outside lower center", ncols=legend_columns(2))
+            figure.legend(lines.values(), lines.keys(), loc="outside lower center", ncols=legend_columns(2 if columns > 1 else 1))
 
 
 def enveloping(load: Floats) -> Mask:
