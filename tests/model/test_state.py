@@ -60,6 +60,19 @@ def test_arrays_in_the_order_of_the_kernels_are_not_listed():
     assert not {*bd.State.ARRAYS, "rest", "layout"} & {*dir(spheres().state())}
 
 
+def test_dir_of_a_model_lists_no_table_of_the_solvers():
+    model = spheres()
+    names = {name for name in dir(model) if not name.startswith("_")}
+    own = {"lattice", "bond", "density", "boundary", "contact", "walls", "failure", "mass_matrix"}
+    assert own < names
+    assert names - own == {
+        "contact_radius", "formulation", "implied_fracture", "inertia", "mass", "plot", "state", "stiffness",
+        "with_boundary",
+    }  # fmt: skip
+    assert model.layout is not None  # it is there, for the solvers
+
+
+
 @pytest.mark.parametrize(
     ("name", "value", "words"),
     [
