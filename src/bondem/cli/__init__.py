@@ -35,7 +35,7 @@ _COMMANDS = {
     "watch": "Show the progress of a run at each checkpoint until the run ends.",
 }
 
-OK, BAD_INPUT, UNSTABLE, INTERRUPTED = 0, 2, 3, 130
+OK, UNREAD, BAD_INPUT, UNSTABLE, INTERRUPTED = 0, 1, 2, 3, 130
 
 
 class _Commands(click.Group):
@@ -89,7 +89,7 @@ def _status(command: click.Command) -> int:
         finally:
             flush()
     except BrokenPipeError:  # the reader, such as `head`, has seen enough
-        return OK
+        return UNREAD
     except OSError as error:
         where = f"'{error.filename}': " if error.filename else ""
         return _complain(f"{where}{error.strerror or error}; make room or choose another place", BAD_INPUT)
