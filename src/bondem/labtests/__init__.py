@@ -11,6 +11,7 @@ from bondem.labtests.cantilever import clamped_tension, static_bending, static_t
 from bondem.labtests.celerity import impact
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.confined import TriaxialTest, triaxial
+from bondem.labtests.cracking import Cracking
 from bondem.labtests.crushing import SphereCrushing, sphere_crushing
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
 from bondem.labtests.flexure import BendingTest, three_point_bending
@@ -31,6 +32,7 @@ __all__ = [
     "BendingTest",
     "BrazilianTest",
     "BrokenBall",
+    "Cracking",
     "FragmentSizes",
     "FreeVibration",
     "Isotropic",

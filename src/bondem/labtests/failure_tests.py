@@ -143,9 +143,9 @@ _RECORDS = (
         ),
     ),
     FailureTest(
-        name="three_point_bending", perform=_bend, suited=BEAM, options={"span": TestOption("m"), "until": TestOption("-")},
-        more=_bending,
-        energy=energy_ledger, integrity=lambda test: test.path.bond_integrity, curve=_load_curve, told=_bent,
+        name="three_point_bending", perform=_bend, suited=BEAM,
+        options={"span": TestOption("m"), "until": TestOption("-")}, more=_bending, energy=energy_ledger,
+        integrity=lambda test: test.path.bond_integrity, curve=_load_curve, told=_bent,
         figure=TestFigure(
             "Three-point bending", strain="CMOD", plain="deflection", stress="load", across=(1e6, "µm"),
             up=(1e-3, "kN"), line=False, azimuth=math.radians(25.0), elevation=math.radians(56.0),
