@@ -101,6 +101,7 @@ _PUBLIC = {
     "bondem.dynamics.history": ("History",),
     "bondem.model.solution": ("Solution", "Status"),
     "bondem.dynamics.plan": ("Callback", "ExplicitResult", "Plan"),
+    "bondem.dynamics.quasistatic": ("Quasistatic",),
     "bondem.statics.static": ("StaticResult",),
     "bondem.statics.modes": ("ModesResult",),
     "bondem.io.exporting": ("export",),

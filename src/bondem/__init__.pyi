@@ -66,6 +66,7 @@ from bondem.dynamics.history import History as History
 from bondem.dynamics.plan import Callback as Callback
 from bondem.dynamics.plan import ExplicitResult as ExplicitResult
 from bondem.dynamics.plan import Plan as Plan
+from bondem.dynamics.quasistatic import Quasistatic as Quasistatic
 from bondem.dynamics.schemes import Scheme as Scheme
 from bondem.dynamics.schemes import TchamwaWielgosz as TchamwaWielgosz
 from bondem.dynamics.schemes import VelocityVerlet as VelocityVerlet

@@ -24,7 +24,7 @@ class Quasistatic:
         difference: largest difference of the forces of the two force gauges of a run over the largest of these forces
             [-], in the same records; NaN unless exactly two gauges record opposite forces.
         servo: force of each servo wall at the end and its prescribed force [N], by the index of the wall.
-        meant: reason why the run is taken to be meant quasi-static; empty for other runs, which are not judged.
+        meant: reason why the run is taken to be meant quasi-static; empty for other runs, which are not checked.
     """
 
     kinetic: float
@@ -48,7 +48,7 @@ class Quasistatic:
         return tuple(found)
 
     def warn(self) -> None:
-        """Warn of a run that is meant to be quasi-static and is not.
+        """Issue a warning for a run that is meant to be quasi-static and is not.
 
         Warns:
             NotQuasistaticWarning: a measure is beyond its limit.

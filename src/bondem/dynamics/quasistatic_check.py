@@ -2,7 +2,7 @@
 
 A run is taken to be meant so if it has a servo wall, or if it squeezes or stretches the specimen between two ends, at
 least one of which is driven, and it either has local or mass damping, or gauges of force and takes its time: the
-largest elastic energy comes late. Impacts, waves, vibrations and pulses of pressure are not judged.
+largest elastic energy comes late. Impacts, waves, vibrations and pulses of pressure are not checked.
 """
 
 import math

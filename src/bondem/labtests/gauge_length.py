@@ -60,7 +60,7 @@ def at_generators(
 
     Args:
         lattice: the specimen.
-        displacement: of the centres of mass [m], (n, 3).
+        displacement: displacements of the centres of mass [m], (n, 3).
         rotation: rotation vectors of the elements [rad], (n, 3).
 
     Returns:
