@@ -18,6 +18,8 @@ from bondem.errors import ArgumentError, BondemError
 
 # With this value of BONDEM_TRACEBACK all frames are shown.
 _FULL = "full"
+# Special methods that refuse what a user gives.
+_SPECIAL = ("__init__", "__and__", "__or__", "__sub__", "__bool__", "__getitem__")
 _done: set[str] = set()
 
 
@@ -53,7 +55,7 @@ def _guard_class(cls: type) -> None:
         if not one.__module__.startswith("bondem."):
             continue
         for name, item in list(vars(one).items()):
-            if name.startswith("_") and name != "__init__":
+            if name.startswith("_") and name not in _SPECIAL:
                 continue
             kind = type(item) if isinstance(item, classmethod | staticmethod) else None
             inner = item if kind is None else item.__func__

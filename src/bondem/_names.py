@@ -22,13 +22,17 @@ _SYNONYMS: dict[str, tuple[str, ...]] = {
     "gravity": ("boundary",), "criterion": ("failure",), "strength": ("failure", "tension"),
     "displacements": ("displacement",), "velocities": ("velocity",), "damage": ("integrity", "bond_integrity"),
 }  # fmt: skip
+# Likeness of names from which one is taken for the other misspelt: members are many, and an error needs no guess.
+_CLOSE = 0.75
 # What is evaluated by a function, and no attribute of a run, a state or an equilibrium.
 _OF_OBJECTS = {
-    "stress": "bd.cell_stress(model, run) for cells, or bd.element_stress(model, run)",
-    "stresses": "bd.cell_stress(model, run) for cells, or bd.element_stress(model, run)",
-    "forces": "bd.bond_forces(model, run)", "fragments": "bd.fragments(lattice, state)",
-    "cracks": "bd.cracks(model, state)", "save": "bd.write_vtkhdf, bd.save_particles or out= of a solver",
-    "to_vtk": "bd.write_vtkhdf",
+    "stress": "bd.cell_stress(model, state) for cells, or bd.element_stress(model, state)",
+    "stresses": "bd.cell_stress(model, state) for cells, or bd.element_stress(model, state)",
+    "forces": "bd.bond_forces(model, state)", "fragments": "bd.fragments(lattice, state)",
+    "cracks": "bd.cracks(lattice, state)", "save": "bd.write_vtkhdf, bd.save_particles or out= of a solver",
+    "to_vtk": "bd.write_vtkhdf", "volume_fraction": "bd.fabric(lattice)", "broken": ".events",
+    "broken_bonds": "run.events or state.bond_integrity", "to_csv": ".to_pandas().to_csv(file)",
+    "run": "bd.solve_explicit(model, duration=...)", "solve": "bd.solve_static(model) or bd.solve_explicit",
 }  # fmt: skip
 
 
@@ -59,15 +63,31 @@ def no_attribute(module: str, name: str, known: Iterable[str], instead: Mapping[
 
 
 def no_member(thing: object, name: str) -> str:
-    """Return the message for an attribute that an object does not have: the attribute of a member, or a near name."""
-    owner = type(thing).__name__
-    inside = [
-        f"{key}.{name}" for key, member in vars(thing).items()
-        if not key.startswith("_") and type(member).__module__.startswith("bondem.") and hasattr(type(member), name)
-    ] if hasattr(thing, "__dict__") and not name.startswith("_") else []  # fmt: skip
-    elsewhere = f"; use {_OF_OBJECTS[name]}" if name in _OF_OBJECTS else ""
-    hint = f"; did you mean '.{inside[0]}'?" if inside else elsewhere or meant(name, dir(thing))
-    return f"{owner} has no attribute '{name}'{hint}"
+    """Return the message for an attribute that an object does not have: that of a member, a function, a near name."""
+    message = f"{type(thing).__name__} has no attribute '{name}'"
+    if name.startswith("_"):
+        return message
+    fields = getattr(thing, "__dataclass_fields__", getattr(thing, "__dict__", {}))
+    members = ((key, getattr(thing, "__dict__", {}).get(key)) for key in fields if not key.startswith("_"))
+    inside = [(f".{key}", one) for key, one in members if type(one).__module__.startswith("bondem.")]
+    same = [f"{path}.{name}" for path, member in inside if name in dir(member)]
+    if not same and name in _OF_OBJECTS:
+        return f"{message}; use {_OF_OBJECTS[name]}"
+    near = same or [
+        f"{path}.{one}" if path else one for find in (_other_words, _misspelt)
+        for path, member in (("", thing), *inside) for one in find(name, dir(member))
+    ]  # fmt: skip
+    return f"{message}; did you mean '{near[0]}'?" if near else message
+
+
+def _other_words(name: str, names: Iterable[str]) -> list[str]:
+    """Return the names by which what other programs call `name` is known here."""
+    return [one for one in _SYNONYMS.get(name, ()) if one in names]
+
+
+def _misspelt(name: str, names: Iterable[str]) -> list[str]:
+    """Return a public name that differs by few letters, if there is one."""
+    return difflib.get_close_matches(name, [one for one in names if not one.startswith("_")], n=1, cutoff=_CLOSE)
 
 
 def users_line() -> int:

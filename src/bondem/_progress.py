@@ -81,6 +81,11 @@ def staged(title: str, *, shares: bool = True) -> Callable[[Callable[P, R]], Cal
 
         @functools.wraps(function)
         def run(*args: P.args, **named: P.kwargs) -> R:
+            if takes and named.get("progress") is not None and not callable(named["progress"]):
+                raise InputError(
+                    f"{function.__name__}: progress = {shown(named['progress'])}; give a function of the completed"
+                    " share, 0 … 1, or None"
+                )
             if _Chosen.board is not None or _Chosen.hidden:
                 return function(*args, **named)
             if takes and named.get("progress") is not None:

@@ -25,7 +25,7 @@ def body() -> bd.Lattice:
 
 
 def heated(strain: float, rise: float, region: bd.Region | None = None) -> bd.Eigenstrain:
-    return bd.Eigenstrain(strain, region or bd.Everything(), schedule=bd.Ramp(0.0, 1.0, rise))
+    return bd.Eigenstrain(strain, bd.Everything() if region is None else region, schedule=bd.Ramp(0.0, 1.0, rise))
 
 
 def test_a_bar_between_walls_bears_minus_e_times_strain(body: bd.Lattice) -> None:

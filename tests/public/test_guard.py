@@ -26,7 +26,7 @@ ARGUMENTS = {
 ATTRIBUTES = {
     "of a member": (r"ExplicitResult has no attribute 'displacement'; did you mean '\.state\.displacement'",
                     lambda: RUN.displacement),
-    "by a function": (r"use bd\.cell_stress\(model, run\)", lambda: RUN.stress),
+    "by a function": (r"use bd\.cell_stress\(model, state\)", lambda: RUN.stress),
     "of a plural": ("State has no attribute 'velocities'; did you mean 'velocity'", lambda: RUN.state.velocities),
     "of a module": (r"bondem has no attribute 'plot'; use \.plot\(\) of a lattice", lambda: bd.plot),
     "of a module inside": (r"use bd\.labtests\.brazilian", lambda: bd.brazilian),
@@ -40,6 +40,12 @@ REFUSED = {
                            lambda: bd.CellBond(E="70 GPa", nu=0.2)),
     "an object in place of another": (r"model = Lattice: 4 elements, .*; give bd.Model",
                                       lambda: bd.solve_static(row(4))),
+    "regions by words": ("a region has no truth value; join two by &", lambda: bd.Face("x_min") and bd.Face("y_min")),
+    "shapes by words": ("a shape has no truth value", lambda: BOX or BOX),
+    "no function for progress": ("pack: progress = True; give a function", lambda: bd.pack(BOX, count=9, progress=True)),
+    "time of a history": (r"did you mean history\.time", lambda: RUN.history["time"]),
+    "arguments in the wrong order": ("cell_stress: model = State: .*; give bd.Model",
+                                     lambda: bd.cell_stress(RUN.state, MODEL)),
     "one number for three": ("velocity has shape", lambda: setattr(MODEL.state(), "velocity", 5.0)),
 }  # fmt: skip
 

@@ -44,7 +44,8 @@ class History:
 
     def __getitem__(self, name: str) -> Floats:
         if name not in self.gauges:
-            raise InputError(f"no gauge '{name}' was recorded; choose from: {', '.join(self.gauges) or 'none'}")
+            own = f"; did you mean history.{name}?" if isinstance(name, str) and name in ("time", "energy") else ""
+            raise InputError(f"no gauge '{name}' was recorded; choose from: {', '.join(self.gauges) or 'none'}{own}")
         first = FIXED_COLUMNS + 3 * self.gauges.index(name)
         return self.records[:, first : first + 3]
 

@@ -38,6 +38,9 @@ class Shape(Walled):
         """Return the shape without `tool`, for example with a notch or a hole. The new walls form the face `name`."""
         return Cut(self, tool, name)
 
+    def __bool__(self) -> bool:
+        raise InputError("a shape has no truth value; join two by &, | and -, or compare with None by 'is'")
+
     def __and__(self, other: "Shape") -> "Shape":
         return Overlap(self, other)
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from bondem._checks import instance
 from bondem._types import Floats, PerElement
 from bondem.geometry.rotations import add_force_moments
 from bondem.interactions.cells.cell_body import body_of
@@ -31,7 +32,8 @@ def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
     Raises:
         InputError: The result belongs to another model.
     """
-    if isinstance(model, Model) and model.cells is None:
+    instance("cell_stress", "model", model, Model, "bd.Model(...)")
+    if model.cells is None:
         return element_stress(model, result).symmetric
     return mean_stress(model, CellForces.of(model, result))
 

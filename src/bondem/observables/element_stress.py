@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._checks import vector
+from bondem._checks import instance, vector
 from bondem._types import Floats, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.model.model import Model
@@ -89,7 +89,8 @@ def element_stress(model: Model, result: SmallMotion | State) -> ElementStress:
     Raises:
         InputError: a model of cells, or a result of another model.
     """
-    if isinstance(model, Model) and model.cells is not None:
+    instance("element_stress", "model", model, Model, "bd.Model(...)")
+    if model.cells is not None:
         raise InputError("element_stress: elements of this model are cells; give it to bd.cell_stress")
     found, lattice = bond_forces(model, result), model.lattice
     centre = result.position if isinstance(result, State) else lattice.centre

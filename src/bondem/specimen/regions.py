@@ -45,6 +45,9 @@ class Region(ABC):
         """Return the point through which a load on the region acts: the centroid of its elements [m], (3,)."""
         return lattice.centre[self.select(lattice)].mean(axis=0)
 
+    def __bool__(self) -> bool:
+        raise InputError("a region has no truth value; join two by &, | and -, or compare with None by 'is'")
+
     def __and__(self, other: "Region") -> "Region":
         return Intersection(self, as_region("&", other))
 
