@@ -42,7 +42,7 @@ REFUSED = {
                                       lambda: bd.solve_static(row(4))),
     "regions by words": ("a region has no truth value; join two by &", lambda: bd.Face("x_min") and bd.Face("y_min")),
     "shapes by words": ("a shape has no truth value", lambda: BOX or BOX),
-    "no function for progress": ("pack: progress = True; give a function", lambda: bd.pack(BOX, count=9, progress=True)),
+    "no function for progress": ("pack: progress = True; give", lambda: bd.pack(BOX, count=9, progress=True)),
     "time of a history": (r"did you mean history\.time", lambda: RUN.history["time"]),
     "arguments in the wrong order": ("cell_stress: model = State: .*; give bd.Model",
                                      lambda: bd.cell_stress(RUN.state, MODEL)),

@@ -12,6 +12,7 @@ import numpy as np
 from bondem._checks import instance, number, place, require_file, shown, vector
 from bondem._extras import install
 from bondem._names import users_line
+from bondem._plausibility import is_long
 from bondem._types import ArrayLike, Pairs
 from bondem._units import length_unit
 from bondem.errors import InputError, StressFreeWarning, UnitWarning
@@ -26,8 +27,6 @@ from bondem.io.xyz import read_xyz
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles
 
-# Longest specimen taken for metres without being told so [m].
-_USUAL = 1.0
 _OWN = (".h5", ".hdf5")
 _LAMMPS, _DUMP, _XYZ = (".data", ".lmp", ".lammps"), (".dump", ".lammpstrj"), (".xyz", ".extxyz")
 _VTK = (".vtk", ".vtp", ".vtu")
@@ -276,7 +275,7 @@ def _particles(
             )
         period = None if raw.period is None else scale * raw.period
     longest = float(np.ptp(raw.position, axis=0).max(initial=0.0))
-    if unit is None and longest > _USUAL:
+    if unit is None and is_long(longest):
         warnings.warn(
             f"'{path}' is taken to be {longest:.4g} m long; give unit='m' if it is, unit='mm' if millimetres",
             UnitWarning, stacklevel=users_line(),
