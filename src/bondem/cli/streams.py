@@ -30,7 +30,7 @@ def in_ascii(text: str) -> str:
 
 
 def accept_all_characters() -> None:
-    """Let stdout and stderr spell characters that their encoding lacks, so that no text is an error."""
+    """Set stdout and stderr to spell characters that their encoding lacks, so that no text is an error."""
     codecs.register_error(_ERRORS, _spelled)
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
