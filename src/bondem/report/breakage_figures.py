@@ -12,7 +12,7 @@ from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.outcome import Outcome
 from bondem.report.crack_pictures import draw_cracks, draw_fragments
 from bondem.report.findings import Examined
-from bondem.report.numbers import area, counted, many, with_unit
+from bondem.report.numbers import area, many, pieces_and_crumbs, with_unit
 from bondem.report.strength_figures import arranged, broken_in, magnified, panels, reach_of, view_of
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, legend_columns, sheet
 from bondem.specimen.lattice import Lattice
@@ -34,7 +34,7 @@ def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: 
     state, found = cracking.state, cracking.found
     reach = reach_of(body, state.displacement)
     draw_fragments(left, body, state, cracking.fragments, view=view_of(told), reach=reach)
-    left.set_title(f"{told.title}: {counted(cracking)}", color=INK)
+    left.set_title(f"{told.title}: {pieces_and_crumbs(cracking)}", color=INK)
     left.text(0.02, 0.0, magnified(reach), transform=left.transAxes, fontsize=8.5)
     cracks = many(cracking.count, "crack") if cracking.sectioned else "cracks"
     scale = draw_cracks(right, body, found, view=view_of(told))

@@ -63,7 +63,7 @@ def many(count: int, what: str) -> str:
     return f"{count} {what}" if count == 1 else f"{count} {what}s"
 
 
-def counted(cracking: Cracking) -> str:
+def pieces_and_crumbs(cracking: Cracking) -> str:
     """Format the numbers of pieces and crumbs of a broken specimen."""
     crumbs = f" and {many(cracking.crumbs, 'crumb')}" if cracking.crumbs else ""
     return f"{many(cracking.pieces, 'piece')}{crumbs}"

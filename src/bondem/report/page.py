@@ -29,12 +29,12 @@ from bondem.report.mesoscale_figure import draw_cut_open
 from bondem.report.numbers import (
     area,
     between,
-    counted,
     in_unit,
     many,
     measures,
     off_between,
     percent,
+    pieces_and_crumbs,
     signed,
     signed_percent,
     with_unit,
@@ -184,7 +184,7 @@ def templates() -> Environment:
     )  # fmt: skip
     environment.filters |= {
         "quantity": with_unit, "percent": percent, "signed": signed_percent, "difference": signed, "area": area,
-        "counted": counted, "many": many, "off_between": off_between,
+        "pieces_and_crumbs": pieces_and_crumbs, "many": many, "off_between": off_between,
     }  # fmt: skip
     return environment
 

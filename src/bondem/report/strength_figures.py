@@ -61,7 +61,8 @@ def draw_curves(path: Path, findings: Findings) -> None:
             ax.set_ylim(bottom=0.0)
             lines |= {str(line.get_label()): line for line in ax.get_legend_handles_labels()[0]}
         if lines:
-            figure.legend(lines.values(), lines.keys(), loc="outside lower center", ncols=legend_columns(2 if columns > 1 else 1))
+            beside = legend_columns(2 if columns > 1 else 1)
+            figure.legend(lines.values(), lines.keys(), loc="outside lower center", ncols=beside)
 
 
 def enveloping(load: Floats) -> Mask:

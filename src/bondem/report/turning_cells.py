@@ -11,7 +11,7 @@ from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.cell_pictures import outlined
 from bondem.report.crack_pictures import corners_moved
 from bondem.report.findings import Examined
-from bondem.report.numbers import counted
+from bondem.report.numbers import pieces_and_crumbs
 from bondem.report.piece_colours import piece_palette
 from bondem.report.strength_figures import magnified, reach_of
 from bondem.report.style import SEQUENTIAL
@@ -52,7 +52,7 @@ def turning_cells_of(one: Examined) -> TurningCells:
         ), pieces.label  # fmt: skip
         colour = piece_palette(len(pieces))[label]
         title = FAILURE_TESTS[broken[0]].figure.title
-        caption = f"{title}: the broken specimen, {magnified(reach)}, {counted(cracking)} in a colour each"
+        caption = f"{title}: the broken specimen, {magnified(reach)}, {pieces_and_crumbs(cracking)} in a colour each"
     else:
         size = np.cbrt(body.cells.volume / body.cells.volume.mean())
         share = (size - size.min()) / max(float(np.ptp(size)), 1e-12)
