@@ -119,7 +119,10 @@ def _require_closed(name: str, triangles: Ints) -> None:
             " that share a part of a face; unite the solids, remove inner walls, and export again"
         )
     if lone:
-        raise InputError(f"{name} is not watertight: {lone} edges have one triangle only; close the surface")
+        raise InputError(
+            f"{name} is not watertight: {lone} edges have one triangle only, at gaps or at corners within the side of"
+            " another triangle; close the surface, and export it again"
+        )
     if net.any():
         raise InputError(f"{name}: its triangles do not all face the same way; repair the normals and export again")
 

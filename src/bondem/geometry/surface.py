@@ -14,6 +14,7 @@ import numpy as np
 from bondem._checks import array, instance, number, place, shown, vector
 from bondem._drawing import draw
 from bondem._names import users_line
+from bondem._plausibility import is_long
 from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement, PerElement3, Vector
 from bondem._units import length_unit
 from bondem.errors import InputError, UnitWarning
@@ -25,8 +26,8 @@ from bondem.geometry.surface_files.contents import Contents
 from bondem.geometry.surface_files.formats import read_surface_file
 from bondem.geometry.triangles import Triangles
 
-# Longest specimen taken for metres without being told so, with a warning and without [m].
-_PLAUSIBLE, _USUAL = 10.0, 1.0
+# Longest part whose file has no unit that is read in metres, with a warning [m].
+_PLAUSIBLE = 10.0
 
 # How far from a side of the bounding box a facet may lie to be part of that face, over the size of the box;
 # STL files keep seven digits.
@@ -98,7 +99,7 @@ class Surface(Shape):
             raise InputError(
                 f"{name} is {size:.4g} long and has no unit; give unit='mm', or unit='m' if its numbers are metres"
             )
-        if file is not None and scale is None and size > _USUAL:
+        if file is not None and scale is None and is_long(size):
             warnings.warn(
                 f"{name} is assumed to be {size:.4g} m long; give unit='m' to confirm, or unit='mm' for millimetres",
                 UnitWarning, stacklevel=users_line(),
@@ -179,16 +180,15 @@ class Surface(Shape):
         found = [one for one in self.patches if one.name not in self._group_names]
         if normal is not None:
             along = np.array(vector("Surface.patch", "normal", normal))
-            length = np.linalg.norm(along)
-            found = [one for one in found if one.normal @ along > _ALONG * length]
+            found = [one for one in found if one.normal @ along > _ALONG * np.linalg.norm(along)]
             if not found:
                 raise InputError(
                     f"Surface.patch: no patch has a mean normal within 15° of {shown(normal)}; see Surface.patches"
                 )
         if near is None:
             return found[0]
-        point = np.array([vector("Surface.patch", "near", near, unit="m")])
-        return min(found, key=lambda one: float(self._tree(one.name).distance(point)[0]))
+        point = np.array(vector("Surface.patch", "near", near, unit="m"))
+        return min(found, key=lambda one: float(self._all.distance_of(one.triangles, point).min()))
 
     def plot(self, path: str | Path | None = None, *, view: tuple[float, float] = (28.0, 24.0)) -> Any:
         """Draw the surface from two opposite sides, with the names of its patches.

@@ -12,7 +12,7 @@ import numpy as np
 
 from bondem._core import Pass
 from bondem._threads import current_threads
-from bondem._types import Floats, Ints, PerElement, PerElement3
+from bondem._types import Floats, Ints, PerElement, PerElement3, Vector
 
 _PIECES = 10_000  # more pieces: tighter boxes, more levels
 _FACING = 0.9  # cosine of the largest angle between a triangle and a wall that it may be
@@ -87,6 +87,10 @@ class Triangles:
         outward = self._outward[triangle, feature]
         return np.where((offset * outward).sum(axis=1) > 0.0, -distance, distance)
 
+    def distance_of(self, triangles: Ints, point: Vector) -> PerElement:
+        """Return the distance of a point (3,) from each of some triangles [m], (k,)."""
+        return self._closest(np.broadcast_to(point, (len(triangles), 3)), triangles)[0]
+
     def facing(self, points: PerElement3, normals: PerElement3) -> tuple[Ints, PerElement]:
         """Return the nearest triangle that faces along a normal, within 25°, and the distance of its plane [m], (n,).
 
@@ -96,7 +100,7 @@ class Triangles:
         for k in np.flatnonzero((self._normal[triangle] * normals).sum(axis=1) < _FACING):
             others = np.flatnonzero(self._normal @ normals[k] >= _FACING)
             if others.size:
-                triangle[k] = others[self._closest(np.tile(points[k], (len(others), 1)), others)[0].argmin()]
+                triangle[k] = others[self.distance_of(others, points[k]).argmin()]
         off = np.abs(((points - self._corner[triangle, 0]) * self._normal[triangle]).sum(axis=1))
         return triangle, np.where((self._normal[triangle] * normals).sum(axis=1) < _FACING, np.inf, off)
 

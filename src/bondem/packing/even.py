@@ -10,9 +10,9 @@ from collections.abc import Callable
 import numpy as np
 from scipy.spatial import KDTree
 
-from bondem._types import Floats, PerElement
+from bondem._types import Floats, Ints, PerElement
 from bondem.geometry.elementary_shapes import Shape
-from bondem.packing.start import thrown
+from bondem.packing.start import random_centres, thrown
 from bondem.specimen.particles import Particles, filled
 from bondem.specimen.tessellation.cutting import cell_centroids
 
@@ -25,6 +25,8 @@ _ROUGH, _STEPS, _LLOYD = 0.1, 300, 6
 _TOUCHING, _INSIDE = 1.1, 3.0
 # How far inside walls centres stay on the way, over the usual radius.
 _MARGIN = 0.4
+# Centres nearer to each other than this, over the usual radius, have no cells of their own.
+_ONTO = 1e-3
 
 
 def even(
@@ -46,10 +48,19 @@ def even(
     width = spheres.mean_radius
     margin = np.full(count, _MARGIN * width)
     x = kept_inside(shape, spheres.sphere[:, :3], spheres.sphere[:, :3], margin)
+    lost = _lost(shape, x, width)
+    if lost.size:
+        x[lost] = random_centres(shape, np.full(lost.size, _START * width), random)
     for step in range(_LLOYD):
         told((step + 1) / (_LLOYD + 2))
         x = kept_inside(shape, cell_centroids(points_of(shape, x, width)), x, margin)
     return filled(Particles(x, usual_radius(shape, x, width), shape.period), shape)
+
+
+def _lost(shape: Shape, x: Floats, width: float) -> Ints:
+    """Find centres that narrow walls pushed out of the shape, too far to come back, or onto another centre."""
+    close = KDTree(x, boxsize=shape.period).query_pairs(_ONTO * width, output_type="ndarray")
+    return np.union1d(np.flatnonzero(shape.depth(x) < 0.0), close.max(axis=1, initial=-1))
 
 
 def points_of(shape: Shape, x: Floats, width: float) -> Particles:

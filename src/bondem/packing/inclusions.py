@@ -68,7 +68,7 @@ def aggregates(shape: Shape, sieve: Sieve, *, fraction: float, gap: float, seed:
     random.shuffle(radius)
     wide = radius + 0.5 * gap
     filled_part = _part(wide, shape)
-    spheres = thrown(shape, wide, filled_part, random)
+    spheres = thrown(shape, wide, filled_part, random, by_count=False)
     wide = spheres.sphere[:, 3] * 1.0
     spheres.relax(1.0, tolerance=_SETTLED, steps=_STEPS)
     found = Aggregates(spheres.sphere[:, :3], wide - 0.5 * gap)

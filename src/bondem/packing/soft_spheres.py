@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._checks import shown
 from bondem._core import Pass
 from bondem._threads import current_threads
 from bondem._types import Floats
@@ -51,6 +52,7 @@ class SoftSpheres:
     """Spheres in a shape, relaxed at a sequence of scales of their radii.
 
     Attributes:
+        shape: the shape that they fill.
         table: the spheres in the form that the passes require.
         walls: the walls of the shape in the form that the passes require.
         scale: factor on the initial radii [-].
@@ -61,7 +63,7 @@ class SoftSpheres:
     def __init__(self, shape: Shape, centre: Floats, radius: Floats) -> None:
         self.scale, self.steps = 1.0, 0
         self.on_step: Callable[[int], None] = lambda steps: None
-        self._shape = shape
+        self.shape = shape
         self._lower, self._upper = shape.bounds
         period = np.zeros(3) if shape.period is None else shape.period.copy()
         n = len(radius)
@@ -73,7 +75,7 @@ class SoftSpheres:
         self._skin = _SKIN_WANDERING
 
     def __str__(self) -> str:
-        return f"{len(self.sphere)} spheres in {self._shape}"
+        return f"{len(self.sphere)} spheres in {shown(self.shape)}"
 
     @property
     def sphere(self) -> Floats:
@@ -102,7 +104,7 @@ class SoftSpheres:
     def scale_for(self, volume_fraction: float) -> float:
         """Return the scale at which the spheres have this share of the volume of the shape [-]."""
         solid = 4.0 / 3.0 * np.pi * float((self.unit**3).sum())
-        return float(np.cbrt(volume_fraction * self._shape.volume / solid))
+        return float(np.cbrt(volume_fraction * self.shape.volume / solid))
 
     def relax(self, scale: float, *, tolerance: float, steps: int, loose: float = LOOSE) -> Rest:
         """Bring the spheres to rest with their radii `scale` times the initial ones.

@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 
-from bondem._types import Floats
+from bondem._checks import shown
+from bondem._types import Floats, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Shape
 from bondem.geometry.morton import morton_code
@@ -12,11 +13,19 @@ from bondem.packing.soft_spheres import SoftSpheres
 
 # A periodic cell must be this many largest radii wide at the highest density, or a sphere meets another twice.
 _WIDTH, _DENSEST = 5.2, 0.75
+# Volume fraction at which packings come to rest, and the depth of most of a shape over the largest radius there: two
+# spheres beside each other, between walls that reach the usual targets, and cells that reach from wall to wall.
+_AT_REST, ACROSS, _CELLS_ACROSS = 0.62, 2.0, 0.7
+# Throws after which it is asked whether any of some places is deep enough; this share of them lies less deep than the
+# middle of a usual wall. Steps between the places fill space evenly (Roberts' sequence).
+_SOON, _PLACES, _USUAL = 20, 50_000, 0.97
+_STEPS_OF_PLACES = np.array([0.8191725133961645, 0.6710436067037893, 0.5497004779019703])
 
 
 def thrown(
-    shape: Shape, relative_radius: Floats, fraction: float, random: np.random.Generator, *, inside: float = 1.0
-) -> SoftSpheres:
+    shape: Shape, relative_radius: Floats, fraction: float, random: np.random.Generator, *, inside: float = 1.0,
+    by_count: bool = True,
+) -> SoftSpheres:  # fmt: skip
     """Place spheres at random in a shape, with overlaps, in Morton order.
 
     Args:
@@ -25,6 +34,7 @@ def thrown(
         fraction: volume of the spheres over that of the shape [-].
         random: random generator.
         inside: smallest distance of centres from walls, over the radius [-].
+        by_count: True if the number of spheres decides on their radii, for the advice of an error.
 
     Raises:
         InputError: The spheres are too large for the shape.
@@ -34,28 +44,59 @@ def thrown(
     densest = float(radius.max()) * max(_DENSEST / fraction, 1.0) ** (1.0 / 3.0)
     if shape.period is not None and shape.period.min() < _WIDTH * densest:
         raise InputError(
-            f"{len(radius)} spheres are too large for the periodic {shape}; ask for more, or make its edges more"
-            " alike"
+            f"{len(radius)} spheres are too large for the periodic {shown(shape)}; ask for more, or make its edges"
+            " more alike"
         )
-    centre = _random_centres(shape, inside * radius, random)
+    try:
+        centre = random_centres(shape, inside * radius, random)
+    except InputError as error:
+        told = "give smaller ones, or a larger shape"
+        if by_count:
+            # cells may reach from wall to wall; spheres need room to lie beside each other
+            at_rest = radius * (_AT_REST / fraction) ** (1.0 / 3.0)
+            count, mean = enough(shape, at_rest, _CELLS_ACROSS if inside < 1.0 else ACROSS)
+            told = f"give count={count} or more, with a mean radius of {mean:.3g} m, or a larger shape"
+        raise InputError(
+            f"{len(radius)} spheres of radius {radius.max():.3g} m do not fit into {shown(shape)}; {told}"
+        ) from error
     order = np.argsort(morton_code(centre), kind="stable")
     return SoftSpheres(shape, centre[order], radius[order])
 
 
-def _random_centres(shape: Shape, radius: Floats, random: np.random.Generator) -> Floats:
-    """Return centres [m], uniform over the part of `shape` that is deeper than `radius` (n,) [m], (n, 3).
+def random_centres(shape: Shape, depth: PerElement, random: np.random.Generator) -> PerElement3:
+    """Return centres [m], uniform over the part of `shape` that is deeper than `depth` (n,) [m], (n, 3).
 
     Raises:
-        InputError: The largest sphere does not fit.
+        InputError: No place is so deep.
     """
     lower, upper = shape.bounds
-    centre = np.empty((len(radius), 3))
-    missing = np.arange(len(radius))
-    for _ in range(1000):
+    centre = np.empty((len(depth), 3))
+    missing = np.arange(len(depth))
+    for tried in range(1000):
         centre[missing] = lower + (upper - lower) * random.random((len(missing), 3))
-        missing = missing[shape.depth(centre[missing]) < radius[missing]]
+        missing = missing[shape.depth(centre[missing]) < depth[missing]]
         if not missing.size:
             return centre
-    raise InputError(
-        f"spheres of radius {radius.max():.3g} m do not fit into {shape}; ask for more spheres or a larger shape"
-    )
+        if tried == _SOON and not (depths_inside(shape) >= depth[missing].min()).any():
+            break
+    raise InputError(f"no place in {shown(shape)} is {depth.max():.3g} m from its walls")
+
+
+def depths_inside(shape: Shape) -> PerElement:
+    """Return the depths of places spread evenly over a shape [m], (k,)."""
+    lower, upper = shape.bounds
+    # evenly and without a generator, so that asking changes no packing
+    place = np.mod(0.5 + np.arange(_PLACES)[:, None] * _STEPS_OF_PLACES, 1.0)
+    depth = shape.depth(lower + (upper - lower) * place)
+    return depth[depth > 0.0]
+
+
+def enough(shape: Shape, radius: PerElement, across: float) -> tuple[int, float]:
+    """Return how many spheres fit where those of given radii are too wide, and the mean radius of these [m].
+
+    Most walls are then `across` of the largest radii thick or more, measured from their middle.
+    """
+    usual = float(np.quantile(depths_inside(shape), _USUAL))
+    smaller = usual / (across * float(radius.max()))
+    count = math.ceil(len(radius) / min(smaller, 1.0) ** 3)
+    return count, float(radius.mean()) * (len(radius) / count) ** (1.0 / 3.0)

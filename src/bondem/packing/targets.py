@@ -11,6 +11,7 @@ from typing import Protocol
 from bondem._checks import instance, number
 from bondem.errors import InputError, PackingError
 from bondem.packing.soft_spheres import Rest, SoftSpheres
+from bondem.packing.start import ACROSS, enough
 
 # Rms force over mean contact force at rest: to get near the target, and in the packing that is returned.
 _ROUGH, _FINE = 3e-2, 5e-3
@@ -170,9 +171,12 @@ def _spread_of(spheres: SoftSpheres) -> float:
 def _check_overlap(spheres: SoftSpheres, what: str, option: str) -> None:
     deepest = spheres.deepest()
     if deepest > _LARGEST_OVERLAP:
+        # a number only where it is the walls that are too near to each other
+        needed, _ = enough(spheres.shape, spheres.sphere[:, 3], ACROSS)
+        more = f"count={needed} or more" if needed > 2 * len(spheres.sphere) else "more spheres"
         raise PackingError(
             f"{spheres} reach {what} only with overlaps of {deepest:.2f} of the smaller radius of a pair; ask for"
-            f" more spheres or a smaller {option}"
+            f" {more} or a smaller {option}"
         )
 
 

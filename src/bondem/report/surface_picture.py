@@ -18,7 +18,7 @@ from bondem.report.style import INK
 
 # Pixels along the longer side, patches with a name in the picture at most, and pixels from its middle to its edge
 # that a patch has at least if its name is written.
-_PIXELS, _NAMED, _ROOM = 1400, 60, 6.0
+_PIXELS, _NAMED, _ROOM = 1000, 60, 5.0
 
 
 class _Raster(NamedTuple):

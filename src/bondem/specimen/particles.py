@@ -100,7 +100,8 @@ class Particles:
         tree = KDTree(self.position, boxsize=self.period)
         # radii in other units than centres: nearly all pairs would overlap, more than memory holds; a few say so
         some = np.linspace(0, len(self) - 1, min(len(self), 100)).astype(int)
-        nearest = np.asarray(tree.query(self.position[some], k=2)[1])[:, 1]
+        two = np.asarray(tree.query(self.position[some], k=2)[1])
+        nearest = np.where(two[:, 1] == some, two[:, 0], two[:, 1])  # of coincident centres either comes first
         known = nearest < len(self)
         self._refuse_overlap(np.column_stack([some, nearest])[known])
         self._refuse_overlap(tree.query_pairs(1.5 * self.radius.max(), output_type="ndarray"))

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from bondem._checks import require_file
 from bondem.errors import InputError
 from bondem.geometry.surface_files.contents import Contents
 from bondem.geometry.surface_files.stl import read_stl
@@ -22,8 +23,7 @@ def read_surface_file(file: Path) -> Contents:
     ending = file.suffix.lower()
     if ending not in _READERS:
         raise InputError(f"{file}: Surface reads STL, OBJ, 3MF, PLY and OFF files; export the part as one of these")
-    if not file.is_file():
-        raise InputError(f"{file}: there is no such file; check the path")
+    require_file(file, "such file")
     try:
         data = file.read_bytes()
     except OSError as error:
@@ -40,7 +40,9 @@ def _by_trimesh(name: str, data: bytes) -> Contents:
         mesh = trimesh.load_mesh(io.BytesIO(data), file_type=ending)
         return Contents(np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64), {})
     except Exception as error:  # whatever a parser trips over
-        raise InputError(f"{name} cannot be read as {ending.upper()} ({error}); export it again") from error
+        raise InputError(
+            f"{name} cannot be read as {ending.upper()} ({error}); export it again, as triangles"
+        ) from error
 
 
 _READERS = {".stl": read_stl, ".obj": read_obj, ".3mf": read_3mf, ".ply": _by_trimesh, ".off": _by_trimesh}

@@ -10,6 +10,7 @@ import posixpath
 import zipfile
 import zlib
 from dataclasses import dataclass, field
+from typing import IO
 from xml.parsers import expat
 
 import numpy as np
@@ -21,8 +22,8 @@ from bondem.geometry.surface_files.contents import Contents, by_name
 _UNITS = {
     "micron": 1e-6, "millimeter": 1e-3, "centimeter": 1e-2, "inch": 0.0254, "foot": 0.3048, "meter": 1.0,
 }  # fmt: skip
-_MODEL = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
-_MOST_BYTES, _MOST_TRIANGLES, _MOST_OBJECTS, _DEEPEST = 2 << 30, 20_000_000, 100_000, 50
+_CORE = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+_MOST_BYTES, _MOST_TRIANGLES, _MOST_OBJECTS, _DEEPEST = 1 << 30, 20_000_000, 100_000, 50
 
 
 @dataclass
@@ -54,6 +55,8 @@ def read_3mf(name: str, data: bytes) -> Contents:
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             return _Archive(name, archive).contents()
+    except InputError:
+        raise
     except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError, KeyError) as error:
         raise InputError(f"{name} cannot be read as 3MF ({error}); export it again") from error
     except (expat.ExpatError, ValueError, IndexError) as error:
@@ -125,23 +128,22 @@ class _Archive:
         path = posixpath.normpath(path).lstrip("/")
         if path not in self._models:
             entry = {one.lstrip("/").lower(): one for one in self._archive.namelist()}[path.lower()]
-            with self._archive.open(entry) as stream:
-                text = stream.read(self._room + 1)
-            self._room -= len(text)
+            self._room -= self._archive.getinfo(entry).file_size  # no more than that is unpacked
             if self._room < 0:
                 raise InputError(f"{self._name} unpacks to more than {_MOST_BYTES >> 30} GB; export it coarser")
-            self._models[path] = _parsed(self._name, text)
+            with self._archive.open(entry) as stream:
+                self._models[path] = _parsed(self._name, stream)
         return self._models[path]
 
 
-def _parsed(name: str, text: bytes) -> _Model:
+def _parsed(name: str, stream: IO[bytes]) -> _Model:
     """Read the XML of a model."""
     model, present = _Model(), _Object("", "")
 
     def begin(tag: str, given: dict[str, str]) -> None:
         nonlocal present
         space, _, word = tag.rpartition(" ")
-        if space not in ("", _MODEL):  # of extensions, such as the lattice of beams
+        if space not in ("", _CORE):  # of extensions, such as the lattice of beams
             return
         if word == "model":
             model.unit = given.get("unit", model.unit)
@@ -162,7 +164,7 @@ def _parsed(name: str, text: bytes) -> _Model:
     parser = expat.ParserCreate(namespace_separator=" ")
     parser.StartElementHandler = begin
     parser.StartDoctypeDeclHandler = refuse
-    parser.Parse(text, True)
+    parser.ParseFile(stream)
     return model
 
 
