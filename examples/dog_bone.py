@@ -5,7 +5,7 @@ spheres lie inside the triangulated surface, touch its flat ends and follow its 
 pulled at the other, it lengthens by F/E times the integral of dx/A, so that the gauge strains more than the bar
 as a whole by 1/A there over the mean of 1/A.
 
-Expected: 1.27, here 1.24. Takes about 10 s on two cores. Run it with:  python examples/dog_bone.py
+Expected: 1.27, here 1.21. Takes about 7 s of a core. Run it with:  python examples/dog_bone.py
 """
 
 import tempfile

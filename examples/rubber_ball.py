@@ -1,7 +1,7 @@
 """Press a ball of rubber on all sides: every cell has the pressure, at ν = 0.4999 as well.
 
 Physics: under a uniform pressure p the stress is -p everywhere and the volume shrinks by p / K. With balanced shares
-each cell of any packing has this stress to single precision. Expected: each error below 1e-6. Takes about 5 s.
+each cell of any packing has this stress to single precision. Expected: each error below 1e-6. Takes about 7 s.
 
 Run it with:  python examples/rubber_ball.py
 """

@@ -5,7 +5,7 @@ pressure, two opposite ones move sinusoidally, the others only repel. The grains
 at random while the pressure wall follows: a free platen, which swings about its load.
 
 Expected: random close packing, 0.636, less what smooth walls cost a box nine grains wide: 0.595. The mean pressure
-is that asked for. Takes about 20 s on one core. Run it with:  python examples/shear_compaction.py [FOLDER]
+is that asked for. Takes about 33 s of a core. Run it with:  python examples/shear_compaction.py [FOLDER]
 """
 
 import sys

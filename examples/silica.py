@@ -1,7 +1,7 @@
 """Fused silica in Python: pack a cylinder, calibrate its bonds, then pull, bend and ring it.
 
 Physics: André et al. (2012). Expected: E = 72.5 GPa and ν = 0.17 on this specimen, by r̃ of about 0.70; the first
-bending frequency within 6.5 % of Euler–Bernoulli theory and 2 % of Timoshenko's. Takes about 30 s on two cores.
+bending frequency within 6.5 % of Euler–Bernoulli theory and 2 % of Timoshenko's. Takes about 8 s of a core.
 
 Run it with:  python examples/silica.py
 """

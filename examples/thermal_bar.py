@@ -1,7 +1,7 @@
 """Heat a bar: free it grows without stress, clamped between two walls it presses with E α ΔT.
 
 Physics: every bond has the rest length L (1 + α ΔT). Expected: free growth of α ΔT = 1e-3 to rounding, and a clamped
-stress within 3 % of E α ΔT of the same bar (the end elements are held at their centres). Takes about 10 s.
+stress within 3 % of E α ΔT of the same bar (the end elements are held at their centres). Takes about 2 s.
 
 Run it with:  python examples/thermal_bar.py
 """
