@@ -20,6 +20,13 @@ _SHORT, _FEW = 96, 6
 _ENTRY = re.compile(r"^    (\w+(?:, \w+)*): (.*)$")
 _UNIT = re.compile(r"\[((?:[^\[\]]*[A-Za-zµΩ°%·/³²-][^\[\]]*))\]")
 
+
+def _extent(shape: Any) -> str:
+    """Return the extents of a shape along the axes."""
+    a, b, c = shape.bounds[1] - shape.bounds[0]
+    return f"{a:.4g} × {b:.4g} × {c:.4g} m"
+
+
 # What some objects are, in a few words.
 _HEADLINES: dict[str, Callable[[Any], str]] = {
     "Particles": lambda o: f"{len(o)} spheres of mean radius {o.mean_radius:.4g} m" + _in_shape(o),
@@ -35,10 +42,8 @@ _HEADLINES: dict[str, Callable[[Any], str]] = {
     "History": lambda o: f"{len(o.time)} records from {o.time[0]:.4g} to {o.time[-1]:.4g} s",
     "BrokenBonds": lambda o: f"{len(o)} broken bonds",
     "Fragments": lambda o: f"{len(o.mass)} fragments",
-} | dict.fromkeys(
-    ("Placed", "Joined", "Overlap", "Cut"),
-    lambda o: "{:.4g} × {:.4g} × {:.4g} m".format(*(o.bounds[1] - o.bounds[0])),
-)  # fmt: skip
+    "Placed": _extent, "Joined": _extent, "Overlap": _extent, "Cut": _extent,
+}  # fmt: skip
 # Of these the properties tell more than the attributes.
 _SHOWN: dict[str, tuple[str, ...]] = {
     "State": ("displacement", "velocity", "angular_velocity", "bond_integrity", "contacts", "wall_force"),

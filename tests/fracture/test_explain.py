@@ -103,6 +103,7 @@ def test_what_is_usual_or_no_stone_is_not_doubted() -> None:
         cells(bd.Rankine(tension=500e6, fracture_energy=1e5), bd.CellBond(E=210e9, nu=0.0), 7850.0)  # steel
 
 
+@pytest.mark.filterwarnings("ignore:Rankine. fracture_energy = 0.1:bondem.errors.UnitWarning")  # doubted here too
 def test_doubts_name_what_is_not_resolved_and_what_governs() -> None:
     def of(**strength: float) -> str:
         return " ".join(bd.explain(cells(bd.Rankine(**strength))).doubts)
