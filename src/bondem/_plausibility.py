@@ -103,7 +103,7 @@ _SPEED = 0.3, 5e4
 #: Quantities by the usual name of their argument; "contact" is the E of a contact law.
 _RANGES: dict[str, _Range] = {
     "E": _MODULUS, "contact": _CONTACT, "density": _DENSITY, "tension": _STRENGTH, "compression": _STRENGTH,
-    "hydrostatic": _STRENGTH, "cohesion": _STRENGTH, "shear": _STRENGTH,
+    "hydrostatic": _STRENGTH, "cohesion": _STRENGTH, "shear": _STRENGTH, "pressure": _STRENGTH,
     "fracture_energy": _ENERGY, "fracture_energy_shear": _ENERGY,
 }  # fmt: skip
 

@@ -23,7 +23,8 @@ class History:
     """Records of a run over time; `history["name"]` returns the records of a gauge, (s, 3).
 
     Attributes:
-        records: columns time [s], thirteen energies [J], three components per gauge, shape (s, 14 + 3 g).
+        records: columns time [s], thirteen energies [J], three components per gauge, shape (s, 14 + 3 g). The last
+            row is the end of the run, which may be less than `every` steps after the one before.
         gauges: names of the gauges, in the order of their columns.
     """
 

@@ -115,7 +115,8 @@ _TARGETS = KeyTable("strengths to compare with", {
 })  # fmt: skip
 _OPTIONS: dict[str, Key] = {
     name: KeyTable(f"options of {name}", {
-        key: Number("option of the test", one.unit, above=0.0) for key, one in test.options.items()
+        key: Number("option of the test", one.unit, above=0.0, quantity="pressure" if one.unit == "Pa" else "")
+        for key, one in test.options.items()
     })
     for name, test in FAILURE_TESTS.items() if test.options
 }  # fmt: skip
