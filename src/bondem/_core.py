@@ -77,8 +77,8 @@ def _compiled(target: Platform, name: str) -> Path:
         print(f"bondem: compiling its core ({name}), whose sources have changed", file=sys.stderr)
         try:
             return compile_core(target, [name])[0]
-        except RuntimeError as error:
-            raise ImportError(str(error)) from None
+        except (RuntimeError, OSError) as error:  # an OSError where the folder of the sources is not one's own
+            raise ImportError(f"bondem's core cannot be compiled: {error}") from None
 
 
 def _level(target: Platform) -> str:
