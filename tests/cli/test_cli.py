@@ -51,9 +51,12 @@ def test_a_short_study_succeeds_and_says_its_stages_in_a_pipe(tmp_path):
     assert names == ["pack 1 of 1", "calibrate", "test 1 of 1", "report"]
     assert "\x1b" not in done.stdout
     assert any(line.split()[:1] == ["static_bending"] and "%" in line for line in done.stdout.splitlines())
+    assert done.stdout.splitlines()[-1].strip() == str(Path("out") / "report.html")  # what one opens next
     results = json.loads((out / "results.json").read_text())
     assert results["macro"]["E"] == pytest.approx(72.5e9, rel=2e-3)
-    assert "static bending" in (out / "report.html").read_text()
+    report = (out / "report.html").read_text()
+    for words in ("static bending", "bondem run study.toml --out out --seed 3 --threads 1"):
+        assert words in report
 
 
 @pytest.mark.validate

@@ -275,6 +275,24 @@ def test_aggregates_are_those_of_the_packings(finished):
         assert row["error"] == pytest.approx(np.mean(errors))
         assert row["scatter"] == pytest.approx(np.std(errors, ddof=1))
     assert packings[0]["E"] != packings[1]["E"]
+    unseen = results["unseen"]  # a single one, which has no interval
+    assert unseen["packings"] == 1
+    assert unseen["E"] == {"mean": packings[1]["E"], "confidence_95": None}
+    low, high = results["tests"]["static_bending"]["error_95"]
+    assert low < results["tests"]["static_bending"]["error"] < high
+
+
+def test_the_first_beams_are_calibrated_on_some_packings_and_tested_on_others():
+    study = read_study(EXAMPLE.with_name("start_beams.toml"))
+    assert (study.calibrating, study.packings) == (4, 8)
+
+
+def test_a_measured_range_has_two_ends():
+    asked = SMALL | {"reference": {"citation": "A", "peaks": {"three_point_bending": ["933 N", 1114]}}}
+    assert parse_study(asked).reference.peaks == {"three_point_bending": (933.0, 1114.0)}
+    for wrong in ([1.0], [2.0, 1.0]):
+        with pytest.raises(bd.errors.StudyError, match=r"'reference.peaks.three_point_bending': not a range"):
+            parse_study(SMALL | {"reference": {"citation": "A", "peaks": {"three_point_bending": wrong}}})
 
 
 def test_stages_are_told_and_end_at_one(finished):
