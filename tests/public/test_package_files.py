@@ -50,6 +50,23 @@ def test_workflows_can_be_read(name):
         assert job["steps"]
 
 
+def test_templates_ask_for_version_and_code():
+    forms = {path.stem: yaml.safe_load(path.read_text(encoding="utf-8"))
+             for path in (ROOT / ".github" / "ISSUE_TEMPLATE").glob("*.yml")}  # fmt: skip
+    assert {"bug", "question", "config"} == set(forms)
+    asked = {field["id"]: field.get("validations", {}) for field in forms["bug"]["body"]}
+    assert all(asked[one].get("required") for one in ("what", "how", "version", "machine"))
+    assert ".ci/run" in (ROOT / ".github" / "pull_request_template.md").read_text(encoding="utf-8")
+
+
+def test_classifiers_say_where_bondem_runs_and_binder_has_what_notebooks_need():
+    found = " ".join(PROJECT["classifiers"])
+    assert all(one in found for one in ("Linux", "MacOS", "Windows", "Python :: 3.11", "Typing :: Typed"))
+    assert "-e ." in (ROOT / ".binder" / "requirements.txt").read_text(encoding="utf-8").splitlines()
+    assert "notebooks" in (ROOT / ".binder" / "postBuild").read_text(encoding="utf-8")
+    assert ":latest" not in (ROOT / "Containerfile").read_text(encoding="utf-8")
+
+
 def test_citations_of_the_paper_are_in_its_bibliography():
     text = (ROOT / "paper.md").read_text(encoding="utf-8")
     known = re.findall(r"^@\w+\{(\w+),", (ROOT / "paper.bib").read_text(encoding="utf-8"), re.MULTILINE)
