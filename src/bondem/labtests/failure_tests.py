@@ -117,6 +117,7 @@ def _load_curve(test: BendingTest) -> Curve:
 
 
 _PULSE = {"pressure": "Pa", "rise": "s", "fall": "s"}
+_PLATENS = {"platen_friction": TestOption("-")}
 _RECORDS = (
     FailureTest(
         name="direct_tension", perform=direct_tension, theory=_tensile, more=_worked, energy=energy_ledger,
@@ -124,20 +125,20 @@ _RECORDS = (
         figure=TestFigure("Direct tension", quantity="tensile strength"),
     ),
     FailureTest(
-        name="ucs", perform=uniaxial_compression, yields=True, theory=_compressive, more=_worked,
+        name="ucs", perform=uniaxial_compression, options=_PLATENS, yields=True, theory=_compressive, more=_worked,
         energy=energy_ledger, figure=TestFigure("Uniaxial compression", slips=True, quantity="compressive strength"),
     ),
     FailureTest(
-        name="brazilian", perform=brazilian, suited=DISC, options={"half_angle": TestOption("rad")}, theory=_tensile,
-        more=_worked, energy=energy_ledger,
+        name="brazilian", perform=brazilian, suited=DISC, options={"half_angle": TestOption("rad"), **_PLATENS},
+        theory=_tensile, more=_worked, energy=energy_ledger,
         figure=TestFigure(
             "Brazilian test", strain="closing / D", stress="2 P / (π D t)", azimuth=math.radians(62.0),
             elevation=math.radians(14.0), quantity="Brazilian strength 2 P / (π D t)",
         ),
     ),
     FailureTest(
-        name="triaxial", perform=triaxial, options={"pressure": TestOption("Pa", needed=True)}, yields=True,
-        theory=_compressive, more=_worked, energy=energy_ledger,
+        name="triaxial", perform=triaxial, options={"pressure": TestOption("Pa", needed=True), **_PLATENS},
+        yields=True, theory=_compressive, more=_worked, energy=energy_ledger,
         figure=TestFigure(
             "Triaxial compression", stress="axial stress", slips=True, quantity="axial stress at failure, σ1"
         ),
