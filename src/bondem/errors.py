@@ -45,7 +45,11 @@ class StepWarning(UserWarning):
 
 
 class ContactWarning(UserWarning):
-    """Warning of contacts outside the range of their law: deep overlaps, too fast motion, or no law given."""
+    """Warning of contacts outside the range of their law, of missing contacts, and of walls on the wrong side.
+
+    Overlaps may be too deep, motions too fast for the step, or no law given. A wall may face away from the body, or
+    elements may begin behind it.
+    """
 
 
 class ImbalanceWarning(UserWarning):
