@@ -129,6 +129,10 @@ def test_trimesh_objects_are_read_with_their_unit():
         bd.Surface(mesh)
     mesh.units = "mm"
     assert bd.Surface(mesh).volume == pytest.approx(6e-6)
+    with pytest.raises(InputError, match=r"scene.to_mesh\(\) of a Scene"):
+        bd.Surface(trimesh.Scene([mesh]))
+    with pytest.raises(InputError, match="either a file, or vertices="):
+        bd.Surface(mesh, named={"foot": [0]})
     with pytest.raises(InputError, match="not watertight"):
         bd.Surface(trimesh.Trimesh(mesh.vertices, mesh.faces[1:]), unit="mm")
 
@@ -246,6 +250,7 @@ def test_flaws_with_one_remedy_are_mended(tmp_path, text, cubes, sides):
     pytest.param(obj(np.where(CUBE > 5, np.nan, CUBE), QUADS), "not finite", id="nan"),
     pytest.param(obj(CUBE, [*QUADS[:5], (1, 5, 7, 30)]), "corner 31 of 8", id="corner"),
     pytest.param(obj(CUBE, QUADS).replace("v 0 0 0", "v 0 zero 0"), "line 3: 'v 0 zero 0'", id="word"),
+    pytest.param(obj(CUBE, [*QUADS[:5], (1, 5, 7, -1)]), "no vertex of three numbers or polygon", id="corner 0"),
     pytest.param(bytes(range(256)) * 20, "no polygon", id="noise"),
 ])  # fmt: skip
 def test_other_flaws_are_refused_with_what_to_do(tmp_path, text, says):

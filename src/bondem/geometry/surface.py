@@ -294,17 +294,24 @@ def _given(
     file: Any, vertices: ArrayLike | None, triangles: ArrayLike | None, named: Mapping[str, ArrayLike] | None
 ) -> tuple[str, Contents]:
     """Return the name of a surface, for messages, and its triangles."""
+    if (file is None) == (vertices is None and triangles is None and named is None):
+        raise InputError("Surface needs either a file, or vertices= and triangles=, which may have named=")
     # whoever has a mesh of trimesh has imported it
     trimesh = sys.modules.get("trimesh")
     if trimesh is not None and isinstance(file, trimesh.Trimesh):
         unit = None if file.units is None else length_unit("Surface: units of the Trimesh", file.units)
         x, t = np.array(file.vertices, dtype=float), np.array(file.faces, dtype=np.int64)
         return "the Trimesh", Contents(x.reshape(-1, 3), t.reshape(-1, 3), {}, unit)
-    if file is not None:
+    if isinstance(file, str | Path):
         found = place("Surface: file", file)
         return str(found), read_surface_file(found)
+    if file is not None:
+        raise InputError(
+            f"Surface: file = {shown(file)}; give a path, a trimesh.Trimesh (scene.to_mesh() of a Scene), or"
+            " vertices= and triangles="
+        )
     if vertices is None or triangles is None:
-        raise InputError("Surface needs a file, or both vertices= and triangles=")
+        raise InputError("Surface needs both vertices= and triangles=, or a file")
     x = array("Surface", "vertices", vertices, wanted="corners, shape (v, 3)")
     t = _whole("triangles", triangles, "numbers of corners, shape (t, 3)")
     parts = {}

@@ -31,7 +31,7 @@ def read_obj(name: str, data: bytes) -> Contents:
                 vertices.append([float(x), float(y), float(z)])
             elif key == b"f":
                 corners = [int(word.split(b"/", 1)[0]) for word in rest.split()]
-                if len(corners) < 3 or len(corners) > _MOST_CORNERS:
+                if len(corners) < 3 or len(corners) > _MOST_CORNERS or 0 in corners:
                     raise ValueError
                 # negative numbers count back from the latest corner
                 corners = [k - 1 if k > 0 else len(vertices) + k for k in corners]
