@@ -60,7 +60,7 @@ def test_a_crack_across_clumps_takes_fewer_iterations():
     cut = 0.35 * 16e-3
     facets = np.flatnonzero((x[body.i] < cut) != (x[body.j] < cut))
     for k in facets[: int(0.9 * len(facets))]:
-        body.weaken(int(k), 0.01, (False, False))
+        body.weaken(np.array([k]), 0.01, (False, False))
     right, start = body.right - body.pull, np.zeros(6 * len(x))
     rounds = []
     for integrity in (np.ones(len(body.i)), body.integrity):

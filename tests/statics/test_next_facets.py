@@ -28,7 +28,7 @@ def begun(count: int, cut: float) -> tuple[DamagedBody, Iterated, StressOnset]:
     rank[model.layout.bond_order] = np.arange(len(rank))
     middle = uneven_bar(count).facets.centroid
     for k in rank[(np.abs(middle[:, 0] - 8e-3) < 1e-3) & (middle[:, 1] < cut * 8e-3)].tolist():
-        body.weaken(k, 0.0, (False, False))
+        body.weaken(np.array([k]), 0.0, (False, False))
     return body, search, StressOnset(body, model.softening)
 
 

@@ -35,6 +35,7 @@ template <> struct TypeName<Array<int32_t, 1>> { static constexpr const char *na
 template <> struct TypeName<Array<int32_t, 2>> { static constexpr const char *name = "int32 written"; };
 template <> struct TypeName<Array<uint8_t, 1>> { static constexpr const char *name = "uint8 written"; };
 template <> struct TypeName<Array<uint8_t, 2>> { static constexpr const char *name = "uint8 written"; };
+template <> struct TypeName<Array<const float, 3>> { static constexpr const char *name = "float32 read"; };
 template <> struct TypeName<Array<const float, 2>> { static constexpr const char *name = "float32 read"; };
 template <> struct TypeName<Array<Short, 1>> { static constexpr const char *name = "uint32 written"; };
 template <> struct TypeName<Array<float, 1>> { static constexpr const char *name = "float32 written"; };

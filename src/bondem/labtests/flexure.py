@@ -24,7 +24,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face, Index, Region, Within
-from bondem.statics.quasistatic.load_response import Ends, MeasuringPoints
+from bondem.statics.quasistatic.load_response import MeasuringPoints
 from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult, solve_quasistatic
 
 # Load at a factor of 1 [N]: nothing depends on it.
@@ -280,16 +280,16 @@ class _Beam:
         moment = (-float(off[2]) * force, 0.0, float(off[0]) * force)
         return Load(region, force=(0.0, force, 0.0), moment=moment)
 
-    def gauges(self) -> Mapping[str, Ends]:
+    def gauges(self) -> Mapping[str, tuple[Region, Region]]:
         """Gauges from each support to the upper roller and to the middle of the section, and of the notch mouth."""
         region = {name: self._region(face, at) for name, (face, at, _) in self._places().items()}
         x, y = float(self.middle[0]), float(self.middle[1])
         inside = self._about(x, float(self.upper[1]) - 0.5 * self.ligament)
         ends = {"left": self._about(x - 0.5 * self.span, y), "right": self._about(x + 0.5 * self.span, y)}
-        found: dict[str, Ends] = {name: (region[name], region["top"]) for name in ends}
+        found: dict[str, tuple[Region, Region]] = {name: (region[name], region["top"]) for name in ends}
         return found | {f"middle {name}": (end, inside) for name, end in ends.items()} | self._mouth()
 
-    def _mouth(self) -> dict[str, Ends]:
+    def _mouth(self) -> dict[str, tuple[Region, Region]]:
         """Return the gauge between the edges of the notch at the bottom; none for a plain beam.
 
         A cell at the mouth has a facet on a side of the notch and one on the bottom. Its edge is where the plane of

@@ -7,11 +7,12 @@ additive Schwarz with a Nicolaides coarse space). The number of iterations then 
 """
 
 import math
+from functools import cached_property
 
 import numpy as np
 from scipy.sparse import bsr_array, coo_array, csc_array, dia_array
 from scipy.sparse.csgraph import connected_components
-from scipy.sparse.linalg import splu
+from scipy.sparse.linalg import SuperLU, splu
 
 from bondem._types import Floats, Ints, Mask, PerBond, PerElement3
 from bondem.model.stiffness import Stiffness
@@ -112,9 +113,12 @@ class Clumps:
         diagonal = self.matrix.diagonal()
         # motions that do not exist (all held) get a number of their own
         extra = np.where(diagonal > 1e-12 * diagonal.max(), _REGULAR * diagonal, diagonal.max())
-        regular = csc_array(self.matrix + dia_array((extra[None], [0]), shape=self.matrix.shape))
-        self._factors = splu(
-            regular, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
+        self.regular = csc_array(self.matrix + dia_array((extra[None], [0]), shape=self.matrix.shape))
+
+    @cached_property
+    def _factors(self) -> SuperLU:
+        return splu(
+            self.regular, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
         )
 
     def __call__(self, residual: Floats) -> Floats:

@@ -8,6 +8,7 @@ rattlers. Small lattices and chains are solved by elimination. Others use conjug
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 import numpy as np
@@ -29,7 +30,7 @@ _CHAIN = 1.5
 # A pivot below this, of a matrix with unit diagonal, belongs to a mechanism.
 _SINGULAR = 1e-13
 _ROUNDS = 5000
-_MECHANISM = (
+MECHANISM = (
     "the static solution did not converge: the load moves a mechanism that no bond resists (elements free to"
     " roll under bonds without moments, or too few bonds); fix more, or choose a law with moments"
 )
@@ -105,7 +106,7 @@ class System:
             return load
         return load - self._weight * (self.loose @ (self.loose.T @ load))
 
-    @property
+    @cached_property
     def _weight(self) -> Floats:
         return np.tile(np.repeat([1.0, self.length**2], 3), len(self.free))
 
@@ -211,6 +212,7 @@ class Iteration:
         root: S of each element, shape (n, 6, 6).
         scaled: Sᵀ K S.
         coarse: coarse correction of the scaled matrix.
+        rigid: rigid motions that the supports permit, in scaled unknowns, orthonormal, (6 n, r).
     """
 
     def __init__(self, system: System, lost: tuple[Ints, Ints, PerBond] | None = None) -> None:
@@ -229,7 +231,7 @@ class Iteration:
         if lost is not None:
             clump = parted(clump, system.position, *lost)
         self.coarse = Clumps(self.scaled, self._back @ clump_motions(system.position, clump), clump)
-        self._rigid = spanning(self.unscaled(system.loose))
+        self.rigid = spanning(self.unscaled(system.loose))
 
     def solve(self, load: Floats, *, guess: Floats | None = None, rtol: float = 1e-10) -> tuple[Floats, int]:
         """See `Solver`."""
@@ -245,7 +247,7 @@ class Iteration:
         measure = np.where(system.free, [1.0] * 3 + [1.0 / system.length] * 3, 0.0).ravel()
         rest = np.linalg.norm(measure * (load - system.matrix @ solution))
         if rest > 1e-4 * np.linalg.norm(measure * load) + 1e-9 * np.linalg.norm(load):
-            raise ConvergenceError(_MECHANISM)
+            raise ConvergenceError(MECHANISM)
         return solution, rounds
 
     def approximate(self, residual: Floats) -> Floats:
@@ -253,7 +255,7 @@ class Iteration:
         z = residual + self.coarse(residual)
         # the clumps nearly resist rigid motion only: what rounding leaves of it in a residual would grow a
         # billionfold, and iterations on a free specimen stall or diverge near 1e-10
-        return z - self._rigid @ (self._rigid.T @ z)
+        return z - self.rigid @ (self.rigid.T @ z)
 
     def turned(self, load: Floats) -> Floats:
         """Return Sᵀ f for every column of (6 n, k)."""
@@ -325,4 +327,4 @@ def conjugate_gradients(
             break
         x += (rho / curvature) * p
         r -= (rho / curvature) * Kp
-    raise ConvergenceError(_MECHANISM)
+    raise ConvergenceError(MECHANISM)

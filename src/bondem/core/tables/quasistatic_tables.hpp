@@ -51,5 +51,37 @@ struct OnsetSearch {
     double spread;  // how far above the least of all a factor may be, over it
     Array<double, 1> factor;  // inf of facets that are passed over, (c,)
 };
+// Sᵀ K S = B + Fᵀ W F of n cells with six motions each. Both have the same blocks in rows.
+struct ScaledMatrix {
+    Array<const Index, 1> start;  // first block of each row, (n + 1,)
+    Array<const Index, 1> column;  // (b,)
+    Array<const Index, 1> diagonal;  // block on the diagonal of each row; those after it are above the diagonal, (n,)
+    Array<const double, 3> block;  // B, symmetric, (b, 6, 6)
+    Array<const double, 2> form;  // F, (b, 6)
+    Array<const float, 3> rounded_block;  // B in half the memory, (b, 6, 6)
+    Array<const float, 2> rounded_form;  // F, (b, 6)
+    Array<const double, 1> weight;  // W, (n,)
+};
+// Correction P (L Lᵀ)⁻¹ Pᵀ by clumps of cells that move rigidly, without the rigid motions of the body.
+struct ClumpCorrection {
+    Array<const Index, 1> place;  // first coarse unknown of the clump of each cell, (n,)
+    Array<const Index, 1> order;  // place of each coarse unknown in L, (c,)
+    Array<const double, 3> basis;  // P, (n, 6, 6)
+    Array<const double, 2> factor;  // column j of L from the diagonal down, (c, w)
+    Array<const double, 2> rigid;  // rigid motions that are free, orthonormal, (r, 6 n)
+    Array<double, 1> coarse;  // (c,)
+};
+// Conjugate gradients from a guess to a solution x of Sᵀ K S x = f.
+struct ConjugateGradients {
+    double stop;  // |r| at which they end
+    double energy;  // r · z at which they end
+    Index most;  // largest number of rounds
+    Array<double, 1> residual;  // f before, and its residual afterwards, (6 n,)
+    Array<double, 1> found;  // x, (6 n,)
+    Array<double, 2> work;  // z, p, K p and f, (4, 6 n)
+    Array<double, 1> stress;  // W F p, (n,)
+    Array<Index, 1> rounds;  // (1,)
+    Array<double, 1> first;  // r · z at the beginning, (1,)
+};
 
 }  // namespace bondem

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from bondem._types import Floats, Ints, Mask
+from bondem._types import ArrayLike, Floats, Ints, Mask
 from bondem.damage.crack_columns import CRACK_COLUMNS, FACET
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_strain import CellStrain
@@ -100,6 +100,7 @@ class DamagedBody:
         grips = users.grips
         at_rest = CellStrain.of(model.lattice, users, still, still, wall=grips.motion, pressed=model.pressed)
         self.given = at_rest.swelling[order]
+        self._swollen = bool(self.given.any())
         rigid = replace(users, weight=np.zeros_like(users.weight))
         walls = at_rest.nodal(model.lattice, rigid)[order]
         self.load = (walls + model.constraints.final_load(len(order))).ravel()
@@ -119,6 +120,8 @@ class DamagedBody:
     @property
     def right(self) -> Floats:
         """Forces and torques that the displacements must balance [N, N·m], (6 n,)."""
+        if not self._swollen:
+            return self.load
         return self.load - self.matrix.swelling_force(self.system.matrix.weight * self.given)
 
     @property
@@ -159,36 +162,46 @@ class DamagedBody:
         state.cracks[:, FACET] = cracked
         return state
 
-    def weaken(self, k: int, integrity: float, closed: tuple[bool, bool]) -> None:
-        """Set the integrity of facet k, at least `_NONE`, and its halves in compression."""
-        before = self._facet(k, self.integrity[k], self.closed[k])
-        self._weigh(k, -1.0)
-        self.integrity[k], self.closed[k] = max(integrity, _NONE), closed
-        after = self._facet(k, self.integrity[k], self.closed[k])
-        self._weigh(k, 1.0)
-        self.matrix.add(k, *(new - old for new, old in zip(after, before, strict=True)))
+    def weaken(self, facets: Ints, integrity: ArrayLike, closed: ArrayLike) -> None:
+        """Set the integrity of some facets, at least `_NONE`, and their halves in compression.
 
-    def _facet(self, k: int, s: float, closed: Mask) -> tuple[Floats, Floats, Floats]:
-        c, part = self.constants, np.array([self._part[k], 1.0 - self._part[k]])
-        n = c.normal[k]
-        pressed = (1.0 - s) * np.outer(n, n)
-        D = c.k[k] * (s * np.eye(3) + (part * closed).sum() * pressed)
+        Args:
+            facets: internal numbers, each once, (c,).
+            integrity: integrity of the facets, (c,) or one for all.
+            closed: mask of their halves in compression, (c, 2) or (2,) for all.
+        """
+        before = self._stiffness(facets)
+        self._weigh(facets, -1.0)
+        self.integrity[facets], self.closed[facets] = np.maximum(integrity, _NONE), closed
+        after = self._stiffness(facets)
+        self._weigh(facets, 1.0)
+        self.matrix.add(facets, *(new - old for new, old in zip(after, before, strict=True)))
+
+    def _stiffness(self, facets: Ints) -> tuple[Floats, Floats, Floats]:
+        c, shut = self.constants, self.closed[facets]
+        n, s = c.normal[facets], self.integrity[facets, None]
+        pressing = np.where(shut[:, 0], self._part[facets], 0.0) + np.where(shut[:, 1], 1.0 - self._part[facets], 0.0)
+        D = (pressing[:, None] * (1.0 - s) * n)[:, :, None] * n[:, None, :] + s[:, :, None] * np.eye(3)
         shares = tuple(
-            share @ (s * np.eye(3) + shut * pressed)
-            for share, shut in ((c.share_i[k], closed[0]), (c.share_j[k], closed[1]))
+            s * share + np.where(half, 1.0, 0.0)[:, None] * (1.0 - s) * (share * n).sum(axis=1)[:, None] * n
+            for share, half in ((c.share_i[facets], shut[:, 0]), (c.share_j[facets], shut[:, 1]))
         )
-        return facet_stiffness((c.lever_i[k], c.lever_j[k]), D, s * c.H[k], (shares[0], shares[1]))
+        return facet_stiffness(
+            (c.lever_i[facets], c.lever_j[facets]), c.k[facets, None, None] * D, s[:, :, None] * c.H[facets],
+            (shares[0], shares[1]),
+        )  # fmt: skip
 
-    def _weigh(self, k: int, sign: float) -> None:
-        """Add the missing part of a facet to the slack of its cells, or subtract it."""
-        c, open_part = self.constants, sign * (1.0 - self.integrity[k])
-        for p, slack, share, shut in (
-            (self.i[k], c.slack_i[k], c.share_i[k], self.closed[k, 0]),
-            (self.j[k], c.slack_j[k], c.share_j[k], self.closed[k, 1]),
+    def _weigh(self, facets: Ints, sign: float) -> None:
+        """Add the missing part of facets to the slack of their cells, or subtract it."""
+        c, open_part, n = self.constants, sign * (1.0 - self.integrity[facets]), self.constants.normal[facets]
+        for cells, slack, share, shut in (
+            (self.i[facets], c.slack_i[facets], c.share_i[facets], self.closed[facets, 0]),
+            (self.j[facets], c.slack_j[facets], c.share_j[facets], self.closed[facets, 1]),
         ):
-            across = 1.0 - (share @ c.normal[k]) ** 2 / (share @ share) if shut else 1.0
-            self._slack[p] += open_part * slack * across
-            self.system.matrix.weight[p] = c.weight[p] / (1.0 + c.weight[p] * self._slack[p])
+            along, square = (share * n).sum(axis=1) ** 2, (share**2).sum(axis=1)
+            across = np.where(shut, 1.0 - np.divide(along, square, out=np.zeros_like(along), where=shut), 1.0)
+            np.add.at(self._slack, cells, open_part * slack * across)
+            self.system.matrix.weight[cells] = c.weight[cells] / (1.0 + c.weight[cells] * self._slack[cells])
 
     def loaded(self, motion: Floats) -> Loaded:
         """Return the loads of facets and cells under displacements and rotations (6 n,)."""

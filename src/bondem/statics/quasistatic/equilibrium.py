@@ -7,8 +7,9 @@ import numpy as np
 
 from bondem._types import Floats, PerBond
 from bondem.errors import ConvergenceError
-from bondem.statics.linear import Elimination, Iteration, System, conjugate_gradients
+from bondem.statics.linear import MECHANISM, Elimination, Iteration, System
 from bondem.statics.quasistatic.facet_matrix import FacetMatrix
+from bondem.statics.quasistatic.gradient_passes import GradientSolver
 
 # An iteration ends where the energy of its error is this share, squared, of that of the body: tractions are off by
 # 1e-4 of the largest then, a fiftieth of what facets that fail together may differ by. Residual over load would not
@@ -77,24 +78,20 @@ class Iterated:
 
     def solve(self, right: Floats, guess: Floats, energy: float = 0.0) -> Floats:
         """See `Equilibrium`."""
-        S, matrix = self._begun, self._matrix
-        x = S.unscaled(guess)
+        S, gradients = self._begun, self._gradients
         scaled = S.turned(self._system.balanced(right))
-        residual = scaled - matrix @ x
         stop = _RTOL * float(np.linalg.norm(scaled)) if energy == 0.0 else 0.0
         enough = _ERROR**2 * energy
-        try:
-            step, rounds = conjugate_gradients(matrix, S.approximate, residual, stop, energy=enough)
-        except ConvergenceError:
+        x = gradients.solve(scaled, S.unscaled(guess), stop=stop, energy=enough)
+        if x is None:
             if self._fresh:
-                raise
+                raise ConvergenceError(MECHANISM)
             self._renew()
             return self.solve(right, guess, energy)
-        self.rounds, self.solutions = self.rounds + rounds, self.solutions + 1
-        found = self._system.without_rigid_motion(S.displacement(x + step))
+        self.rounds, self.solutions = self.rounds + gradients.rounds, self.solutions + 1
         if energy > 0.0:
-            self._judge(rounds, math.log10(max(float(residual @ S.approximate(residual)) / enough, 10.0)))
-        return found
+            self._judge(gradients.rounds, math.log10(max(gradients.first / enough, 10.0)))
+        return self._system.without_rigid_motion(S.displacement(x))
 
     def _judge(self, rounds: int, digits: float) -> None:
         """Check whether the preconditioner still serves, by the number of iterations per digit of the energy."""
@@ -114,5 +111,6 @@ class Iterated:
         self._begin()
 
     def _begin(self) -> None:
-        """Reset the record of the preconditioner."""
+        """Make the tables of the preconditioner, and reset its record."""
+        self._gradients = GradientSolver(self._matrix, self._begun)
         self._fresh, self._solved, self._rate, self._lost = True, 0, 0.0, 0.0

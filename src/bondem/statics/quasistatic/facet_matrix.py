@@ -18,6 +18,7 @@ class FacetMatrix:
     Attributes:
         plain: K.
         scaled: Sᵀ K S.
+        rounded: blocks of its B and F in single precision, (b, 6, 6) and (b, 6).
     """
 
     def __init__(self, plain: Stiffness, layout: Layout, root: Floats) -> None:
@@ -40,6 +41,7 @@ class FacetMatrix:
         above[layout.out_bond] = self._diagonal[leaving] + 1 + place - layout.out_start[leaving]
         self._above = above  # row i, column j
         self._plain_rows = _by_rows(self.plain)
+        self._plain_columns = self._plain_rows.T
         self.rescale(root)
 
     @property
@@ -51,12 +53,9 @@ class FacetMatrix:
         """Scale by other blocks S."""
         self._root = root
         self.scaled = self.plain.scaled(root)
-        self._scaled_rows = _by_rows(self.scaled)
-
-    def __matmul__(self, motion: Floats) -> Floats:
-        """Return Sᵀ K S x of (6 n,)."""
-        weighted = self.plain.weight * (self._scaled_rows @ motion)
-        return np.asarray(self.scaled.bonds @ motion + self._scaled_rows.T @ weighted, dtype=float)
+        assert self.scaled.forms is not None
+        bonds, forms = self.scaled.bonds.data, self.scaled.forms.data[:, 0]
+        self.rounded = bonds.astype(np.float32), forms.astype(np.float32)
 
     def force(self, motion: Floats) -> Floats:
         """Return K u of (6 n,)."""
@@ -65,32 +64,37 @@ class FacetMatrix:
 
     def swelling_force(self, stress: Floats) -> Floats:
         """Return Fᵀ σ of (n,), (6 n,)."""
-        return np.asarray(self._plain_rows.T @ stress, dtype=float)
+        return np.asarray(self._plain_columns @ stress, dtype=float)
 
-    def add(self, k: int, block: Floats, form_i: Floats, form_j: Floats) -> None:
-        """Add to the contribution of facet k.
+    def add(self, facets: Ints, block: Floats, form_i: Floats, form_j: Floats) -> None:
+        """Add to the contributions of some facets.
 
         Args:
-            k: internal number.
-            block: addition to the stiffness of its two cells, (12, 12).
-            form_i, form_j: additions to V θ of each cell, (12,).
+            facets: internal numbers, each once, (c,).
+            block: additions to the stiffness of their two cells, (c, 12, 12).
+            form_i, form_j: additions to V θ of each cell, (c, 12).
         """
-        i, j = self._i[k], self._j[k]
-        self._put(self.plain, k, block, form_i, form_j)
+        turn = np.zeros((len(facets), 12, 12))
+        turn[:, :6, :6], turn[:, 6:, 6:] = self._root[self._i[facets]], self._root[self._j[facets]]
+        self._put(self.plain, facets, block, form_i, form_j)
         self.plain.__dict__.pop("_rows", None)  # what it has made of its forms, once
-        turn = np.zeros((12, 12))
-        turn[:6, :6], turn[6:, 6:] = self._root[i], self._root[j]
-        self._put(self.scaled, k, turn.T @ block @ turn, form_i @ turn, form_j @ turn)
+        forms = ((form[:, None] @ turn)[:, 0] for form in (form_i, form_j))
+        self._put(self.scaled, facets, np.swapaxes(turn, 1, 2) @ block @ turn, *forms)
+        i, j = self._diagonal[self._i[facets]], self._diagonal[self._j[facets]]
+        places = np.concatenate([i, j, self._above[facets], self._below[facets]])
+        assert self.scaled.forms is not None
+        self.rounded[0][places] = self.scaled.bonds.data[places]
+        self.rounded[1][places] = self.scaled.forms.data[places, 0]
 
-    def _put(self, matrix: Stiffness, k: int, block: Floats, form_i: Floats, form_j: Floats) -> None:
+    def _put(self, matrix: Stiffness, facets: Ints, block: Floats, form_i: Floats, form_j: Floats) -> None:
         assert matrix.forms is not None
-        i, j = self._diagonal[self._i[k]], self._diagonal[self._j[k]]
-        above, below = self._above[k], self._below[k]
-        data, form = matrix.bonds.data, matrix.forms.data[:, 0]
-        for place, part in ((i, block[:6, :6]), (above, block[:6, 6:]), (below, block[6:, :6]), (j, block[6:, 6:])):
-            data[place] += part
-        for place, part in ((i, form_i[:6]), (above, form_i[6:]), (below, form_j[:6]), (j, form_j[6:])):
-            form[place] += part
+        i, j = self._diagonal[self._i[facets]], self._diagonal[self._j[facets]]
+        above, below = self._above[facets], self._below[facets]
+        data, form, u, v = matrix.bonds.data, matrix.forms.data[:, 0], slice(6), slice(6, 12)
+        for place, rows, columns in ((i, u, u), (above, u, v), (below, v, u), (j, v, v)):
+            np.add.at(data, place, block[:, rows, columns])
+        for place, part in ((i, form_i[:, u]), (above, form_i[:, v]), (below, form_j[:, u]), (j, form_j[:, v])):
+            np.add.at(form, place, part)
 
 
 def _by_rows(matrix: Stiffness) -> csr_array:
@@ -104,20 +108,30 @@ def _by_rows(matrix: Stiffness) -> csr_array:
 def facet_stiffness(
     arms: tuple[Floats, Floats], D: Floats, H: Floats, shares: tuple[Floats, Floats]
 ) -> tuple[Floats, Floats, Floats]:
-    """Return the stiffness of a facet for motions (u, φ) of its two cells, (12, 12), and its part in V θ, (12,) each.
+    """Return the stiffness of facets for motions (u, φ) of their two cells, (c, 12, 12), and their part in V θ.
 
     Args:
-        arms: arms from the centre of either cell to the facet [m], (3,).
-        D: force over the gap [N/m], (3, 3).
-        H: moment over the relative rotation [N·m], (3, 3).
-        shares: V θ of either cell over the gap [m²], (3,).
+        arms: arms from the centre of either cell to the facets [m], (c, 3).
+        D: force over the gap [N/m], (c, 3, 3).
+        H: moment over the relative rotation [N·m], (c, 3, 3).
+        shares: V θ of either cell over the gap [m²], (c, 3).
+
+    Returns:
+        Stiffness, (c, 12, 12), and V θ of either cell under unit motions, (c, 12) each.
     """
-    gap = np.hstack([-np.eye(3), _crossed(arms[0]), np.eye(3), -_crossed(arms[1])])
-    turn = np.zeros((3, 12))
-    turn[:, 3:6], turn[:, 9:] = -np.eye(3), np.eye(3)
-    return gap.T @ D @ gap + turn.T @ H @ turn, shares[0] @ gap, shares[1] @ gap
+    gap = np.zeros((len(D), 3, 12))
+    gap[:, :, :3], gap[:, :, 6:9] = -np.eye(3), np.eye(3)
+    gap[:, :, 3:6], gap[:, :, 9:] = _crossed(arms[0]), -_crossed(arms[1])
+    block = np.swapaxes(gap, 1, 2) @ D @ gap
+    own, other = slice(3, 6), slice(9, 12)
+    for rows, columns, sign in ((own, own, 1.0), (other, other, 1.0), (own, other, -1.0), (other, own, -1.0)):
+        block[:, rows, columns] += sign * H
+    return block, (shares[0][:, None] @ gap)[:, 0], (shares[1][:, None] @ gap)[:, 0]
 
 
 def _crossed(b: Floats) -> Floats:
-    """Return [b]× with [b]× v = b × v."""
-    return np.array([[0.0, -b[2], b[1]], [b[2], 0.0, -b[0]], [-b[1], b[0], 0.0]])
+    """Return [b]× with [b]× v = b × v, (c, 3, 3)."""
+    found = np.zeros((len(b), 3, 3))
+    for row, column, component in ((2, 1, 0), (0, 2, 1), (1, 0, 2)):
+        found[:, row, column], found[:, column, row] = b[:, component], -b[:, component]
+    return found

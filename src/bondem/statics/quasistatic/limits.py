@@ -81,7 +81,9 @@ class StressOnset:
         """See `FacetOnset`."""
         body, planes = self._body, whole[self._table.plane[whole]]
         inner = whole if not len(planes) else whole[~self._table.plane[whole]]
-        own = self._opened(found, planes, found.traction[planes]).reached(np.ones(len(planes)))
+        own = np.zeros(0)
+        if len(planes):
+            own = self._opened(found, planes, found.traction[planes]).reached(np.ones(len(planes)))
         below = min(below, float(own.min(initial=np.inf)) * (1.0 + close))
         loaded = LoadedFacets(
             body.i, body.j, body.constants.normal, found.traction, found.bending, found.tensor, self._strength

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.sparse import csr_array
 
 from bondem._types import Floats, Ints, Mask
 from bondem.boundary.conditions import Drive, Load
@@ -64,8 +65,8 @@ class Reading:
 
 
 @dataclass(frozen=True, eq=False)
-class MeasuringPoints:
-    """Material points whose mean displacement is measured, each moving rigidly with its element.
+class MeasuringPoints(Region):
+    """Elements with material points whose mean displacement is measured, each moving rigidly with its element.
 
     Attributes:
         element: element of each point, user's order, (k,).
@@ -77,8 +78,12 @@ class MeasuringPoints:
     position: Floats
     weight: Floats
 
+    def mask(self, lattice: Lattice) -> Mask:
+        """See `Region`."""
+        return np.isin(np.arange(len(lattice.particles)), self.element)
+
     @classmethod
-    def of(cls, region: "Region | MeasuringPoints", lattice: Lattice) -> "MeasuringPoints":
+    def of(cls, region: Region, lattice: Lattice) -> "MeasuringPoints":
         """Return the centres of the elements of a region, with equal weight; points as they are."""
         if isinstance(region, MeasuringPoints):
             return region
@@ -86,37 +91,42 @@ class MeasuringPoints:
         return cls(element, lattice.centre[element], np.full(len(element), 1.0 / len(element)))
 
 
-#: Ends of a gauge.
-Ends = tuple[Region | MeasuringPoints, Region | MeasuringPoints]
-
-
 class PointGauges:
     """Displacements between pairs of regions, each the mean over the centres of its elements, or of points."""
 
-    def __init__(self, model: Model, gauges: Mapping[str, Ends]) -> None:
+    def __init__(self, model: Model, gauges: Mapping[str, tuple[Region, Region]]) -> None:
         """Find the points.
 
         Raises:
             InputError: A gauge is not a pair of regions.
         """
-        self._ends = {}
+        self._names, rows = list(gauges), []
         for name, ends in gauges.items():
             pair = isinstance(ends, tuple) and len(ends) == 2
-            if not (pair and all(isinstance(one, Region | MeasuringPoints) for one in ends)):
+            if not (pair and all(isinstance(one, Region) for one in ends)):
                 raise InputError(
                     f"solve_quasistatic: gauge '{name}' needs two regions, such as"
                     " (bd.Face('x_min'), bd.Face('x_max'))"
                 )
-            points = [MeasuringPoints.of(one, model.lattice) for one in ends]
-            self._ends[name] = [
-                (model.layout.rank[one.element], one.position - model.lattice.centre[one.element], one.weight)
-                for one in points
-            ]
+            rows += [MeasuringPoints.of(one, model.lattice) for one in ends]
+        size = (3 * len(self._names), 6 * len(model.layout.order))
+        self._matrix = csr_array(size)
+        for g, points in enumerate(rows):
+            sign = 1.0 if g % 2 else -1.0
+            self._matrix = self._matrix + sign * _mean_motion(model, points, 3 * (g // 2), size)
 
     def read(self, motion: Floats) -> dict[str, Floats]:
         """Return the displacement of each second end from its first, for small rotations [m], (3,) each."""
-        u, phi = np.hsplit(motion.reshape(-1, 6), 2)
-        return {
-            name: np.subtract(*(weight @ (u[k] + np.cross(phi[k], arm)) for k, arm, weight in reversed(ends)))
-            for name, ends in self._ends.items()
-        }
+        return dict(zip(self._names, (self._matrix @ motion).reshape(-1, 3), strict=True))
+
+
+def _mean_motion(model: Model, points: MeasuringPoints, row: int, size: tuple[int, int]) -> csr_array:
+    """Return the matrix whose three rows from `row` on give u + θ × arm of points, averaged, from motions (6 n,)."""
+    arm = points.position - model.lattice.centre[points.element]
+    first, weight = 6 * model.layout.rank[points.element], points.weight
+    entries = [(a, a, weight) for a in range(3)]
+    for a, b, c in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):  # (θ × arm)_a = θ_b arm_c - θ_c arm_b
+        entries += [(a, 3 + b, weight * arm[:, c]), (a, 3 + c, -weight * arm[:, b])]
+    rows = np.concatenate([np.full(len(first), row + a) for a, _, _ in entries])
+    columns = np.concatenate([first + b for _, b, _ in entries])
+    return csr_array((np.concatenate([value for _, _, value in entries]), (rows, columns)), shape=size)

@@ -20,7 +20,7 @@ from bondem.statics.linear import Iteration, System, prefers_elimination
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.statics.quasistatic.equilibrium import Eliminated, Equilibrium, Iterated
 from bondem.statics.quasistatic.limits import FacetOnset, StressOnset, TractionOnset
-from bondem.statics.quasistatic.load_response import Ends, PointGauges, Reading
+from bondem.statics.quasistatic.load_response import PointGauges, Reading
 from bondem.statics.quasistatic.sawtooth_softening import Teeth
 
 # Facets whose factors differ by less than this share come in the user's order.
@@ -113,7 +113,7 @@ def solve_quasistatic(
     together: float = 0.005,
     until: float = 0.02,
     most: int = 100_000,
-    gauges: Mapping[str, Ends] | None = None,
+    gauges: Mapping[str, tuple[Region, Region]] | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> QuasistaticResult:
     """Follow a body of cells as it fails without inertia, with all drives and loads scaled by one factor.
@@ -185,15 +185,16 @@ def solve_quasistatic(
         if _folds(motion, factor):
             end = "folded"
             break
+        left: list[float] = []
         for k in failing.tolist():
             if k not in softening:
                 softening[k] = onset.teeth(found, k, factor, band), 0
             line, done = softening[k]
             softening[k] = line, done + 1
             following[k] = line.beyond[done] if done < len(line.beyond) else np.inf
-            left = float(line.integrity[done])
-            path.add(k, left)
-            body.weaken(k, left, (bool(body.closed[k, 0]), bool(body.closed[k, 1])))
+            left.append(float(line.integrity[done]))
+            path.add(k, left[-1])
+        body.weaken(failing, np.array(left), body.closed[failing])
         path.add_event(factor, gauge.read(motion), motion)
         borne = path.borne(math.ceil(max(_LAST * (event + 1), _FEWEST / band)))
         if borne < share:
@@ -218,10 +219,8 @@ def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: 
         turning = np.flatnonzero(found.turned.any(axis=1))
         if not len(turning):
             break
-        for e in turning:
-            k = int(found.cracked[e])
-            shut = body.closed[k] ^ found.turned[e]
-            body.weaken(k, float(body.integrity[k]), (bool(shut[0]), bool(shut[1])))
+        facets = found.cracked[turning]
+        body.weaken(facets, body.integrity[facets], body.closed[facets] ^ found.turned[turning])
         motion, found = rest()
     return motion, found
 

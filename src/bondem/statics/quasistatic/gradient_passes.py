@@ -1,0 +1,119 @@
+"""Conjugate gradients for a body whose facets lose integrity, by the core.
+
+`core/tables/quasistatic_tables.hpp` declares types and shapes.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.linalg import cholesky_banded
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import reverse_cuthill_mckee
+
+from bondem._core import Pass
+from bondem._types import Floats, Ints
+from bondem.statics.linear import Iteration
+from bondem.statics.quasistatic.facet_matrix import FacetMatrix
+
+# Rounds after which conjugate gradients give up.
+_ROUNDS = 5000
+
+
+class ScaledMatrix(NamedTuple):
+    """Sᵀ K S = B + Fᵀ W F of n cells, in b blocks."""
+
+    start: Ints  #: first block of each row, (n + 1,)
+    column: Ints  #: (b,)
+    diagonal: Ints  #: block on the diagonal of each row, (n,)
+    block: Floats  #: B, (b, 6, 6)
+    form: Floats  #: F, (b, 6)
+    rounded_block: np.ndarray  #: B in half the memory, float32, (b, 6, 6)
+    rounded_form: np.ndarray  #: F, float32, (b, 6)
+    weight: Floats  #: W, (n,)
+
+
+class ClumpCorrection(NamedTuple):
+    """Correction by clumps that move rigidly, with c unknowns and a factor L of half-width w - 1."""
+
+    place: Ints  #: first coarse unknown of the clump of each cell, (n,)
+    order: Ints  #: place of each coarse unknown in L, (c,)
+    basis: Floats  #: motion of each cell per motion of its clump, (n, 6, 6)
+    factor: Floats  #: columns of L from the diagonal down, (c, w)
+    rigid: Floats  #: rigid motions that are free, orthonormal, (r, 6 n)
+    coarse: Floats  #: (c,)
+
+    @classmethod
+    def of(cls, begun: Iteration) -> "ClumpCorrection":
+        """Return the correction of an iteration, with the banded Cholesky factor of its coarse matrix."""
+        clumps = begun.coarse
+        matrix = coo_array(clumps.regular)
+        sequence = reverse_cuthill_mckee(clumps.regular.tocsr(), symmetric_mode=True)
+        order = np.empty(len(sequence), dtype=np.int64)
+        order[sequence] = np.arange(len(sequence))
+        row, column = order[matrix.row], order[matrix.col]
+        low = row >= column
+        band = np.zeros((int((row - column).max()) + 1, len(order)))
+        band[(row - column)[low], column[low]] = matrix.data[low]
+        factor = np.ascontiguousarray(cholesky_banded(band, lower=True, overwrite_ab=True).T)
+        basis = clumps.prolongation
+        return cls(
+            6 * basis.indices.astype(np.int64), order, basis.data, factor, np.ascontiguousarray(begun.rigid.T),
+            np.zeros(len(order)),
+        )  # fmt: skip
+
+
+class ConjugateGradients(NamedTuple):
+    """State of conjugate gradients in 6 n unknowns."""
+
+    stop: float  #: |r| at which they end
+    energy: float  #: r·z at which they end
+    most: int  #: largest number of rounds
+    residual: Floats  #: right-hand side before, residual afterwards, (6 n,)
+    found: Floats  #: guess before, solution afterwards, (6 n,)
+    work: Floats  #: (4, 6 n)
+    stress: Floats  #: W F p, (n,)
+    rounds: Ints  #: number of rounds, (1,)
+    first: Floats  #: r·z at the beginning, (1,)
+
+
+_solve = Pass("conjugate_gradients", ScaledMatrix, ClumpCorrection, ConjugateGradients)
+
+
+class GradientSolver:
+    """Conjugate gradients with one preconditioner; the matrix is read at each call.
+
+    Attributes:
+        rounds: number of rounds of the last solution.
+        first: r·z of its guess, about twice the energy of its error.
+    """
+
+    def __init__(self, body: FacetMatrix, begun: Iteration) -> None:
+        """Make the tables of the scaled matrix of a body, and of the clumps of an iteration with it."""
+        matrix = body.scaled
+        assert matrix.forms is not None
+        bonds, n = matrix.bonds, len(matrix.weight)
+        row = np.repeat(np.arange(n), np.diff(bonds.indptr))
+        self._matrix = ScaledMatrix(
+            bonds.indptr.astype(np.int64), bonds.indices.astype(np.int64), np.flatnonzero(bonds.indices == row),
+            bonds.data, matrix.forms.data[:, 0], *body.rounded, matrix.weight,
+        )  # fmt: skip
+        self._clumps = ClumpCorrection.of(begun)
+        self._work, self._stress = np.zeros((4, 6 * n)), np.zeros(n)
+        self.rounds, self.first = 0, 0.0
+
+    def solve(self, right: Floats, guess: Floats, *, stop: float, energy: float) -> Floats | None:
+        """Return x with |f - K x| <= `stop` or r·z <= `energy`, (6 n,); None if it is not found.
+
+        Args:
+            right: f, (6 n,).
+            guess: start, (6 n,).
+            stop: residual at which the iteration ends.
+            energy: about twice the energy of the error at which it ends.
+        """
+        search = ConjugateGradients(
+            stop, energy, _ROUNDS, right.copy(), guess.copy(), self._work, self._stress,
+            np.zeros(1, dtype=np.int64), np.zeros(1),
+        )  # fmt: skip
+        ended = _solve(self._matrix, self._clumps, search)
+        self.rounds, self.first = int(search.rounds[0]), float(search.first[0])
+        return search.found if ended == "converged" else None
