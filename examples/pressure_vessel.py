@@ -1,8 +1,8 @@
-"""Pressure in the bore of a part from CAD: faces by place and direction, and how far a thick tube widens.
+"""Pressure in the hole of a part from CAD: faces by place and direction, and how far a thick tube widens.
 
-Physics: a steel tube (bore 20 mm, outside 40 mm, 10 mm long) held along its axis at both ends carries 10 MPa in its
-bore. Its triangles come from trimesh, as they would from an STL, OBJ or 3MF file. Between sharp edges the surface has
-four patches: outside, bore and two ends; `tube.plot("tube.png")` shows their names.
+Physics: a steel tube (hole of 20 mm, outside of 40 mm, 10 mm long) held along its axis at both ends carries 10 MPa in its
+hole. Its triangles come from trimesh, as they would from an STL, OBJ or 3MF file. Between sharp edges the surface has
+four patches: outside, hole and two ends; `tube.plot("tube.png")` shows their names.
 
 Expected: Lamé's displacement in plane strain, u = p a² (1 + ν) / (E (b² - a²)) ((1 - 2 ν) r + b² / r), in all cells;
 with 3000 cells the ratio to it is 1.004. Takes 7 s of a core. Run it with:  python examples/pressure_vessel.py
@@ -25,16 +25,16 @@ def lame(r: np.ndarray) -> np.ndarray:
 
 
 def main(count: int = 3000) -> tuple[float, float]:
-    """Force on one half of the bore over p times its width times length [-], and widening over Lamé's [-]."""
+    """Force on one half of the hole over p times its width times length [-], and widening over Lamé's [-]."""
     mesh = trimesh.creation.annulus(1e3 * INNER, 1e3 * OUTER, 1e3 * LENGTH, sections=128)
     tube = bd.Surface(mesh, unit="mm")
-    bore = bd.Face(tube.patch(near=(INNER, 0.0, 0.0)).name)
+    hole = bd.Face(tube.patch(near=(INNER, 0.0, 0.0)).name)
     ends = [bd.Face(tube.patch(normal=(0.0, 0.0, side)).name) for side in (-1.0, 1.0)]
     body = bd.connect(bd.pack(tube, count=count, method="even", seed=1), method="laguerre")
 
     held = [bd.Fix(end, translation="z", rotation="") for end in ends]
     held += [bd.Fix(bd.Index(0), translation="xy", rotation="z")]  # the tube does not drift or turn
-    loaded = bd.Pressure(bore, PRESSURE)
+    loaded = bd.Pressure(hole, PRESSURE)
     model = bd.Model(body, bd.CellBond(STEEL), density=STEEL.rho, boundary=[*held, loaded])
     moved = bd.solve_static(model).displacement
 
@@ -51,5 +51,5 @@ def main(count: int = 3000) -> tuple[float, float]:
 
 if __name__ == "__main__":
     half, widening = main()
-    print(f"force on one half of the bore over p · width · length: {half:.4f}")
+    print(f"force on one half of the hole over p · width · length: {half:.4f}")
     print(f"widening over that of Lamé: {widening:.4f}")
