@@ -1,8 +1,8 @@
 """Pressure in the hole of a part from CAD: faces by place and direction, and how far a thick tube widens.
 
-Physics: a steel tube (hole of 20 mm, outside of 40 mm, 10 mm long) held along its axis at both ends carries 10 MPa in its
-hole. Its triangles come from trimesh, as they would from an STL, OBJ or 3MF file. Between sharp edges the surface has
-four patches: outside, hole and two ends; `tube.plot("tube.png")` shows their names.
+Physics: a steel tube (hole of 20 mm, outside of 40 mm, 10 mm long) held along its axis at both ends carries 10 MPa
+in its hole. Its triangles come from trimesh, as they would from an STL, OBJ or 3MF file. Between sharp edges the
+surface has four patches: outside, hole and two ends; `tube.plot("tube.png")` shows their names.
 
 Expected: Lamé's displacement in plane strain, u = p a² (1 + ν) / (E (b² - a²)) ((1 - 2 ν) r + b² / r), in all cells;
 with 3000 cells the ratio to it is 1.004. Takes 7 s of a core. Run it with:  python examples/pressure_vessel.py
