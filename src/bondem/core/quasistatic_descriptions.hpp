@@ -22,7 +22,7 @@ BONDEM_TABLE(ScaledMatrix, F(start, "n+1"), F(column, "b"), F(diagonal, "n"), F(
              F(rounded_block, "b 6 6"), F(rounded_form, "b 6"), F(weight, "n"))
 BONDEM_TABLE(ClumpCorrection, F(place, "n"), F(order, "c"), F(basis, "n 6 6"), F(factor, "c w"), F(rigid, "r x"),
              F(coarse, "c"))
-BONDEM_TABLE(ConjugateGradients, F(stop, ""), F(energy, ""), F(most, ""), F(residual, "x"), F(found, "x"),
+BONDEM_TABLE(ConjugateGradients, F(limits, "2"), F(most, ""), F(residual, "x"), F(found, "x"),
              F(work, "4 x"), F(stress, "n"), F(rounds, "1"), F(first, "1"))
 
 #undef F

@@ -73,8 +73,7 @@ struct ClumpCorrection {
 };
 // Conjugate gradients from a guess to a solution x of Sᵀ K S x = f.
 struct ConjugateGradients {
-    double stop;  // |r| at which they end
-    double energy;  // r · z at which they end
+    Array<const double, 1> limits;  // |r| and r · z at which they end, (2,)
     Index most;  // largest number of rounds
     Array<double, 1> residual;  // f before, and its residual afterwards, (6 n,)
     Array<double, 1> found;  // x, (6 n,)

@@ -100,7 +100,7 @@ class DamagedBody:
         grips = users.grips
         at_rest = CellStrain.of(model.lattice, users, still, still, wall=grips.motion, pressed=model.pressed)
         self.given = at_rest.swelling[order]
-        self._swollen = bool(self.given.any())
+        self._right: Floats | None = None  # until the next facet loses integrity
         rigid = replace(users, weight=np.zeros_like(users.weight))
         walls = at_rest.nodal(model.lattice, rigid)[order]
         self.load = (walls + model.constraints.final_load(len(order))).ravel()
@@ -120,9 +120,9 @@ class DamagedBody:
     @property
     def right(self) -> Floats:
         """Forces and torques that the displacements must balance [N, N·m], (6 n,)."""
-        if not self._swollen:
-            return self.load
-        return self.load - self.matrix.swelling_force(self.system.matrix.weight * self.given)
+        if self._right is None:
+            self._right = self.load - self.matrix.swelling_force(self.system.matrix.weight * self.given)
+        return self._right
 
     @property
     def pull(self) -> Floats:
@@ -176,6 +176,7 @@ class DamagedBody:
         after = self._stiffness(facets)
         self._weigh(facets, 1.0)
         self.matrix.add(facets, *(new - old for new, old in zip(after, before, strict=True)))
+        self._right = None
 
     def _stiffness(self, facets: Ints) -> tuple[Floats, Floats, Floats]:
         c, shut = self.constants, self.closed[facets]
@@ -209,14 +210,16 @@ class DamagedBody:
         u, phi = (np.ascontiguousarray(part) for part in np.hsplit(motion.reshape(-1, 6), 2))
         n, rank = len(u), self.model.layout.rank
         swelling = self._facets.swelling(u, phi, self.given)
-        moved = grips.gap(u[rank], phi[rank])  # what walls do is in `given`
-        swelling += np.bincount(self._held, (grips.share * moved).sum(axis=1), n)
+        if len(self._held):
+            moved = grips.gap(u[rank], phi[rank])  # what walls do is in `given`
+            swelling += np.bincount(self._held, (grips.share * moved).sum(axis=1), n)
         stress = self.system.matrix.weight * swelling
         loading = self._facets.load(stress, self._pressed)
-        held = grips.gap(u[rank], phi[rank], grips.motion)
-        wall = grips.k[:, None] * held + stress[self._held, None] * grips.share
-        tensor = loading.moment
-        _add_moments(tensor, self._held, grips.lever, wall)
+        tensor, wall = loading.moment, np.zeros((0, 3))
+        if len(self._held):
+            held = grips.gap(u[rank], phi[rank], grips.motion)
+            wall = grips.k[:, None] * held + stress[self._held, None] * grips.share
+            _add_moments(tensor, self._held, grips.lever, wall)
         tensor /= c.volume[:, None]
         cracked = np.flatnonzero(self.integrity < 1.0)
         return Loaded(

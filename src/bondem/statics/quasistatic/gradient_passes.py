@@ -65,8 +65,7 @@ class ClumpCorrection(NamedTuple):
 class ConjugateGradients(NamedTuple):
     """State of conjugate gradients in 6 n unknowns."""
 
-    stop: float  #: |r| at which they end
-    energy: float  #: r·z at which they end
+    limits: Floats  #: |r| and r·z at which they end, (2,)
     most: int  #: largest number of rounds
     residual: Floats  #: right-hand side before, residual afterwards, (6 n,)
     found: Floats  #: guess before, solution afterwards, (6 n,)
@@ -93,12 +92,15 @@ class GradientSolver:
         assert matrix.forms is not None
         bonds, n = matrix.bonds, len(matrix.weight)
         row = np.repeat(np.arange(n), np.diff(bonds.indptr))
-        self._matrix = ScaledMatrix(
+        scaled = ScaledMatrix(
             bonds.indptr.astype(np.int64), bonds.indices.astype(np.int64), np.flatnonzero(bonds.indices == row),
             bonds.data, matrix.forms.data[:, 0], *body.rounded, matrix.weight,
         )  # fmt: skip
-        self._clumps = ClumpCorrection.of(begun)
-        self._work, self._stress = np.zeros((4, 6 * n)), np.zeros(n)
+        self._search = ConjugateGradients(
+            np.zeros(2), _ROUNDS, np.zeros(6 * n), np.zeros(6 * n), np.zeros((4, 6 * n)), np.zeros(n),
+            np.zeros(1, dtype=np.int64), np.zeros(1),
+        )  # fmt: skip
+        self._solve = _solve.bound(scaled, ClumpCorrection.of(begun), self._search)
         self.rounds, self.first = 0, 0.0
 
     def solve(self, right: Floats, guess: Floats, *, stop: float, energy: float) -> Floats | None:
@@ -110,10 +112,9 @@ class GradientSolver:
             stop: residual at which the iteration ends.
             energy: about twice the energy of the error at which it ends.
         """
-        search = ConjugateGradients(
-            stop, energy, _ROUNDS, right.copy(), guess.copy(), self._work, self._stress,
-            np.zeros(1, dtype=np.int64), np.zeros(1),
-        )  # fmt: skip
-        ended = _solve(self._matrix, self._clumps, search)
+        search = self._search
+        search.limits[:] = stop, energy
+        search.residual[:], search.found[:] = right, guess
+        ended = self._solve()
         self.rounds, self.first = int(search.rounds[0]), float(search.first[0])
-        return search.found if ended == "converged" else None
+        return search.found.copy() if ended == "converged" else None

@@ -10,6 +10,7 @@ from bondem._blas import one_blas_thread
 from bondem._checks import count, instance, number
 from bondem._drawing import Plotted, columns_of
 from bondem._progress import staged
+from bondem._signals import Halt, noticing, stop_by
 from bondem._types import Floats, Ints, PerBond, PerElement3
 from bondem.errors import ConvergenceError, InputError
 from bondem.model.model import Model
@@ -58,7 +59,7 @@ class QuasistaticResult(Plotted):
         event: event of the failure, (f,).
         position: centroid of the facet in the reference [m], (f, 3).
         bond_integrity: integrity of all facets at the end, user's order, (m,).
-        end: reason for the end: "unloaded", "parted", "strong", "loose", "folded" or "events". "strong": nothing
+        end: reason for the end: "unloaded", "parted", "strong", "loose", "folded", "events" or "interrupted". "strong": nothing
             fails at any load. "loose": parts are connected so weakly that no equilibrium is found. "folded": before
             the next event a tenth of the elements would rotate by more than 0.1 rad, so that motions are no longer
             small.
@@ -143,6 +144,7 @@ def solve_quasistatic(
         InputError: The model has no cells, another criterion, cells that yield, contacts or prestress, or nothing is
             driven at `drive`.
         ConvergenceError: The supports do not hold the body.
+        RunInterrupted: Ctrl-C was pressed; its `.result` is the path so far.
 
     Reference: sequentially linear analysis, Rots (2001); DeJong, Hendriks and Rots (2008).
     """
@@ -151,10 +153,28 @@ def solve_quasistatic(
     close = number("solve_quasistatic", "together", together, least=0.0, below=1.0)
     limit = count("solve_quasistatic", "most", most)
     share = number("solve_quasistatic", "until", until, least=0.0, below=1.0)
-    body, equilibrium, onset = _begin(model)
     pairs = {} if gauges is None else instance(
         "solve_quasistatic", "gauges", gauges, Mapping, "a mapping of names to pairs of regions"
     )  # fmt: skip
+    with noticing() as halt:
+        found = _followed(model, drive, pairs, (band, close, share, limit), progress, halt)
+        stopped = halt()
+    if stopped is not None and found.end == "interrupted":
+        stop_by(stopped, f"interrupted after {len(found.factor)} events", found)
+    return found
+
+
+def _followed(
+    model: Model,
+    drive: Region,
+    pairs: Mapping[str, tuple[Region, Region]],
+    limits: tuple[float, float, float, int],
+    progress: Callable[[float], None] | None,
+    halt: Halt,
+) -> QuasistaticResult:
+    """Follow a path to its end, or until a signal; `limits` are ripple, together, until and most."""
+    band, close, share, limit = limits
+    body, equilibrium, onset = _begin(model)
     reading, gauge = Reading(body, drive), PointGauges(model, pairs)
     path = _Path(model)
     softening: dict[int, tuple[Teeth, int]] = {}
@@ -164,6 +184,9 @@ def solve_quasistatic(
     if progress is not None:
         progress(0.0)
     for event in range(limit):
+        if halt() is not None:
+            end = "interrupted"
+            break
         try:
             motion, found = _balance(body, equilibrium, motion, size)
         except ConvergenceError:

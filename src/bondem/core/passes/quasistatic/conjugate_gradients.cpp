@@ -138,14 +138,14 @@ Index conjugate_gradients(Index, const ScaledMatrix &matrix, const ClumpCorrecti
             }
         }
         search.rounds(0) = round;
-        const bool small = dot(r, r, size) <= search.stop * search.stop;
+        const bool small = dot(r, r, size) <= search.limits(0) * search.limits(0);
         if (small && begins) return 0;
         precondition(clumps, r, z);
         const double before = rho;
         rho = dot(r, z, size);
         if (begins) begun = rho;
         if (round == 0) search.first(0) = rho;
-        if (small || (rho > 0.0 && rho <= search.energy)) {
+        if (small || (rho > 0.0 && rho <= search.limits(1))) {
             if (begins || begun <= rounded * rho) return 0;
             begins = true;
             continue;
