@@ -147,8 +147,7 @@ def _broken(results: Mapping[str, Any]) -> Iterator[str]:
             f" {one['stored_over_one_crack']:.3g} times the energy of one crack"
         )  # fmt: skip
         yield (
-            f"{name} {one['mode']}: {many(one['cracks'], 'crack')}, {many(one['pieces'], 'piece')},"
-            f" {many(one['crumbs'], 'crumb')}{energy}"
+            f"{name} {one['mode']}: {many(one['pieces'], 'piece')}, {many(one['crumbs'], 'crumb')}{energy}"
         )
 
 
@@ -204,14 +203,13 @@ def _tests(study: Study, results: Mapping[str, Any]) -> Table:
     for name in (*columns, *(["paper"] if published else [])):
         table.add_column(name, justify="right", no_wrap=True)
     for name, row in results["tests"].items():
-        against = row["theory_timoshenko"]
         cells = [
             with_unit(row["measured"], row["unit"]),
             with_unit(row["theory"], row["unit"]),
             signed_percent(row["error"]),
             "–" if row["scatter"] is None else percent(row["scatter"]),
-            "" if against is None else signed_percent(row["measured"] / against - 1.0),
-            _refined([one["tests"][name]["error_refined"] for one in results["packings"]]),
+            *(_mean([one["tests"][name][f"error_{theory}"] for one in results["packings"]])
+              for theory in ("timoshenko", "refined")),
         ]
         if published:
             cells.append(percent(published[name]) if name in published else "")
@@ -219,6 +217,6 @@ def _tests(study: Study, results: Mapping[str, Any]) -> Table:
     return table
 
 
-def _refined(errors: Sequence[float | None]) -> str:
+def _mean(errors: Sequence[float | None]) -> str:
     known = [error for error in errors if error is not None]
     return signed_percent(sum(known) / len(known)) if known else ""
