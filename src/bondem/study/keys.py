@@ -97,7 +97,7 @@ _SIZES = KeyTable("law of the radii", {
 _SPECIMEN: dict[str, Key] = {
     "particles": Text("file of packed spheres"), "unit": Unit("unit of length of the file"),
     "method": Text("packing method", tuple(METHODS)), "shape": Text("shape that the elements fill", SHAPES),
-    "file": Text("file of a surface of triangles"), "count": Count("number of elements", 100),
+    "file": Text("file of a surface: STL, OBJ, 3MF, PLY or OFF"), "count": Count("number of elements", 100),
     "size": Lengths("edges of the box or cell"),
     "notch": KeyTable("notch of a box", {"width": _length("width along x"), "depth": _length("depth from below")}),
     "spread": Number("full range of the radii over their mean, κ", "-", above=-1e-12, below=2.0), "sizes": _SIZES,
