@@ -46,6 +46,9 @@ REFUSED = {
     "time of a history": (r"did you mean history\.time", lambda: RUN.history["time"]),
     "arguments in the wrong order": ("cell_stress: model = State: .*; give bd.Model",
                                      lambda: bd.cell_stress(RUN.state, MODEL)),
+    "calibration of cells": (r"bd\.CellBond\(material\) gives E and ν without calibration", lambda: bd.calibrate(
+        bd.connect(bd.pack(bd.Box((2e-3, 1e-3, 1e-3)), count=40, method="even", seed=1), method="laguerre"),
+        bd.materials.granite)),
     "one number for three": ("velocity has shape", lambda: setattr(MODEL.state(), "velocity", 5.0)),
 }  # fmt: skip
 
