@@ -1,6 +1,5 @@
 """Import of spheres from files: choice of the reader, and checks common to all formats."""
 
-import importlib
 import math
 import warnings
 from collections.abc import Sequence
@@ -10,7 +9,6 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import instance, number, place, require_file, shown, vector
-from bondem._extras import install
 from bondem._names import users_line
 from bondem._plausibility import is_long
 from bondem._types import ArrayLike, Pairs
@@ -22,6 +20,7 @@ from bondem.io.lammps_dump import read_dump
 from bondem.io.particles_file import load_bonded, load_lattice
 from bondem.io.raw_spheres import RawSpheres
 from bondem.io.sphere_tables import read_csv, read_yade
+from bondem.io.vtk_spheres import read_vtk
 from bondem.io.vtkhdf_spheres import read_vtkhdf_spheres
 from bondem.io.xyz import read_xyz
 from bondem.specimen.lattice import Lattice
@@ -249,14 +248,7 @@ def _read(path: Path, asked: _Asked) -> RawSpheres:
     if suffix == ".vtkhdf":
         return read_vtkhdf_spheres(path, asked.radius, frame=asked.frame)
     if suffix in _VTK:
-        try:
-            reader = importlib.import_module("bondem.io.vtk_spheres")
-        except ModuleNotFoundError as error:
-            raise InputError(
-                f"'{path}' needs VTK, which is not installed ({error.name}); {install('view')}, or write"
-                " the spheres as CSV"
-            ) from error
-        return reader.read_vtk(path, asked.radius)
+        return read_vtk(path, asked.radius)
     raise InputError(f"'{path}': '{suffix or path.name}' files of spheres are not supported; give one of {_FORMATS}")
 
 

@@ -1,22 +1,21 @@
-"""Import of spheres from VTK files, points with an array of radii.
+"""Import of spheres from VTK files, points with an array of radii."""
 
-The module requires VTK; import it on use only.
-"""
-
+import importlib.util
+import subprocess
+import sys
+import tempfile
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
+from bondem._extras import install
 from bondem.errors import InputError
 from bondem.io.raw_spheres import RawSpheres
 from bondem.io.vtkhdf_spheres import radii
 
-_READERS = {".vtk": vtkGenericDataObjectReader, ".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader}
+_PROGRAM = Path(__file__).with_name("vtk_arrays.py")
+# Time until a file counts as damaged [s]: some seconds to start, and as long as a slow disk takes per megabyte.
+_START, _PER_MEGABYTE = 60.0, 1.0
 
 
 def read_vtk(path: Path, radius: str | None = None) -> RawSpheres:
@@ -27,18 +26,25 @@ def read_vtk(path: Path, radius: str | None = None) -> RawSpheres:
         radius: name of the point array of radii; None for the default names of `radii`.
 
     Raises:
-        InputError: no points, or no such array; the message states the file.
+        InputError: VTK is not installed, no points, no such array, or a damaged file; the message states the file.
     """
-    reader: Any = _READERS[path.suffix.lower()]()
-    complaints: list[str] = []
-    reader.AddObserver("ErrorEvent", lambda *said: complaints.append(str(said[-1])))
-    reader.SetFileName(str(path))
-    vtkObject.GlobalWarningDisplayOff()
-    reader.Update()
-    data: Any = reader.GetOutput()
-    if data is None or not hasattr(data, "GetPoints") or data.GetNumberOfPoints() == 0:
-        raise InputError(f"'{path}' has no points that VTK can read; write PolyData or an UnstructuredGrid")
-    fields = data.GetPointData()
-    arrays = {fields.GetArrayName(k): vtk_to_numpy(fields.GetArray(k)) for k in range(fields.GetNumberOfArrays())}
-    centre = np.array(vtk_to_numpy(data.GetPoints().GetData()), dtype=float)
-    return RawSpheres(centre, radii(path, arrays, radius))
+    if importlib.util.find_spec("vtkmodules") is None:
+        raise InputError(
+            f"'{path}' needs VTK, which is not installed; {install('view')}, or write the spheres as CSV"
+        )
+    wanted = "write PolyData or an UnstructuredGrid"
+    with tempfile.TemporaryDirectory() as folder:
+        result = Path(folder) / "arrays.npz"
+        # -P: modules beside the program are not those of VTK
+        command = [sys.executable, "-P", str(_PROGRAM), str(path.absolute()), str(result)]
+        patience = _START + _PER_MEGABYTE * path.stat().st_size / 1e6
+        try:
+            done = subprocess.run(command, capture_output=True, timeout=patience, check=False)
+        except subprocess.TimeoutExpired:
+            raise InputError(f"'{path}': VTK did not read it within {patience:.0f} s; {wanted}") from None
+        if done.returncode or not result.exists():
+            said = " ".join(done.stderr.decode(errors="replace").strip().split("\n")[-1].split())
+            raise InputError(f"'{path}' has no points that VTK can read ({said[-120:]}); {wanted}")
+        with np.load(result) as found:
+            arrays = {name.removeprefix("array "): found[name] for name in found.files if name != "centre"}
+            return RawSpheres(found["centre"], radii(path, arrays, radius))
