@@ -11,8 +11,8 @@ import jupytext
 import nbformat
 
 DOCS = Path(__file__).parent
-_OUTPUT = re.compile(r"(?<=^```\n)\n```text\n.*?^```\n", re.MULTILINE | re.DOTALL)
-_DIRECTIVE = re.compile(r"^(```|:::)\{.*?^\1\n", re.MULTILINE | re.DOTALL)
+_OUTPUT = re.compile(r"(?<=^```\n)\n```text\n.*?^```\n", re.MULTILINE | re.DOTALL)  # of the code above
+_DIRECTIVE = re.compile(r"^```\{.*?^```\n|^:::.*?\n", re.MULTILINE | re.DOTALL)
 _PICTURE = re.compile(r"^!\[.*\n(\n\*.*\*\n)?", re.MULTILINE)
 _LINK = re.compile(r"\[([^\]]+)\]\((?!http)[^)]*\)")
 
