@@ -11,6 +11,7 @@ from typing import Literal
 from bondem._checks import instance, place, shown
 from bondem._extras import install
 from bondem._progress import staged
+from bondem._signals import noticing, stop_by
 from bondem.boundary.gauges import AnyGauge
 from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.criteria.stress_criterion import StressCriterion
@@ -21,7 +22,6 @@ from bondem.dynamics.plan import Callback, ExplicitResult, Loop, Plan, Status
 from bondem.dynamics.quasistatic_check import measured
 from bondem.dynamics.restart import begin, check_gauges
 from bondem.dynamics.schemes import Scheme, VelocityVerlet
-from bondem.dynamics.signals import noticing, stop_by
 from bondem.dynamics.timestep import choose_step
 from bondem.errors import InputError
 from bondem.fracture.growing_cracks import GrowingCracks
@@ -222,6 +222,7 @@ def _going_on(
     """Continue a run from its checkpoint, or return its result if it is over already."""
     over = _over(kept)
     if over is not None:
+        over.quasistatic.warn()
         return over
     loop_of = _loop_on(device, kept.model)
     cracks = GrowingCracks(kept.model.lattice)

@@ -91,6 +91,24 @@ def test_an_interrupt_leaves_the_curve_so_far(kept: bool, tmp_path: Path) -> Non
         np.testing.assert_array_equal(split(**place).curve, whole.curve)
 
 
+def test_an_interrupted_path_of_equilibria_leaves_its_curve() -> None:
+    beam = bar(150, 80e-3, 20e-3)
+    options: dict[str, Any] = {"ripple": 0.2, "together": 0.05}
+    sent = []
+
+    def interrupt(share: float) -> None:
+        if share > 0.1 and not sent:
+            sent.append(share)
+            os.kill(os.getpid(), signal.SIGINT)
+
+    with pytest.raises(RunInterrupted, match="interrupted after") as stopped:
+        bd.labtests.three_point_bending(beam, LAW, CONCRETE, progress=interrupt, **options)
+    whole, part = bd.labtests.three_point_bending(beam, LAW, CONCRETE, **options), stopped.value.result
+    assert 3 < len(part.curve) < len(whole.curve)
+    assert part.path.end == "interrupted"
+    np.testing.assert_array_equal(part.curve, whole.curve[: len(part.curve)])
+
+
 def test_a_file_of_another_test_is_neither_continued_nor_lost(tmp_path: Path) -> None:
     place = tmp_path / "impact.h5"
     thrown = {"density": 2400.0, "duration": 2e-6, "out": place}

@@ -6,6 +6,7 @@ from typing import cast
 
 import numpy as np
 
+from bondem._signals import Halt
 from bondem.dynamics.contact_check import SinkingCheck
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.energy_check import EnergyCheck
@@ -13,7 +14,6 @@ from bondem.dynamics.history import GrowingHistory, History
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Callback, ExplicitResult, Loop, Plan, Status, settled
 from bondem.dynamics.pulse import Pulse, heard, tell
 from bondem.dynamics.quasistatic_check import measured
-from bondem.dynamics.signals import Halt
 from bondem.dynamics.sink import Sink
 from bondem.dynamics.strain_gauges import StrainGauges
 from bondem.errors import InputError

@@ -13,7 +13,7 @@ from bondem.boundary.conditions import Load
 from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.criteria.rankine import Rankine
 from bondem.damage.failure_assignment import FailureAssignment
-from bondem.errors import InputError
+from bondem.errors import InputError, RunInterrupted
 from bondem.geometry.elementary_shapes import Box
 from bondem.geometry.shape_boundary import BOX_FACES
 from bondem.interactions.cells.cell_constants import CellAssignment
@@ -129,6 +129,7 @@ def three_point_bending(
     Raises:
         InputError: an unsuitable body, a span or strip that does not fit, an unsupported criterion, or the name of a
             gauge used twice.
+        RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
     """
     matrix = require_cells("three_point_bending", body, law, None)
     tensile = _tensile(failure)
@@ -142,31 +143,37 @@ def three_point_bending(
         if name in own:
             raise InputError(f"labtests.three_point_bending: gauge '{name}' is one of its own; give another name")
     model = Model(body, law, DENSITY, failure=tensile, boundary=loads)
-    path = solve_quasistatic(
-        model, top, ripple=ripple, together=together, until=until, most=most, gauges={**own, **asked},
-        progress=progress,
-    )  # fmt: skip
-    if not len(path.factor):
-        raise InputError("labtests.three_point_bending: no facet fails at any load; check the criterion")
-    stress = 1.5 * path.load * beam.span / (beam.width * beam.ligament**2)
-    deflection = -0.5 * (path.gauge["middle left"] + path.gauge["middle right"])[:, 1]
-    stiffness = path.load[0] / deflection[0]
-    rollers = -0.5 * (path.gauge["left"] + path.gauge["right"])[:, 1]
-    work = path.energy.sum() + 0.5 * path.load[-1] * rollers[-1]
-    top, section = int(np.argmax(path.load)), beam.width * beam.ligament
-    cracking = Cracking(
-        body=body, state=path.state, integrity=CRACKED, dissipated=float(path.energy.sum()), slipped=0.0,
-        stored=float(0.5 * path.load[top] * rollers[top]), section=section,
-        fracture_energy=softening_of("three_point_bending", failure, "a criterion").fracture_energy,
-    )  # fmt: skip
-    curve = np.column_stack([deflection / beam.span, stress])
-    mouth = np.append(0.0, path.gauge[_MOUTH][:, 0]) if _MOUTH in own else None
-    return BendingTest(
-        peak=float(stress.max()), E=float(stiffness * beam.compliance(matrix.nu)),
-        curve=np.vstack([np.zeros((1, 2)), curve]), work=float(work) / section,
-        span=beam.span, ligament=beam.ligament, path=path, load=np.append(0.0, path.load),
-        deflection=np.append(0.0, deflection), cracking=cracking, cmod=mouth,
-    )  # fmt: skip
+
+    def read(path: QuasistaticResult) -> BendingTest:
+        if not len(path.factor):
+            raise InputError("labtests.three_point_bending: no facet fails at any load; check the criterion")
+        stress = 1.5 * path.load * beam.span / (beam.width * beam.ligament**2)
+        deflection = -0.5 * (path.gauge["middle left"] + path.gauge["middle right"])[:, 1]
+        stiffness = path.load[0] / deflection[0]
+        rollers = -0.5 * (path.gauge["left"] + path.gauge["right"])[:, 1]
+        work = path.energy.sum() + 0.5 * path.load[-1] * rollers[-1]
+        peak, section = int(np.argmax(path.load)), beam.width * beam.ligament
+        cracking = Cracking(
+            body=body, state=path.state, integrity=CRACKED, dissipated=float(path.energy.sum()), slipped=0.0,
+            stored=float(0.5 * path.load[peak] * rollers[peak]), section=section,
+            fracture_energy=softening_of("three_point_bending", failure, "a criterion").fracture_energy,
+        )  # fmt: skip
+        curve = np.column_stack([deflection / beam.span, stress])
+        mouth = np.append(0.0, path.gauge[_MOUTH][:, 0]) if _MOUTH in own else None
+        return BendingTest(
+            peak=float(stress.max()), E=float(stiffness * beam.compliance(matrix.nu)),
+            curve=np.vstack([np.zeros((1, 2)), curve]), work=float(work) / section,
+            span=beam.span, ligament=beam.ligament, path=path, load=np.append(0.0, path.load),
+            deflection=np.append(0.0, deflection), cracking=cracking, cmod=mouth,
+        )  # fmt: skip
+
+    try:
+        return read(solve_quasistatic(
+            model, top, ripple=ripple, together=together, until=until, most=most, gauges={**own, **asked},
+            progress=progress,
+        ))  # fmt: skip
+    except RunInterrupted as stop:
+        raise RunInterrupted(str(stop), read(stop.result) if len(stop.result.factor) else None) from None
 
 
 def _tensile(failure: FailureAssignment) -> FailureAssignment:

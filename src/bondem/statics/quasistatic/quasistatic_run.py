@@ -59,10 +59,10 @@ class QuasistaticResult(Plotted):
         event: event of the failure, (f,).
         position: centroid of the facet in the reference [m], (f, 3).
         bond_integrity: integrity of all facets at the end, user's order, (m,).
-        end: reason for the end: "unloaded", "parted", "strong", "loose", "folded", "events" or "interrupted". "strong": nothing
-            fails at any load. "loose": parts are connected so weakly that no equilibrium is found. "folded": before
-            the next event a tenth of the elements would rotate by more than 0.1 rad, so that motions are no longer
-            small.
+        end: reason for the end: "unloaded", "parted", "strong", "loose", "folded", "events" or "interrupted".
+            "strong": nothing fails at any load. "loose": parts are connected so weakly that no equilibrium is found.
+            "folded": before the next event a tenth of the elements would rotate by more than 0.1 rad, so that motions
+            are no longer small.
         motion: displacements of the elements at the last event [m], (n, 3).
         state: last equilibrium, for `bd.fragments`, `bd.cracks` and figures.
         solutions: number of equilibria that were computed: one per event, and more where cracks close or open.
