@@ -16,6 +16,7 @@ import bondem as bd
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.history import FIXED_COLUMNS, FRACTURE, NON_LOCAL, PLASTIC
 from bondem.errors import RunFileError
+from bondem.io.codec import decode, encode
 from bondem.io.digest import fixed
 from bondem.io.older_bodies import with_corrected_normals
 from bondem.io.runfile import SCHEMA, RunFile, _digest_of_rest
@@ -174,3 +175,11 @@ def test_a_law_of_a_later_version_is_refused_by_name(tmp_path: Path) -> None:
         file["model"] = json.dumps(model)
     with pytest.raises(RunFileError, match="unknown type 'LaterLaw'; read the file with the bondem version"):
         bd.read_run(place)
+
+
+def test_platens_of_older_files_are_not_damped():
+    """Servo walls were not, so that their runs continue to the same bits."""
+    kept = encode(bd.Servo(1e3, speed=1.0))
+    assert decode(kept).damping == bd.Servo(1e3, speed=1.0).damping > 0.0
+    del kept["damping"]
+    assert decode(kept) == bd.Servo(1e3, speed=1.0, damping=0.0)
