@@ -32,7 +32,8 @@ def draw_errors(path: Path, findings: Findings) -> None:
             ax.plot(own, np.full(len(own), y), "o", markersize=4.5, markerfacecolor="white", markeredgecolor=BLUE,
                     zorder=4, label=once("each packing"))  # fmt: skip
             if row["theory_timoshenko"] is not None:
-                error = 100.0 * float(np.mean([one.outcomes[name].error_timoshenko for one in findings.specimens]))
+                off = [one.outcomes[name].error_timoshenko or 0.0 for one in findings.specimens]
+                error = 100.0 * float(np.mean(off))
                 ax.plot([error], [y], "D", color=ORANGE, markersize=6, zorder=5,
                         label=once("against Timoshenko theory"))  # fmt: skip
             if name in findings.published:

@@ -108,14 +108,24 @@ def _carry_out(study: Study, out: Path, tell: Progress) -> dict[str, Any]:
     if study.run_files and bonds is not None:
         for one in specimens:
             keep_specimen(out / f"specimen_{one.seed}.h5", one.lattice, one.law, bonds.density)
-    _report(findings, out, study.figures, tell)
+    report_last(out, lambda: write_report(
+        findings, out, figures=study.figures, progress=lambda share: tell("report", share)
+    ))  # fmt: skip
     return results
 
 
-def _report(findings: Findings, out: Path, figures: bool, tell: Progress) -> None:
-    """Write the report last, so that nothing else is lost where it fails."""
+def report_last(out: Path, write: Callable[[], None]) -> None:
+    """Write a report after all results, which remain where the report fails.
+
+    Args:
+        out: folder of `results.json` and the report.
+        write: function that writes the report.
+
+    Warns:
+        ReportWarning: the report was not written.
+    """
     try:
-        write_report(findings, out, figures=figures, progress=lambda share: tell("report", share))
+        write()
     except Exception as error:
         (out / "report.html").unlink(missing_ok=True)  # that of an earlier run would mislead
         warnings.warn(f"the report was not written ({type(error).__name__}: {error}); all numbers are in"

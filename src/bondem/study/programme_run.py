@@ -14,7 +14,7 @@ from bondem.io.folder import only_writer
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.numbers import measures, with_unit
 from bondem.report.programme_page import Chapter, write_programme
-from bondem.study.pipeline import Progress, run_study
+from bondem.study.pipeline import Progress, report_last, run_study
 from bondem.study.programme import Programme, Series
 from bondem.study.provenance import provenance
 from bondem.study.study_file import Study
@@ -51,15 +51,18 @@ def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress)
     found = {one.name: _results(one, out / one.folder, fresh, progress) for one in programme.series}
     rows = [row for one in programme.series for row in _rows(one, found[one.name])]
     study = programme.series[0].study
-    assert study.material is not None
+    material = study.material
+    assert material is not None
     failing = [one.study for one in programme.series if one.study.failure is not None]
     chapters = [_chapter(one, found[one.name]) for one in programme.series]
     origin = provenance()
     results = {"programme": programme.name, "rows": rows, "specimens": found} | origin
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     failures = failing[0].failures if failing else {}
-    write_programme(programme.name, study.material, failures, rows, chapters, out, figures=study.figures,
-                    origin=origin, source=programme.source)  # fmt: skip
+    report_last(out, lambda: write_programme(
+        programme.name, material, failures, rows, chapters, out, figures=study.figures, origin=origin,
+        source=programme.source,
+    ))  # fmt: skip
     return results
 
 
