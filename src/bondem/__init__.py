@@ -16,7 +16,7 @@ from bondem._names import no_attribute
 try:
     from bondem._version import __version__  # type: ignore[missing-import]
 except ImportError:  # a source tree that was not installed
-    __version__ = "0.1.0.dev0+unknown"
+    __version__ = "0.2.0.dev0+unknown"
 else:
     if (Path(__file__).parents[2] / ".git").exists():
         # In a clone the code changes after its installation: results state the commit that ran, beside this version.
