@@ -61,7 +61,7 @@ class NotQuasistaticWarning(UserWarning):
 
 
 class FaceWarning(UserWarning):
-    """Warning of a face of particles without a shape that has far fewer elements than lie near it."""
+    """Warning of a face without a shape with few of the elements near it, or of a patch that facets do not cover."""
 
 
 class StageWarning(UserWarning):

@@ -144,3 +144,22 @@ def test_a_tube_under_pressure_widens_as_lame_says(count, accuracy):
     half, widening = scripts("examples", vessel="pressure_vessel")["vessel"].main(count)
     assert half == pytest.approx(1.0, abs=1e-12)
     assert widening == pytest.approx(1.0, abs=accuracy)
+
+
+def test_a_patch_that_ends_within_a_plane_says_what_its_facets_cover():
+    """Cells end at planes: facets across the border of a pad on a plane belong to the pad or not."""
+    corner = 1e-3 * np.array([(x, y, z) for x in (0, 10) for y in (0, 10) for z in (0, 10)])
+    pad = 1e-3 * np.array([(3, 3, 10), (7, 3, 10), (7, 7, 10), (3, 7, 10)])
+    ring = [1, 5, 7, 3]  # the corners of the upper side, counter-clockwise
+    top = [(8, 9, 10), (8, 10, 11)]
+    for k in range(4):
+        a, b, c, d = ring[k], ring[(k + 1) % 4], 8 + (k + 1) % 4, 8 + k
+        top += [(a, b, c), (a, c, d)]
+    box = trimesh.creation.box(bounds=1e-3 * np.array([(0, 0, 0), (10, 10, 10)]))
+    place = [int(np.abs(corner - one).sum(axis=1).argmin()) for one in box.vertices]
+    rest = np.array(place)[box.faces[box.face_normals[:, 2] < 0.5]]
+    surface = bd.Surface(vertices=np.vstack([corner, pad]), triangles=np.vstack([top, rest]), named={"pad": [0, 1]})
+    assert surface.face_centre("pad")[2] == pytest.approx(10e-3)
+    body = bd.connect(bd.pack(surface, count=200, method="even", seed=1), method="laguerre")
+    with pytest.warns(bd.errors.FaceWarning, match=r"the facets on 'pad' cover .* m² of its 1.6e-05 m²"):
+        body.on_face("pad")

@@ -111,6 +111,9 @@ class Placed(Shape):
     def patch_names(self) -> tuple[str, ...]:
         return self.shape.patch_names
 
+    def patch_area(self, name: str) -> float:
+        return self.shape.patch_area(name)
+
     def on_patch(self, name: str, points: PerElement3, normals: PerElement3) -> Mask:
         return self.shape.on_patch(name, self._back(points), normals @ np.array(self.turn))
 

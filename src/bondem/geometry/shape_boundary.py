@@ -53,6 +53,10 @@ class Walled(ABC):
         """Return which points (n, 3) [m] on walls with outward normals (n, 3) belong to a patch, (n,)."""
         raise InputError(f"{type(self).__name__} has no patch {shown(name)}")
 
+    def patch_area(self, name: str) -> float:
+        """Return the area of a patch [m²]; nan where walls of another shape may have cut it."""
+        return float("nan")
+
     def has_face(self, face: str) -> bool:
         """Return True if this is the name of a face or patch."""
         return face in self.faces or face in self.patch_names

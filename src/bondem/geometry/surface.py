@@ -228,6 +228,9 @@ class Surface(Shape):
         self._check_face(face)
         return self._on_face[face] if face in self._on_face else self._of_patch[face].triangles
 
+    def patch_area(self, name: str) -> float:
+        return self._of_patch[name].area
+
     def on_patch(self, name: str, points: PerElement3, normals: PerElement3) -> Mask:
         self._check_face(name)
         triangle, off = self._all.facing(points, normals)

@@ -1,5 +1,6 @@
 """A lattice: elements and the bonds between them, in one reference configuration."""
 
+import warnings
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -11,12 +12,16 @@ from scipy.sparse.csgraph import connected_components
 
 from bondem._checks import instance, shown
 from bondem._drawing import draw
+from bondem._names import users_line
 from bondem._types import ArrayLike, Ints, Mask, Pairs, PerBond, PerBond3, PerElement3
-from bondem.errors import DisconnectedError, InputError
+from bondem.errors import DisconnectedError, FaceWarning, InputError
 from bondem.geometry.elementary_shapes import Shape
 from bondem.specimen.particles import Particles, filled, freeze
 from bondem.specimen.tessellation.cutting import tessellate
 from bondem.specimen.tessellation.facets import Cells, Facets
+
+# Difference of the areas of a patch and of its facets, over that of the patch, above which a warning is given.
+_COVERED = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,6 +135,9 @@ class Lattice:
 
         Raises:
             InputError: The shape has no such face, or the lattice has no cells.
+
+        Warns:
+            FaceWarning: A patch ends within a plane, and its facets cover another area than it has.
         """
         if self.cells is None:
             raise InputError("the lattice is not cut into cells; connect its particles with method='laguerre'")
@@ -138,7 +146,16 @@ class Lattice:
         free = self.cells.free
         if name in envelope.faces:
             return np.flatnonzero(free.face == envelope.faces.index(name))
-        return np.flatnonzero(envelope.on_patch(name, free.centroid, free.normal))
+        found = np.flatnonzero(envelope.on_patch(name, free.centroid, free.normal))
+        covered, whole = float(free.area[found].sum()), envelope.patch_area(name)
+        if abs(covered - whole) > _COVERED * whole:
+            warnings.warn(
+                f"the facets on {name!r} cover {covered:.4g} m² of its {whole:.4g} m², as it ends within a plane,"
+                " where cells do not end; smaller cells follow its border more closely",
+                FaceWarning,
+                stacklevel=users_line(),
+            )
+        return found
 
     @property
     def rattlers(self) -> int:
