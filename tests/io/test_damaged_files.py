@@ -36,6 +36,7 @@ def edited(data: bytes, edits: list[tuple[str, float, int, bytes]]) -> bytes:
 
 def check_line(error: Exception) -> None:
     assert "\n" not in str(error)
+    assert len(str(error)) < 600
 
 
 @QUIET
@@ -118,3 +119,32 @@ def test_damaged_particles_are_what_was_written_or_refused_in_one_line(
             np.testing.assert_array_equal(found.particles.position, whole.particles.position)
             np.testing.assert_array_equal(found.particles.radius, whole.particles.radius)
             np.testing.assert_array_equal(found.pairs, whole.pairs)
+
+
+X = "".join(f"{k + 1} 1 1 2e-3 2500 {2e-3 * k:g} 0 0\n" for k in range(4))
+TEXTS = {
+    "a.csv": "x,y,z,r\n0,0,0,1e-3\n2e-3,0,0,1e-3\n4e-3,0,0,1e-3\n",
+    "a.txt": "#format x_y_z_r\n0 0 0 1e-3\n2e-3 0 0 1e-3\n4e-3 0 0 1e-3\n",
+    "a.xyz": '2\nLattice="1 0 0 0 1 0 0 0 1" pbc="T T T" Properties=pos:R:3:radius:R:1\n0 0 0 1e-3\n2e-3 0 0 1e-3\n',
+    "a.data": f"x\n\n4 atoms\n1 bonds\n0 1 xlo xhi\n\nAtoms # bpm/sphere\n\n{X}\nBonds\n\n1 1 1 2\n",
+    "a.dump": "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n"
+              "ITEM: ATOMS id x y z radius\n1 0 0 0 1e-3\n",
+    "a.off": "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
+    "a.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+}  # fmt: skip
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+@pytest.mark.parametrize("name", TEXTS)
+def test_damaged_texts_are_read_or_refused_in_one_line(tmp_path: Path, name: str, capfd) -> None:
+    """Words that are no numbers, bytes that are no text, and parts that are missing, as fuzzing tries them."""
+    random, data, path = np.random.default_rng(4), TEXTS[name].encode(), tmp_path / name
+    bad = [b"nan", b"-1", b"1e400", b"9" * 5000, b"\0", b"\xff\xfe", b"inf", b"", b"\n", b"#", b'"', b"1e-320"]
+    for _ in range(80):
+        at = int(random.integers(len(data)))
+        path.write_bytes(data[:at] + bad[int(random.integers(len(bad)))] + data[at + int(random.integers(9)) :])
+        try:
+            bd.Surface(path, unit="mm") if name in ("a.off", "a.obj") else bd.read_particles(path)
+        except InputError as error:
+            check_line(error)
+    assert capfd.readouterr() == ("", "")  # nor do libraries say anything

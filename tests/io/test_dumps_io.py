@@ -49,7 +49,7 @@ def test_lammps_dumps(write):
 @pytest.mark.parametrize(
     ("text", "options", "message"),
     [
-        (dump("id type x y z q"), {}, r"line 22: no column radius or diameter among id .* q; dump it, or give"),
+        (dump("id type x y z q"), {}, r"line 22: no column radius or diameter among id, .* q; dump it, or give"),
         (dump("id type a b c radius"), {}, "no columns x y z among"),
         (dump(), {"frame": 5}, "frame = 5: .* has 2 snapshots; give one from 0 to 1"),
         (dump().replace("-1 5", "-1 5 0.3"), {"periodic": True}, "the box is tilted"),

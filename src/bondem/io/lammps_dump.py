@@ -14,6 +14,7 @@ from bondem.io.raw_spheres import (
     RawSpheres,
     announced_count,
     floats,
+    listed,
     numbered_lines,
     require_count,
     snapshot_number,
@@ -160,7 +161,7 @@ def _places(
             if tilted:
                 raise InputError(f"'{path}', line {line}: the box is tilted; dump x y z instead of {' '.join(names)}")
             return lower + place * (upper - lower)
-    raise InputError(f"'{path}', line {line}: no columns x y z among {' '.join(columns)}; dump them")
+    raise InputError(f"'{path}', line {line}: no columns x y z among {listed(columns)}; dump them")
 
 
 def _radii(path: Path, line: int, columns: dict[str, Floats], size: str | float | None) -> Floats:
@@ -171,7 +172,7 @@ def _radii(path: Path, line: int, columns: dict[str, Floats], size: str | float 
         if name in columns:
             return columns[name] * (0.5 if name == "diameter" else share)
     raise InputError(
-        f"'{path}', line {line}: no column {size or 'radius or diameter'} among {' '.join(columns)}; dump it, or give"
+        f"'{path}', line {line}: no column {size or 'radius or diameter'} among {listed(columns)}; dump it, or give"
         " radius= as its name or as one radius for all"
     )
 

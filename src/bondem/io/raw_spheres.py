@@ -1,7 +1,7 @@
 """Spheres of a text file, and common parts of the readers of text files."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -109,3 +109,10 @@ def require_count(path: Path, line: int, what: str, announced: int | None, found
 def some_axes(borders: Sequence[bool]) -> str:
     """Name the axes whose borders are periodic, where some are and others are not: "x and y"; else an empty text."""
     return "" if all(borders) else " and ".join(axis for axis, one in zip("xyz", borders, strict=False) if one)
+
+
+def listed(names: Iterable[str]) -> str:
+    """Names of columns for a message, of which long ones and those after the twentieth are cut."""
+    known = list(names)
+    short = [name if len(name) <= 40 else f"{name[:37]}..." for name in known[:20]]
+    return ", ".join([*short, *(["..."] if len(known) > 20 else [])]) or "none"

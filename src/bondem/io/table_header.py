@@ -8,6 +8,7 @@ from pathlib import Path
 from bondem._checks import shown
 from bondem._units import length_unit
 from bondem.errors import InputError
+from bondem.io.raw_spheres import listed
 
 _WANTED = ("x", "y", "z", "r")
 # Names others give these columns, in small letters and without units; d is halved.
@@ -125,7 +126,7 @@ def _named(path: Path, line: int, names: list[str], wanted: str) -> int:
         if place:
             return place[0]
     raise InputError(
-        f"'{path}', line {line}: no column '{wanted}' among {', '.join(names)}; rename one, or give columns="
+        f"'{path}', line {line}: no column '{wanted}' among {listed(names)}; rename one, or give columns="
         " with those of x, y, z and radius"
     )
 
@@ -140,7 +141,7 @@ def _number(path: Path, line: int, names: list[str] | None, one: str | int) -> i
     for name in (one.strip().lower(), Column.of(one).name):
         if name in names:
             return names.index(name)
-    raise InputError(f"'{path}', line {line}: no column '{one}' among {', '.join(names)}; correct columns=")
+    raise InputError(f"'{path}', line {line}: no column '{one}' among {listed(names)}; correct columns=")
 
 
 def _length(text: str) -> float | None:

@@ -1,6 +1,8 @@
-"""Points and point arrays of a VTK file, read by VTK in a process of its own: python vtk_arrays.py FILE RESULT.npz
+"""Points and point arrays of a VTK file, read by VTK in a process of its own.
 
 VTK ends its process where a damaged file announces more than memory holds. This file imports nothing of bondem.
+
+Run: python vtk_arrays.py FILE RESULT.npz
 """
 
 import sys

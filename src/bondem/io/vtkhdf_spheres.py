@@ -11,7 +11,7 @@ from bondem._types import Pairs, PerElement
 from bondem.errors import InputError
 from bondem.io.digest import text_of
 from bondem.io.hdf5 import Kind, array_at, damage, reading
-from bondem.io.raw_spheres import RawSpheres, snapshot_number
+from bondem.io.raw_spheres import RawSpheres, listed, snapshot_number
 
 # In small letters; of a diameter, half.
 _RADIUS = ("radius", "radii", "rad", "r")
@@ -127,6 +127,6 @@ def radii(path: Path, arrays: Mapping[str, np.ndarray], name: str | None) -> Per
             if wanted in known:
                 return share * np.array(known[wanted], dtype=float)
     raise InputError(
-        f"'{path}' has no point array '{name or 'radius'}' (its arrays: {', '.join(sorted(arrays)) or 'none'});"
+        f"'{path}' has no point array '{name or 'radius'}' (its arrays: {listed(sorted(arrays))});"
         " give the name of the array of radii as radius="
     )

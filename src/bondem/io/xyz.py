@@ -14,6 +14,7 @@ from bondem.io.raw_spheres import (
     RawSpheres,
     announced_count,
     floats,
+    listed,
     numbered_lines,
     require_count,
     snapshot_number,
@@ -123,7 +124,7 @@ def _columns(
         if name in found:
             return [*place, found[name][0]], _SIZES.get(name, 1.0)
     raise InputError(
-        f"'{path}', line {line}: no property {size or 'radius'} among {', '.join(found)}; give radius= as the name of"
+        f"'{path}', line {line}: no property {size or 'radius'} among {listed(found)}; give radius= as the name of"
         " one, or as one radius for all"
     )
 
