@@ -96,6 +96,8 @@ def enough(shape: Shape, radius: PerElement, across: float) -> tuple[int, float]
 
     Most walls are then `across` of the largest radii thick or more, measured from their middle.
     """
+    if shape.period is not None:  # without walls the number decides on nothing
+        return len(radius), float(radius.mean())
     usual = float(np.quantile(depths_inside(shape), _USUAL))
     smaller = usual / (across * float(radius.max()))
     count = math.ceil(len(radius) / min(smaller, 1.0) ** 3)
