@@ -93,6 +93,16 @@ void solve_coarse(const Array<const double, 2> &factor, double *v) {
     }
 }
 
+// Takes rigid motions out of z, and forces that drive them out of those of a rounded matrix.
+void remove_rigid(const ClumpCorrection &clumps, double *v) {
+    const Index size = clumps.rigid.shape[1];
+    for (Index m = 0; m < clumps.rigid.shape[0]; m++) {
+        const double *rigid = clumps.rigid.data + m * size;
+        const double along = dot(rigid, v, size);
+        for (Index k = 0; k < size; k++) v[k] -= along * rigid[k];
+    }
+}
+
 void precondition(const ClumpCorrection &clumps, const double *r, double *z) {
     const Index n = clumps.place.size(), c = clumps.coarse.size();
     double *coarse = clumps.coarse.data;
@@ -111,11 +121,7 @@ void precondition(const ClumpCorrection &clumps, const double *r, double *z) {
             z[6 * p + a] = sum;
         }
     }
-    for (Index m = 0; m < clumps.rigid.shape[0]; m++) {
-        const double *rigid = clumps.rigid.data + m * 6 * n;
-        const double along = dot(rigid, z, 6 * n);
-        for (Index k = 0; k < 6 * n; k++) z[k] -= along * rigid[k];
-    }
+    remove_rigid(clumps, z);
 }
 
 }  // namespace
@@ -154,6 +160,7 @@ Index conjugate_gradients(Index, const ScaledMatrix &matrix, const ClumpCorrecti
         const double further = rho / before;
         for (Index k = 0; k < size; k++) p[k] = further * p[k] + z[k];
         multiply(matrix, matrix.rounded_block, matrix.rounded_form, p, product, search.stress);
+        remove_rigid(clumps, product);
         const double curvature = dot(p, product, size);
         if (!(curvature > 0.0)) return 1;
         const double step = rho / curvature;
