@@ -17,7 +17,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridRead
 _READERS = {".vtk": vtkGenericDataObjectReader, ".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader}
 
 
-def main(path: str, result: str) -> None:
+def write_arrays(path: str, result: str) -> None:
     """Write the centres as "centre" and each array as "array NAME"; exit with a message for an unusable file."""
     reader: Any = _READERS[Path(path).suffix.lower()]()
     complaints: list[str] = []
@@ -41,4 +41,4 @@ def main(path: str, result: str) -> None:
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    write_arrays(*sys.argv[1:])
