@@ -27,7 +27,7 @@ html_theme_options = {"top_of_page_buttons": []}
 html_show_sourcelink = False
 html_math_renderer = "mathml"
 # What sphinx-gallery writes beside its pages, of which docs/gallery.md includes the first.
-exclude_patterns = ["build", "_templates", "examples/index.rst", "examples/sg_execution_times.rst"]
+exclude_patterns = ["build", "_templates", "examples/index.rst"]
 
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence"]
 myst_heading_anchors = 3
@@ -56,7 +56,7 @@ sphinx_gallery_conf = {
     "capture_repr": (),
     "show_memory": False,
     "show_signature": False,
-    "min_reported_time": 1e9,
+    "write_computation_times": False,
     "download_all_examples": True,
     "copyfile_regex": "",
     "reset_modules": (),
