@@ -106,7 +106,9 @@ def _write_names(ax: Axes, patches: tuple[Patch, ...], patch: Ints, extent: tupl
         room = distance_transform_edt(own)
         if room.max() < _ROOM:
             continue
-        row, column = np.unravel_index(int(room.argmax()), own.shape) + low - 1
+        # of the places with about the most room, the one nearest to the middle
+        wide = np.argwhere(room >= 0.9 * room.max()) + low - 1
+        row, column = wide[np.hypot(*(wide - [rows.mean(), columns.mean()]).T).argmin()]
         x = extent[0] + (column + 0.5) / width * (extent[1] - extent[0])
         y = extent[2] + (row + 0.5) / height * (extent[3] - extent[2])
         ax.text(x, y, one.name, ha="center", va="center", fontsize=8.0, color=INK, zorder=6,
