@@ -13,6 +13,8 @@ import nbformat
 DOCS = Path(__file__).parent
 _OUTPUT = re.compile(r"(?<=^```\n)\n```text\n.*?^```\n", re.MULTILINE | re.DOTALL)  # of the code above
 _DIRECTIVE = re.compile(r"^```\{.*?^```\n|^:::.*?\n", re.MULTILINE | re.DOTALL)
+_TITLE = re.compile(r"^# .*$", re.MULTILINE)
+_COMMENT = re.compile(r"^<!--.*?-->\n", re.MULTILINE | re.DOTALL)
 _PICTURE = re.compile(r"^!\[.*\n(\n\*.*\*\n)?", re.MULTILINE)
 _LINK = re.compile(r"\[([^\]]+)\]\((?!http)[^)]*\)")
 
@@ -29,7 +31,7 @@ def pages() -> list[str]:
 def notebook(page: str) -> Any:
     """The notebook of a page."""
     text = (DOCS / f"{page}.md").read_text(encoding="utf-8")
-    for pattern in (_OUTPUT, _DIRECTIVE, _PICTURE):
+    for pattern in (_COMMENT, _OUTPUT, _DIRECTIVE, _PICTURE):
         text = pattern.sub("", text)
     made = jupytext.reads(_LINK.sub(r"\1", text), fmt="md")
     made.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
@@ -45,8 +47,8 @@ def write(app: Any) -> None:
 def offer(app: Any, page: str, source: list[str]) -> None:
     """Put a link to its notebook below the title of a page."""
     if page in pages():
-        title, _, rest = source[0].partition("\n")
-        source[0] = f"{title}\n\n{{download}}`This page as a notebook <{Path(page).name}.ipynb>`\n{rest}"
+        link = f"\n\n{{download}}`This page as a notebook <{Path(page).name}.ipynb>`\n"
+        source[0] = _TITLE.sub(lambda title: title[0] + link, source[0], count=1)
 
 
 def setup(app: Any) -> dict[str, bool]:
