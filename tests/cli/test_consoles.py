@@ -9,6 +9,7 @@ import pytest
 
 from bondem.cli.streams import in_ascii
 from bondem.study.beginnings import template
+from tests.clean_install import STUDY
 
 
 def bondem(command: str, encoding: str = "utf-8", **options) -> subprocess.CompletedProcess:
@@ -46,6 +47,16 @@ def test_output_on_a_full_disk_is_one_line():
     assert done.stderr == b"bondem: No space left on device; make room or choose another place\n"
     # where nobody can be told, the status is
     assert bondem("bondem --help > /dev/full 2> /dev/full").returncode == 2
+
+
+def test_a_disk_that_is_full_at_the_first_figure_is_one_line_and_keeps_the_numbers(tmp_path):
+    (tmp_path / "s.toml").write_text(STUDY.replace("false", "true"), encoding="utf-8")
+    done = bondem("ulimit -f 20; bondem run s.toml --out out", cwd=tmp_path)
+    assert done.returncode == 2
+    last = done.stderr.decode().splitlines()[-1]
+    assert "figures/specimen.png' could not be written (File too large); make room" in last
+    assert "Traceback" not in done.stderr.decode()
+    assert json.loads((tmp_path / "out" / "results.json").read_text())["tests"]
 
 
 def test_a_reader_that_has_seen_enough_is_no_error():

@@ -13,7 +13,7 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from PIL import Image
 
-from bondem.errors import ReportWarning
+from bondem.errors import ReportWarning, RunFileError
 from bondem.interactions.law_catalogue import named
 from bondem.io.atomic import write_text
 from bondem.labtests.failure_tests import FAILURE_TESTS
@@ -120,6 +120,8 @@ def write_report(
             draw(path)
             with narrow():
                 draw(path.parent / PHONE / path.name)
+        except RunFileError:  # a full disk has no room for the others either
+            raise
         except Exception as error:  # results are worth more than a figure
             undrawn[name] = f"{type(error).__name__}: {error}"
             warnings.warn(f"figure {name} was not drawn ({undrawn[name]}); the report lacks it", ReportWarning,

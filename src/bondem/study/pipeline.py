@@ -14,7 +14,7 @@ from bondem.calibration.elastic import Calibration, Trial, calibrate
 from bondem.calibration.reach import recommend
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import Plan, settled
-from bondem.errors import ReportWarning
+from bondem.errors import ReportWarning, RunFileError
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.io.atomic import write_text
@@ -121,11 +121,16 @@ def report_last(out: Path, write: Callable[[], None]) -> None:
         out: folder of `results.json` and the report.
         write: function that writes the report.
 
+    Raises:
+        RunFileError: a file of the report cannot be written, as on a full disk.
+
     Warns:
         ReportWarning: the report was not written.
     """
     try:
         write()
+    except RunFileError:
+        raise
     except Exception as error:
         (out / "report.html").unlink(missing_ok=True)  # that of an earlier run would mislead
         warnings.warn(f"the report was not written ({type(error).__name__}: {error}); all numbers are in"
