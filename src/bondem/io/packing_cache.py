@@ -9,7 +9,6 @@ time.
 import hashlib
 import json
 import os
-import threading
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import fields, is_dataclass
@@ -129,16 +128,10 @@ class PackingCache:
     def put(self, name: str, particles: Particles, *, provenance: Mapping[str, Any] | None = None) -> None:
         """Store a packing under a key, replacing an existing one by one atomic move."""
         path = self._path(name)
-        # Processes and threads that pack the same at once must not write to one file.
-        aside = path.with_name(f"{path.stem}.{os.getpid()}-{threading.get_ident()}.new")
-        try:
+        with suppress(Exception):  # as above
             self.folder.mkdir(parents=True, exist_ok=True)
-            save_particles(aside, particles, provenance=provenance)
-            os.replace(aside, path)
+            save_particles(path, particles, provenance=provenance)
             self._shrink(path)
-        except Exception:  # as above
-            with suppress(OSError):
-                aside.unlink(missing_ok=True)
 
     def remembered(self, request: Mapping[str, Any], make: Callable[[], Particles]) -> Particles:
         """Packing of a request: the stored one, or a new one, which is stored if possible.
