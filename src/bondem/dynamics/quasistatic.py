@@ -20,15 +20,15 @@ class Quasistatic:
 
     Attributes:
         kinetic: largest kinetic energy over the largest elastic energy [-], up to the latter; for a run that only
-            servo walls load, in the last tenth of the records. NaN without records.
+            servo walls load, in the last tenth of the records. None without records.
         difference: largest difference of the forces of the two force gauges of a run over the largest of these forces
-            [-], in the same records; NaN unless exactly two gauges record opposite forces.
+            [-], in the same records; None unless exactly two gauges record opposite forces.
         servo: force of each servo wall at the end and its prescribed force [N], by the index of the wall.
         meant: reason why the run is taken to be meant quasi-static; empty for other runs, which are not checked.
     """
 
-    kinetic: float
-    difference: float
+    kinetic: float | None
+    difference: float | None
     servo: Mapping[int, tuple[float, float]]
     meant: str
 
@@ -41,9 +41,9 @@ class Quasistatic:
             f"servo wall {k} presses with {force:.4g} N at the end, not {wanted:.4g} N"
             for k, (force, wanted) in self.servo.items() if abs(force - wanted) > _SERVO * wanted
         ]  # fmt: skip
-        if self.kinetic > _KINETIC:
+        if self.kinetic is not None and self.kinetic > _KINETIC:
             found.append(f"its kinetic energy reached {self.kinetic:.2g} of the elastic energy (limit {_KINETIC:g})")
-        if self.difference > _DIFFERENCE:
+        if self.difference is not None and self.difference > _DIFFERENCE:
             found.append(f"the forces at both ends differed by {self.difference:.2g} of them (limit {_DIFFERENCE:g})")
         return tuple(found)
 

@@ -5,7 +5,6 @@ least one of which is driven, and it either has local or mass damping, or gauges
 largest elastic energy comes late. Impacts, waves, vibrations and pulses of pressure are not checked.
 """
 
-import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -31,7 +30,7 @@ _NORMAL_FORCE = 13
 
 def measured(model: Model, plan: Plan, history: History, state: State) -> Quasistatic:
     """Evaluate a run from its records and its last state."""
-    kinetic = difference = math.nan
+    kinetic = difference = None
     passes = 0.0
     if len(history) > 1:
         energy = history.energy
@@ -40,7 +39,7 @@ def measured(model: Model, plan: Plan, history: History, state: State) -> Quasis
         # what only servo walls load is to be at rest at the end; the initial motion is prescribed
         first, last = (1, top + 1) if _driven(model) else (len(history) - max(1, len(history) // 10), len(history))
         moving, held = (energy["translation"] + energy["rotation"])[first:last], elastic[first:last].max(initial=0.0)
-        kinetic = float(moving.max(initial=0.0) / held) if held > 0.0 else math.nan
+        kinetic = float(moving.max(initial=0.0) / held) if held > 0.0 else None
         difference = _difference(plan, history, slice(first, last))
         passes = top * plan.every * _share_of_a_step(model)
     servo = {
@@ -51,15 +50,15 @@ def measured(model: Model, plan: Plan, history: History, state: State) -> Quasis
     return Quasistatic(kinetic, difference, servo, _meant(model, plan, passes))
 
 
-def _difference(plan: Plan, history: History, chosen: slice) -> float:
-    """Largest difference of the forces of two gauges over the largest one [-]; NaN unless they are opposite."""
+def _difference(plan: Plan, history: History, chosen: slice) -> float | None:
+    """Largest difference of the forces of two gauges over the largest one [-]; None unless they are opposite."""
     names = _force_gauges(plan)
     if len(names) != 2:
-        return math.nan
+        return None
     one, other = (history[name][chosen] for name in names)
     largest = max(float(np.linalg.norm(force, axis=1).max(initial=0.0)) for force in (one, other))
     if not largest > 0.0 or not float((one * other).sum()) < 0.0:
-        return math.nan
+        return None
     return float(np.linalg.norm(one + other, axis=1).max()) / largest
 
 
