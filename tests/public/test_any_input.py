@@ -233,7 +233,8 @@ ELSEWHERE = {
     "RunContents", "Scheme", "Shape", "SizeLaw",
     "BondGeometry", "BondStiffness", "BondStrain", "BulkModuli", "Calibration", "Callback", "Checkpoint",
     "EnergyParts", "ExplicitResult", "Fabric", "FreeParameter", "History", "Layering", "ModesResult",
-    "Quasistatic", "QuasistaticResult", "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status", "Strata",
+    "Quasistatic", "QuasistaticResult", "RadialDistribution", "Sample", "Slope", "Solution", "StaticResult", "Status",
+    "Strata",
     "Trial", "StrengthCalibration", "StrengthRun", "Cells",
     "Facets", "FreeFacets", "Polyhedra", "SmallMotion", "cell_stress", "polyhedra",
     # changes all runs that follow (`test_names`)
