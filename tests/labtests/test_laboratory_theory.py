@@ -161,7 +161,12 @@ def test_a_core_is_pushed_out_of_its_ring() -> None:
 
 
 def test_the_mouth_of_a_notch_opens_as_the_beam_turns_about_the_ligament() -> None:
-    """CMOD: by linear elastic fracture mechanics 24 σ a V(a/h) / E at small loads (Tada), a and h from below."""
+    """CMOD at the first event, and its figure.
+
+    Tada's 4 σ a V(a/h) / E is that of a sharp crack. A notch as wide as half of its depth opens 1.236 times as far,
+    by quadratic elements in plane stress (as in `benchmarks/cmod.py`). Cells are a tenth of the depth of the beam
+    high, and the place of the tip is off by a share of that: 5 %.
+    """
     depth, notch = 20e-3, 6e-3
     place = bd.Within(bd.Box((40e-3, 30e-3, 30e-3)).moved((0.0, -1e-3, -1e-3)))
     other = bd.Within(bd.Box((60e-3, 30e-3, 30e-3)).moved((60e-3, -1e-3, -1e-3)))
@@ -173,7 +178,8 @@ def test_the_mouth_of_a_notch_opens_as_the_beam_turns_about_the_ligament() -> No
     ratio = notch / depth
     shape = 0.76 - 2.28 * ratio + 3.87 * ratio**2 - 2.04 * ratio**3 + 0.66 / (1.0 - ratio) ** 2
     wanted = 4.0 * stress * notch / LAW.E * shape
-    assert test.cmod[1] == pytest.approx(wanted, rel=0.25)
+    assert test.cmod[1] == pytest.approx(1.236 * wanted, rel=0.05)
+    assert test.plot().axes[0].get_xlabel().startswith("CMOD")
     assert test.path.gauge["halves"].shape == (3, 3)
     assert 0.0 < test.path.gauge["halves"][0, 0] < test.cmod[1]
 

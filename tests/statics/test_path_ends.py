@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from tests.specimens import cubes, two_cubes
+from tests.models import pulled
+from tests.specimens import bar, cubes, two_cubes
 
 E, STRENGTH, SIZE = 40e9, 4e6, 1e-3
 
@@ -36,3 +37,17 @@ def test_a_path_ends_where_it_folds(turn: float) -> None:
     assert found.end == "folded"
     assert (1e-4 * found.factor <= 0.1).all()
     assert len(found.factor) == 0 if turn > 0.1 else found.factor[0] == pytest.approx(1e4 * turn, rel=1e-6)
+
+
+def test_progress_does_not_run_backwards() -> None:
+    """Loads of single events rise and fall; the completed share is that of the highest of the last events."""
+    shares: list[float] = []
+    found = bd.solve_quasistatic(
+        pulled(bar(40)), bd.Face("x_max"), ripple=0.5, together=0.05, until=0.5, progress=shares.append
+    )
+    assert found.end == "unloaded"
+    assert (np.diff(found.load) > 0.1 * found.peak).any()
+    assert (np.diff(shares) >= 0.0).all()
+    assert shares[0] == 0.0
+    assert shares[-1] == 1.0
+    assert len(set(shares)) > 3
