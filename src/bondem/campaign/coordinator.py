@@ -13,7 +13,7 @@ from bondem.campaign.cluster import connected, submitted
 from bondem.campaign.sweep import Campaign, CampaignSpecimen
 from bondem.campaign.table import require_tables, write_tables
 from bondem.campaign.work import SPECIMENS, carry_out, clear, finished
-from bondem.io.atomic import write_text
+from bondem.io.atomic import make_folder, write_text
 from bondem.io.folder import only_writer
 
 # The table is written again when so much time has passed and something has come [s].
@@ -65,7 +65,7 @@ def _carry_out(
     dashboard: Callable[[str], None] | None,
 ) -> dict[str, Any]:  # fmt: skip
     begun = time.perf_counter()
-    (out / SPECIMENS).mkdir(parents=True, exist_ok=True)
+    make_folder(out / SPECIMENS)
     clear(out)
     rows = {one.name: row for one in campaign.specimens if (row := finished(one, out)) is not None}
     before, missing = len(rows), [one for one in campaign.specimens if one.name not in rows]

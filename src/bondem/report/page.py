@@ -15,7 +15,7 @@ from PIL import Image
 
 from bondem.errors import ReportWarning, RunFileError
 from bondem.interactions.law_catalogue import named
-from bondem.io.atomic import write_text
+from bondem.io.atomic import make_folder, write_text
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.outcome import Outcome
 from bondem.report.breakage_figures import draw_energies, draw_pieces
@@ -116,7 +116,7 @@ def write_report(
             progress(done / len(drawings))
         path = out / "figures" / f"{name}.png"
         try:
-            (path.parent / PHONE).mkdir(parents=True, exist_ok=True)
+            make_folder(path.parent / PHONE)
             draw(path)
             with narrow():
                 draw(path.parent / PHONE / path.name)
