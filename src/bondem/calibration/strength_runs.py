@@ -13,7 +13,7 @@ import numpy as np
 
 from bondem._checks import shown
 from bondem.errors import InputError, UnstableRunError
-from bondem.io.atomic import require_folder, write_text
+from bondem.io.atomic import make_folder, require_folder, write_text
 
 #: A test: parameters by name → strength [Pa], or one of each of several packings; or a function for each packing.
 Test = Callable[..., float | Sequence[float]] | Sequence[Callable[..., float]]
@@ -142,7 +142,7 @@ class Runs:
     def _save(self) -> None:
         if self.folder is None:
             return
-        self.folder.mkdir(parents=True, exist_ok=True)
+        make_folder(self.folder)
         text = json.dumps({"about": self.about, "tests": self.kept}, indent=1, allow_nan=False, ensure_ascii=False)
         write_text(self.folder / _FILE, text + "\n")
 

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from bondem.io.atomic import make_folder
 from bondem.io.csv_table import write_csv
 from bondem.report.findings import Examined, Findings
 
@@ -65,7 +66,7 @@ def _of_calibration(findings: Findings) -> dict[str, _Columns]:
 
 
 def _write(out: Path, name: str, columns: _Columns) -> str:
-    (out / CURVES).mkdir(parents=True, exist_ok=True)
+    make_folder(out / CURVES)
     file = f"{CURVES}/{name}.csv"
     write_csv(out / file, columns, owner="report")
     return file

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from bondem.damage.criteria.criterion import Criterion
-from bondem.io.atomic import write_text
+from bondem.io.atomic import make_folder, write_text
 from bondem.report.captions import CAPTIONS
 from bondem.report.criterion_told import told
 from bondem.report.page import PHONE, Picture, templates
@@ -67,7 +67,7 @@ def write_programme(
     """
     summary = None
     if figures and any(row["off_target"] is not None or row["off_theory"] is not None for row in rows):
-        (out / "figures" / PHONE).mkdir(parents=True, exist_ok=True)
+        make_folder(out / "figures" / PHONE)
         draw_targets(out / "figures" / "targets.png", rows)
         with narrow():
             draw_targets(out / "figures" / PHONE / "targets.png", rows)

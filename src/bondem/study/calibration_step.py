@@ -15,7 +15,7 @@ from bondem.calibration.reach import recommend
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Cell, Cylinder, Shape
 from bondem.interactions.beams.bond_law import BondLaw
-from bondem.io.atomic import require_folder, write_text
+from bondem.io.atomic import make_folder, require_folder, write_text
 from bondem.packing import SEED, pack
 from bondem.packing.sizes import SPREAD, Uniform
 from bondem.report.calibration_figure import draw_calibration
@@ -105,7 +105,7 @@ def run_calibration(
     found = _summary(plan, fit, lattices) | {"timing": seconds, "version": __version__}
     if out is not None:
         folder = Path(out)
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folder(folder)
         write_text(folder / "calibration.json", json.dumps(found, indent=2, allow_nan=False) + "\n")
         draw_calibration(folder / "calibration.png", fit)
     return fit, found

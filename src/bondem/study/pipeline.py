@@ -17,7 +17,7 @@ from bondem.dynamics.plan import Plan, settled
 from bondem.errors import ReportWarning, RunFileError
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment
-from bondem.io.atomic import write_text
+from bondem.io.atomic import make_folder, write_text
 from bondem.io.folder import only_writer
 from bondem.io.particles_file import save_particles
 from bondem.io.runfile import RunFile
@@ -96,7 +96,7 @@ def _carry_out(study: Study, out: Path, tell: Progress) -> dict[str, Any]:
         failures=study.failures,
         source=study.source,
     )
-    out.mkdir(parents=True, exist_ok=True)
+    make_folder(out)
     results["curves"] = write_curves(findings, out)
     write_text(out / "results.json", json.dumps(results, indent=2, allow_nan=False) + "\n")
     if study.vtk:
