@@ -4,17 +4,20 @@ import importlib.util
 import re
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
 import bondem as bd
+from bondem.labtests.cracking import Cracking
 from bondem.report.crack_pictures import corners_moved, draw_cracks, draw_fragments, piece_colours
 from bondem.report.piece_colours import piece_palette
 from bondem.report.spheres import View
+from bondem.report.turning_cells import turning_cells_of
 from tests.models import parted
-from tests.specimens import cubes
+from tests.specimens import cells, cubes
 
 ROOT = Path(__file__).parents[2]
 LAW = bd.CellBond(E=1e9, nu=0.2)
@@ -130,3 +133,17 @@ def test_cracks_go_round_the_stones_of_the_mesoscale_example(tmp_path: Path, mon
     assert share["aggregate"] == 0.0
     assert share["interface"] > 0.3
     assert (tmp_path / "mesoscale.png").stat().st_size > 20_000
+
+
+def test_a_body_in_pieces_is_shown_from_the_side_of_its_small_pieces():
+    """A corner cell and its neighbour apart, on the far side of the usual view; two halves keep that view."""
+    body = cells(bd.Box((4e-3, 2e-3, 2e-3)), 60)
+    state = bd.Model(body, LAW, 1e3).state()
+    toward = View(azimuth=np.radians(28.0), elevation=np.radians(24.0)).axes[2] * (1.0, 1.0, 0.0)
+    far = np.argsort(body.centre @ toward)[:2]
+    for apart, usual in ((far[:1], True), (far, False)):
+        state.integrity[:] = np.where(np.isin(body.pairs, apart).any(axis=1), 0.0, 1.0)[state.layout.bond_order]
+        cracking = Cracking(body, state, 0.0, 0.0, 0.0, 0.0, 1.0)
+        test = SimpleNamespace(cracking=cracking)
+        axes = np.array(turning_cells_of(SimpleNamespace(lattice=body, outcomes={"ucs": test})).axes)
+        assert (axes[2] @ toward > 0.0) == usual

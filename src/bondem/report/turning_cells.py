@@ -13,9 +13,13 @@ from bondem.report.crack_pictures import corners_moved
 from bondem.report.findings import Examined
 from bondem.report.numbers import pieces_and_crumbs
 from bondem.report.piece_colours import piece_palette
+from bondem.report.spheres import View
 from bondem.report.strength_figures import magnified, reach_of
 from bondem.report.style import SEQUENTIAL
 from bondem.specimen.tessellation.polyhedra import Polyhedra, polyhedra
+
+# Usual view [rad].
+_AZIMUTH, _ELEVATION = np.radians(28.0), np.radians(24.0)
 
 
 @dataclass(frozen=True)
@@ -27,6 +31,7 @@ class TurningCells:
         size: corners of each polygon as bytes, base64.
         edge: whether the edge that begins at each corner is drawn, as bytes, base64.
         colour: red, green and blue of each polygon as bytes, base64.
+        axes: directions of the picture's right, up and viewer at first, (3, 3).
         caption: caption of the figure.
     """
 
@@ -34,6 +39,7 @@ class TurningCells:
     size: str
     edge: str
     colour: str
+    axes: list[list[float]]
     caption: str
 
 
@@ -68,8 +74,19 @@ def turning_cells_of(one: Examined) -> TurningCells:
         size=_text(count.astype(np.uint8)),
         edge=_text(outlined(solid)[rows].astype(np.uint8)),
         colour=_text(np.rint(255.0 * colour[solid.cell[seen]]).astype(np.uint8)),
+        axes=np.round(_telling(place, solid, seen, label).axes, 4).tolist(),
         caption=f"{caption}. Drag to turn it, pinch or scroll with Ctrl to zoom.",
     )
+
+
+def _telling(place: Floats, solid: Polyhedra, seen: Ints, label: Ints) -> View:
+    """View from the side that shows most of all pieces but the two heaviest; the usual one of a body in two parts."""
+    start = solid.start[seen]
+    a, b, c = (place[start + k] for k in range(3))
+    area = np.cross(b - a, c - a)  # of the first triangle of each polygon
+    small = label[solid.cell[seen]] > 1
+    views = [View(azimuth=_AZIMUTH + k * 0.25 * np.pi, elevation=_ELEVATION) for k in range(8)]
+    return max(views, key=lambda view: float(np.clip(area[small] @ view.axes[2], 0.0, None).sum()))
 
 
 def _seen(solid: Polyhedra, label: Ints) -> Ints:
