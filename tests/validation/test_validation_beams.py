@@ -87,6 +87,7 @@ def test_bonds_near_rollers_do_not_break() -> None:
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.ImbalanceWarning")  # pulled within six traverses
 @pytest.mark.usefixtures("quick")
+@pytest.mark.filterwarnings("ignore::bondem.errors.NotQuasistaticWarning")
 @pytest.mark.filterwarnings("ignore::bondem.errors.StrengthWarning")
 def test_a_study_breaks_judges_and_draws(tmp_path: Any) -> None:
     """Three hundred spheres, some hundred times too fast."""

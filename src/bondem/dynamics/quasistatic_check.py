@@ -19,6 +19,7 @@ from bondem.dynamics.plan import Plan
 from bondem.dynamics.quasistatic import Quasistatic
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.observables.breakage import BrokenBonds
 
 # Steps to the largest elastic energy, over the number of elements along the specimen, from which on loading without
 # damping counts as slow: a wave passes an element in two to four steps.
@@ -36,11 +37,14 @@ def measured(model: Model, plan: Plan, history: History, state: State) -> Quasis
         energy = history.energy
         elastic = np.sum([energy[name] for name in _ELASTIC], axis=0)
         top = int(np.argmax(elastic))
-        # what only servo walls load is to be at rest at the end; the initial motion is prescribed
-        first, last = (1, top + 1) if _driven(model) else (len(history) - max(1, len(history) // 10), len(history))
-        moving, held = (energy["translation"] + energy["rotation"])[first:last], elastic[first:last].max(initial=0.0)
+        # what only servo walls load is to be at rest at the end
+        whole = chosen = slice(len(history) - max(1, len(history) // 10), len(history))
+        if _driven(model):  # the initial motion is prescribed, and what breaks moves at any speed of loading
+            broken = BrokenBonds.of(state).time.min(initial=np.inf)
+            whole, chosen = slice(1, top + 1), slice(1, min(top + 1, int(np.searchsorted(history.time, broken))))
+        moving, held = (energy["translation"] + energy["rotation"])[chosen], elastic[whole].max(initial=0.0)
         kinetic = float(moving.max(initial=0.0) / held) if held > 0.0 else None
-        difference = _difference(plan, history, slice(first, last))
+        difference = _difference(plan, history, whole, chosen)
         passes = top * plan.every * _share_of_a_step(model)
     servo = {
         k: (float(state.walls[k, _NORMAL_FORCE]), wall.motion.force.at(state.time))
@@ -50,16 +54,20 @@ def measured(model: Model, plan: Plan, history: History, state: State) -> Quasis
     return Quasistatic(kinetic, difference, servo, _meant(model, plan, passes))
 
 
-def _difference(plan: Plan, history: History, chosen: slice) -> float | None:
-    """Largest difference of the forces of two gauges over the largest one [-]; None unless they are opposite."""
+def _difference(plan: Plan, history: History, whole: slice, chosen: slice) -> float | None:
+    """Largest difference of the forces of two gauges in chosen records, over the largest force of the whole [-].
+
+    None unless exactly two gauges record opposite forces.
+    """
     names = _force_gauges(plan)
     if len(names) != 2:
         return None
-    one, other = (history[name][chosen] for name in names)
+    one, other = (history[name][whole] for name in names)
     largest = max(float(np.linalg.norm(force, axis=1).max(initial=0.0)) for force in (one, other))
     if not largest > 0.0 or not float((one * other).sum()) < 0.0:
         return None
-    return float(np.linalg.norm(one + other, axis=1).max()) / largest
+    differences = np.linalg.norm(history[names[0]] + history[names[1]], axis=1)[chosen]
+    return float(differences.max(initial=0.0)) / largest
 
 
 def _force_gauges(plan: Plan) -> list[str]:
