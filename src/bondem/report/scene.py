@@ -4,7 +4,6 @@ import math
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 import pyvista
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -14,8 +13,9 @@ from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.fracture.fragments import fragments
 from bondem.geometry.rotations import turned_vectors
+from bondem.io.hdf5 import array_at
 from bondem.io.run_contents import read_contents
-from bondem.io.runfile import read_run
+from bondem.io.runfile import read_run, reading_run
 from bondem.report.piece_colours import piece_palette
 from bondem.report.style import GREY, INK, ORANGE, SEQUENTIAL
 
@@ -67,9 +67,8 @@ class Scene:
         self._reader.SetFileName(str(run_file))
         self._reader.UpdateInformation()
         self.count = int(self._reader.GetNumberOfSteps())
-        with h5py.File(run_file, "r") as file:
-            steps: Any = file["VTKHDF/elements/Steps/Values"]
-            self._times = np.asarray(steps[()])
+        with reading_run(Path(run_file)) as file:
+            self._times = array_at(file, "VTKHDF/elements/Steps/Values")
         self._colour = self._by_piece() if field == "fragment" else None
         self._placed = False
 
