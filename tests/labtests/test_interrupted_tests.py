@@ -92,8 +92,8 @@ def test_an_interrupt_leaves_the_curve_so_far(kept: bool, tmp_path: Path) -> Non
 
 
 def test_an_interrupted_path_of_equilibria_leaves_its_curve() -> None:
-    beam = bar(150, 80e-3, 20e-3)
-    options: dict[str, Any] = {"ripple": 0.2, "together": 0.05}
+    beam = bar(80, 80e-3, 20e-3)
+    options: dict[str, Any] = {"ripple": 0.3, "together": 0.1, "until": 0.5}
     sent = []
 
     def interrupt(share: float) -> None:
