@@ -34,14 +34,14 @@ def all_walls(size: float) -> list:
     """Return walls of each kind and of each motion around a cube and within it."""
     middle = size / 2
     return [
-        bd.PlaneWall((0, 0, 0), (1, 0, 0), motion=bd.Servo(2e5, speed=4.0, mass=3e5)),
+        bd.PlaneWall((0, 0, 0), (1, 0, 0), motion=bd.Servo(2e5, speed=4.0, mass=3e5, damping=0.0)),
         bd.PlaneWall((0, 0, 0), (0, 1, 0), friction=0.1),
         bd.PlaneWall((0, 0, 0), (0, 0, 1), outer=0.9 * size, inner=0.2),
         bd.PlaneWall((size, 0, 0), (-1, 0, 0), motion=bd.Free(2e5, velocity=(-3.0, 0, 0), force=(-1e5, 0, 0))),
         bd.PlaneWall((0, size, 0), (0, -1, 0), motion=bd.Driven(y=bd.Ramp(0.0, -0.3, 0.1), vx=0.5)),
         bd.CylinderWall(0.6 * size, (0, middle, middle), (1, 0, 0), motion=bd.Driven(vgrowth=-0.4)),
         bd.CylinderWall(0.12, (1.15, 1, 2.3), (0, 1, 0), outside=True, motion=bd.Driven(growth=bd.Ramp(0, 0.2, 0.1))),
-        bd.SphereWall(size, (middle, middle, middle), inside=True, motion=bd.Servo(3e5, speed=20.0)),
+        bd.SphereWall(size, (middle, middle, middle), inside=True, motion=bd.Servo(3e5, speed=20.0, damping=0.0)),
         bd.SphereWall(0.15, (middle, middle, middle), motion=bd.Free(1e5, velocity=(3.0, 1.0, 0.0))),
     ]
 
@@ -67,7 +67,7 @@ def touching_beams(law, *, shape=(6, 3, 4), **options) -> bd.Model:
     ]
     walls = [
         bd.PlaneWall((-0.5, 0, 0), (1, 0, 0)),
-        bd.PlaneWall((0, -0.5, 0), (0, 1, 0), motion=bd.Servo(1e5, speed=0.3)),
+        bd.PlaneWall((0, -0.5, 0), (0, 1, 0), motion=bd.Servo(1e5, speed=0.3, damping=0.0)),
     ]
     return bd.Model(
         slit_bar(shape), BEAM, density=1e3, boundary=boundary, contact=law, walls=walls, **options

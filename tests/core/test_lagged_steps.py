@@ -128,6 +128,7 @@ def test_forces_of_an_unchanged_state_are_found_again(name):
 
 @pytest.mark.parametrize("name", ["stored", "stored, one bond", "cells", "spheres"])
 @pytest.mark.filterwarnings("ignore::bondem.errors.StepWarning")
+@pytest.mark.filterwarnings("ignore::bondem.errors.NotQuasistaticWarning")
 def test_a_run_resumed_has_the_bits_of_a_whole_one(name, tmp_path: Path):
     model = MODELS[name]()
     plan, start = plan_and_state(model, None, steps=200, share=0.05)

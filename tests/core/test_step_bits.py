@@ -23,6 +23,6 @@ def test_the_bits_are_those_of_the_former_loop(law, damping):
     result = integrate(model, plan, state=state, loop_of=CoreLoop)
     former = FormerLoop("steps", f"{law}, {'free' if damping is None else 'damped'}")
     former.assert_close(1e-12, **movement(result.state), work=result.state.work, reaction=result.state.reaction)
-    former.assert_records(1e-12, result.history.records)
+    former.assert_records(1e-12, result.history.records[:-1])  # its runs did not record their end
     if given == former.numbers["given"]:
         former.assert_same(bits=np.concatenate([getattr(result.state, name).ravel() for name in STATE]))

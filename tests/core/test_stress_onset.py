@@ -51,7 +51,7 @@ def test_cracks_are_those_of_the_former_loop(name, monkeypatch):
     former.assert_close(1e-8, strengths=cracks[:, 1])  # in the direction of cracks
     former.assert_close(1e-8, displacement=state.displacement)  # cracks amplify rounding
     former.assert_close(1e-10, position=state.position, released=state.released)
-    former.assert_records(1e-10, result.history.records)
+    former.assert_records(1e-10, result.history.records[:-1])  # its runs did not record their end
 
 
 @pytest.mark.parametrize("name", ["cone", "function"])

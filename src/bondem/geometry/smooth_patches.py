@@ -44,7 +44,7 @@ class Patch:
     centre: Vector
     triangles: Ints
 
-    def __repr__(self) -> str:
+    def __str__(self) -> str:
         n, x = (" ".join(f"{value + 0.0:.4g}" for value in rounded) for rounded in (
             np.round(self.normal, 4), np.round(self.centre, 12),
         ))  # fmt: skip
