@@ -7,87 +7,73 @@
 namespace bondem {
 namespace {
 
-// Sums run in this many parts, which are independent of each other.
-constexpr Index parts = 8;
 // Reduction of r · z by the rounded matrix, beyond which the exact residual is computed again.
 constexpr double rounded = 1e6;
 
-double dot(const double *a, const double *b, Index n) {
-    double sums[parts] = {};
+// Eight numbers in one register; of the six of a cell two more, which are zero.
+typedef double Eight __attribute__((vector_size(64)));
+
+template <class T> Eight eight(const T *x, Index count = 8) {
+    typedef T Loaded __attribute__((vector_size(8 * sizeof(T))));
+    Loaded loaded = {};
+    __builtin_memcpy(&loaded, x, static_cast<unsigned long>(count) * sizeof(T));
+    return __builtin_convertvector(loaded, Eight);
+}
+template <class T> Eight six(const T *x) { return eight(x, 6); }
+void add(Eight s, double *y) {
+    const Eight sum = six(y) + s;
+    __builtin_memcpy(y, &sum, 6 * sizeof(double));
+}
+double sum_of(Eight s) { return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7])); }
+
+template <class T> double dot(const T *a, const double *b, Index n) {
+    Eight one = {}, other = {};
     Index k = 0;
-    for (; k + parts <= n; k += parts)
-        for (Index l = 0; l < parts; l++) sums[l] += a[k + l] * b[k + l];
-    double sum = 0.0;
-    for (; k < n; k++) sum += a[k] * b[k];
-    for (Index l = 0; l < parts; l++) sum += sums[l];
-    return sum;
+    for (; k + 16 <= n; k += 16) {
+        one += eight(a + k) * eight(b + k);
+        other += eight(a + k + 8) * eight(b + k + 8);
+    }
+    double rest = 0.0;
+    for (; k < n; k++) rest += a[k] * b[k];
+    return sum_of(one + other) + rest;
+}
+// Aᵀ x of a block.
+template <class T> Eight turned_product(const T *A, const double *x) {
+    return (six(A) * x[0] + six(A + 6) * x[1] + six(A + 12) * x[2]) +
+           (six(A + 18) * x[3] + six(A + 24) * x[4] + six(A + 30) * x[5]);
 }
 
-// Six numbers of a cell, in registers.
-struct Six {
-    double part[6];
-};
-Six six(const double *x) { return {{x[0], x[1], x[2], x[3], x[4], x[5]}}; }
-void add(Six s, double *y) {
-    for (Index a = 0; a < 6; a++) y[a] += s.part[a];
-}
-// `sum` += A x, and returns Aᵀ s, of a block.
-template <class T> Six both_products(const T *A, Six x, Six s, Six &sum) {
-    Six turned = {};
-    for (Index a = 0; a < 6; a++)
-        for (Index b = 0; b < 6; b++) {
-            const double entry = A[6 * a + b];
-            sum.part[a] += entry * x.part[b];
-            turned.part[b] += entry * s.part[a];
-        }
-    return turned;
-}
-template <class T> double dot(const T *form, Six x) {
-    return (form[0] * x.part[0] + form[1] * x.part[1] + form[2] * x.part[2]) +
-           (form[3] * x.part[3] + form[4] * x.part[4] + form[5] * x.part[5]);
-}
-
+// y = (B + Fᵀ W F) x. B is symmetric: the blocks of a row act on its cell as they are found, along their rows.
 template <class T>
 void multiply(const ScaledMatrix &matrix, const Array<const T, 3> &block, const Array<const T, 2> &form, const double *x,
               double *y, const Array<double, 1> &stress) {
     const Index n = matrix.weight.size();
     for (Index k = 0; k < 6 * n; k++) y[k] = 0.0;
     for (Index p = 0; p < n; p++) {
-        const Index middle = matrix.diagonal(p), end = matrix.start(p + 1);
-        const Six own = six(x + 6 * p);
-        Six mine = {};
-        double swelling = 0.0;
-        both_products(&block(middle, 0, 0), own, Six{}, mine);
-        for (Index e = matrix.start(p); e < middle; e++) swelling += dot(&form(e, 0), six(x + 6 * matrix.column(e)));
-        swelling += dot(&form(middle, 0), own);
-        for (Index e = middle + 1; e < end; e++) {
+        Eight swelling = {};
+        for (Index e = matrix.start(p); e < matrix.start(p + 1); e++) {
             const Index q = 6 * matrix.column(e);
-            const Six there = six(x + q);
-            add(both_products(&block(e, 0, 0), there, own, mine), y + q);
-            swelling += dot(&form(e, 0), there);
+            add(turned_product(&block(e, 0, 0), x + 6 * p), y + q);
+            swelling += six(&form(e, 0)) * six(x + q);
         }
-        add(mine, y + 6 * p);
-        stress(p) = matrix.weight(p) * swelling;
+        stress(p) = matrix.weight(p) * sum_of(swelling);
     }
     for (Index p = 0; p < n; p++)
-        for (Index e = matrix.start(p); e < matrix.start(p + 1); e++) {
-            const T *own = &form(e, 0);
-            double *there = y + 6 * matrix.column(e);
-            for (Index b = 0; b < 6; b++) there[b] += own[b] * stress(p);
-        }
+        for (Index e = matrix.start(p); e < matrix.start(p + 1); e++)
+            add(six(&form(e, 0)) * stress(p), y + 6 * matrix.column(e));
 }
 
 // v becomes (L Lᵀ)⁻¹ v.
-void solve_coarse(const Array<const double, 2> &factor, double *v) {
+void solve_coarse(const Array<const float, 2> &factor, double *v) {
     const Index c = factor.shape[0], w = factor.shape[1];
     for (Index j = 0; j < c; j++) {
-        const double *column = &factor(j, 0);
+        const float *column = &factor(j, 0);
         const double value = v[j] /= column[0];
         const Index rows = w < c - j ? w : c - j;
         for (Index k = 1; k < rows; k++) v[j + k] -= column[k] * value;
     }
     for (Index j = c - 1; j >= 0; j--) {
-        const double *column = &factor(j, 0);
+        const float *column = &factor(j, 0);
         const Index rows = w < c - j ? w : c - j;
         v[j] = (v[j] - dot(column + 1, v + j + 1, rows - 1)) / column[0];
     }
@@ -107,19 +93,15 @@ void precondition(const ClumpCorrection &clumps, const double *r, double *z) {
     const Index n = clumps.place.size(), c = clumps.coarse.size();
     double *coarse = clumps.coarse.data;
     for (Index k = 0; k < c; k++) coarse[k] = 0.0;
-    for (Index p = 0; p < n; p++)
-        for (Index a = 0; a < 6; a++)
-            for (Index b = 0; b < 6; b++)
-                coarse[clumps.order(clumps.place(p) + b)] += clumps.basis(p, a, b) * r[6 * p + a];
+    for (Index p = 0; p < n; p++) {
+        const Eight moved = turned_product(&clumps.basis(p, 0, 0), r + 6 * p);
+        for (Index b = 0; b < 6; b++) coarse[clumps.order(clumps.place(p) + b)] += moved[b];
+    }
     solve_coarse(clumps.factor, coarse);
     for (Index p = 0; p < n; p++) {
-        double own[6];
+        Eight own = {};
         for (Index b = 0; b < 6; b++) own[b] = coarse[clumps.order(clumps.place(p) + b)];
-        for (Index a = 0; a < 6; a++) {
-            double sum = r[6 * p + a];
-            for (Index b = 0; b < 6; b++) sum += clumps.basis(p, a, b) * own[b];
-            z[6 * p + a] = sum;
-        }
+        for (Index a = 0; a < 6; a++) z[6 * p + a] = r[6 * p + a] + sum_of(six(&clumps.basis(p, a, 0)) * own);
     }
     remove_rigid(clumps, z);
 }
