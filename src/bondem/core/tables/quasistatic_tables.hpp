@@ -67,7 +67,7 @@ struct ClumpCorrection {
     Array<const Index, 1> place;  // first coarse unknown of the clump of each cell, (n,)
     Array<const Index, 1> order;  // place of each coarse unknown in L, (c,)
     Array<const double, 3> basis;  // P, (n, 6, 6)
-    Array<const float, 2> factor;  // column j of L from the diagonal down, (c, w)
+    Array<const double, 2> factor;  // column j of L from the diagonal down, (c, w)
     Array<const double, 2> rigid;  // rigid motions that are free, orthonormal, (r, 6 n)
     Array<double, 1> coarse;  // (c,)
 };

@@ -38,7 +38,7 @@ class ClumpCorrection(NamedTuple):
     place: Ints  #: first coarse unknown of the clump of each cell, (n,)
     order: Ints  #: place of each coarse unknown in L, (c,)
     basis: Floats  #: motion of each cell per motion of its clump, (n, 6, 6)
-    factor: np.ndarray  #: columns of L from the diagonal down, float32, (c, w)
+    factor: Floats  #: columns of L from the diagonal down, (c, w)
     rigid: Floats  #: rigid motions that are free, orthonormal, (r, 6 n)
     coarse: Floats  #: (c,)
 
@@ -54,7 +54,7 @@ class ClumpCorrection(NamedTuple):
         low = row >= column
         band = np.zeros((int((row - column).max()) + 1, len(order)))
         band[(row - column)[low], column[low]] = matrix.data[low]
-        factor = np.ascontiguousarray(cholesky_banded(band, lower=True, overwrite_ab=True).T, dtype=np.float32)
+        factor = np.ascontiguousarray(cholesky_banded(band, lower=True, overwrite_ab=True).T)
         basis = clumps.prolongation
         return cls(
             6 * basis.indices.astype(np.int64), order, basis.data, factor, np.ascontiguousarray(begun.rigid.T),

@@ -64,16 +64,16 @@ void multiply(const ScaledMatrix &matrix, const Array<const T, 3> &block, const 
 }
 
 // v becomes (L Lᵀ)⁻¹ v.
-void solve_coarse(const Array<const float, 2> &factor, double *v) {
+void solve_coarse(const Array<const double, 2> &factor, double *v) {
     const Index c = factor.shape[0], w = factor.shape[1];
     for (Index j = 0; j < c; j++) {
-        const float *column = &factor(j, 0);
+        const double *column = &factor(j, 0);
         const double value = v[j] /= column[0];
         const Index rows = w < c - j ? w : c - j;
         for (Index k = 1; k < rows; k++) v[j + k] -= column[k] * value;
     }
     for (Index j = c - 1; j >= 0; j--) {
-        const float *column = &factor(j, 0);
+        const double *column = &factor(j, 0);
         const Index rows = w < c - j ? w : c - j;
         v[j] = (v[j] - dot(column + 1, v + j + 1, rows - 1)) / column[0];
     }
