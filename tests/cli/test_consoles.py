@@ -51,7 +51,7 @@ def test_output_on_a_full_disk_is_one_line():
 
 def test_a_disk_that_is_full_at_the_first_figure_is_one_line_and_keeps_the_numbers(tmp_path):
     (tmp_path / "s.toml").write_text(STUDY.replace("false", "true"), encoding="utf-8")
-    done = bondem("ulimit -f 20; bondem run s.toml --out out", cwd=tmp_path)
+    done = bondem("ulimit -f 20; PYTHONDONTWRITEBYTECODE=1 bondem run s.toml --out out", cwd=tmp_path)
     assert done.returncode == 2
     last = done.stderr.decode().splitlines()[-1]
     assert "figures/specimen.png' could not be written (File too large); make room" in last
