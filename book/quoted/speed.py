@@ -15,25 +15,23 @@ _NAMES = {"lammps": "LAMMPS bpm/rotational", "yade": "Yade CohFrictMat", "kratos
 
 def quoted() -> Sequence[Quoted]:
     """All quoted speeds."""
-    found = []
-    for record, place in ((PEERS, 0), (KRATOS, 0)):
-        specimen = record.at("specimens", place)
-        size = f"{specimen['elements']} spheres, {specimen['bonds']} bonds, one thread"
-        for code, words in _NAMES.items():
-            if code not in specimen["codes"] or (record is KRATOS and code != "kratos"):
-                continue
-            one = specimen["codes"][code]
-            found.append(Quoted(
-                name=f"speed.{code}", says=f"speed of bondem over that of {words}", size=size, record=record,
-                form=RATIO, values=(one["ratio_median"],),
-            ))  # fmt: skip
-        if record is KRATOS:
-            own = specimen["codes"]["kratos"]["ratio_median"] / specimen["codes"]["non-local"]["ratio_median"]
-            found.append(Quoted(
-                name="speed.kratos_non_local", says="speed of the non-local law of bondem over that of Kratos",
-                size=size, record=record, form=RATIO, values=(own,),
-            ))  # fmt: skip
+    specimen = PEERS.at("specimens", 0)
+    found = [
+        Quoted(name=f"speed.{code}", says=f"speed of bondem over that of {words}", size=_size(specimen), record=PEERS,
+               form=RATIO, values=(specimen["codes"][code]["ratio_median"],))
+        for code, words in _NAMES.items()
+    ]  # fmt: skip
+    specimen = KRATOS.at("specimens", 0)
+    ratio = {code: one["ratio_median"] for code, one in specimen["codes"].items()}
+    found.append(Quoted(
+        name="speed.kratos_non_local", says="speed of the non-local law of bondem over that of Kratos",
+        size=_size(specimen), record=KRATOS, form=RATIO, values=(ratio["kratos"] / ratio["non-local"],),
+    ))  # fmt: skip
     return [*found, *_slow()]
+
+
+def _size(specimen: Any) -> str:
+    return f"{specimen['elements']} spheres, {specimen['bonds']} bonds, one thread"
 
 
 def _slow() -> Sequence[Quoted]:
