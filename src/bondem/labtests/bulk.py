@@ -5,28 +5,25 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._checks import instance
-from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.labtests.arguments import AnyLaw
-from bondem.labtests.isotropic import Isotropic, directional_moduli, matrix_table
+from bondem.labtests.isotropic import VOIGT, StiffnessResult
 from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
 from bondem.statics.linear import System
 from bondem.statics.non_local_statics import LaggedStatics
 from bondem.statics.static import Statics
 
-# Voigt order xx, yy, zz, yz, xz, xy, with engineering shear strains.
-_VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 # C is stationary in the motions, so that their error comes in squared.
 _RTOL = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
-class BulkModuli(Plotted):
+class BulkModuli(StiffnessResult):
     """Elastic moduli of a periodic cell.
 
     Attributes:
@@ -48,7 +45,6 @@ class BulkModuli(Plotted):
         Args:
             k: kn, ks, kb and kt of each bond, (4, m).
 
-
         With the derivatives of the bond stiffnesses with respect to a parameter, the result is the derivative of C.
         """
         C = np.zeros((6, 6))
@@ -56,41 +52,6 @@ class BulkModuli(Plotted):
             for t in range(s, 6):
                 C[s, t] = C[t, s] = np.vdot(k, one.products(self.strains[t])) / self.volume
         return C
-
-    @property
-    def table(self) -> dict[str, Floats]:
-        """Stiffness matrix by name and unit, a row for each stress."""
-        return matrix_table(self.stiffness)
-
-    @property
-    def drawn(self) -> dict[str, Floats]:
-        """Young's moduli by direction in the three planes of coordinates."""
-        return directional_moduli(self.stiffness)
-
-    @property
-    def isotropic(self) -> Isotropic:
-        """Isotropic (Voigt) average of the stiffness."""
-        return Isotropic.average(self.stiffness)
-
-    @property
-    def K(self) -> float:
-        """Bulk modulus of the isotropic average [Pa]."""
-        return self.isotropic.K
-
-    @property
-    def G(self) -> float:
-        """Shear modulus of the isotropic average [Pa]."""
-        return self.isotropic.G
-
-    @property
-    def E(self) -> float:
-        """Young's modulus of the isotropic average [Pa]."""
-        return self.isotropic.E
-
-    @property
-    def nu(self) -> float:
-        """Poisson's ratio of the isotropic average [-]."""
-        return self.isotropic.nu
 
 
 @staged("bulk moduli")
@@ -180,7 +141,7 @@ def _of_non_local(model: Model) -> BulkModuli:
 def _slips(branch: Floats) -> Floats:
     """ε · branch of each bond for six unit strains [m], shape (6, m, 3)."""
     slip = np.zeros((6, len(branch), 3))
-    for s, (a, b) in enumerate(_VOIGT):
+    for s, (a, b) in enumerate(VOIGT):
         if a == b:
             slip[s, :, a] = branch[:, a]
         else:

@@ -1,14 +1,15 @@
-"""Isotropic material nearest to a stiffness tensor (Voigt's average)."""
+"""Elastic moduli of a stiffness matrix: its isotropic average (Voigt's), and by direction."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from bondem._drawing import columns_of
+from bondem._drawing import Plotted, columns_of
 from bondem._types import Floats
 
-# Components of a tensor in a matrix of moduli.
-_VOIGT = ("xx", "yy", "zz", "yz", "xz", "xy")
+#: Components of a tensor in a matrix of moduli: xx, yy, zz, yz, xz, xy.
+VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 # Steps of a turn in which moduli by direction are drawn.
 _DIRECTIONS = 181
 
@@ -44,25 +45,58 @@ class Isotropic:
         return (3.0 * self.K - 2.0 * self.G) / (2.0 * (3.0 * self.K + self.G))
 
 
-def matrix_table(stiffness: Floats) -> dict[str, Floats]:
-    """Return the rows of a stiffness matrix (6, 6) [Pa] by name and unit, (6,) each."""
-    return {"row [-]": np.arange(1.0, 7.0)} | columns_of("stiffness {} [Pa]", _VOIGT, stiffness)
+class StiffnessResult(Plotted):
+    """Result with a stiffness matrix."""
 
+    if TYPE_CHECKING:
 
-def directional_moduli(stiffness: Floats) -> dict[str, Floats]:
-    """Return Young's moduli by direction in the three planes of coordinates, by name and unit.
+        @property
+        def stiffness(self) -> Floats:
+            """Matrix C of σ = C ε, in the order of `VOIGT` with engineering shear strains [Pa], (6, 6)."""
+            ...
 
-    With the compliance S and the direction n, 1 / E = s·S s, where s holds the components of n⊗n.
+    @property
+    def table(self) -> dict[str, Floats]:
+        """Stiffness matrix by name and unit, a row for each stress."""
+        names = ["xyz"[a] + "xyz"[b] for a, b in VOIGT]
+        return {"row [-]": np.arange(1.0, 7.0)} | columns_of("stiffness {} [Pa]", names, self.stiffness)
 
-    Args:
-        stiffness: matrix in the order xx, yy, zz, yz, xz, xy with engineering shear strains [Pa], (6, 6).
-    """
-    S, angle = np.linalg.inv(stiffness), np.linspace(0.0, np.pi, _DIRECTIONS)
-    found = {"angle in the plane [degree]": np.degrees(angle)}
-    for a, b in ((0, 1), (1, 2), (2, 0)):
-        n = np.zeros((len(angle), 3))
-        n[:, a], n[:, b] = np.cos(angle), np.sin(angle)
-        x, y, z = n.T
-        s = np.stack([x * x, y * y, z * z, y * z, x * z, x * y], axis=1)
-        found[f"E from {'xyz'[a]} to {'xyz'[b]} [Pa]"] = 1.0 / np.einsum("ka,ab,kb->k", s, S, s)
-    return found
+    @property
+    def drawn(self) -> dict[str, Floats]:
+        """Young's moduli [Pa] by direction in the three planes of coordinates.
+
+        With the compliance S and the direction n, 1 / E = s·S s, where s holds the components of n⊗n.
+        """
+        S, angle = np.linalg.inv(self.stiffness), np.linspace(0.0, np.pi, _DIRECTIONS)
+        found = {"angle in the plane [degree]": np.degrees(angle)}
+        for a, b in ((0, 1), (1, 2), (2, 0)):
+            n = np.zeros((len(angle), 3))
+            n[:, a], n[:, b] = np.cos(angle), np.sin(angle)
+            s = np.stack([n[:, i] * n[:, j] for i, j in VOIGT], axis=1)
+            found[f"E from {'xyz'[a]} to {'xyz'[b]} [Pa]"] = 1.0 / np.einsum("ka,ab,kb->k", s, S, s)
+        return found
+
+    @property
+    def isotropic(self) -> Isotropic:
+        """Isotropic (Voigt) average of the stiffness."""
+        return Isotropic.average(self.stiffness)
+
+    @property
+    def K(self) -> float:
+        """Bulk modulus of the isotropic average [Pa]."""
+        return self.isotropic.K
+
+    @property
+    def G(self) -> float:
+        """Shear modulus of the isotropic average [Pa]."""
+        return self.isotropic.G
+
+    @property
+    def E(self) -> float:
+        """Young's modulus of the isotropic average [Pa]."""
+        return self.isotropic.E
+
+    @property
+    def nu(self) -> float:
+        """Poisson's ratio of the isotropic average [-]."""
+        return self.isotropic.nu

@@ -6,7 +6,6 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._checks import choice
-from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Axis, Floats, PerElement6
 from bondem.boundary.balanced_forces import balanced_forces
@@ -14,21 +13,18 @@ from bondem.errors import InputError
 from bondem.geometry.face_patches import face_patches
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.gauge_length import AffineField, at_generators
-from bondem.labtests.isotropic import Isotropic, directional_moduli, matrix_table
+from bondem.labtests.isotropic import VOIGT, StiffnessResult
 from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 from bondem.statics.static import Statics
-
-# Voigt order xx, yy, zz, yz, xz, xy.
-_VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 
 # Size of the patches of the surface, over the mean radius.
 _PATCH = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class UniformStress(Plotted):
+class UniformStress(StiffnessResult):
     """Elastic moduli of a body of any shape.
 
     Attributes:
@@ -45,41 +41,6 @@ class UniformStress(Plotted):
     def stiffness(self) -> Floats:
         """Stiffness matrix, inverse of the compliance [Pa], (6, 6)."""
         return np.asarray(np.linalg.inv(self.compliance), dtype=float)
-
-    @property
-    def table(self) -> dict[str, Floats]:
-        """Stiffness matrix by name and unit, a row for each stress."""
-        return matrix_table(self.stiffness)
-
-    @property
-    def drawn(self) -> dict[str, Floats]:
-        """Young's moduli by direction in the three planes of coordinates."""
-        return directional_moduli(self.stiffness)
-
-    @property
-    def isotropic(self) -> Isotropic:
-        """Isotropic (Voigt) average of the stiffness."""
-        return Isotropic.average(self.stiffness)
-
-    @property
-    def K(self) -> float:
-        """Bulk modulus of the isotropic average [Pa]."""
-        return self.isotropic.K
-
-    @property
-    def G(self) -> float:
-        """Shear modulus of the isotropic average [Pa]."""
-        return self.isotropic.G
-
-    @property
-    def E(self) -> float:
-        """Young's modulus of the isotropic average [Pa]."""
-        return self.isotropic.E
-
-    @property
-    def nu(self) -> float:
-        """Poisson's ratio of the isotropic average [-]."""
-        return self.isotropic.nu
 
     def along(self, axis: Axis) -> tuple[float, float]:
         """Return Young's modulus [Pa] and Poisson's ratio [-] in uniaxial tension along "x", "y" or "z"."""
@@ -118,7 +79,7 @@ def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> Uni
     owner, centre, area = _surface(lattice, depth)
     moving = np.flatnonzero(lattice.connected)
     strain = np.empty((6, 6))
-    for column, (a, b) in enumerate(_VOIGT):
+    for column, (a, b) in enumerate(VOIGT):
         stress = np.zeros((3, 3))
         stress[a, b] = stress[b, a] = 1.0
         load = _nodal(lattice, owner, centre, area @ stress)
@@ -126,7 +87,7 @@ def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> Uni
         motion = statics.response(load, facets=facets)
         position, moved = at_generators(lattice, motion[:, :3], motion[:, 3:])
         mean = AffineField.fit(position[moving], moved[moving]).strain
-        strain[:, column] = [mean[i, j] * (1.0 if i == j else 2.0) for i, j in _VOIGT]
+        strain[:, column] = [mean[i, j] * (1.0 if i == j else 2.0) for i, j in VOIGT]
     asymmetry = np.abs(strain - strain.T).max() / np.abs(strain).max()
     return UniformStress(0.5 * (strain + strain.T), float(asymmetry))
 
