@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.statics.quasistatic.load_response import MeasuringPoints, PointGauges
 from tests.models import pulled
-from tests.specimens import bar, cubes, two_cubes
+from tests.specimens import bar, crooked_cells, cubes, two_cubes
 
 E, STRENGTH, SIZE = 40e9, 4e6, 1e-3
 
@@ -51,3 +52,17 @@ def test_progress_does_not_run_backwards() -> None:
     assert shares[0] == 0.0
     assert shares[-1] == 1.0
     assert len(set(shares)) > 3
+
+
+def test_points_of_a_gauge_move_with_their_elements() -> None:
+    """A body that turns as a whole about any axis moves each point by ω × x, wherever it is in its element."""
+    body = crooked_cells((3, 2, 2))
+    model = bd.Model(body, bd.CellBond(E=1e9, nu=0.2), 2500.0)
+    rng, turn = np.random.default_rng(1), np.array([1e-6, -2e-6, 3e-6])
+    ends = [MeasuringPoints(element := np.arange(k, 12, 2), body.centre[element] + rng.normal(size=(6, 3)),
+                            np.full(6, 1.0 / 6.0)) for k in (0, 1)]  # fmt: skip
+    motion = np.empty((12, 6))
+    motion[model.layout.rank] = np.hstack([np.cross(turn, body.centre), np.tile(turn, (12, 1))])
+    read = PointGauges(model, {"opening": (ends[0], ends[1])}).read(motion.ravel())["opening"]
+    apart = ends[1].position.mean(axis=0) - ends[0].position.mean(axis=0)
+    np.testing.assert_allclose(read, np.cross(turn, apart), rtol=0.0, atol=1e-18)
