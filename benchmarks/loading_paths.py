@@ -7,7 +7,7 @@ stated before any run; a verdict is computed from them, on each specimen or on t
 
 Run: python benchmarks/loading_paths.py [--cases cross planes ...] [--seeds 1 2 3 4 5] [--counts 400] [--quick]
          [--processes 1] [--out DIR] [--anew]
-     python benchmarks/loading_paths.py --summary
+     python benchmarks/loading_paths.py --summary [--name loading_paths] [--before loading_paths_before]
 Each case of each packing is kept in --out as soon as it is done, so that a run goes on where it was stopped; the last
 command brings all of them into benchmarks/results/loading_paths.json and loading_paths.md. `many_cycles` takes ten
 times as long as `cycles`, and has to be named.
@@ -25,23 +25,32 @@ from typing import Any
 from bondem._threads import threads
 from kept import RESULTS, commit, keep, origin
 from paths import (
+    beside,
     bimetal,
     compressive_strength,
+    discs,
     first_loads,
+    opened,
     softening_energy,
     stress_states,
     turned_plates,
     weak_planes,
 )
-from paths.rows import CaseFunction, Row, table, verdicts
+from paths.rows import CaseFunction, Row, Verdict, table, verdicts
 
 #: Cases by name, and the numbers of cells they are done with unless --counts says otherwise.
 CASES: dict[str, tuple[CaseFunction, tuple[int, ...]]] = {
     "cross": (first_loads.cross, (400,)),
     "diagonal": (first_loads.diagonal, (400,)),
     "proportional": (stress_states.proportional, (400,)),
+    "equibiaxial": (stress_states.equibiaxial, (400, 1000)),
     "held": (stress_states.held, (400,)),
-    "dead": (stress_states.dead, (400,)),
+    "beside": (beside.beside, (400, 1000)),
+    "dead": (beside.dead, (400, 1000)),
+    "pressed": (beside.pressed, (400, 1000)),
+    "slide": (opened.slide, (400, 1000)),
+    "crossing": (opened.crossing, (400, 1000)),
+    "closing": (opened.closing, (400, 1000)),
     "turning": (stress_states.turning, (400,)),
     "inclined": (weak_planes.inclined, (400,)),
     "lateral": (weak_planes.lateral, (400,)),
@@ -53,6 +62,7 @@ CASES: dict[str, tuple[CaseFunction, tuple[int, ...]]] = {
     "solvers": (softening_energy.solvers, (200,)),
     "compression": (compressive_strength.compression, (400,)),
     "splitting": (compressive_strength.splitting, (3000,)),
+    "discs": (discs.discs, (1000, 2000)),
     "cycles": (first_loads.cycles, (100,)),
     "turned": (turned_plates.turned, (500,)),
     "many_cycles": (first_loads.many_cycles, (100,)),
@@ -95,10 +105,12 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument("--out", type=Path, default=Path("out/loading_paths"))
     parser.add_argument("--anew", action="store_true", help="cases that are in --out too")
     parser.add_argument("--summary", action="store_true", help="bring what is in --out into the results")
+    parser.add_argument("--name", default="loading_paths", help="of the result file and of the table")
+    parser.add_argument("--before", default="", help="name of a result file whose numbers the table has beside them")
     given = parser.parse_args(arguments)
     given.out.mkdir(parents=True, exist_ok=True)
     if given.summary:
-        sum_up(given.out)
+        sum_up(given.out, name=given.name, before=given.before)
         return
     begun = origin()
     (given.out / "origin.json").write_text(json.dumps(begun))
@@ -124,20 +136,29 @@ def _take(folder: Path, found: dict[str, Any]) -> None:
     file_of(folder, (name, seed, count)).write_text(json.dumps(found))
     print(f"{name}, packing {seed}, {count} cells, {found['seconds']:.0f} s", flush=True)
     for row in (Row.from_json(one) for one in found["rows"]):
-        print(f"    {row.name}: {1.0 + row.error:.4f} (within {row.tolerance:g})  {row.note}", flush=True)
+        limit = "stated" if row.tolerance is None else f"within {row.tolerance:g}"
+        print(f"    {row.name}: {row.ratio:.4f} ({limit})  {row.note}", flush=True)
 
 
-def sum_up(folder: Path, results: Path = RESULTS) -> None:
-    """All that was done as one result file and one table."""
+def sum_up(folder: Path, results: Path = RESULTS, name: str = "loading_paths", before: str = "") -> None:
+    """All that was done as one result file and one table.
+
+    Args:
+        folder: where cases are kept.
+        results: folder of the result file and of the table.
+        name: of both.
+        before: name of a result file whose numbers the table has beside them.
+    """
     began = json.loads((folder / "origin.json").read_text())
     cases = [json.loads(file.read_text()) for file in folder.glob("*-seed*.json")]
     cases.sort(key=lambda one: (list(CASES).index(one["task"]), one["count"], one["seed"]))
     rows = [Row.from_json(row) for one in cases for row in one["rows"]]
     found = verdicts(rows)
-    text = table(found, rows)
-    (results / "loading_paths.md").write_text(text, encoding="utf-8")
+    earlier = json.loads((results / f"{before}.json").read_text())["verdicts"] if before else []
+    text = table(found, rows, [Verdict(**one) for one in earlier])
+    (results / f"{name}.md").write_text(text, encoding="utf-8")
     verdict = [vars(one) for one in found]
-    keep(results / "loading_paths.json", began | {"verdicts": verdict, "cases": cases})
+    keep(results / f"{name}.json", began | {"verdicts": verdict, "cases": cases})
     print(text)
 
 

@@ -74,8 +74,8 @@ class Course:
 
     Attributes:
         run: the explicit run.
-        moved: of the driven faces [m], by axis, (s,).
-        stress: mean of both faces over the section, tension positive [Pa], by axis, (s,).
+        moved: of the driven faces [m], by axis, (s,); "slide" of a face that slides.
+        stress: mean of both faces over the section, tension positive [Pa], by axis, (s,); of "slide" the shear.
         section: by axis [m²].
         length: by axis [m].
     """
@@ -100,6 +100,10 @@ class Course:
             return math.nan
         strain = self.moved[axis][chosen] / self.length[axis]
         return float(np.polyfit(strain, self.stress[axis][chosen], 1)[0])
+
+    def left(self, axis: str = "x") -> float:
+        """Tension on the faces of an axis at the end [Pa]."""
+        return float(self.stress[axis][-1])
 
     def dissipated(self, axis: str = "x") -> float:
         """What cracks have dissipated over the section across an axis [J/m²]."""
@@ -168,14 +172,13 @@ def course(
         gauges |= {f"{axis} near": bd.Gauge(near, "force"), f"{axis} far": bd.Gauge(far, "force")}
         section[axis] = float(np.prod(np.delete(size, AXES.index(axis))))
 
-    def stress_of(history: bd.History, axis: str) -> Floats:
-        d = AXES.index(axis)
+    def stress_of(history: bd.History, axis: str, d: int) -> Floats:
         return 0.5 * (history[f"{axis} far"][:, d] - history[f"{axis} near"][:, d]) / section[axis]
 
     top = [0.0]
 
     def ended(_state: bd.State, record: bd.History) -> bool:
-        now = float(stress_of(record, watch)[-1])
+        now = float(stress_of(record, watch, AXES.index(watch))[-1])
         top[0] = max(top[0], now)
         return ending is not None and top[0] > 0.5 * strength and now < ending * top[0]
 
@@ -185,11 +188,13 @@ def course(
         callback=ended,
     )  # fmt: skip
     history = run.history
-    return Course(
-        run=run, section=section, length={axis: float(size[AXES.index(axis)]) for axis in knots},
-        moved={axis: np.interp(history.time, times, values[:, k]) for k, axis in enumerate(knots)},
-        stress={axis: stress_of(history, axis) for axis in knots},
-    )  # fmt: skip
+    moved = {axis: np.interp(history.time, times, values[:, k]) for k, axis in enumerate(knots)}
+    stress = {axis: stress_of(history, axis, AXES.index(axis)) for axis in knots}
+    if slide:
+        moved["slide"] = np.interp(history.time, times, values[:, -1])
+        stress["slide"] = stress_of(history, "x", 1)
+    length = {axis: float(size[AXES.index(axis)]) for axis in knots}
+    return Course(run=run, section=section, length=length, moved=moved, stress=stress)
 
 
 def torn(length: float = SIDE, *, strength: float = TENSION, energy: float = ENERGY, modulus: float = E) -> float:

@@ -13,7 +13,7 @@ from paths.driving import LAW, MOHR, NU, RANKINE, RHO, SIDE, TENSION, Course, E,
 from paths.rows import Row
 
 #: First loads along x over f_t / E, and how far strength and stiffness of the second load may be off [-].
-FIRST = {1.02: 0.05, 2.0: 0.08}
+FIRST = {1.02: 0.03, 2.0: 0.03}
 #: Of the modulus in compression after such a tension.
 PRESSED = 0.03
 #: Criteria and edges of the cubes [m]: the smaller and tougher one softens all over before a crack localises.

@@ -6,9 +6,9 @@ from paths.driving import ENERGY, NU, RANKINE, SIDE, TENSION, E, course, cube, t
 from paths.rows import Row
 
 #: How far the peak may be from σ1 = f_t, and what cracks dissipate over the ligament from G_f [-].
-PEAK, WORK = 0.03, 0.08
-#: Dead stresses on the sides, over f_t.
-DEAD = (-1.0, -0.5, 0.5, 0.9)
+PEAK, WORK = 0.02, 0.08
+#: What may be left of f_t in either direction, where both are pulled until both cracks are open.
+LEFT = 0.1
 #: Poisson's ratios of tension with held sides.
 HELD = (0.2, 0.4)
 #: Strains along x and y over f_t / E at which σ_x = f_t, by ratio of the stresses along y and x.
@@ -36,6 +36,22 @@ def proportional(seed: int, count: int) -> list[Row]:
     return rows
 
 
+def equibiaxial(seed: int, count: int) -> list[Row]:
+    """Both axes pulled alike, until a crack across each of them would be open."""
+    both = (0.0, (1.0 - NU) * PAST * _STRETCH, (1.0 - NU) * PAST * _STRETCH + torn())
+    found = course(cube(seed, count), RANKINE, {"x": both, "y": both})
+    rows = []
+    for axis in ("x", "y"):
+        told = f"both axes to the end, along {axis}"
+        peak, left = found.peak(axis) / TENSION, found.left(axis) / TENSION
+        rows += [
+            Row("states", f"{told}: peak", peak, 1.0, PEAK, seed, count, note=found.note),
+            Row("states", f"{told}: left over f_t", left, 0.0, LEFT, seed, count, note=found.note),
+        ]
+    return [*rows, Row("states", "both axes to the end: dissipated over G_f", found.dissipated() / ENERGY, 2.0, None,
+                       seed, count, note=found.note)]  # fmt: skip
+
+
 def held(seed: int, count: int) -> list[Row]:
     """Tension between held sides."""
     rows = []
@@ -45,21 +61,6 @@ def held(seed: int, count: int) -> list[Row]:
         knots = {"x": (0.0, stretch + torn()), "y": (0.0, 0.0), "z": (0.0, 0.0)}
         found = course(cube(seed, count), RANKINE, knots, law=law, ending=0.005)
         rows += _pair(f"sides held, nu = {nu:g}", found.peak("x"), found.dissipated("x"), seed, count, found.note)
-    return rows
-
-
-def dead(seed: int, count: int) -> list[Row]:
-    """Tension under a constant stress across y, which is there first."""
-    rows = []
-    for share in DEAD:
-
-        def sides(begin: float, rise: float, share: float = share) -> list[bd.BoundaryCondition]:
-            grows = bd.Ramp(0.0, 1.0, 2.0 * rise, begin=begin)
-            return [bd.Pressure(bd.Face(name), -share * TENSION, schedule=grows) for name in ("y_min", "y_max")]
-
-        found = course(cube(seed, count), RANKINE, {"x": (0.0, 0.0, torn())}, others=sides, ending=0.005)
-        told = f"dead stress {share:g} f_t across"
-        rows += _pair(told, found.peak("x"), found.dissipated("x"), seed, count, found.note)
     return rows
 
 

@@ -41,6 +41,25 @@ def test_a_tolerance_is_on_each_row_or_on_their_mean(battery: ModuleType) -> Non
         verdicts([each[0], Row("a", "peak", 2.0, 2.0, 0.06, 3, 400)])
 
 
+def test_where_nothing_is_expected_a_tolerance_is_in_the_unit_and_a_stated_number_is_not_judged(
+    battery: ModuleType,
+) -> None:
+    from paths.rows import Row, table, verdicts
+
+    left = [Row("a", "left", measured, 0.0, 0.05, seed, 400) for seed, measured in ((1, -0.06), (2, 0.04))]
+    told = [Row("a", "pressure", float("nan"), 3.0, None, 1, 400), Row("a", "pressure", 1.5, 3.0, None, 2, 400)]
+    found = verdicts([*left, *told])
+    assert [one.verdict for one in found] == ["missed", "stated"]
+    assert found[0].worst == pytest.approx(-0.06)
+    assert found[0].mean == pytest.approx(-0.01)
+    assert (found[1].mean, found[1].worst) == (None, None)
+    before = verdicts([Row("a", "left", 0.3, 0.0, 0.05, 1, 400)])
+    text = table(found, [*left, *told], before)
+    assert "| a | left | 2 | -0.010 | -0.060 | 1 | 0.300 | 0.300 | 5 % | each | missed |" in text
+    assert "| a | pressure | 2 | – | – | – | – | – | – | each | stated |" in text
+    assert "0 of 1 quantities met" in text
+
+
 def test_a_quick_run_does_one_packing_and_the_smallest_bodies(battery: ModuleType) -> None:
     assert "many_cycles" not in battery.USUAL
     assert battery.tasks(["cross", "plain"], battery.SEEDS, (), quick=True) == [("cross", 1, 400), ("plain", 1, 200)]

@@ -1,0 +1,61 @@
+"""Splitting discs beside finite elements with one cohesive crack, with friction on their cracks and without."""
+
+import json
+from functools import cache
+
+import numpy as np
+
+import bondem as bd
+import brazilian
+from kept import RESULTS
+from paths.rows import Row
+
+#: E G_f / f_t^2 over the diameter; where finite elements have no maximum of the load, the strength is stated only.
+SHARES = (0.25, 1.0, 4.0)
+#: Friction on the cracks of the second disc of each kind.
+FRICTION = 0.3
+#: How far the strength may be from finite elements, and how much friction may change it [-].
+LIMIT, CHANGE = 0.04, 0.03
+# A maximum is what the load falls from by so much, once it has passed so much of the load of elastic discs.
+_FALL, _ABOVE = 0.1, 0.5
+
+
+@cache
+def expected(share: float) -> float | None:
+    """Strength over f_t by the first mesh of `disc_finite_elements.py`; None where the load has no maximum."""
+    kept = json.loads((RESULTS / "disc_finite_elements.json").read_text())["discs"]
+    return next(one["strength"] for one in kept if one["share"] == share)
+
+
+@cache
+def _disc(count: int, seed: int) -> bd.Lattice:
+    return brazilian.disc(count, seed)
+
+
+def _split(body: bd.Lattice, share: float, friction: float) -> tuple[float, str]:
+    """First maximum of the elastic stress at the centre over f_t, or the largest one where it has none."""
+    energy = share * brazilian.DIAMETER * brazilian.TENSION**2 / brazilian.LAW.E
+    failure = bd.Rankine(tension=brazilian.TENSION, fracture_energy=energy, friction=friction)
+    run = brazilian.pressed(body, failure)
+    force = 0.5 * (run.history["bottom"][:, 1] - run.history["top"][:, 1]) / brazilian.EXPECTED
+    top = np.maximum.accumulate(force)
+    fallen = np.flatnonzero((force < (1.0 - _FALL) * top) & (top > _ABOVE))
+    note = f"{run.status.value}, imbalance {run.history.imbalance:.1e}"
+    if not len(fallen):
+        return float(top[-1]), f"{note}, no maximum"
+    return float(top[fallen[0]]), f"{note}, largest of all {top[-1]:.3f}"
+
+
+def discs(seed: int, count: int) -> list[Row]:
+    """Strength without friction over that of finite elements, and with friction over that without."""
+    body, rows = _disc(count, seed), []
+    for share in SHARES:
+        theory = expected(share)
+        (smooth, note), (rough, also) = (_split(body, share, friction) for friction in (0.0, FRICTION))
+        told, limit = f"E G_f / f_t² = {share:g} D", LIMIT if theory else None
+        rows += [
+            Row("discs", f"{told}: strength over f_t", smooth, theory or 1.0, limit, seed, count, note=note),
+            Row("discs", f"{told}: strength with friction {FRICTION:g} over that without", rough / smooth, 1.0,
+                CHANGE if theory else None, seed, count, note=also),
+        ]  # fmt: skip
+    return rows
