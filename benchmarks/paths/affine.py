@@ -18,7 +18,7 @@ class Sheared:
 
     Attributes:
         run: the explicit run.
-        strain: ε_xx and γ_xy that were prescribed [-], (s, 2).
+        strain: ε_xx, γ_xy and ε_yy that were prescribed [-], (s, 3).
         stress: mean over the volume [Pa], (s, 3, 3).
     """
 
@@ -48,26 +48,28 @@ class Sheared:
 def sheared(
     body: bd.Lattice,
     failure: bd.FailureAssignment,
-    points: Sequence[tuple[float, float]],
+    points: Sequence[tuple[float, ...]],
     *,
     state: bd.State | None = None,
-    ending: float = 0.8,
+    ending: float | None = 0.8,
 ) -> Sheared:
-    """Prescribe ε_xx and γ_xy on the faces across x and y, with ε_yy = -ν ε_xx, so that σ_yy is nothing.
+    """Prescribe ε_xx, γ_xy and ε_yy on the faces across x and y.
 
     The facets of each cell on a face move as one.
 
     Args:
         body: cells of a box.
         failure: criterion.
-        points: ε_xx and γ_xy at the points of the path [-].
+        points: ε_xx, γ_xy and ε_yy at the points of the path [-]; without the last one ε_yy = -ν ε_xx, so that
+            σ_yy is nothing.
         state: where to go on from, in its reference.
-        ending: share of the largest σ1 at which it ends, once it was above half of f_t.
+        ending: share of the largest σ1 at which it ends, once it was above half of f_t; None to go on to the end.
     """
     long = float(edges(body)[0])
     until = TRAVERSES * long / math.sqrt(E / RHO)
     begin = 0.0 if state is None else state.time
-    times, values = travel(points, TENSION / E / until, RISE * until, begin)
+    whole = [point if len(point) == 3 else (*point, -LAW.nu * point[0]) for point in points]
+    times, values = travel(whole, TENSION / E / until, RISE * until, begin)
     boundary = []
     assert body.cells is not None
     free = body.cells.free
@@ -76,7 +78,7 @@ def sheared(
         for cell in np.unique(free.cell[facets]):
             own = facets[free.cell[facets] == cell]
             x, y, _ = np.average(free.centroid[own], axis=0, weights=free.area[own])
-            u = values[:, 0] * x + 0.5 * values[:, 1] * y, -LAW.nu * values[:, 0] * y + 0.5 * values[:, 1] * x
+            u = values[:, 0] * x + 0.5 * values[:, 1] * y, values[:, 2] * y + 0.5 * values[:, 1] * x
             boundary.append(
                 bd.Drive(bd.Face(name) & bd.Index([int(cell)]), x=bd.Table(times, u[0]), y=bd.Table(times, u[1]))
             )
@@ -91,12 +93,12 @@ def sheared(
         found.append(np.einsum("n,nab->ab", share, bd.cell_stress(model, now)) if moving else np.zeros((3, 3)))
         largest = float(np.linalg.eigvalsh(found[-1])[2])
         top[0] = max(top[0], largest)
-        return top[0] > 0.5 * TENSION and largest < ending * top[0]
+        return ending is not None and top[0] > 0.5 * TENSION and largest < ending * top[0]
 
     run = bd.solve_explicit(
         model, duration=float(times[-1] - begin), state=state, every=_EVERY, callback=read,
         damping=bd.MassDamping(alpha=0.1 * math.pi * math.sqrt(E / RHO) / long),
     )  # fmt: skip
     t = run.history.time[-len(found) :]
-    strain = np.column_stack([np.interp(t, times, values[:, k]) for k in range(2)])
+    strain = np.column_stack([np.interp(t, times, values[:, k]) for k in range(3)])
     return Sheared(run=run, strain=strain, stress=np.array(found))
