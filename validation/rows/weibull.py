@@ -1,16 +1,28 @@
-"""Bars whose strengths scatter after Weibull, pulled apart without inertia, as rows of a study."""
+"""Bars whose strengths scatter after Weibull, pulled apart, as rows of a study."""
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from bondem.boundary.conditions import Drive, Fix
+from bondem.boundary.gauges import Gauge
+from bondem.boundary.schedules import Ramp
+from bondem.damage.criteria.peripheral_stress import PeripheralStress
 from bondem.damage.criteria.rankine import Rankine
 from bondem.damage.scatter import Weibull
+from bondem.dynamics.damping import MassDamping
+from bondem.dynamics.history import History
+from bondem.errors import UnstableRunError
 from bondem.geometry.elementary_shapes import Box
+from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.model.model import Model
+from bondem.model.state import State
 from bondem.packing import EVEN, pack
+from bondem.run import solve_explicit
 from bondem.specimen.bonding import connect
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
@@ -24,18 +36,21 @@ _PACKINGS = 3
 _UNTIL, _TOGETHER = 0.7, 0.01
 # How far the bar is pulled at a load factor of 1 [m]: nothing depends on it.
 _WAY = 1e-6
+# Of spheres: modulus [Pa] and strength [Pa] that a packing of these bonds is expected to have; traverses of sound
+# until then, share of the rise in which the speed grows, of critical damping, and of the peak at which a run ends.
+_MACRO, _EXPECTED, _TRAVERSES, _BEGIN, _DAMPING, _ENDING = 5e9, 3e6, 40.0, 0.2, 0.05, 0.5
 
 
 @dataclass(frozen=True)
 class Ceramic:
-    """Brittle, with strengths after Weibull.
+    """Material with strengths after Weibull.
 
     Attributes:
         E, nu, rho: alumina's [Pa, -, kg/m³].
         tension: s₀, what a volume V₀ survives with probability 1/e [Pa].
         volume: V₀ [m³].
         modulus: m [-].
-        correlation: length of the field of strengths [m].
+        energy: G_f of the softening [J/m²]; 0 for brittle facets.
     """
 
     E: float = 380e9
@@ -44,31 +59,39 @@ class Ceramic:
     tension: float = 300e6
     volume: float = 1e-6
     modulus: float = 10.0
-    correlation: float = 6e-3
+    energy: float = 0.0
+
+    def expected(self, volume: float) -> float:
+        """Mean strength of a weakest link of some volume [m³] over s₀ [-]."""
+        return math.gamma(1.0 + 1.0 / self.modulus) * (self.volume / volume) ** (1.0 / self.modulus)
+
+    def scatter(self, seed: int, reach: float) -> Weibull:
+        """Strengths of a seed, with flaws that reach so far [m]; 0 for independent ones."""
+        return Weibull(modulus=self.modulus, volume=self.volume, seed=seed, correlation=reach or None)
 
 
 @dataclass(frozen=True)
 class WeibullRun(Request):
-    """A bar twice as long as wide, and a field of strengths.
+    """A bar of cells twice as long as wide, and a field of strengths.
 
     Attributes:
-        ceramic: what it is of.
-        bar: its volume [m³].
-        size: of its cells [m].
-        correlated: whether strengths are a field, or know nothing of each other.
-        seed: of the strengths.
+        ceramic: material.
+        bar: volume of the bar [m³].
+        size: size of its cells [m].
+        reach: correlation length of the strengths [m]; 0 for independent ones.
+        seed: seed of the strengths.
     """
 
     ceramic: Ceramic
     bar: float
     size: float
-    correlated: bool
+    reach: float
     seed: int
 
     @property
     def readable(self) -> str:
         """See `Request`."""
-        kind = "field" if self.correlated else "alone"
+        kind = f"reach{1e6 * self.reach:.0f}um_m{self.ceramic.modulus:g}_Gf{self.ceramic.energy:g}"
         return f"weibull_{1e9 * self.bar:.0f}mm3_cells{1e6 * self.size:.0f}um_{kind}_seed{self.seed}"
 
     @property
@@ -80,8 +103,9 @@ class WeibullRun(Request):
     def asked(self) -> dict[str, Any]:
         """See `Request`."""
         return {
-            "bar": self.bar, "size": self.size, "correlated": self.correlated, "seed": self.seed,
-            "count": round(self.bar / self.size**3), "spread": 0.0,
+            "bonds": "cells", "modulus": self.ceramic.modulus, "energy": self.ceramic.energy, "bar": self.bar,
+            "size": self.size, "reach": self.reach, "seed": self.seed, "count": round(self.bar / self.size**3),
+            "spread": 0.0,
         }  # fmt: skip
 
     @property
@@ -96,17 +120,95 @@ class WeibullRun(Request):
         return connect(packed, method="laguerre")
 
     def measured(self, folder: Path) -> dict[str, Any]:
-        """See `Request`: SI units."""
+        """See `Request`: strength over s₀, the stress of the first failure and the weakest facet over s₀."""
         ceramic, body = self.ceramic, self.body()
-        length = ceramic.correlation if self.correlated else None
-        scatter = Weibull(modulus=ceramic.modulus, volume=ceramic.volume, seed=self.seed, correlation=length)
         ends = [Fix(Face("x_min"), translation="x", rotation=""), Drive(Face("x_max"), x=_WAY)]
-        law = CellBond(E=ceramic.E, nu=ceramic.nu)
-        failure = Rankine(tension=ceramic.tension, scatter=scatter)
-        model = Model(body, law, ceramic.rho, failure=failure, boundary=ends)
+        failure = Rankine(
+            tension=ceramic.tension, fracture_energy=ceramic.energy or None,
+            scatter=ceramic.scatter(self.seed, self.reach),
+        )  # fmt: skip
+        model = Model(body, CellBond(E=ceramic.E, nu=ceramic.nu), ceramic.rho, failure=failure, boundary=ends)
         path = solve_quasistatic(model, Face("x_max"), together=_TOGETHER, until=_UNTIL)
-        section = self.width**2
+        unit = self.width**2 * ceramic.tension
+        assert model.softening is not None
         return plain({
-            "strength": path.peak / section, "first": path.load[0] / section, "events": len(path.load),
-            "end": path.end,
+            "strength": path.peak / unit, "first": path.load[0] / unit, "events": len(path.load), "end": path.end,
+            "weakest": float(model.softening.strength.min()) / ceramic.tension,
         })  # fmt: skip
+
+
+@dataclass(frozen=True)
+class WeibullSpheres(Request):
+    """A bar of bonded spheres three times as long as wide, and a field of strengths; explicit and damped.
+
+    Bonds of a random packing bear unequal stresses, so that the strength is taken over that of the same packing with
+    equal bonds.
+
+    Attributes:
+        ceramic: of which only V₀ and m count.
+        count: number of spheres.
+        reach: correlation length of the strengths over the mean length of bonds [-]; 0 for independent ones.
+        seed: seed of the strengths.
+    """
+
+    ceramic: Ceramic
+    count: int
+    reach: float
+    seed: int
+
+    @property
+    def readable(self) -> str:
+        """See `Request`."""
+        return f"weibull_spheres{self.count}_reach{self.reach:g}_m{self.ceramic.modulus:g}_seed{self.seed}"
+
+    @property
+    def weight(self) -> float:
+        """See `Request`."""
+        return float(self.count)
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """See `Request`."""
+        return {
+            "bonds": "spheres", "modulus": self.ceramic.modulus, "energy": 0.0, "bar": 3.0 * self.width**3,
+            "size": 0.0, "reach": self.reach, "seed": self.seed, "count": self.count, "spread": 0.0,
+        }  # fmt: skip
+
+    @property
+    def width(self) -> float:
+        """Edge of its section [m]; spheres are as large in every bar."""
+        return float(0.01 * (self.count / 1000.0) ** (1.0 / 3.0))
+
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """See `Request`: strength over that of the same packing with equal bonds."""
+        shape = Box((3.0 * self.width, self.width, self.width))
+        body = connect(pack(shape, count=self.count, seed=1 + self.seed % _PACKINGS))
+        scatter = self.ceramic.scatter(self.seed, self.reach * float(body.length.mean()))
+        equal, found = (self._pulled(body, one) for one in (None, scatter))
+        return plain({"strength": found / equal, "equal": equal})
+
+    def _pulled(self, body: Lattice, scatter: Weibull | None) -> float:
+        length, density = 3.0 * self.width, 2500.0
+        sound = math.sqrt(_MACRO / (0.63 * density))
+        rise = _TRAVERSES * length / sound
+        speed = _EXPECTED / _MACRO * length / rise
+        failure = PeripheralStress(tension=50e6, shear=100e6, scatter=scatter)
+        law = EulerBernoulli(E=60e9, nu=0.3, radius_ratio=0.5)
+        model = Model(body, law, density, failure=failure, boundary=[
+            Fix(Face("x_min"), translation="x", rotation=""),
+            Drive(Face("x_max"), vx=Ramp(0.0, speed, _BEGIN * rise)),
+        ])  # fmt: skip
+        peak = [0.0]
+
+        def ended(state: State, record: History) -> bool:
+            now = float(record["end"][-1, 0])
+            peak[0] = max(peak[0], now)
+            return state.time > 0.5 * rise and now < _ENDING * peak[0]
+
+        run = solve_explicit(
+            model, duration=6.0 * rise, every=20, gauges={"end": Gauge(Face("x_max"), "force")}, callback=ended,
+            damping=MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / length),
+        )  # fmt: skip
+        if run.status.failed:
+            raise UnstableRunError(run.message)
+        return float(np.max(run.history["end"][:, 0])) / self.width**2

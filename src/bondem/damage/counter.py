@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bondem._types import Floats
+from bondem._types import Floats, Ints
 
 _GOLDEN = np.uint64(0x9E3779B97F4A7C15)
 
@@ -16,6 +16,16 @@ def uniform_by_counter(seed: int, many: int) -> Floats:
         start = _mixed(np.array([seed % 2**64], dtype=np.uint64) + _GOLDEN)
         bits = _mixed(start + (np.arange(many, dtype=np.uint64) + np.uint64(1)) * _GOLDEN)
     return ((bits >> np.uint64(11)).astype(float) + 0.5) * 2.0**-53
+
+
+def uniform_by_cube(seed: int, cube: Ints, many: int) -> Floats:
+    """Return numbers in (0, 1) for cubes of space, each of three whole numbers (k, 3), (k, many)."""
+    with np.errstate(over="ignore"):
+        bits = _mixed(np.full(len(cube), seed % 2**64, dtype=np.uint64) + _GOLDEN)
+        for axis in cube.T:
+            bits = _mixed(bits ^ (axis.astype(np.uint64) + _GOLDEN))
+        each = _mixed(bits[:, None] + (np.arange(many, dtype=np.uint64) + np.uint64(1)) * _GOLDEN)
+    return ((each >> np.uint64(11)).astype(float) + 0.5) * 2.0**-53
 
 
 def _mixed(z: np.ndarray) -> np.ndarray:

@@ -73,7 +73,7 @@ class FailureTable:
             area = np.pi * stiffness.radius**2
             middle = lattice.centre[lattice.pairs[:, 0]] + 0.5 * lattice.branch
             joint = Joint(area, lattice.length, area * lattice.length, middle, stiffness)
-        coefficient, a, b, kind = _judged(joint, parts, lattice.particles.period)
+        coefficient, a, b, kind = _judged(joint, parts, lattice)
         order, flipped = layout.bond_order, layout.flipped
         # each part of the bound weighs as on an average bond
         force, bent = _scale(a), np.isfinite(b) & (b > 0.0)
@@ -110,7 +110,9 @@ class FailureTable:
         middle = lattice.centre[lattice.pairs[:, 0]] + constants.lever_i
         coefficient = np.zeros((len(middle), COEFFICIENTS))
         for part in parts:
-            factor = part.criterion.factors(constants.area * lattice.length, middle, lattice.particles.period)
+            factor = part.criterion.factors(
+                constants.area * lattice.length, middle, lattice.particles.period, lattice.volume
+            )
             assert part.criterion.principal is not None
             coefficient[part.bonds, :3] = part.criterion.principal / factor[part.bonds, None]
         none = np.full(len(middle), np.inf)
@@ -121,7 +123,7 @@ class FailureTable:
 
 
 def _judged(
-    joint: Joint, parts: tuple[FailurePart, ...], period: Floats | None
+    joint: Joint, parts: tuple[FailurePart, ...], lattice: Lattice
 ) -> tuple[Floats, PerBond, PerBond, str]:
     """Return coefficients and bounds of all bonds, and the kind of criteria; a bond without one never breaks."""
     m, kind = len(joint.length), ""
@@ -130,7 +132,7 @@ def _judged(
         criterion, own = part.criterion, joint.take(part.bonds)
         assert isinstance(criterion, BondCriterion)
         kind = type(criterion).kind
-        factor = criterion.factors(joint.volume, joint.place, period)[part.bonds]
+        factor = criterion.factors(joint.volume, joint.place, lattice.particles.period, lattice.volume)[part.bonds]
         coefficient[part.bonds] = criterion.coefficients(own, factor)
         a[part.bonds], b[part.bonds] = criterion.bounds(own, coefficient[part.bonds])
     return coefficient, a, b, kind

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Floats, PerBond, PerElement
+from bondem._types import PerBond, PerElement
 from bondem.damage.criteria.criterion import BondCriterion, Criterion, Joint
 from bondem.damage.criteria.elliptic import Elliptic
 from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
@@ -100,7 +100,7 @@ def implied_fracture(
     joint = Joint(area, length, area * length, place, held)
     pull, given = np.zeros((2, len(area)))
     for part in parts:
-        pull[part.bonds] = _tensile_force(part, joint, lattice.particles.period, non_local=non_local is not None)
+        pull[part.bonds] = _tensile_force(part, joint, lattice, non_local=non_local is not None)
         given[part.bonds] = _given_energy(part.criterion, cells=held is None)
     stored = 0.5 * pull**2 * (length / (E * area) if held is None else 1.0 / stiffness.kn)
     strength, L = float(np.median(pull / area)), float(np.median(length))
@@ -129,10 +129,10 @@ def _given_energy(failure: Criterion, *, cells: bool) -> float:
     return 0.0 if energies is None else energies[0]
 
 
-def _tensile_force(part: FailurePart, joint: Joint, period: Floats | None, *, non_local: bool) -> PerBond:
+def _tensile_force(part: FailurePart, joint: Joint, lattice: Lattice, *, non_local: bool) -> PerBond:
     """Return the tensile force that breaks each bond of a part in pure tension [N], (c,)."""
     failure = part.criterion
-    factor = failure.factors(joint.volume, joint.place, period)[part.bonds]
+    factor = failure.factors(joint.volume, joint.place, lattice.particles.period, lattice.volume)[part.bonds]
     joint = joint.take(part.bonds)
     if non_local:
         assert failure.principal is not None

@@ -14,6 +14,7 @@ from bondem._checks import count, number
 from bondem._types import Floats, PerBond, PerBond3
 from bondem.damage.correlated import normal_field
 from bondem.damage.counter import uniform_by_counter
+from bondem.damage.flaws import weakest_flaw
 from bondem.errors import InputError
 
 # Numbers in (0, 1) stay that far from its ends, as those of the counter do.
@@ -27,15 +28,17 @@ class Weibull:
     s₀ is the parameter of the criterion, the strength that a bond of volume V₀ exceeds with probability 1/e. The mean
     strength of such bonds is Γ(1 + 1/m) s₀. All strengths of a bond share one factor. Reference: Weibull (1939).
 
-    With a correlation length l, u = Φ(z) for a normal field z of covariance exp(-(r/l)²) between bonds r apart. V is
-    then the larger of the volume of the bond and that of the field's correlation, ∫ exp(-(r/l)²) dV = π^(3/2) l³. A
-    patch of that volume has one strength however finely it is divided; many patches are a weakest link again.
+    With a correlation length l, the body contains flaws at random places, (s/s₀)^m / V₀ per volume of a strength
+    below s, and each sets the strength of all bonds within l (`bondem.damage.flaws`). The smallest strength of a body
+    of volume V then has the mean Γ(1 + 1/m) s₀ (V₀/V)^(1/m), for every shape, size of elements and l. A brittle body
+    of cells is as strong as that if l is at least two cells. Without a correlation length strengths are independent
+    and V is the volume of the bond, its area times its length; a bar of such bonds is stronger than its weakest link.
 
     Attributes:
         modulus: m [-]; a larger value gives less scatter.
         volume: V₀ [m³].
         seed: seed of the random numbers.
-        correlation: l [m]; None for independent strengths.
+        correlation: l [m], the radius about a flaw within which strengths are equal; None for independent strengths.
 
     Raises:
         InputError: A modulus, volume or correlation is not positive, or the seed is not a whole number.
@@ -53,13 +56,16 @@ class Weibull:
         _check_length("Weibull", self.correlation)
 
     def factors(
-        self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None
+        self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None, body: float | None = None
     ) -> PerBond:
         """Return the strength of each bond over s₀ [-], user's order, (m,); see `Criterion.factors`."""
-        u = _uniform(self.seed, len(volume), self.correlation, place, period)
-        if self.correlation is not None:
-            volume = np.maximum(volume, math.pi**1.5 * self.correlation**3)
-        return np.asarray((-np.log(u) * self.volume / volume) ** (1.0 / self.modulus))
+        if self.correlation is None:
+            rate = -np.log(uniform_by_counter(self.seed, len(volume))) / volume
+        else:
+            # area times length of a tessellation is three times its volume, except at the surface
+            share = volume / 3.0 if body is None else volume * (body / volume.sum())
+            rate = weakest_flaw(self.seed, self.correlation, share, _needed(place), period)
+        return np.asarray((self.volume * rate) ** (1.0 / self.modulus))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -89,7 +95,7 @@ class Normal:
         _check_length("Normal", self.correlation)
 
     def factors(
-        self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None
+        self, volume: PerBond, place: PerBond3 | None = None, period: Floats | None = None, body: float | None = None
     ) -> PerBond:
         """Return the strength of each bond over s₀ [-], user's order, (m,); see `Criterion.factors`."""
         low = 0.5 * math.erfc(3.0 / math.sqrt(2.0))
@@ -108,6 +114,10 @@ def _uniform(
     """Return uniform numbers in (0, 1) for bonds, by their number or by their place."""
     if correlation is None:
         return uniform_by_counter(seed, many)
+    return np.clip(ndtr(normal_field(seed, correlation, _needed(place), period)), _EDGE, 1.0 - _EDGE)
+
+
+def _needed(place: PerBond3 | None) -> PerBond3:
     if place is None:
         raise InputError("strengths that are correlated need the places of the bonds; give place= too")
-    return np.clip(ndtr(normal_field(seed, correlation, place, period)), _EDGE, 1.0 - _EDGE)
+    return place

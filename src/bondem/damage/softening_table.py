@@ -131,8 +131,9 @@ class SofteningTable:
         for part in parts:
             soft, own = part.criterion.softening, back[part.bonds]
             assert soft is not None
-            factor = part.criterion.factors(facets.area * facets.span, facets.centroid, body.particles.period)
-            factor = factor[part.bonds]
+            factor = part.criterion.factors(
+                facets.area * facets.span, facets.centroid, body.particles.period, body.volume
+            )[part.bonds]
             strength[own], friction[own] = soft.tension * factor, soft.friction
             plane[own] = part.plane
             if part.plane and soft.slip is not None:

@@ -75,6 +75,11 @@ class Lattice:
         """Centres of the spheres, or centres of mass of the cells of a body [m], shape (n, 3)."""
         return self.particles.position if self.cells is None else self.cells.centroid
 
+    @property
+    def volume(self) -> float:
+        """Volume of the shape, or of the cells of a body [m³], voids between spheres included."""
+        return self.particles.envelope.volume if self.cells is None else float(self.cells.volume.sum())
+
     @cached_property
     def branch(self) -> PerBond3:
         """Vectors from centre i to centre j in the reference configuration [m], shape (m, 3)."""

@@ -99,15 +99,16 @@ class Criterion(ABC):
         """
         return None
 
-    def factors(self, volume: PerBond, place: PerBond3, period: Floats | None) -> PerBond:
+    def factors(self, volume: PerBond, place: PerBond3, period: Floats | None, body: float) -> PerBond:
         """Return the strength of each bond over that of the criterion [-], user's order, (m,).
 
         Args:
             volume: volumes of bonds or facets [m³], (m,).
             place: middle of the bonds [m], (m, 3).
             period: edges of a periodic cell [m], (3,), or None.
+            body: volume of the whole body [m³].
         """
-        return np.ones_like(volume) if self.scatter is None else self.scatter.factors(volume, place, period)
+        return np.ones_like(volume) if self.scatter is None else self.scatter.factors(volume, place, period, body)
 
 
 @dataclass(frozen=True, kw_only=True)
