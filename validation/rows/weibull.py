@@ -141,7 +141,7 @@ class WeibullRun(Request):
 class WeibullSpheres(Request):
     """A bar of bonded spheres three times as long as wide, and a field of strengths; explicit and damped.
 
-    Bonds of a random packing bear unequal stresses, so that the strength is taken over that of the same packing with
+    Bonds of a random packing carry unequal stresses, so that the strength is taken over that of the same packing with
     equal bonds.
 
     Attributes:
