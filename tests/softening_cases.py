@@ -23,9 +23,9 @@ def softening_bar(criterion: Any) -> bd.Model:
     return bd.Model(model.lattice, model.bond, model.density, boundary=model.boundary, failure=criterion)
 
 
-def softening_cell() -> bd.Model:
+def softening_cell(failure: Any) -> bd.Model:
     """The periodic cell, whose bonds are alike but for their length."""
-    model, failure = cell(), bd.PeripheralStress(tension=3e5, shear=2e5, fracture_energy=8e3)
+    model = cell()
     return bd.Model(model.lattice, model.bond, model.density, failure=failure)
 
 
@@ -42,7 +42,12 @@ CASES: dict[str, Callable[[], Case]] = {
         for name, criterion in CRITERIA.items()
     },
     "softening, alike": lambda: (
-        softening_cell(), lambda model: moving(model, speed=5.0), 60, 2.5e-3, {"every": 6}
+        softening_cell(bd.PeripheralStress(tension=3e5, shear=2e5, fracture_energy=8e3)),
+        lambda model: moving(model, speed=5.0), 60, 2.5e-3, {"every": 6},
+    ),
+    "softening, alike, mohr coulomb": lambda: (
+        softening_cell(bd.MohrCoulomb(tension=3e5, cohesion=2e5, friction_angle=0.5, fracture_energy=8e3)),
+        lambda model: moving(model, speed=5.0), 60, 2.5e-3, {"every": 6},
     ),
     "softening, dashpots": lambda: (
         softening_bar(CRITERIA["peripheral"]), fast, 60, 1e-3, {"damping": bd.BondDamping(eta=0.1), "every": 7}

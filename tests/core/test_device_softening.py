@@ -71,7 +71,7 @@ def test_a_run_resumes_on_the_other_side(case: str) -> None:
     """From the CPU to the device and back, while beams soften."""
     this = CASES[case]()
     cpu = carried_out(this, CoreLoop)
-    for begun, whole in continued_on_the_other_side(this, this[2] // 2):
+    for begun, whole in continued_on_the_other_side(this, this[2] // 4):
         assert 0 < len(begun.state.softened) < len(cpu.state.softened)
         assert_same_bits(cpu, whole)
 

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.damage.event_columns import FIRST, LAST, SOFT_COLUMNS, SOFT_SPENT
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.errors import InputError
 from tests.bits import assert_resumes_to, assert_same_bits, flying_apart, need_two_threads
@@ -115,6 +116,28 @@ def test_unloaded_it_dissipates_nothing_and_presses_as_whole(one_thread: None) -
     assert np.abs(history.energy["balance"]).max() < 1e-4 * KN * reach**2
 
 
+@pytest.mark.parametrize("turning", [0.0, 8e5])
+@pytest.mark.parametrize("steps", [0.2, 0.9, 1.6, 3.2, 9.0])
+def test_energy_does_not_depend_on_the_steps_of_an_opening(steps: float, turning: float, one_thread: None) -> None:
+    """Heavy spheres fly apart and twist at constant speeds, from rest or pressed: λ0 λf, and a ledger that closes."""
+    model = bd.Model(PAIR, LAW, density=1e12, failure=CRITERION)
+    dt = time_step(model, 1e-3)
+    speed = 2.0 * G_F / FT / (steps * dt)
+    for pressed in (0.0, 0.3, 0.8):  # shares of a step
+        state = model.state()
+        state.displacement = np.array([[0.0] * 3, [-pressed * speed * dt, 0.0, 0.0]])
+        state.velocity = np.array([[0.0] * 3, [speed, 0.0, 0.0]])
+        state.angular_velocity = np.array([[0.0] * 3, [turning * speed, 0.0, 0.0]]) * 1e-3
+        run = bd.solve_explicit(model, duration=(3.0 * steps + 6.0) * dt, dt=dt, every=1, state=state)
+        energy, row = run.history.energy, run.state.softened[0]
+        assert row[SOFT_SPENT] == pytest.approx(row[FIRST] * row[LAST], rel=5e-3)
+        assert energy["fracture"][-1] == pytest.approx(row[FIRST] * row[LAST], rel=5e-3)
+        assert np.abs(energy["balance"]).max() < 1e-9 * energy["translation"][0]
+        if turning == 0.0:
+            assert row[SOFT_SPENT] == pytest.approx(G_F * AREA, rel=5e-3)
+            assert abs(run.events.opening_steps[0] - steps) < 1.5
+
+
 @pytest.mark.parametrize("contact", [None, bd.LinearContact(E=1e8, friction=0.3)])
 def test_torn_and_pressed_together_it_bears_as_whole(contact: bd.LinearContact | None, one_thread: None) -> None:
     """By itself, or by the contact that takes over with the stiffness of the bond; the ledger closes through both."""
@@ -143,7 +166,7 @@ def test_forces_are_the_gradient_of_one_energy(contact: bd.LinearContact | None,
     state, n, m = model.state(), 27, len(model.lattice.pairs)
     state.integrity[:] = rng.uniform(0.2, 1.0, m) if contact else rng.choice([0.0, 0.5, 0.9, 1.0], m)
     begun = np.flatnonzero(state.integrity < 1.0)
-    state.softened = np.zeros((len(begun), 6))
+    state.softened = np.zeros((len(begun), SOFT_COLUMNS))
     state.softened[:, 0], state.softened[:, 1], state.softened[:, 2] = begun, 1e6, 1e7
     place = model.lattice.centre + rng.uniform(-0.03, 0.03, (n, 3))
     q = np.hstack([np.ones((n, 1)), rng.uniform(-0.02, 0.02, (n, 3))])
@@ -232,7 +255,8 @@ def test_a_run_file_of_before_is_read(tmp_path: Path) -> None:
     with h5py.File(tmp_path / "run.h5", "a") as file:
         assert file.attrs["schema"] > 5
         file.attrs["schema"] = 5
-        del file["state/softened"]
+        del file["state/softened"], file["state/broken"], file["state/cracks"]
+        file["state/broken"], file["state/cracks"] = np.zeros((0, 9)), np.zeros((0, 13))
     read = bd.read_run(tmp_path / "run.h5")
-    assert read.state.softened.shape == (0, 6)
+    assert read.state.softened.shape == (0, SOFT_COLUMNS)
     assert read.model.failure == CRITERION

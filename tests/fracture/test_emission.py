@@ -21,6 +21,7 @@ def broken(time, position, energy=1.0, mode="tension") -> bd.BrokenBonds:
         time=np.asarray(time, dtype=float), step=np.arange(e), bond=np.arange(e),
         mode=np.broadcast_to(np.array(mode), (e,)), gap=np.zeros(e), energy=np.broadcast_to(float(energy), (e,))
         if np.isscalar(energy) else np.asarray(energy, dtype=float), position=place,
+        opening_steps=np.full(e, np.nan),
     )  # fmt: skip
 
 

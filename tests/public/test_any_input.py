@@ -77,7 +77,7 @@ STATIC = Later(lambda: bd.solve_static(MODEL))
 
 EVENTS = bd.BrokenBonds(
     time=np.arange(4.0), step=np.arange(4), bond=np.arange(4), mode=np.array(["tension"] * 4), gap=np.zeros(4),
-    energy=np.ones(4), position=GRID[::9],
+    energy=np.ones(4), position=GRID[::9], opening_steps=np.full(4, np.nan),
 )  # fmt: skip
 
 # The usual arguments of each public function; one of them at a time is replaced.

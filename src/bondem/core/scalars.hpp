@@ -21,6 +21,7 @@ using Short = uint32_t;  // element numbers in lists that are read often
 
 #if defined(__CUDACC_RTC__)
 constexpr double infinity = __builtin_bit_cast(double, uint64_t(0x7ff0000000000000));
+constexpr double undefined = __builtin_bit_cast(double, uint64_t(0x7ff8000000000000));
 
 inline double root(double a) { return ::sqrt(a); }
 inline double floor(double a) { return ::floor(a); }
@@ -29,6 +30,7 @@ inline double absolute(double a) { return ::fabs(a); }
 inline double arc_tangent(double y, double x) { return ::atan2(y, x); }
 #else
 constexpr double infinity = __builtin_inf();
+constexpr double undefined = __builtin_nan("");
 
 inline double root(double a) { return __builtin_sqrt(a); }
 inline double floor(double a) { return __builtin_floor(a); }

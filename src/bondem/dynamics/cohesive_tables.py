@@ -12,6 +12,7 @@ from bondem.damage.crack_columns import (
     CRACK_COLUMNS,
     FACET,
     ONSET,
+    ONSET_STEP,
     RATE,
     RUB,
     SLIP,
@@ -120,7 +121,7 @@ class CohesiveCracks(NamedTuple):
         return [
             (ONSET, self.softening, 7), (slice(SLIP, SLIP + 3), self.state, three), (RATE, self.state, 7),
             (STATUS, self.history, 0), (BEFORE, self.state, 6), (slice(RUB, RUB + 3), self.state, slice(3, 6)),
-            (SPENT, self.history, 1), (TOP, self.shape, 7),
+            (SPENT, self.history, 1), (TOP, self.shape, 7), (ONSET_STEP, self.history, 6),
         ]  # fmt: skip
 
     def keep(self, kept: FacetForces, state: State) -> None:

@@ -41,7 +41,7 @@ class Postponed(NamedTuple):
 class EventLog(NamedTuple):
     """Failures of one call of the core, in the order of time."""
 
-    event: Floats  #: columns `BROKEN_…` of `bondem.damage.event_columns`, (m, 9)
+    event: Floats  #: columns `BROKEN_…` of `bondem.damage.event_columns`, (m, 10)
     written: Ints  #: number of events, and of those before the present step, (2,)
     released: Floats  #: energy released since the start of the run [J], (1,)
 
@@ -54,21 +54,25 @@ class BeamIntegrity(NamedTuple):
 
 
 class SofteningBounds(NamedTuple):
-    """Bounds of beams that have not begun to soften, and the pressure on those that have."""
+    """Beams that may soften: bounds of those that have not begun, their criterion, and what softening changes."""
 
     limit: np.ndarray  #: as of `FailureBounds`, inf of beams that have begun, float32, (m,)
     of_force: float  #: [1/N²]
     of_moment: float  #: [1/(N·m)²]
+    coefficient: Floats  #: as of `Strengths`, (m, 4)
+    station: Floats  #: (m,)
+    tear: Floats  #: G_f A [J], (m,)
+    slide: Floats  #: G_II A [J], (m,)
+    integrity: Floats  #: 1 whole … 0 broken [-], (m,)
+    hold: Floats  #: integrity over rest length of beams that share their constants [1/m], (m,), or (0,)
     press: Floats  #: stiffness of the softened part of a beam in compression, (1 - s) kn [N/m], (m,)
+    onset: Floats  #: openings [√J] and energies [J] of beams that begin in this step, (m, 4)
 
 
 class SofteningBeams(NamedTuple):
     """Beams that soften."""
 
-    tear: Floats  #: G_f A [J], (m,)
-    slide: Floats  #: G_II A [J], (m,)
-    onset: Floats  #: energies of opening and sliding of beams that are found to begin [J], (m, 2)
-    row: Floats  #: beams in the order in which they began, columns of `bondem.damage.event_columns`, (m, 6)
+    row: Floats  #: beams in the order in which they began, columns of `bondem.damage.event_columns`, (m, 7)
     begun: Ints  #: number of rows, (1,)
     listed: Ints  #: rows that have not broken, those of a portion of bonds from its first bond on, (m,)
     number: Ints  #: number of rows of each portion

@@ -7,13 +7,27 @@ from bondem.damage.event_columns import BROKEN_PLACE
 from bondem.model.model import Model
 from bondem.model.state import State
 
-# Schema from which on cracks are judged by the strength of their facet, and places count from the local origin.
-_TODAY = 8
+# Schema from which on cracks are judged by the strength of their facet, and places count from the local origin; and
+# from which on failures and what softens know the step of their onset.
+_BY_FACET, _WITH_ONSET = 8, 10
+#: Arrays whose last column is new in the second.
+_OF_ONSET = "broken", "cracks", "softened"
+
+
+def shape_in(schema: int, name: str, shape: tuple[int, ...]) -> tuple[int, ...]:
+    """Return the shape of an array of a state in files of a schema, given that of today."""
+    return (shape[0], shape[1] - 1) if schema < _WITH_ONSET and name in _OF_ONSET else shape
 
 
 def brought_up(model: Model, state: State, schema: int) -> None:
     """Convert a state of an older schema to the current one, in place."""
-    if schema >= _TODAY:
+    if schema < _WITH_ONSET:
+        fresh = State(model)
+        for name in _OF_ONSET:
+            rows = getattr(state, name)
+            missing = getattr(fresh, name).shape[1] - rows.shape[1]
+            setattr(state, name, np.pad(rows, ((0, 0), (0, missing)), constant_values=np.nan))
+    if schema >= _BY_FACET:
         return
     judge_anew(model, state)
     if state.origin.any():  # places counted from zero

@@ -42,7 +42,7 @@ from bondem.io.hdf5 import FORMAT as HDF5
 from bondem.io.hdf5 import Kind, array_at, damage, reading
 from bondem.io.journal import JournaledFile, committed
 from bondem.io.older_bodies import with_corrected_normals
-from bondem.io.older_states import brought_up
+from bondem.io.older_states import brought_up, shape_in
 from bondem.io.run_identity import IDENTITY, text_of_model
 from bondem.io.snapshots import Outlined, Snapshots
 from bondem.model.model import Model
@@ -50,11 +50,12 @@ from bondem.model.state import State
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
-SCHEMA = 9
+SCHEMA = 10
 # From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells; from 4
 # on criteria of failure and what broke; from 5 on cracks that soften and cells that yield; from 6 on soft beams; from
 # 7 on digests, snapshots and provenance; from 8 on walls of cells that come from where a stage before left them,
-# and cracks judged by the strength of their facet; from 9 on shares of the facets of cells.
+# and cracks judged by the strength of their facet; from 9 on shares of the facets of cells; from 10
+# on steps of onset.
 _OLDEST, _DIGESTED, _SHARED = 2, 7, 9
 # Schema from which on an array of the state is there.
 _SINCE = {
@@ -346,7 +347,7 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
         if schema < _SINCE.get(name, 0):
             continue
         values = np.ascontiguousarray(array_at(file, f"state/{name}"))
-        wanted = getattr(state, name).shape
+        wanted = shape_in(schema, name, getattr(state, name).shape)
         if (name not in State.GROWING and values.shape != wanted) or values.shape[1:] != wanted[1:]:
             raise ValueError(f"state/{name} has shape {values.shape}")
         setattr(state, name, values)

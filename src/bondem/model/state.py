@@ -12,8 +12,8 @@ from bondem.boundary.loads import Eigenstrain
 from bondem.boundary.wall_columns import WALL_COLUMNS, WALL_FORCE, WALL_WORK
 from bondem.boundary.wall_constraints import reference_base
 from bondem.boundary.walls import Wall
-from bondem.damage.crack_columns import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT, PLASTIC_COLUMNS
-from bondem.damage.event_columns import BROKEN_COLUMNS, SOFT_COLUMNS
+from bondem.damage.crack_columns import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT, ONSET_STEP, PLASTIC_COLUMNS
+from bondem.damage.event_columns import BROKEN_COLUMNS, SOFT_COLUMNS, SOFT_ONSET
 from bondem.errors import InputError
 from bondem.interactions.non_local.non_local_constants import NON_LOCAL_ROWS, NON_LOCAL_WORK
 from bondem.model.state_compatibility import Origin, difference
@@ -60,11 +60,11 @@ class State:
     - `wall_touching`: internal element and wall of each contact with a wall, shape (b, 2).
     - `wall_stretch`: tangential stretch [m] and dashpot force [N] of these contacts, shape (b, 6).
     - `walls`: positions, velocities and loads of the walls (`bondem.boundary.wall_columns`), shape (w, 14).
-    - `broken`: breakages in order of time: time [s], step, bond, mode, gap [m], energy [J], place [m]; (e, 9).
+    - `broken`: breakages in order of time (`bondem.damage.event_columns`), shape (e, 10).
     - `released`: energy that breaking bonds have released since the start [J], shape (1,).
-    - `cracks`: facets that have begun to crack, in order of time (`bondem.damage.crack_columns`), shape (c, 13).
+    - `cracks`: facets that have begun to crack, in order of time (`bondem.damage.crack_columns`), shape (c, 14).
     - `plastic`: plastic strain of cells (`bondem.damage.crack_columns`), (n, 17), or (0, 17) if none can yield.
-    - `softened`: beams that have begun to soften, in order of time (`bondem.damage.event_columns`), shape (c, 6).
+    - `softened`: beams that have begun to soften, in order of time (`bondem.damage.event_columns`), shape (c, 7).
     - `grips`: initial places of walls that hold facets of cells (`bondem.boundary.wall_constraints`), shape (g, 7).
     - `facet_force`: force of each facet on its cell i [N], (3, m), if facets may crack; else (3, 0).
     - `stale`: True if the acceleration must be recomputed before the next step.
@@ -165,10 +165,7 @@ class State:
         """
         other = difference(self.model, model)
         if other:
-            raise InputError(
-                f"state belongs to another {other}; start from a state of this model, or set positions and velocities"
-                " of model.state() by set_pose and set_motion"
-            )
+            raise InputError(f"state belongs to another {other}; start from one of this model, or set model.state()")
         rows = len(model.constraints.element)
         self.reaction = np.zeros((rows, 6))
         self.work = np.zeros(model.constraints.works[-1])
@@ -205,6 +202,8 @@ class State:
                 raise InputError("the state has cells that yielded; give the model a criterion by which cells yield")
             self.plastic = fresh.plastic
         self.plastic[:, HEAT] = 0.0
+        for rows, column in ((self.cracks, ONSET_STEP), (self.softened, SOFT_ONSET)):
+            rows[:, column] -= self.step  # steps count from here on
 
     def _take_walls(self, walls: Sequence[Wall]) -> list[Wall | None]:
         """Carry over displacement and contacts of walls of the same definition; return the previous wall of each."""

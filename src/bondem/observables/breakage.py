@@ -15,6 +15,7 @@ from bondem.damage.event_columns import (
     BROKEN_PLACE,
     BROKEN_STEP,
     BROKEN_TIME,
+    OPENING_STEPS,
     SOFT_BOND,
 )
 from bondem.damage.failure_passes import beam_indices, indices_of_facets
@@ -44,6 +45,8 @@ class BrokenBonds:
         gap: elongation of a bond from its rest length, or opening of a facet along its normal [m], (e,).
         energy: energy released [J], shape (e,).
         position: contact point of the bond, or middle of the facet [m], shape (e, 3).
+        opening_steps: number of time steps from the onset of softening to complete loss [-], shape (e,): 0 for the
+            same step, nan for bonds and facets that failed at once or whose onset is unknown.
     """
 
     time: Floats
@@ -53,6 +56,7 @@ class BrokenBonds:
     gap: Floats
     energy: Floats
     position: Floats
+    opening_steps: Floats
 
     @classmethod
     def of(cls, state: State) -> "BrokenBonds":
@@ -66,6 +70,7 @@ class BrokenBonds:
             gap=rows[:, BROKEN_GAP].copy(),
             energy=rows[:, BROKEN_ENERGY].copy(),
             position=rows[:, BROKEN_PLACE : BROKEN_PLACE + 3] + state.origin,
+            opening_steps=rows[:, OPENING_STEPS].copy(),
         )
 
     def __len__(self) -> int:

@@ -21,7 +21,8 @@
 
 #define BONDEM_JUDGED_FACET(X, name, Criterion) X(judge_facet_by_##name)
 #define BONDEM_JUDGED_BEAM(X, name, Criterion) X(judge_beam_by_##name)
-#define BONDEM_FOUND_BEGINNING(X, name, Criterion) X(find_beginning_by_##name)
+#define BONDEM_SOFTENING_LOADS_OF(X, name, Criterion) \
+    X(load_beam_softening_by_##name) X(load_alike_beam_softening_by_##name)
 #define BONDEM_INDEX_PASSES(X)          \
     X(set_clock)                        \
     X(count_record)                     \
@@ -127,9 +128,7 @@
     X(soften_listed)                    \
     X(end_portion_of_softening)         \
     X(log_all_softened)                 \
-    X(load_softening_beam)              \
-    X(load_softening_alike_beam)        \
-    BONDEM_SOFTENING_CRITERIA(BONDEM_FOUND_BEGINNING, X)\
+    BONDEM_SOFTENING_CRITERIA(BONDEM_SOFTENING_LOADS_OF, X)\
     X(begin_all_softening)              \
     X(release_all_pressure)             \
     X(begin_all_softened_contacts)      \

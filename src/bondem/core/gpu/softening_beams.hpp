@@ -1,5 +1,6 @@
 // Beams that soften, on a device: a thread lets one row of the lists lose integrity, one thread a portion adds up what its
-// rows have dissipated, and one thread logs beams that have broken and begins the rows of those that are found.
+// rows have dissipated, a thread loads one beam, which begins to soften there, and one thread logs beams that have broken
+// and begins the rows.
 //
 // The stages are those of the CPU (`passes/damage/beam_softening.cpp`), in the same order of rows and bonds.
 #pragma once
@@ -14,21 +15,21 @@ namespace bondem {
 // ---- integrity
 
 // The row at place e of the lists.
-inline void soften_listed(Index e, const DeviceSpan &span, const Moving &all, const Beams &beams, const BeamIntegrity &state,
+inline void soften_listed(Index e, const DeviceSpan &span, const Moving &all, const Beams &beams,
                           const SofteningBounds &bounds, const SofteningBeams &soft, const SofteningLosses &losses) {
     const Index q = e / bonds_of_portion;
     if (e - q * bonds_of_portion >= soft.number(q)) return;
     const Index c = soft.listed(e);
-    losses.lost(e) = soften_beam(all.pose.data, beams, state, bounds, soft, c, !clock_of(span).first);
-    if (has_broken(state, soft, c)) put_shared(soft.parted(q), Index(1));
+    losses.lost(e) = soften_beam(clock_of(span), all, beams, bounds, soft, c);
+    if (has_broken(bounds, soft, c)) put_shared(soft.parted(q), Index(1));
 }
-inline void end_portion_of_softening(Index q, const BeamIntegrity &state, const SofteningBeams &soft,
+inline void end_portion_of_softening(Index q, const SofteningBounds &bounds, const SofteningBeams &soft,
                                      const SofteningLosses &losses) {
     const Index first = q * bonds_of_portion, last = first + soft.number(q);
     double lost = 0.0;
     for (Index e = first; e < last; e++) lost += losses.lost(e);
     soft.lost(q) = lost;
-    if (soft.parted(q) != 0) part_broken(state, soft, q);
+    if (soft.parted(q) != 0) part_broken(bounds, soft, q);
 }
 inline void log_all_softened(Index, const DeviceSpan &span, const Moving &all, const Beams &beams, const SofteningBeams &soft,
                              const EventLog &log) {
@@ -37,41 +38,43 @@ inline void log_all_softened(Index, const DeviceSpan &span, const Moving &all, c
 
 // ---- forces, with the pressure on the softened part of a beam
 
-BONDEM_INLINE void put_pressed(Index k, const Moving &all, const Beams &beams, BeamLoads<double> loads,
-                               const LoadsOfBonds &to, const SofteningBounds &bounds, const BondMarks &marks) {
+template <class Criterion>
+BONDEM_INLINE void put_softening(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
+                                 BeamLoads<double> loads, const LoadsOfBonds &to, const SofteningBounds &bounds,
+                                 const BondMarks &marks, const Candidates &candidates) {
     mark_one(k, loads, bounds, marks);
+    const Clock clock = clock_of(span);
+    if (marks.mark(k) != 0 && !clock.first && beams.integrity(k) > 0.0) {
+        const Verdict<double> verdict = begin_beam<Criterion>(all, beams, bounds, clock.dt, k);
+        if (list_failing(k, verdict, marks, candidates)) {
+            const double left = beams.integrity(k);
+            loads = {left * loads.force, left * loads.on_i, left * loads.on_j};
+        }
+    }
     const Vector apart = ends_of(all.pose.data, beams, k).branch;
     loads.force = plus(loads.force, bounds.press(k), pressure_on(apart, beams.length(k)));
     put(to, k, loads);
 }
-inline void load_softening_beam(Index k, const Moving &all, const Beams &beams, const LoadsOfBonds &to,
-                                const SofteningBounds &bounds, const BondMarks &marks) {
-    put_pressed(k, all, beams, loads_of(k, all, beams), to, bounds, marks);
-}
-inline void load_softening_alike_beam(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike,
-                                      const LoadsOfBonds &to, const SofteningBounds &bounds, const BondMarks &marks) {
-    put_pressed(k, all, beams, loads_of(k, all, beams, alike), to, bounds, marks);
-}
-
-// ---- beams that begin
-
-template <class Criterion>
-BONDEM_INLINE void find_one(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams, const Strengths &strengths,
-                            const BondMarks &marks, const Candidates &candidates, const SofteningBeams &soft) {
-    judge_one<Criterion>(k, span, all, beams, strengths, marks, candidates,
-                         [&] { keep_onset(all.pose.data, beams, soft, k); });
-}
-#define BONDEM_FIND(_, name, Criterion)                                                                               \
-    inline void find_beginning_by_##name(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,      \
-                                         const Strengths &strengths, const BondMarks &marks,                          \
-                                         const Candidates &candidates, const SofteningBeams &soft) {                  \
-        find_one<Criterion>(k, span, all, beams, strengths, marks, candidates, soft);                                 \
+#define BONDEM_LOAD(_, name, Criterion)                                                                                   \
+    inline void load_beam_softening_by_##name(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,     \
+                                              const LoadsOfBonds &to, const SofteningBounds &bounds,                      \
+                                              const BondMarks &marks, const Candidates &candidates) {                     \
+        put_softening<Criterion>(k, span, all, beams, loads_of(k, all, beams), to, bounds, marks, candidates);            \
+    }                                                                                                                     \
+    inline void load_alike_beam_softening_by_##name(Index k, const DeviceSpan &span, const Moving &all,                   \
+                                                    const Beams &beams, const AlikeBeams &alike, const LoadsOfBonds &to,  \
+                                                    const SofteningBounds &bounds, const BondMarks &marks,                \
+                                                    const Candidates &candidates) {                                       \
+        put_softening<Criterion>(k, span, all, beams, loads_of(k, all, beams, alike), to, bounds, marks, candidates);     \
     }
-BONDEM_SOFTENING_CRITERIA(BONDEM_FIND, )
-#undef BONDEM_FIND
+BONDEM_SOFTENING_CRITERIA(BONDEM_LOAD, )
+#undef BONDEM_LOAD
+
+// ---- beams that have begun
+
 inline void begin_all_softening(Index, const DeviceSpan &span, const Candidates &candidates, const SofteningBounds &bounds,
-                                const SofteningBeams &soft) {
-    begin_softening(turn_of(span, 0), candidates, bounds, soft);
+                                const SofteningBeams &soft, const EventLog &log) {
+    begin_softening(turn_of(span, 0), candidates, bounds, soft, log);
 }
 
 // ---- contact where beams have broken

@@ -14,7 +14,8 @@
 //
 //     s = λ0 (λf - λ) / (λ (λf - λ0))        ∫ Y (-ds) = λ0 λf = G A
 //
-// on every path along which λ grows. G is that of the shares of opening (elongation and bending) and sliding (shear and
+// on every path along which λ grows. A step counts the work by the trapezoidal rule, so that a beam which opens in few
+// steps is given the force by which that sum is G A too (`softened`). G is that of the shares of opening (elongation and bending) and sliding (shear and
 // twisting) in Y where softening begins, so that G_I / G_f + G_II / G_II,c = 1 at the end:
 //
 //     G = 1 / (share_I / G_f + share_II / G_II,c)
@@ -50,11 +51,34 @@ inline double last_opening(const OpeningEnergy<double> &at_first, double tear, d
     return most(energy / first, snap * first);
 }
 
-// Integrity at the opening λ, at most s.
-inline double softened(double s, double opening, double first, double last) {
-    if (opening <= first) return s;
-    if (opening >= last) return 0.0;
-    return least(s, first * (1.0 - opening / last) / (opening * (1.0 - first / last)));
+// The line on which s λ falls from λ0 = `first` to λf = `last`, after s λ = λ of the whole beam.
+struct SofteningLine {
+    double first, last;
+
+    double at(double opening) const {
+        if (opening <= first) return opening;
+        return opening >= last ? 0.0 : first * (1.0 - opening / last) / (1.0 - first / last);
+    }
+    // What the beam absorbs from an opening on [J].
+    double beyond(double opening) const { return opening >= last ? 0.0 : (last - opening) * at(opening); }
+};
+
+// Integrity, at most s, of a beam whose opening grows from `before` to `opening` in a step; it has dissipated `spent` [J].
+//
+// Between two corners of the line, steps of the same size d have its work. A step over a corner does not: from zero beyond
+// the last opening it would have none. There s λ is the force by which the work of this step, of the next one of the same
+// size, and of the line behind that is what is left of G A. It is between the forces of the line a step before and a step
+// after, so that it is that of the line as d tends to zero. A whole beam that was pressed has `before` below zero: its
+// pressure, which acts for half a step longer than it is pressed, is made up for.
+inline double softened(double s, const SofteningLine &line, double spent, double before, double opening) {
+    const double step = opening - before, opened = at_least_zero(before);
+    if (s * opening <= line.at(opening)) return s;
+    if (!(step > 0.0)) return line.at(opening) / opening;
+    const double next = opening + step, force_next = line.at(next);
+    const double absorbed = spent + s * opened * opened, left = line.first * line.last - absorbed - line.beyond(next);
+    const double wanted = 0.5 * (left / step - s * opened - force_next);
+    const double force = within(wanted, force_next, least(s * opening, line.at(most(opened, line.first))));
+    return least(s, force / opening + 0.5 * at_least_zero(-before) / step);
 }
 
 // The pressure that the softened part of a beam carries, as force on j over `press` = (1 - s) kn [m], along the branch.

@@ -32,7 +32,8 @@ struct Postponed {
 };
 // Failures of one call of the core, in the order of time.
 struct EventLog {
-    Array<double, 2> event;  // time [s], step, bond, mode, gap [m], energy [J], place [m], (m, 9)
+    // time [s], step, bond, mode, gap [m], energy [J], place [m], steps since onset, (m, 10)
+    Array<double, 2> event;
     Array<Index, 1> written;  // number of events, and of those before the present step, (2,)
     Array<double, 1> released;  // energy released since the start of the run [J], (1,)
 };

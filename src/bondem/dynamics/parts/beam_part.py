@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from bondem._core_steps import StepPass
+from bondem.damage.failure_passes import SOFTENING_CRITERIA
 from bondem.dynamics.damage_tables import Candidates, FailureBounds, SofteningBounds
 from bondem.dynamics.parts.breakage_part import breakage
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
@@ -25,12 +26,17 @@ _add_marked_beam_loads = StepPass("add_marked_beam_loads", Moving, Beams, StepCu
 _add_marked_alike_beam_loads = StepPass(
     "add_marked_alike_beam_loads", Moving, Beams, AlikeBeams, StepCut, FailureBounds, Candidates
 )
-_add_softening_beam_loads = StepPass(
-    "add_softening_beam_loads", Moving, Beams, StepCut, SofteningBounds, Candidates
-)
-_add_softening_alike_beam_loads = StepPass(
-    "add_softening_alike_beam_loads", Moving, Beams, AlikeBeams, StepCut, SofteningBounds, Candidates
-)
+# By criterion with a fracture energy, of beams with constants of their own and of others.
+_SOFTENING = {
+    name: (
+        StepPass(f"add_beam_loads_softening_by_{name}", Moving, Beams, StepCut, SofteningBounds, Candidates),
+        StepPass(
+            f"add_alike_beam_loads_softening_by_{name}",
+            Moving, Beams, AlikeBeams, StepCut, SofteningBounds, Candidates,
+        ),
+    )
+    for name in SOFTENING_CRITERIA
+}  # fmt: skip
 _add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)
 _check_beams = StepPass("check_beams", Moving, Beams, Portions)
 _sum_beam_energies = StepPass("sum_beam_energies", Moving, Beams, Portions)
@@ -97,5 +103,5 @@ def _loads(
     if soft is None:
         loads = _add_marked_beam_loads if alike is None else _add_marked_alike_beam_loads
         return loads, *common, damage.bounds, damage.candidates
-    loads = _add_softening_beam_loads if alike is None else _add_softening_alike_beam_loads
-    return loads, *common, soft.bounds, damage.candidates
+    own, shared = _SOFTENING[damage.table.kind]
+    return own if alike is None else shared, *common, soft.bounds, damage.candidates

@@ -7,14 +7,8 @@ import numpy as np
 from bondem._core_steps import StepPass
 from bondem.damage.beam_softening import BeamSoftening
 from bondem.damage.event_columns import SOFT_BOND, SOFT_COLUMNS
-from bondem.damage.failure_passes import SOFTENING_CRITERIA, Strengths, strengths_of
-from bondem.dynamics.damage_tables import (
-    BeamIntegrity,
-    Candidates,
-    EventLog,
-    SofteningBeams,
-    SofteningBounds,
-)
+from bondem.damage.failure_passes import strengths_of
+from bondem.dynamics.damage_tables import Candidates, EventLog, SofteningBeams, SofteningBounds
 from bondem.dynamics.parts.damage_part import DamageTables, write_released
 from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
@@ -22,14 +16,9 @@ from bondem.dynamics.step_tables import BONDS_OF_PORTION, Moving, Portions
 from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
 from bondem.model.state import State
 
-# Criteria with a fracture energy.
-_FIND = {
-    name: StepPass(f"find_softening_by_{name}", Moving, Beams, Strengths, Candidates, SofteningBeams)
-    for name in SOFTENING_CRITERIA
-}
-_soften_beams = StepPass("soften_beams", Moving, Beams, BeamIntegrity, SofteningBounds, SofteningBeams)
+_soften_beams = StepPass("soften_beams", Moving, Beams, SofteningBounds, SofteningBeams)
 _log_softened_beams = StepPass("log_softened_beams", Moving, Beams, SofteningBeams, EventLog)
-_begin_softening = StepPass("begin_softening", Candidates, SofteningBounds, SofteningBeams)
+_begin_softening = StepPass("begin_softening", Candidates, SofteningBounds, SofteningBeams, EventLog)
 _sum_pressed_energies = StepPass("sum_pressed_energies", Moving, Beams, SofteningBounds, Portions)
 
 
@@ -38,14 +27,12 @@ class SofteningTables:
     """Tables of the beams of a run that soften.
 
     Attributes:
-        bounds: bounds of the beams, and what presses on them.
+        bounds: bounds, criterion and integrity of the beams, and what presses on them.
         soft: beams that soften.
-        integrity: integrity of the beams.
     """
 
     bounds: SofteningBounds
     soft: SofteningBeams
-    integrity: BeamIntegrity
 
     @classmethod
     def of(
@@ -71,13 +58,14 @@ class SofteningTables:
             listed[q * BONDS_OF_PORTION + count[q]] = c
             count[q] += 1
         return cls(
-            bounds=SofteningBounds(*damage.bounds, press),
+            bounds=SofteningBounds(
+                *damage.bounds, *strengths_of(damage.table), energies.tear, energies.shear, beams.integrity,
+                np.zeros(0) if alike is None else alike.hold, press, np.zeros((m, 4)),
+            ),
             soft=SofteningBeams(
-                tear=energies.tear, slide=energies.shear, onset=np.zeros((m, 2)), row=row,
-                begun=np.array([begun], dtype=np.int64), listed=listed, number=count,
+                row=row, begun=np.array([begun], dtype=np.int64), listed=listed, number=count,
                 parted=np.zeros(portions, dtype=np.int64), lost=np.zeros(portions),
             ),
-            integrity=BeamIntegrity(beams.integrity, np.zeros(0) if alike is None else alike.hold),
         )  # fmt: skip
 
 
@@ -86,7 +74,6 @@ def softening(
 ) -> Part:
     """Return the part of beams that soften."""
     moving, bounds, soft, candidates = shared.moving, tables.bounds, tables.soft, damage.candidates
-    find = _FIND[damage.table.kind]
 
     def keep() -> None:
         state.softened = soft.row[: soft.begun[0]].copy()
@@ -96,11 +83,10 @@ def softening(
     return Part(
         {
             "prepare": [
-                (_soften_beams, moving, beams, tables.integrity, bounds, soft),
+                (_soften_beams, moving, beams, bounds, soft),
                 (_log_softened_beams, moving, beams, soft, damage.log),
             ],
-            "judge": [(find, moving, beams, strengths_of(damage.table), candidates, soft)],
-            "apply": [(_begin_softening, candidates, bounds, soft)],
+            "apply": [(_begin_softening, candidates, bounds, soft, damage.log)],
         },
         record=lambda history: [
             (_sum_pressed_energies, moving, beams, bounds, shared.portions), (write_released, damage.log, history)

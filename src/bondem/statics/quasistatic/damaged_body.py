@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._types import ArrayLike, Floats, Ints, Mask
-from bondem.damage.crack_columns import CRACK_COLUMNS, FACET
+from bondem.damage.crack_columns import CRACK_COLUMNS, FACET, ONSET_STEP
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.model.model import Model
@@ -159,7 +159,7 @@ class DamagedBody:
         cracked = np.flatnonzero(self.integrity < 1.0)
         state.integrity[:] = self.left
         state.cracks = np.zeros((len(cracked), CRACK_COLUMNS))
-        state.cracks[:, FACET] = cracked
+        state.cracks[:, FACET], state.cracks[:, ONSET_STEP] = cracked, np.nan
         return state
 
     def weaken(self, facets: Ints, integrity: ArrayLike, closed: ArrayLike) -> None:

@@ -1,9 +1,9 @@
 // Forces and torques of beams, added to the sums of their elements in the order of the beams.
 #include "beam_loads.hpp"
 
-#include "../../laws/beam_softening.hpp"
 #include "../../laws/damping.hpp"
 #include "../damage/pipeline.hpp"
+#include "../damage/softening_beam.hpp"
 #include "bonds.hpp"
 
 namespace bondem {
@@ -39,25 +39,50 @@ BONDEM_INLINE void add(double *sums, const Short *row_i, const Short *row_j, con
 
 // Beams that cannot fail.
 struct NoMarks {
-    BONDEM_INLINE void mark(Index, int, const BeamLoads<Lanes> &) const {}
+    BONDEM_INLINE void mark(Index, int, BeamLoads<Lanes> &) const {}
     BONDEM_INLINE void press(Index, Vector3<Lanes>, Lanes, BeamLoads<Lanes> &) const {}
 };
 // Beams that are compared with their bounds.
 struct BeamMarks {
     Marks marks;
     BONDEM_INLINE void press(Index, Vector3<Lanes>, Lanes, BeamLoads<Lanes> &) const {}
-    BONDEM_INLINE void mark(Index k, int known, const BeamLoads<Lanes> &loads) {
+    BONDEM_INLINE void mark(Index k, int known, BeamLoads<Lanes> &loads) {
         const Vector3<Lanes> f = loads.force, a = loads.on_i, b = loads.on_j;
         marks.mark(k, known, dot(f, f), dot(a, a) + dot(b, b));
     }
 };
 
-// Beams that soften from their bounds on, and are pressed on.
-struct SofteningMarks : BeamMarks {
-    const double *pressed;
-    SofteningMarks(const Marks &marks, const double *pressed) : BeamMarks{marks}, pressed(pressed) {}
+// Beams that begin to soften where their criterion is reached, and are pressed on.
+template <class Criterion> struct SofteningMarks {
+    Marks marks;
+    const Turn &turn;
+    const Moving &all;
+    const Beams &beams;
+    const SofteningBounds &bounds;
+    const Candidates &candidates;
+
     BONDEM_INLINE void press(Index k, Vector3<Lanes> branch, Lanes rest_length, BeamLoads<Lanes> &loads) const {
-        loads.force = plus(loads.force, load(pressed + k), pressure_on(branch, rest_length));
+        loads.force = plus(loads.force, load(bounds.press.data + k), pressure_on(branch, rest_length));
+    }
+    BONDEM_INLINE void mark(Index k, int known, BeamLoads<Lanes> &loads) {
+        const Vector3<Lanes> f = loads.force, a = loads.on_i, b = loads.on_j;
+        marks.for_each_near(k, known, dot(f, f), dot(a, a) + dot(b, b), [&](int n) {
+            Lanes left = Lanes{} + 1.0;
+            left[n] = left_of(k + n);
+            loads = {left * loads.force, left * loads.on_i, left * loads.on_j};
+        });
+    }
+
+  private:
+    // Integrity of beam k, which is near to its bound, under the present loads.
+    __attribute__((noinline)) double left_of(Index k) {
+        if (turn.clock.first || !(beams.integrity(k) > 0.0)) return 1.0;
+        const Verdict<double> verdict = begin_beam<Criterion>(all, beams, bounds, turn.clock.dt, k);
+        if (!(verdict.index >= 1.0)) return 1.0;
+        candidates.mode(candidates.begin(turn.block) + marks.count()) = Index(verdict.mode);
+        marks.put(k);
+        put_shared(candidates.any(0), Index(1));
+        return beams.integrity(k);
     }
 };
 
@@ -114,24 +139,20 @@ void add_marked_alike_beam_loads(const Turn &turn, const Moving &all, const Beam
 }
 namespace {
 
-template <class Kind>
-BONDEM_INLINE void add_softening_loads(const Turn &turn, const double *pose, const Beams &beams, const StepCut &cut,
+template <class Criterion, class Kind>
+BONDEM_INLINE void add_softening_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut,
                                        Kind kind, const SofteningBounds &bounds, const Candidates &candidates) {
-    SofteningMarks marked(Marks(bounds, candidates, turn), bounds.press.data);
-    add_loads(turn.first, turn.last, pose, beams, cut, kind, marked);
+    SofteningMarks<Criterion> marked = {Marks(bounds, candidates, turn), turn, all, beams, bounds, candidates};
+    add_loads(turn.first, turn.last, all.pose.data, beams, cut, kind, marked);
     candidates.count(turn.block) = marked.marks.count();
 }
 
 }  // namespace
 
-void add_softening_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut,
-                              const SofteningBounds &bounds, const Candidates &candidates) {
-    add_softening_loads(turn, all.pose.data, beams, cut, Own{beams}, bounds, candidates);
-}
-void add_softening_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
-                                    const StepCut &cut, const SofteningBounds &bounds, const Candidates &candidates) {
-    add_softening_loads(turn, all.pose.data, beams, cut, all_alike(alike), bounds, candidates);
-}
+#define BONDEM_SOFTEN(_, name, Criterion)                                                                                    void add_beam_loads_softening_by_##name(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut,                                             const SofteningBounds &bounds, const Candidates &candidates) {                       add_softening_loads<Criterion>(turn, all, beams, cut, Own{beams}, bounds, candidates);                               }                                                                                                                        void add_alike_beam_loads_softening_by_##name(const Turn &turn, const Moving &all, const Beams &beams,                                                                 const AlikeBeams &alike, const StepCut &cut,                                                                             const SofteningBounds &bounds, const Candidates &candidates) {                 add_softening_loads<Criterion>(turn, all, beams, cut, all_alike(alike), bounds, candidates);                         }
+BONDEM_SOFTENING_CRITERIA(BONDEM_SOFTEN, )
+#undef BONDEM_SOFTEN
+
 Index load_beams(Index, const Poses &all, const Beams &beams, const BeamSums &to) {
     add_loads(0, beams.i.size(), all.pose.data, beams, to, Own{beams});
     return 0;

@@ -1,4 +1,5 @@
 #pragma once
+#include "../../laws/criteria/bond_criteria.hpp"
 #include "../../steps.hpp"
 #include "../../tables/beam_softening_tables.hpp"
 
@@ -14,11 +15,16 @@ void add_marked_beam_loads(const Turn &turn, const Moving &all, const Beams &bea
                            const FailureBounds &bounds, const Candidates &candidates);
 void add_marked_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
                                  const StepCut &cut, const FailureBounds &bounds, const Candidates &candidates);
-// And those of beams that may soften, with the pressure on softened ones.
-void add_softening_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut,
-                              const SofteningBounds &bounds, const Candidates &candidates);
-void add_softening_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
-                                    const StepCut &cut, const SofteningBounds &bounds, const Candidates &candidates);
+// And those of beams that may soften, with the pressure on softened ones: those that reach their criterion lose integrity
+// before their loads are added, and are listed as those that fail in this step.
+#define BONDEM_DECLARED(_, name, Criterion)                                                                              \
+    void add_beam_loads_softening_by_##name(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut, \
+                                            const SofteningBounds &bounds, const Candidates &candidates);                \
+    void add_alike_beam_loads_softening_by_##name(const Turn &turn, const Moving &all, const Beams &beams,               \
+                                                  const AlikeBeams &alike, const StepCut &cut,                           \
+                                                  const SofteningBounds &bounds, const Candidates &candidates);
+BONDEM_SOFTENING_CRITERIA(BONDEM_DECLARED, )
+#undef BONDEM_DECLARED
 // Adds forces and torques of all beams in any poses; rows of the sums are given.
 Index load_beams(Index threads, const Poses &all, const Beams &beams, const BeamSums &to);
 Index load_alike_beams(Index threads, const Poses &all, const Beams &beams, const AlikeBeams &alike, const BeamSums &to);

@@ -33,7 +33,8 @@ struct CrackHistoryRow {
     double status, spent;  // how it is treated, energy dissipated [J]
     double cohesion, slip_brittleness, friction;  // of facets of material planes
     double began;  // step in which it began, below 0 for those of a state, in their order
-    double unused[2];
+    double onset_step;  // the same step of all of them
+    double unused;
 };
 static_assert(sizeof(CrackShapeRow) == 64 && sizeof(CrackFaceRow) == 64 && sizeof(CrackStateRow) == 64 &&
               sizeof(CrackSofteningRow) == 64 && sizeof(CrackHistoryRow) == 64);

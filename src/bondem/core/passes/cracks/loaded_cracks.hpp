@@ -65,7 +65,9 @@ inline void log_crack(const Clock &clock, const Moving &all, const ElasticFacets
     const CrackFaces<double> &at = one.now.faces;
     const Vector centre = {all.pose(facets.i(k), 0), all.pose(facets.i(k), 1), all.pose(facets.i(k), 2)};
     const double gap = dot(at.gap, at.normal);
-    log_event(clock, log, k, gap > 0.0 ? tension_mode : shear_mode, {history_of(cracks, k).spent, gap, centre + at.arm_i});
+    const CrackHistoryRow &history = history_of(cracks, k);
+    log_event(clock, log, k, gap > 0.0 ? tension_mode : shear_mode,
+              {history.spent, gap, centre + at.arm_i, double(clock.step) - history.onset_step});
 }
 
 // Adds the elastic energies of the crack of facet k: across it, along it, and of bending [J].

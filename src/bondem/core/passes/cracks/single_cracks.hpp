@@ -113,7 +113,7 @@ inline void begin_crack(const ElasticFacets &facets, const FacetForces &kept, co
     state_of(cracks, k) = {};
     state_of(cracks, k).before = crack::fresh;
     history_of(cracks, k) = {};
-    history_of(cracks, k).began = double(step);
+    history_of(cracks, k).began = history_of(cracks, k).onset_step = double(step);
     softening_of(cracks, k).strength = onset.marked(k) == 1 ? strengths.strength(k) : 0.0;
     shape_of(cracks, k).top = 0.0;
     write_constants(facets, kept, strengths, cracks, k);

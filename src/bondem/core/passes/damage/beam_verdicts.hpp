@@ -31,15 +31,18 @@ BONDEM_INLINE BondLoads<T> seen_loads(const Ends<T> &ends, const BeamShape<T> &s
             absolute(dot(loads.on_i, e)), l / shape.length - 1.0, angle};
 }
 
-// The verdict of a criterion on one beam.
-template <class Criterion>
-inline Verdict<double> verdict_of(const double *pose, const Beams &beams, const Strengths &strengths, Index k) {
-    const Ends<double> ends = ends_of(pose, beams, k);
+// The verdict of a criterion on one beam, whose ends and `strengths` (coefficients, and station) are given.
+template <class Criterion, class Strong>
+inline Verdict<double> verdict_at(const Ends<double> &ends, const Beams &beams, const Strong &strengths, Index k) {
     const BeamShape<double> shape = shape_of<double>(beams, k);
     const BeamLoads<double> loads = beam_loads(ends, shape, stiffness_of(beams, k, beams.integrity(k)));
     const double *c = &strengths.coefficient(k, 0);
     return Criterion::verdict(seen_loads<Criterion>(ends, shape, loads, strengths.station(k)),
                               Coefficients<double>{c[0], c[1], c[2], c[3]});
+}
+template <class Criterion>
+inline Verdict<double> verdict_of(const double *pose, const Beams &beams, const Strengths &strengths, Index k) {
+    return verdict_at<Criterion>(ends_of(pose, beams, k), beams, strengths, k);
 }
 
 }  // namespace bondem

@@ -41,6 +41,7 @@ struct Removal {
     double energy;  // released [J]
     double gap;  // how far it is open [m]
     Vector place;  // [m]
+    double opening_steps = undefined;  // from its onset on, of a bond that softened [-]
 };
 
 // ---- marks
@@ -70,13 +71,19 @@ class Marks {
         : limit(bounds.limit.data), of_force(bounds.of_force), of_moment(bounds.of_moment),
           first(candidates.marked.data + candidates.begin(turn.block)), next(first) {}
 
-    // Marks those of the bonds k + known … whose size reaches the bound.
-    BONDEM_INLINE void mark(Index k, int known, Lanes force_squared, Lanes moment_squared) {
+    // Calls on(n) for those of the bonds k + n, n from `known` on, whose size reaches the bound.
+    template <class On>
+    BONDEM_INLINE void for_each_near(Index k, int known, Lanes force_squared, Lanes moment_squared, On on) const {
         const Lanes size = of_force * force_squared + of_moment * moment_squared, bound = limits_of(limit + k);
         if (__builtin_expect(any_reaches(size, bound), 0))
             for (int n = known; n < lanes; n++)
-                if (size[n] >= bound[n]) *next++ = k + n;
+                if (size[n] >= bound[n]) on(n);
     }
+    // Marks these bonds.
+    BONDEM_INLINE void mark(Index k, int known, Lanes force_squared, Lanes moment_squared) {
+        for_each_near(k, known, force_squared, moment_squared, [&](int n) { put(k + n); });
+    }
+    void put(Index k) { *next++ = k; }
     Index count() const { return next - first; }
 
   private:
@@ -139,8 +146,9 @@ template <class On> inline void for_each_event(const EventLog &log, On on) {
 inline void write_event(const Clock &clock, const EventLog &log, Index event, Index k, Index mode, const Removal &removal) {
     double *const row = &log.event(event, 0);
     const Vector x = removal.place;
-    const double all[9] = {clock.time, double(clock.step), double(k), double(mode), removal.gap, removal.energy, x.x, x.y, x.z};
-    for (Index c = 0; c < 9; c++) row[c] = all[c];
+    const double all[10] = {clock.time, double(clock.step), double(k), double(mode), removal.gap, removal.energy,
+                            x.x, x.y, x.z, removal.opening_steps};
+    for (Index c = 0; c < 10; c++) row[c] = all[c];
 }
 inline void log_event(const Clock &clock, const EventLog &log, Index k, Index mode, const Removal &removal) {
     write_event(clock, log, log.written(0)++, k, mode, removal);

@@ -1,70 +1,119 @@
-// One beam that softens: its row, the integrity that it loses in a step, and the list of a portion of bonds. The passes of
+// One beam that softens: its onset, its row, the integrity that it loses in a step, and the list of a portion of bonds. The passes of
 // the CPU and a thread of a device call these functions.
 #pragma once
 #include "../../laws/beam_softening.hpp"
 #include "../../tables/beam_softening_tables.hpp"
-#include "../beams/bonds.hpp"
+#include "beam_verdicts.hpp"
 
 namespace bondem {
 
 // Columns of a row of a beam that has begun to soften.
 namespace soft_column {
-enum : Index { bond, first, last, rate, spent, mode };
+enum : Index { bond, first, last, rate, spent, mode, began };
+}
+// And what is kept of one that begins in this step.
+namespace onset_column {
+enum : Index { first, last, rate, spent };
 }
 // Integrity below which a beam has broken.
 constexpr double broken_integrity = 1e-9;
 
+inline Ends<double> ends_of(const Row<double> &i, const Row<double> &j, const Beams &beams) {
+    return ends_of(i, j, beams.period.data);
+}
 // Energy of beam k as if it were whole.
-inline OpeningEnergy<double> opening_energy_of(const double *pose, const Beams &beams, Index k) {
-    const Ends<double> ends = ends_of(pose, beams, k);
+inline OpeningEnergy<double> opening_energy_of(const Ends<double> &ends, const Beams &beams, Index k) {
     const BeamShape<double> shape = shape_of<double>(beams, k);
     const BeamEnergy<double> energy = beam_energy(ends, shape, stiffness_of(beams, k, 1.0), beams.ks(k), beams.lever(k));
     return opening_energy(energy, length(ends.branch) - shape.length);
 }
-// Keeps the energy of a beam that is found to begin.
-inline void keep_onset(const double *pose, const Beams &beams, const SofteningBeams &soft, Index k) {
-    const OpeningEnergy<double> energy = opening_energy_of(pose, beams, k);
-    soft.onset(k, 0) = energy.opening;
-    soft.onset(k, 1) = energy.sliding;
-}
+inline double rate_of(const OpeningEnergy<double> &energy) { return energy.opening + energy.sliding; }
 inline Index bond_of_row(const SofteningBeams &soft, Index c) { return Index(soft.row(c, soft_column::bond)); }
 
-// Lets the beam of row c lose integrity where `changes`; returns the energy dissipated [J].
+// Product of the openings λ of beam k before and after the last step, in which it has moved at its present velocity [J];
+// below zero where it was pressed before. `rate` is Y now.
 //
-// The energy is s times a square of the opening, whose work the schemes count by the trapezoidal rule: the energy
-// released is -Δs times the product of the openings before and after, the root of the product of Y before and after.
-inline double soften_beam(const double *pose, const Beams &beams, const BeamIntegrity &state, const SofteningBounds &bounds,
-                          const SofteningBeams &soft, Index c, bool changes) {
+// Schemes count work by the trapezoidal rule. A step in which s falls by Δs therefore loses Δs (Y - ½ ∇Y·Δx), which is
+// Δs λ λ' on a straight path.
+inline double opened_product(const Moving &all, const Beams &beams, const Ends<double> &ends, double rate, double dt, Index k) {
+    const Motion<double> i(gather(all.motion.data, beams.i(k))), j(gather(all.motion.data, beams.j(k)));
+    const BeamLoads<double> loads = beam_loads(ends, shape_of<double>(beams, k), stiffness_of(beams, k, 1.0));
+    const Vector force = minus(loads.force, beams.kn(k), pressure_on(ends.branch, beams.length(k)));
+    return rate + 0.5 * dt * (dot(force, j.v - i.v) + dot(loads.on_i, i.w) + dot(loads.on_j, j.w));
+}
+inline void put_integrity(const Beams &beams, const SofteningBounds &bounds, Index k, double s) {
+    bounds.integrity(k) = s;
+    if (bounds.hold.size() > 0) bounds.hold(k) = s / beams.length(k);
+    bounds.press(k) = (1.0 - s) * beams.kn(k);
+}
+
+// Lets the beam of row c lose integrity, unless the time was not reached by a step; returns the energy dissipated [J].
+inline double soften_beam(const Clock &clock, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
+                          const SofteningBeams &soft, Index c) {
     double *const row = &soft.row(c, 0);
     const Index k = bond_of_row(soft, c);
-    const OpeningEnergy<double> energy = opening_energy_of(pose, beams, k);
-    const double s = state.integrity(k), rate = energy.opening + energy.sliding;
-    double left = s;
-    if (changes) {
-        left = softened(s, root(rate), row[soft_column::first], row[soft_column::last]);
-        if (left < broken_integrity) left = 0.0;
-    }
-    const double spent = root(row[soft_column::rate] * rate) * (s - left);
+    const Ends<double> ends = ends_of(all.pose.data, beams, k);
+    const double s = bounds.integrity(k), before = row[soft_column::rate], rate = rate_of(opening_energy_of(ends, beams, k));
     row[soft_column::rate] = rate;
+    if (clock.first) return 0.0;
+    double left = softened(s, {row[soft_column::first], row[soft_column::last]}, row[soft_column::spent], root(before), root(rate));
+    if (left < broken_integrity) left = 0.0;
+    if (left == s) return 0.0;
+    const double spent = (s - left) * opened_product(all, beams, ends, rate, clock.dt, k);
     row[soft_column::spent] += spent;
-    if (left < s) {
-        state.integrity(k) = left;
-        if (state.hold.size() > 0) state.hold(k) = left / beams.length(k);
-        bounds.press(k) = (1.0 - left) * beams.kn(k);
-    }
+    put_integrity(beams, bounds, k, left);
     return spent;
 }
-inline bool has_broken(const BeamIntegrity &state, const SofteningBeams &soft, Index c) {
-    return !(state.integrity(bond_of_row(soft, c)) > 0.0);
+inline bool has_broken(const SofteningBounds &bounds, const SofteningBeams &soft, Index c) {
+    return !(bounds.integrity(bond_of_row(soft, c)) > 0.0);
+}
+
+// ---- onset
+
+// The row of an element a step ago: it has moved at the velocity that it still has.
+inline Row<double> row_before(const Moving &all, Short element, double dt) {
+    const Row<double> now = gather(all.pose.data, element);
+    const Motion<double> moving(gather(all.motion.data, element));
+    const Vector back = -dt * moving.v;
+    const Quaternion<double> q = turned(orientation(now), -dt * moving.w);
+    return {{now.column[0] + back.x, now.column[1] + back.y, now.column[2] + back.z, now.column[3], q.w, q.x, q.y, q.z}};
+}
+
+// Lets whole beam k begin to soften where its criterion is reached, within the last step; returns the verdict.
+//
+// The criterion was reached where its index, which grows on a line, was 1; that of pressure counts as none. A beam that loses all keeps half of the least
+// integrity until the next step, which treats it as any other that breaks.
+template <class Criterion>
+inline Verdict<double> begin_beam(const Moving &all, const Beams &beams, const SofteningBounds &bounds, double dt, Index k) {
+    const Ends<double> now = ends_of(all.pose.data, beams, k);
+    const Verdict<double> verdict = verdict_at<Criterion>(now, beams, bounds, k);
+    if (!(verdict.index >= 1.0)) return verdict;
+    const Ends<double> then = ends_of(row_before(all, beams.i(k), dt), row_before(all, beams.j(k), dt), beams);
+    const double index = at_least_zero(verdict_at<Criterion>(then, beams, bounds, k).index);
+    const double share = index < 1.0 ? (1.0 - index) / (verdict.index - index) : 0.0;
+    const OpeningEnergy<double> before = opening_energy_of(then, beams, k), after = opening_energy_of(now, beams, k);
+    const auto between = [&](double a, double b) {
+        const double opening = (1.0 - share) * root(a) + share * root(b);
+        return opening * opening;
+    };
+    const OpeningEnergy<double> at_onset = {between(before.opening, after.opening), between(before.sliding, after.sliding)};
+    const double first = root(rate_of(at_onset)), rate = rate_of(after);
+    const double last = last_opening(at_onset, bounds.tear(k), bounds.slide(k), first);
+    const double product = opened_product(all, beams, now, rate, dt, k);
+    const double left = most(softened(1.0, {first, last}, 0.0, product / root(rate), root(rate)), 0.5 * broken_integrity);
+    put_integrity(beams, bounds, k, left);
+    const double kept[4] = {first, last, rate, (1.0 - left) * product};
+    for (Index column = 0; column < 4; column++) bounds.onset(k, column) = kept[column];
+    return verdict;
 }
 
 // Moves the rows of portion q that have broken behind the others, each kind in its order.
-inline void part_broken(const BeamIntegrity &state, const SofteningBeams &soft, Index q) {
+inline void part_broken(const SofteningBounds &bounds, const SofteningBeams &soft, Index q) {
     const Index first = q * bonds_of_portion, count = soft.number(q);
     Index kept = 0;
     for (Index e = 0; e < count; e++) {
         const Index c = soft.listed(first + e);
-        if (has_broken(state, soft, c)) continue;
+        if (has_broken(bounds, soft, c)) continue;
         for (Index place = e; place > kept; place--) soft.listed(first + place) = soft.listed(first + place - 1);
         soft.listed(first + kept++) = c;
     }
