@@ -21,7 +21,7 @@ DURATION, PARTS = 90e-6, 10
 # Where the work has gone.
 PLACES = (
     "translation", "rotation", "normal", "shear", "bending", "twisting", "contact", "loss", "friction", "fracture",
-    "plastic",
+    "crushing", "plastic",
 )  # fmt: skip
 
 

@@ -95,7 +95,7 @@ def measure(model: bd.Model, turning: float, safety: float, steps: int) -> dict[
         "drift": float(balance[-tenth:].mean() - balance[:tenth].mean()) / whole,
         "linear": float(np.linalg.norm(q - p) / (model.mass @ np.linalg.norm(begun.velocity, axis=1))),
         "angular": float(np.linalg.norm(K - L) / np.linalg.norm(L)),
-        "fracture": float(energy["fracture"][-1]) / whole,
+        "fracture": float(run.history.released[-1]) / whole,
         "broken": len(run.events), "begun": len(run.state.cracks),
     }  # fmt: skip
 

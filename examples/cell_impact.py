@@ -36,7 +36,7 @@ def main(count: int = 1000, folder: Path | None = None) -> bd.ExplicitResult:
     print(f"{len(run.events)} of {len(ball.pairs)} facets broken; {len(run.state.contacts)} pairs touch in the end")
     print(f"{len(pieces)} pieces, the largest with {pieces.mass[0] / pieces.mass.sum():.0%} of the mass")
     print(f"largest force on the wall {1e-3 * abs(run.history['wall'][:, 0]).max():.0f} kN")
-    parts = ("translation", "rotation", "plastic", "fracture", "friction")
+    parts = ("translation", "rotation", "plastic", "fracture", "crushing", "friction")
     print("shares of the energy:", {name: f"{energy[name][-1] / came:.3f}" for name in parts})
     print(f"missing at most {abs(energy['balance']).max() / came:.1e}")
     if folder is not None:

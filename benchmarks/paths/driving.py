@@ -107,7 +107,7 @@ class Course:
 
     def dissipated(self, axis: str = "x") -> float:
         """What cracks have dissipated over the section across an axis [J/m²]."""
-        return float(self.run.history.energy["fracture"][-1]) / self.section[axis]
+        return float(self.run.history.released[-1]) / self.section[axis]
 
     @property
     def note(self) -> str:

@@ -34,7 +34,7 @@ def slide(seed: int, count: int) -> list[Row]:
         sliding = int(np.argmax(found.moved["slide"] > 0.0))
         way = found.moved["slide"][sliding:] / LAST
         shear, across = (found.stress[axis][sliding:] / TENSION for axis in ("slide", "x"))
-        spent = found.run.history.energy["fracture"] / found.section["x"] / ENERGY
+        spent = found.run.history.released / found.section["x"] / ENERGY
         told = f"opened by {opening:g}"
         at = {one: min(int(np.searchsorted(way, one * (1.0 - 1e-9))), len(way) - 1) for one in slides}
         note = f"{found.note}, largest shear {np.abs(shear).max():.3f} f_t, dissipated {spent[sliding]:.3f} before"
@@ -60,7 +60,7 @@ def slide(seed: int, count: int) -> list[Row]:
 def crossing(seed: int, count: int) -> list[Row]:
     """A crack across x between held faces across y, and then one across y through both parts, x held apart."""
     found = course(cube(seed, count), RANKINE, {"x": (0.0, torn(), torn()), "y": (0.0, 0.0, torn())}, watch="y")
-    spent = found.run.history.energy["fracture"] / found.section["y"] / ENERGY
+    spent = found.run.history.released / found.section["y"] / ENERGY
     begin = int(np.argmax(found.moved["y"] > 0.0))
     told, note = "a crack across x, then one across y", f"{found.note}, G_f of the first {spent[begin]:.3f}"
     work = float(spent[-1] - spent[begin])
@@ -83,7 +83,7 @@ def closing(seed: int, count: int) -> list[Row]:
     end = int(np.flatnonzero(strain <= 0.999 * half / SIDE)[-1])
     begin = int(np.flatnonzero(strain[:end] > 0.25 * half / SIDE)[-1]) + 1
     modulus = float(np.polyfit(strain[begin:end], stress[begin:end], 1)[0])
-    spent = found.run.history.energy["fracture"] / found.section["x"] / ENERGY
+    spent = found.run.history.released / found.section["x"] / ENERGY
     told = f"{TIMES} times opened by {OPENED:g} and pressed"
     return [
         Row("open", f"{told}: modulus in compression", modulus / whole.modulus("x", 0.5, 0.95), 1.0, STIFFNESS, seed,

@@ -138,7 +138,7 @@ def _torn(body: bd.Lattice, energy: float, curve: str) -> tuple[float, str]:
     ligament = (1.0 - ALPHA) * WIDTH * THICK
     left = float(run.history["pin"][-1, 1]) / top[0]
     note = f"{run.status.value} at {left:.3f} of the peak, imbalance {run.history.imbalance:.1e}"
-    return float(run.history.energy["fracture"][-1]) / ligament, note
+    return float(run.history.released[-1]) / ligament, note
 
 
 def solvers(seed: int, count: int) -> list[Row]:

@@ -151,7 +151,7 @@ def _opened(found: Halves, modulus: float) -> tuple[float, str]:
         _beam(found, modulus, *opens), duration=float(times[-1]), damping=bd.MassDamping(alpha=2.0 / period),
         callback=read, every=50,
     )  # fmt: skip
-    fracture = run.history.energy["fracture"][: len(cracked)]
+    fracture = run.history.released[: len(cracked)]
     note = f"{run.status.value}, imbalance {run.history.imbalance:.1e}, cracked {cracked[-1] / found.area:.2f}"
     return _slope(fracture, np.maximum.accumulate(cracked), found.area), note
 

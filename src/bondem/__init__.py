@@ -95,6 +95,7 @@ _PUBLIC = {
     "bondem.observables.cell_stress": ("cell_stress",),
     "bondem.observables.element_stress": ("ElementStress", "element_stress"),
     "bondem.observables.energy": ("EnergyParts",),
+    "bondem.observables.fracture_energy": ("FractureEnergy",),
     "bondem.observables.principal_stresses": ("principal_stresses", "von_mises_stress"),
     "bondem.dynamics.schemes": ("Scheme", "TchamwaWielgosz", "VelocityVerlet"),
     "bondem.dynamics.events": ("AtRest", "Event", "LoadDrop"),

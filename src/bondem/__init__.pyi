@@ -132,6 +132,7 @@ from bondem.observables.cell_stress import cell_stress as cell_stress
 from bondem.observables.element_stress import ElementStress as ElementStress
 from bondem.observables.element_stress import element_stress as element_stress
 from bondem.observables.energy import EnergyParts as EnergyParts
+from bondem.observables.fracture_energy import FractureEnergy as FractureEnergy
 from bondem.observables.principal_stresses import principal_stresses as principal_stresses
 from bondem.observables.principal_stresses import von_mises_stress as von_mises_stress
 from bondem.packing import aggregates as aggregates

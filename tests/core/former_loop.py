@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.dynamics.history import CRUSHING
 from bondem.interactions.cells import cell_constants
 from bondem.interactions.cells.dilatation_gradients import GradientConstants
 from bondem.io.older_bodies import with_corrected_normals
@@ -63,6 +64,11 @@ def with_former_law(
     return with_corrected_normals(body, boundary or [])
 
 
+def former_columns(records: np.ndarray) -> np.ndarray:
+    """Return records without the column of crushing, which the former loop did not have."""
+    return np.delete(records, CRUSHING, axis=1)
+
+
 class FormerLoop:
     """Numbers of the former loop for one case of a test.
 
@@ -92,6 +98,7 @@ class FormerLoop:
     def assert_records(self, within: float, records: np.ndarray, *, alike: slice = slice(1, 14)) -> None:
         """Assert that records differ by at most a share of the largest of their column, or of all alike columns."""
         within *= _AMPLIFIED
+        records = former_columns(records)
         former = self.numbers["records"]
         scale = np.array(former["size"])
         scale[alike] = scale[alike].max(initial=0.0)

@@ -12,7 +12,7 @@ from bondem.damage.event_columns import BROKEN_STEP
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.device_loop import DeviceLoop
 from bondem.dynamics.explicit import integrate
-from bondem.dynamics.history import FIXED_COLUMNS, FRACTURE, TRANSLATION, WORK
+from bondem.dynamics.history import FIXED_COLUMNS, RELEASED, TRANSLATION, WORK
 from bondem.dynamics.plan import Plan
 from bondem.interactions.cells.cell_tables import STRESS
 from tests.bits import assert_same_bits, assert_same_fracture, assert_same_run
@@ -124,8 +124,8 @@ def test_breakage_is_spread_over_bonds_and_steps(case: str) -> None:
     assert len(steps) - 5 >= len(np.unique(steps)) > 3
     assert (device.state.integrity > 0.0).any()
     records = device.history.records
-    total = records[:, TRANSLATION:WORK].sum(axis=1) + records[:, FRACTURE]
-    assert records[-1, FRACTURE] > 0.1 * total[0]
+    total = records[:, TRANSLATION:WORK].sum(axis=1) + records[:, RELEASED]
+    assert records[-1, RELEASED] > 0.1 * total[0]
     assert abs(total[-1] - total[0]) < 0.02 * total[0]
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from bondem.damage.crack_columns import ACTIVE, PARTED, RESTING, STATUS
 from bondem.dynamics.core_loop import CoreLoop
-from bondem.dynamics.history import FRACTURE
+from bondem.dynamics.history import RELEASED
 from tests.device_cracks import CASES
 from tests.device_runs import deviation
 from tests.device_sides import (
@@ -33,7 +33,7 @@ def test_a_device_agrees_with_the_cpu(case: str, record: Record) -> None:
     np.testing.assert_allclose(other.released, one.released, rtol=1e-12)
     assert len(one.cracks) > 20
     assert {ACTIVE, RESTING} <= set(one.cracks[:, STATUS])
-    assert cpu.history.records[-1, FRACTURE] > 0.0
+    assert cpu.history.records[-1, RELEASED] > 0.0
 
 
 def test_these_runs_have_all_that_happens_to_cracks() -> None:

@@ -6,7 +6,7 @@ import pytest
 import bondem as bd
 from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
-from bondem.dynamics.history import FRACTURE, TRANSLATION, TWISTING, WORK
+from bondem.dynamics.history import RELEASED, TRANSLATION, TWISTING, WORK
 from bondem.observables.cell_forces import CellForces
 from bondem.observables.energy import elastic_energy
 from tests.bits import assert_same_bits
@@ -66,7 +66,7 @@ def test_what_the_facets_release_is_what_the_body_loses():
     assert (run.state.broken[:, 5] > 0.0).all()
 
     def drift(records: np.ndarray) -> float:
-        total = records[:, TRANSLATION : TWISTING + 1].sum(axis=1) - records[:, WORK] + records[:, FRACTURE]
+        total = records[:, TRANSLATION : TWISTING + 1].sum(axis=1) - records[:, WORK] + records[:, RELEASED]
         return float(np.ptp(total) / total[0])
 
     assert drift(run.history.records) < 1.5 * drift(whole.history.records)

@@ -143,8 +143,8 @@ def test_two_cells_soften_along_a_straight_line_and_give_back_their_energy(one_t
     crack = moved - traction * 2.0 * size / E
     falling = (crack > 0.02 * opening) & (crack < 0.9 * opening)
     np.testing.assert_allclose(traction[falling], STRENGTH * (1.0 - crack[falling] / opening), atol=0.01 * STRENGTH)
-    assert run.history.energy["fracture"][-1] == pytest.approx(ENERGY * size**2, rel=2e-3)
-    assert run.events.energy.sum() == pytest.approx(run.history.energy["fracture"][-1], rel=1e-12)
+    assert run.history.released[-1] == pytest.approx(ENERGY * size**2, rel=2e-3)
+    assert run.events.energy.sum() == pytest.approx(run.history.released[-1], rel=1e-12)
     assert list(run.events.mode) == ["tension"]
     assert run.residual < 1e-5
 
@@ -167,9 +167,9 @@ def test_a_hinge_cracks_and_gives_back_its_energy(one_thread: None) -> None:
         damping=bd.MassDamping(alpha=2e4),
     )  # fmt: skip
     turned = speed * np.maximum(run.history.time - 0.5 * rise, 0.0)
-    begins = turned[np.flatnonzero(run.history.energy["fracture"] > 0.0)[0]]
+    begins = turned[np.flatnonzero(run.history.released > 0.0)[0]]
     assert begins == pytest.approx(np.sqrt(12.0) * STRENGTH / E, rel=0.02)
-    assert run.history.energy["fracture"][-1] == pytest.approx(ENERGY * size**2, rel=5e-3)
+    assert run.history.released[-1] == pytest.approx(ENERGY * size**2, rel=5e-3)
     assert list(run.events.mode) == ["tension"]
     assert run.residual < 1e-4
 

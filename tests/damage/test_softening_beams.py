@@ -50,7 +50,7 @@ def test_a_torn_beam_takes_up_its_fracture_energy(one_thread: None) -> None:
     first = FT * AREA / KN
     line = np.where(opened < first, KN * opened, FT * AREA * (last - opened) / (last - first)).clip(0.0)
     assert force == pytest.approx(line, abs=2e-2 * FT * AREA)
-    assert energy["fracture"][-1] == pytest.approx(G_F * AREA, rel=1e-3)
+    assert run.history.released[-1] == pytest.approx(G_F * AREA, rel=1e-3)
     assert np.abs(energy["balance"]).max() < 1e-4 * G_F * AREA
     assert len(run.events) == 1
     assert run.state.integrity[0] == 0.0
@@ -62,7 +62,7 @@ def test_a_sheared_beam_takes_up_that_of_shear(one_thread: None) -> None:
     dt = time_step(model, 0.2)
     run = bd.solve_explicit(model, duration=1e-3, dt=dt, every=1)
     energy = run.history.energy
-    assert energy["fracture"][-1] == pytest.approx(G_II * AREA, rel=1e-3)
+    assert run.history.released[-1] == pytest.approx(G_II * AREA, rel=1e-3)
     assert np.abs(energy["balance"]).max() < 1e-4 * G_II * AREA
     assert run.state.integrity[0] == 0.0
 
@@ -88,13 +88,13 @@ def test_a_mixed_mode_takes_up_what_the_linear_rule_says(one_thread: None) -> No
     model = pulled((1.0, 1.0), 5e-5)
     run = bd.solve_explicit(model, duration=1e-3, dt=time_step(model, 0.1), every=1)
     energy = run.history.energy
-    begun = np.flatnonzero(energy["fracture"] > 0.0)[0] - 1
+    begun = np.flatnonzero(run.history.released > 0.0)[0] - 1
     opening = energy["normal"][begun] + energy["bending"][begun]
     sliding = energy["shear"][begun] + energy["twisting"][begun]
     share = opening / (opening + sliding)
     assert 0.1 < share < 0.9
     expected = AREA / (share / G_F + (1.0 - share) / G_II)
-    assert energy["fracture"][-1] == pytest.approx(expected, rel=5e-3)
+    assert run.history.released[-1] == pytest.approx(expected, rel=5e-3)
     assert run.state.integrity[0] == 0.0
 
 
@@ -108,7 +108,7 @@ def test_unloaded_it_dissipates_nothing_and_presses_as_whole(one_thread: None) -
     gauges = {"grip": bd.Gauge(bd.Index([0]), "force", "sum")}
     dt = time_step(model, 0.2)
     history = bd.solve_explicit(model, duration=5e-3, dt=dt, every=1, gauges=gauges).history
-    t, lost = history.time, history.energy["fracture"]
+    t, lost = history.time, history.released
     torn = lost[np.searchsorted(t, 1e-3)]
     assert torn == pytest.approx((reach - first) / (last - first) * G_F * AREA, rel=2e-3)
     assert np.ptp(lost[t > 1.001e-3]) == 0.0
@@ -131,7 +131,7 @@ def test_energy_does_not_depend_on_the_steps_of_an_opening(steps: float, turning
         run = bd.solve_explicit(model, duration=(3.0 * steps + 6.0) * dt, dt=dt, every=1, state=state)
         energy, row = run.history.energy, run.state.softened[0]
         assert row[SOFT_SPENT] == pytest.approx(row[FIRST] * row[LAST], rel=5e-3)
-        assert energy["fracture"][-1] == pytest.approx(row[FIRST] * row[LAST], rel=5e-3)
+        assert run.history.released[-1] == pytest.approx(row[FIRST] * row[LAST], rel=5e-3)
         assert np.abs(energy["balance"]).max() < 1e-9 * energy["translation"][0]
         if turning == 0.0:
             assert row[SOFT_SPENT] == pytest.approx(G_F * AREA, rel=5e-3)

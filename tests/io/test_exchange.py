@@ -120,7 +120,7 @@ def test_cells_are_polyhedra_of_their_volume(body: bd.Lattice, tmp_path: Path) -
 
 
 def test_histories_are_tables_and_arrays() -> None:
-    records = np.random.default_rng(1).random((4, 20))
+    records = np.random.default_rng(1).random((4, 21))
     history = bd.History(records, ("end", "middle"))
     frame, data = history.to_pandas(), history.to_xarray()
     np.testing.assert_array_equal(frame.index, history.time)

@@ -14,7 +14,7 @@ import pytest
 
 import bondem as bd
 from bondem.dynamics.explicit import integrate
-from bondem.dynamics.history import FIXED_COLUMNS, FRACTURE, NON_LOCAL, PLASTIC
+from bondem.dynamics.history import CRUSHING, FIXED_COLUMNS, NON_LOCAL, PLASTIC, RELEASED
 from bondem.errors import RunFileError
 from bondem.io.codec import decode, encode
 from bondem.io.digest import fixed
@@ -28,8 +28,8 @@ DATA = Path(__file__).parent / "data"
 # What a schema did not have: arrays of the state, columns of the records.
 _SOFT = ("cracks", "plastic", "facet_force", "softened", "grips")
 MISSING = {
-    2: (("stress", "broken", "released", *_SOFT), (NON_LOCAL, FRACTURE, PLASTIC)),
-    3: (("broken", "released", *_SOFT), (FRACTURE, PLASTIC)),
+    2: (("stress", "broken", "released", *_SOFT), (NON_LOCAL, RELEASED, PLASTIC)),
+    3: (("broken", "released", *_SOFT), (RELEASED, PLASTIC)),
 }
 
 
@@ -54,6 +54,7 @@ def cut_at(step: int) -> type[RunFile]:
 def test_what_an_older_bondem_wrote_is_read(schema: int, tmp_path: Path) -> None:
     read = bd.read_run(file_of(schema, tmp_path))
     missing, columns = MISSING[schema]
+    missing, columns = (*missing, "crushed"), (*columns, CRUSHING)
     assert (read.state.step, read.state.time, read.state.stale) == (7, 7e-8, False)
     fresh = bd.State(read.model)
     for name in bd.State.ARRAYS:
@@ -83,21 +84,24 @@ def test_the_models_of_older_files_come_back(tmp_path: Path) -> None:
     assert body.lattice.cells.volume.sum() == pytest.approx(16e-9, rel=1e-9)
 
 
-def without_onsets(path: Path, schema: int) -> None:
-    """Take the steps of onset from a run file of today, which schemas before 10 did not have."""
+def without_additions_of_10(path: Path, schema: int) -> None:
+    """Take the steps of onset and crushing from a run file of today, which schemas before 10 did not have."""
     kept = bd.read_run(path)
+    history = bd.History(np.delete(kept.history.records, CRUSHING, axis=1), kept.history.gauges)
     for name in ("broken", "cracks", "softened"):
         setattr(kept.state, name, getattr(kept.state, name)[:, :-1])
     with h5py.File(path, "a") as file:
         for name in ("broken", "cracks", "softened"):
             del file[f"state/{name}"]
             file[f"state/{name}"] = getattr(kept.state, name)
-        file["state"].attrs["digest"] = fixed(_digest_of_state(kept.state, kept.history, schema))
+        del file["state/crushed"], file["history/records"]
+        file["history/records"] = history.records
+        file["state"].attrs["digest"] = fixed(_digest_of_state(kept.state, history, schema))
 
 
 def aged(path: Path, schema: int) -> None:
     """Make a run file of today one of an older schema: without what that one did not have."""
-    without_onsets(path, schema)
+    without_additions_of_10(path, schema)
     arrays, columns = MISSING.get(schema, (("grips",), ()))
     with h5py.File(path, "a") as file:
         file.attrs["schema"] = schema
@@ -142,7 +146,7 @@ def test_a_body_without_shares_goes_on_with_those_it_began_with(tmp_path: Path) 
     place, plan = tmp_path / "old.h5", bd.read_run(tmp_path / "whole.h5").plan
     with pytest.raises(EnoughError), cut_at(20)(place, model, plan) as sink:
         integrate(model, plan, sink=sink)
-    without_onsets(place, 8)
+    without_additions_of_10(place, 8)
     with h5py.File(place, "a") as file:
         file.attrs["schema"] = 8
         for name in ("facets/share_i", "facets/share_j", "cells/free/share", "cells/remainder"):

@@ -241,7 +241,7 @@ ELSEWHERE = {
     "set_threads",
     "ElementStress",
     "BondForces", "BrokenBonds", "ContactLaw", "Criterion", "Fragments", "AcousticEmission", "BValue", "CrackGrowth",
-    "CrackPolygons", "CrackSurfaces", "Patch", "Cracks", "Explanation", "ImpliedFracture",
+    "CrackPolygons", "CrackSurfaces", "Patch", "Cracks", "Explanation", "FractureEnergy", "ImpliedFracture",
     # whole tests to failure (`test_strength`)
     "labtests.direct_tension", "labtests.uniaxial_compression",
     # the same (`test_laboratory`)

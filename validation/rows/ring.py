@@ -141,6 +141,6 @@ class RingRun(Request):
             "chips": int((~whole).sum()), "chipped": float(pieces.mass[~whole].sum() / pieces.mass.sum()),
             "over": ring.circumference / len(mass) / ring.length, "formula": ring.size(self.rate) / ring.length,
             "slowed": self.rate * sqrt(float(np.interp(until, run.history.time, moving) / moving[0])),
-            "slowed_thin": slowed, "dissipated": float(energy["fracture"][-1]) / torn,
+            "slowed_thin": slowed, "dissipated": float(run.history.released[-1]) / torn,
             "mass": [float(f"{one:.4g}") for one in (mass / mass.mean()).tolist()],
         })  # fmt: skip

@@ -25,7 +25,7 @@ BONDEM_TABLE(StressBoundSamples, F(stress, "6 m"), F(bent, "m"), F(wide, ""), F(
 BONDEM_TABLE(StressesOfCells, F(volume, "n"), F(tensor, "n 8"), F(carried, "n 12"), F(pressed, "* n 6"))
 BONDEM_TABLE(YieldingCells, F(cone, ""), F(cohesion, "n"), F(slope, "n"), F(dilation, "n"), F(stiffness, "n"),
              F(fade, "n"), F(plastic, "n 17"), F(base_i, "3 m"), F(base_j, "3 m"), F(base_wall, "held 3"))
-BONDEM_TABLE(FacetStrengths, F(area, "m"), F(strength, "m"), F(brittleness, "m"), F(part, "m"), F(fastest, "m"),
+BONDEM_TABLE(FacetStrengths, F(area, "m"), F(strength, "m"), F(absorbed, "m"), F(brittleness, "m"), F(part, "m"), F(fastest, "m"),
              F(friction, "m"), F(plane, "m"), F(cohesion, "m"), F(slip_brittleness, "m"), F(planes, "*"), F(kink, ""),
              F(steep, ""), F(hot, ""))
 BONDEM_TABLE(CrackOnset, F(cracked, "n"), F(judged, "n"), F(marked, "m"), F(listed, "m"), F(found, "bond_portions+1"))
@@ -73,6 +73,6 @@ BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_
         S(serial, leave_cracks), S(serial, relax_stale_cells), S(serial, load_cracks), S(serial, log_cracks), \
         S(elements_of_blocks, add_crack_loads), S(of_elements, sum_stressed_dilatation),                      \
         S(of_elements, sum_heat), S(serial, sum_crack_energies), S(serial, add_crack_energies),                   \
-        S(serial, write_heat), S(serial, touch_parted_faces)
+        S(serial, write_heat), S(serial, write_crushing_of_facets), S(serial, touch_parted_faces)
 
 }  // namespace bondem

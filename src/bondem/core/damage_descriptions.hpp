@@ -14,7 +14,7 @@ BONDEM_TABLE(FailureBounds, F(limit, "m"), F(of_force, ""), F(of_moment, ""))
 BONDEM_TABLE(Strengths, F(coefficient, "bonds 4"), F(station, "bonds"))
 BONDEM_TABLE(Candidates, F(begin, "blocks+1"), F(marked, "bonds"), F(mode, "bonds"), F(count, "blocks"), F(any, "1"))
 BONDEM_TABLE(Postponed, F(held, "n"), F(element, "n"), F(row, "n"), F(first_row, ""), F(kept, "n 8"))
-BONDEM_TABLE(EventLog, F(event, "bonds 10"), F(written, "2"), F(released, "1"))
+BONDEM_TABLE(EventLog, F(event, "bonds 10"), F(written, "2"), F(released, "1"), F(crushed, "1"))
 BONDEM_TABLE(BeamIntegrity, F(integrity, "m"), F(hold, "*"))
 BONDEM_TABLE(SofteningBounds, F(limit, "m"), F(of_force, ""), F(of_moment, ""), F(coefficient, "bonds 4"),
              F(station, "bonds"), F(tear, "bonds"), F(slide, "bonds"), F(integrity, "m"), F(hold, "*"), F(press, "m"),
@@ -42,7 +42,7 @@ BONDEM_TABLE(StressFunction, F(address, ""), F(parameter, "parameters"))
         S(bonds_of_blocks, add_marked_alike_beam_loads), S(serial, withdraw_dashpots), S(serial, break_beams),        \
         S(serial, index_candidates_by_mean_stress), S(serial, index_candidates_by_cone),                              \
         S(serial, index_candidates_by_function), S(of_bonds, soften_beams), S(serial, log_softened_beams),            \
-        S(serial, begin_softening), S(of_bonds, sum_pressed_energies)
+        S(serial, begin_softening), S(of_bonds, sum_pressed_energies), S(serial, write_crushing_of_beams)
 #define BONDEM_INDEX_OF_BEAMS(_, name, Criterion) P(index_beams_by_##name, ""),
 #define BONDEM_DAMAGE_INDICES                                                           \
     BONDEM_BEAM_CRITERIA(BONDEM_INDEX_OF_BEAMS, ) P(index_stresses_by_mean_stress, ""), \

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Ints, Mask, PerBond, PerElement
+from bondem._types import Floats, Ints, Mask, PerBond, PerElement
 from bondem.damage.cohesive_softening import SNAP, Softening, StressIndex
+from bondem.damage.crack_columns import FACET, ONSET
 from bondem.damage.failure_assignment import FailurePart
 from bondem.errors import InputError
 from bondem.interactions.cells.cell_body import body_of
@@ -69,6 +70,8 @@ class SofteningTable:
 
     Attributes:
         strength: f_t of each facet [Pa], (m,).
+        absorbed: energy that a facet absorbs as it fractures: G_f A, of a plane that slips the larger of G_f A and
+            G_II A; inf for brittle facets [J], (m,).
         last: k u / A at the last opening [Pa], 0 for brittle facets, (m,).
         kink, steep: parameters of the softening curve (`core/laws/softening.hpp`) [-].
         area: areas [m²], (m,).
@@ -86,6 +89,7 @@ class SofteningTable:
     """
 
     strength: PerBond
+    absorbed: PerBond
     last: PerBond
     kink: float
     steep: float
@@ -100,6 +104,14 @@ class SofteningTable:
     cohesion: PerBond
     last_slip: PerBond
     slip: SlipTable | None
+
+    def absorbed_by(self, cracks: Floats) -> Floats:
+        """Return the energy that facets absorb as they fracture, 0 of those of cells without cohesion [J].
+
+        Args:
+            cracks: rows of the facets (`bondem.damage.crack_columns`), (c, 14).
+        """
+        return np.where(cracks[:, ONSET] > 0.0, self.absorbed[cracks[:, FACET].astype(np.int64)], 0.0)
 
     @classmethod
     def of(
@@ -125,7 +137,7 @@ class SofteningTable:
         area = facets.area[order]
         strength, last, friction = np.full(len(area), np.inf), np.zeros(len(area)), np.zeros(len(area))
         plane = np.zeros(len(area), dtype=bool)
-        cohesion, last_slip = np.full(len(area), np.inf), np.full(len(area), np.inf)
+        cohesion, last_slip, absorbed = np.full((3, len(area)), np.inf)
         back = np.empty_like(order)
         back[order] = np.arange(len(order))
         for part in parts:
@@ -140,6 +152,8 @@ class SofteningTable:
                 cohesion[own] = soft.slip.cohesion * factor
                 last_slip[own] = _last_slip(cells.k[own] / area[own], cohesion[own], soft.slip.fracture_energy)
             if soft.fracture_energy > 0.0:
+                slipping = soft.slip.fracture_energy if part.plane and soft.slip is not None else 0.0
+                absorbed[own] = max(soft.fracture_energy, slipping) * area[own]
                 require_short(facets.span[part.bonds], _modulus(cells, layout.i[own]), soft)
                 # the last opening, as the traction that it takes from a whole facet
                 end = cells.k[own] / area[own] * soft.last * soft.fracture_energy / strength[own]
@@ -149,7 +163,7 @@ class SofteningTable:
         soft_i, soft_j = depth / cells.G[layout.i], other / cells.G[layout.j]
         least = float(strength[~plane].min(initial=max(soft.tension for soft in materials)))
         return cls(
-            strength=strength, last=last, kink=softening.kink, steep=softening.steep, area=area,
+            strength=strength, absorbed=absorbed, last=last, kink=softening.kink, steep=softening.steep, area=area,
             part=soft_i / (soft_i + soft_j), hot=(_MARGIN if surface is None else _WIDER) * least,
             judge=surface,
             least=0.0 if surface is None else _NEARER * surface.nearest(), tension=softening.tension,

@@ -62,6 +62,7 @@ class FacetStrengths(NamedTuple):
 
     area: Floats  #: [m²]
     strength: Floats  #: f_t [Pa]
+    absorbed: Floats  #: G_f A [J], inf of brittle facets
     brittleness: Floats  #: 1 over the traction k u / A of the last opening [1/Pa]
     part: Floats  #: part of cell i in the compliance
     fastest: Floats  #: largest loss of integrity in a step of facets that break at once
@@ -207,8 +208,8 @@ def facet_strengths(table: SofteningTable, fastest: Floats) -> FacetStrengths:
     with np.errstate(divide="ignore"):
         brittleness, slip = 1.0 / table.last, 1.0 / table.last_slip
     columns = (
-        table.area, table.strength, brittleness, table.part, fastest, table.friction, table.plane.astype(float),
-        table.cohesion, slip,
+        table.area, table.strength, table.absorbed, brittleness, table.part, fastest, table.friction,
+        table.plane.astype(float), table.cohesion, slip,
     )  # fmt: skip
     names = FacetStrengths._fields[: len(columns)]
     filled = dict(zip(names, map(np.ascontiguousarray, map(with_zeros, columns)), strict=True))

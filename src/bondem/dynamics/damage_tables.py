@@ -8,6 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from bondem._types import Floats, Ints
+from bondem.damage.event_columns import BROKEN_COLUMNS
+from bondem.model.state import State
 
 
 class FailureBounds(NamedTuple):
@@ -44,6 +46,13 @@ class EventLog(NamedTuple):
     event: Floats  #: columns `BROKEN_…` of `bondem.damage.event_columns`, (m, 10)
     written: Ints  #: number of events, and of those before the present step, (2,)
     released: Floats  #: energy released since the start of the run [J], (1,)
+    crushed: Floats  #: what bonds had released before it beyond their fracture energy [J], (1,)
+
+    @classmethod
+    def of(cls, state: State) -> "EventLog":
+        """Return an empty log of a run from a state."""
+        room = np.empty((len(state.integrity), BROKEN_COLUMNS))
+        return cls(room, np.zeros(2, dtype=np.int64), state.released, state.crushed)
 
 
 class BeamIntegrity(NamedTuple):

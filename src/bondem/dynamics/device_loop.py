@@ -37,8 +37,8 @@ BEYOND = 1000.0
 # Steps of a graph at most.
 _RECORDED = 64
 # Columns of a record, of those of the device.
-_COLUMNS = [(1, 0), (2, 1), (3, 4), (4, 5), (5, 6), (6, 7), (7, 13), (8, 11), (8, 17), (9, 2), (10, 3), (11, 14),
-            (12, 15), (13, 16)]  # fmt: skip
+_COLUMNS = [(1, 0), (2, 1), (3, 4), (4, 5), (5, 6), (6, 7), (7, 13), (8, 11), (8, 18), (9, 2), (10, 3), (11, 14),
+            (12, 15), (13, 16), (14, 17)]  # fmt: skip
 _WIDE, _LOST, _SICK, _SUPPLIED = (SUM_COLUMNS.index(name) for name in ("wide", "lost", "not_finite", "supplied"))
 # Column of walls that is their work on the elements.
 _WALL_WORK = 12

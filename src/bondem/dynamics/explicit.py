@@ -19,6 +19,7 @@ from bondem.dynamics.strain_gauges import StrainGauges
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.observables.fracture_energy import fracture_energies
 
 # Steps in one call of the core at most, so that progress and interrupts are not far away, and between copies of a
 # state that is good: copying costs about as much as two steps.
@@ -166,10 +167,16 @@ def integrate(
     if sink is not None and status is not Status.UNSTABLE:
         sink.checkpoint(state, history)
     return ExplicitResult(
-        status=status, iterations=state.step, residual=history.imbalance,
-        state=state, history=history, dt=dt, message=message + turned + warning,
+        status=status, iterations=state.step, residual=history.imbalance, state=state, history=history, dt=dt,
+        message=message + _fractured(state) + turned + warning,
         quasistatic=measured(model, plan, history, state),
     )  # fmt: skip
+
+
+def _fractured(state: State) -> str:
+    """Return what broken facets have dissipated over the fracture energy of their area, for the message of a run."""
+    ratios = ", ".join(f"{one.ratio:.3g}" for one in fracture_energies(state) if one.ratio == one.ratio)
+    return ratios and f"; broken area dissipated {ratios} G_f"
 
 
 def _pulse(before: Pulse | None, state: State, total: int, rate: float, since: History) -> Pulse:

@@ -12,10 +12,10 @@ from bondem.errors import InputError
 # Columns of a record before the gauges.
 (
     TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, CONTACT, WORK, LOSS, FRICTION, NON_LOCAL,
-    FRACTURE, PLASTIC, FIXED_COLUMNS,
-) = range(15)  # fmt: skip
+    RELEASED, PLASTIC, CRUSHING, FIXED_COLUMNS,
+) = range(16)  # fmt: skip
 _STORED = ("translation", "rotation", "normal", "shear", "bending", "twisting", "contact")
-_ENERGIES = (*_STORED, "work", "loss", "friction", "non-local work", "fracture", "plastic")
+_ENERGIES = (*_STORED, "work", "loss", "friction", "non-local work", "released", "plastic", "crushing")
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,7 +23,7 @@ class History:
     """Records of a run over time; `history["name"]` returns the records of a gauge, (s, 3).
 
     Attributes:
-        records: columns time [s], thirteen energies [J], three components per gauge, shape (s, 14 + 3 g). The last
+        records: columns time [s], fourteen energies [J], three components per gauge, shape (s, 15 + 3 g). The last
             row is the end of the run, which may be less than `every` steps after the one before.
         gauges: names of the gauges, in the order of their columns.
     """
@@ -37,7 +37,7 @@ class History:
         return cls(np.zeros((0, FIXED_COLUMNS + 3 * len(gauges))), gauges)
 
     def extended(self, records: Floats) -> "History":
-        """Return a history with further rows of `records`, (s, 14 + 3 g), appended."""
+        """Return a history with further rows of `records`, (s, 15 + 3 g), appended."""
         return History(np.concatenate([self.records, records]), self.gauges)
 
     def __len__(self) -> int:
@@ -61,19 +61,31 @@ class History:
 
         Its entries are the kinetic energies "translation" and "rotation"; the elastic energies "normal", "shear",
         "bending", "twisting" and that of "contact"; the "work" of loads, drives and walls; the "loss" to damping and
-        dashpots; the loss to "friction"; and four more:
+        dashpots; the loss to "friction" of contacts, walls and closed cracks; and five more:
 
         - "non-local work": work of the extra forces of `NonLocal`, which have no potential;
-        - "fracture": energy that bonds and facets released as they broke or softened;
+        - "fracture": energy that bonds and facets released as they broke or softened, of each that has a fracture
+          energy up to that, G_f times its own area;
+        - "crushing": energy that they released beyond it, and all that facets of cells without cohesion released:
+          stored energy for which there was no more surface;
         - "plastic": energy that cells dissipated as they yielded;
-        - "balance": kinetic + elastic + loss + friction + non-local work + fracture + plastic - work, less its value
-          in the first record. It should be zero.
+        - "balance": kinetic + elastic + loss + friction + non-local work + fracture + crushing + plastic - work, less
+          its value in the first record. It should be zero.
+
+        Bonds and facets without a fracture energy release what they store as "fracture". Records of run files before
+        schema 10 have all of it there. See docs/decisions/0049-kinds-of-loss.md.
         """
         ledger = {name: self.records[:, 1 + k] for k, name in enumerate(_ENERGIES)}
+        released, crushing = ledger.pop("released"), ledger.pop("crushing")
         held = sum(ledger[name] for name in _STORED) - ledger["work"]
-        held = held + ledger["loss"] + ledger["friction"] + ledger["non-local work"] + ledger["fracture"]
+        held = held + ledger["loss"] + ledger["friction"] + ledger["non-local work"] + released
         held = held + ledger["plastic"]
-        return ledger | {"balance": held - held[:1]}
+        return ledger | {"fracture": released - crushing, "crushing": crushing, "balance": held - held[:1]}
+
+    @property
+    def released(self) -> Floats:
+        """Energy that bonds and facets have released, "fracture" and "crushing" together [J], shape (s,)."""
+        return self.records[:, RELEASED]
 
     @property
     def parts(self) -> dict[str, Floats]:
@@ -83,7 +95,7 @@ class History:
             "work": energy["work"],
             "elastic": sum((energy[name] for name in _STORED[2:]), np.zeros(len(self))),
             "kinetic": energy["translation"] + energy["rotation"],
-            "fracture": energy["fracture"], "plastic": energy["plastic"], "friction": energy["friction"],
+            **{name: energy[name] for name in ("fracture", "crushing", "plastic", "friction")},
             "damping": energy["loss"],
         }  # fmt: skip
 
@@ -131,7 +143,7 @@ class GrowingHistory:
         self._rows, self._count, self._gauges = history.records, len(history), history.gauges
 
     def append(self, records: Floats) -> None:
-        """Append rows with the columns of the history, (s, 14 + 3 g)."""
+        """Append rows with the columns of the history, (s, 15 + 3 g)."""
         count = self._count + len(records)
         if count > len(self._rows):
             larger = np.zeros((max(count, 2 * len(self._rows)), self._rows.shape[1]))

@@ -7,6 +7,7 @@ import numpy as np
 from bondem._types import Floats, Ints
 from bondem.geometry.rotations import turned_vectors
 from bondem.model.state import State
+from bondem.observables.fracture_energy import areas_of
 from bondem.specimen.lattice import Lattice
 
 
@@ -37,12 +38,13 @@ def faces_of(lattice: Lattice, state: State, chosen: Ints) -> Faces:
     """Return the faces of some facets, by their user's numbers."""
     i, j = lattice.pairs[chosen].T
     branch = lattice.branch[chosen]
+    area = areas_of(lattice, state.model.stiffness)[chosen]
     if lattice.facets is not None:
-        area, straight = lattice.facets.area[chosen], lattice.facets.normal[chosen]
+        straight = lattice.facets.normal[chosen]
         arm = lattice.facets.centroid[chosen] - lattice.centre[i]
     else:
         stiffness = state.model.stiffness
-        area, straight = np.pi * stiffness.radius[chosen] ** 2, branch / lattice.length[chosen, None]
+        straight = branch / lattice.length[chosen, None]
         arm = stiffness.lever[chosen, None] * straight
     on_i, gap = moved_points(lattice, state, chosen, lattice.centre[i] + arm)
     q = state.orientation

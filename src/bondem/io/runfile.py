@@ -5,7 +5,7 @@
     /bonds           pairs (m, 2)
     /facets, /cells  of a body, see `bondem.io.bodies`
     /state           the arrays of `State` in internal order; attributes step, time [s], stale, seconds, digest
-    /history         records (s, 14 + 3 g); attribute gauges
+    /history         records (s, 15 + 3 g); attribute gauges
     /VTKHDF          snapshots for ParaView, where there are any, see `bondem.io.snapshots`
 
 Derived data (order, stiffnesses) are not stored but computed again by the same code. The file grows by commits of
@@ -31,7 +31,7 @@ import numpy as np
 from bondem import __version__
 from bondem._checks import instance, place, require_file
 from bondem.damage.criteria.criterion import Criterion
-from bondem.dynamics.history import FRACTURE, NON_LOCAL, PLASTIC, History
+from bondem.dynamics.history import CRUSHING, NON_LOCAL, PLASTIC, RELEASED, History
 from bondem.dynamics.plan import Plan
 from bondem.errors import RunFileError
 from bondem.io.atomic import require_writable
@@ -55,13 +55,16 @@ SCHEMA = 10
 # on criteria of failure and what broke; from 5 on cracks that soften and cells that yield; from 6 on soft beams; from
 # 7 on digests, snapshots and provenance; from 8 on walls of cells that come from where a stage before left them,
 # and cracks judged by the strength of their facet; from 9 on shares of the facets of cells; from 10
-# on steps of onset.
+# on steps of onset, and crushing.
 _OLDEST, _DIGESTED, _SHARED = 2, 7, 9
 # Schema from which on an array of the state is there.
 _SINCE = {
     "stress": 3, "broken": 4, "released": 4, "cracks": 5, "plastic": 5, "facet_force": 5, "softened": 6, "grips": 8,
+    "crushed": 10,
 }  # fmt: skip
 KIND = Kind("a run file of bondem", "give a file of a run", "start the run again", RunFileError)
+# Schema from which on a column of the records is there.
+_COLUMN_SINCE = {NON_LOCAL: 3, RELEASED: 4, PLASTIC: 5, CRUSHING: 10}
 # What does not change while a run goes on.
 _STATIC = ("plan", "model", "provenance", "elements", "bonds", "facets", "cells")
 _CHUNK = 1 << 20
@@ -353,16 +356,14 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
         setattr(state, name, values)
     kept = _attributes(file["state"])
     state.step, state.time, state.stale = int(kept["step"]), float(kept["time"]), bool(kept["stale"])
-    records = array_at(file, "history/records")
-    if schema < 3:
-        records = np.insert(records, NON_LOCAL, 0.0, axis=1)
-    if schema < 4:
-        records = np.insert(records, FRACTURE, 0.0, axis=1)
-    if schema < 5:
-        records = np.insert(records, PLASTIC, 0.0, axis=1)
-    history = History(records, tuple(json.loads(_attributes(file["history"])["gauges"])))
+    history = History(array_at(file, "history/records"), tuple(json.loads(_attributes(file["history"])["gauges"])))
     if schema >= _DIGESTED and not agree(_digest_of_state(state, history, schema), kept["digest"]):
         raise ValueError("the digest of its state does not match")
+    records = history.records
+    for column, since in _COLUMN_SINCE.items():
+        if schema < since:
+            records = np.insert(records, column, 0.0, axis=1)
+    history = History(records, history.gauges)
     brought_up(model, state, schema)
     return Checkpoint(
         model, decode(_json(file, "plan")), state, history, float(kept.get("seconds", 0.0)), schema

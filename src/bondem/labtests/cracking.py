@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from bondem._names import users_line
+from bondem.dynamics.history import History
 from bondem.errors import FractureEnergyWarning
 from bondem.fracture.cracks import Cracks, cracks
 from bondem.fracture.fragments import Fragments, fragments
@@ -23,6 +24,12 @@ FEW = 10
 _SEVERAL = 1.5
 
 
+def dissipated_in(history: History) -> tuple[float, float, float]:
+    """Return the energies of a run that `Cracking` takes: dissipated by facets, slipped by cells, crushed [J]."""
+    fracture, crushed, slipped = (float(history.energy[name][-1]) for name in ("fracture", "crushing", "plastic"))
+    return fracture + crushed, slipped, crushed
+
+
 @dataclass(frozen=True, eq=False)
 class Cracking:
     """Cracks and pieces of a specimen after a test to failure, and the energy that they took.
@@ -31,12 +38,13 @@ class Cracking:
         body: lattice of the specimen.
         state: state of the broken specimen.
         integrity: largest integrity of a facet that counts as cracked [-].
-        dissipated: energy dissipated by facets until the end of the test [J].
+        dissipated: energy dissipated by facets until the end of the test, crushing included [J].
         slipped: energy dissipated by yielding cells until the end of the test [J].
         stored: elastic energy of the specimen at its peak [J].
         fracture_energy: fracture energy G_f of the material, of the matrix for materials by region [J/m²].
         section: area that a single crack has to cross [m²]; NaN for a test in compression, which has no such section.
         axis: normal of that section, 0, 1 or 2.
+        crushed: energy of `dissipated` that facets released beyond G_f times their area, or without cohesion [J].
     """
 
     body: Lattice
@@ -48,6 +56,7 @@ class Cracking:
     fracture_energy: float
     section: float = math.nan
     axis: int = 0
+    crushed: float = 0.0
 
     @cached_property
     def found(self) -> Cracks:
@@ -159,7 +168,8 @@ class Cracking:
         return {
             "mode": self.mode, "pieces": self.pieces, "crumbs": self.crumbs, "cracks": self.count,
             "crack_area": self.surface, "crack_area_on_section": self.projected, "section": self.section,
-            "fracture_energy": self.fracture_energy, "dissipated": self.dissipated, "slipped": self.slipped,
+            "fracture_energy": self.fracture_energy, "dissipated": self.dissipated,
+            "crushed": self.crushed, "slipped": self.slipped,
             "dissipated_per_crack_area": self.per_crack_area, "dissipated_per_section": self.per_section,
             "stored_at_peak": self.stored, "stored_over_one_crack": self.stored_ratio,
             "single_crack": self.single if self.sectioned else None,

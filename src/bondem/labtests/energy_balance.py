@@ -10,16 +10,16 @@ from bondem.labtests.splitting import BrazilianTest
 
 AnyTest = StrengthTest | BrazilianTest | TriaxialTest | BendingTest
 #: Parts of the energy balance, in the order of their areas in figures.
-PARTS = ("elastic", "kinetic", "fracture", "plastic", "friction", "damping")
+PARTS = ("elastic", "kinetic", "fracture", "crushing", "plastic", "friction", "damping")
 
 
 def energy_ledger(test: AnyTest) -> dict[str, Floats]:
     """Compute the energies at each point of the curve of a test [J], (k,) each.
 
     The keys are those of `PARTS`, "work" of the load and "balance", the sum of the parts less the work, which should
-    vanish. A bending test has no inertia: "fracture" is the dissipation of its events, and "kinetic", "plastic",
-    "friction" and "damping" are zero. Its "work" and "elastic" are computed with the motion of the loaded cells,
-    whose mean position is not quite the line of the load. The difference is 1.5 % of the work in 200 cells.
+    vanish. A bending test has no inertia: "fracture" is the dissipation of its events, and "kinetic", "crushing",
+    "plastic", "friction" and "damping" are zero. Its "work" and "elastic" are computed with the motion of the loaded
+    cells, whose mean position is not quite the line of the load. The difference is 1.5 % of the work in 200 cells.
     """
     found = _of_path(test) if isinstance(test, BendingTest) else _of_run(test)
     balance = np.sum([found[name] for name in PARTS], axis=0) - found["work"]

@@ -18,7 +18,7 @@ from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.ball import BrokenBall
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.confined import triaxial
-from bondem.labtests.cracking import Cracking
+from bondem.labtests.cracking import Cracking, dissipated_in
 from bondem.labtests.crushing import SphereCrushing, sphere_crushing
 from bondem.labtests.energy_balance import AnyTest, energy_ledger
 from bondem.labtests.failure_record import Curve, FailureTest, TestFigure, TestOption
@@ -73,7 +73,7 @@ def _thrown(test: SphereImpact) -> dict[str, float | None]:
     moving = energy["translation"] + energy["rotation"]
     return {
         "kinetic energy before [J]": float(moving[0]), "kinetic energy after [J]": float(moving[-1]),
-        "dissipated by facets [J]": float(energy["fracture"][-1]), "friction [J]": float(energy["friction"][-1]),
+        **{f"{name} [J]": float(energy[name][-1]) for name in ("fracture", "crushing", "friction")},
         "largest force [N]": test.peak, "restitution [-]": test.restitution, **_pieces(test.broken),
         "momentum error [%]": 100.0 * test.momentum, "energy error [%]": 100.0 * test.residual,
     }  # fmt: skip
@@ -90,9 +90,10 @@ def _parted(result: Any, body: Lattice, fracture_energy: float) -> Cracking:
     """Cracks of an explicit run whose pieces fly apart: only facets that have broken count."""
     energy = result.run.history.energy
     elastic = np.sum([energy[name] for name in ("normal", "shear", "bending", "twisting")], axis=0)
+    dissipated, slipped, crushed = dissipated_in(result.run.history)
     return Cracking(
-        body=body, state=result.state, integrity=0.0, dissipated=float(energy["fracture"][-1]),
-        slipped=float(energy["plastic"][-1]), stored=float(elastic.max()), fracture_energy=fracture_energy,
+        body=body, state=result.state, integrity=0.0, dissipated=dissipated, slipped=slipped, crushed=crushed,
+        stored=float(elastic.max()), fracture_energy=fracture_energy,
     )  # fmt: skip
 
 

@@ -25,7 +25,7 @@ from bondem.errors import InputError
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.arguments import check
-from bondem.labtests.cracking import CRACKED, Cracking
+from bondem.labtests.cracking import CRACKED, Cracking, dissipated_in
 from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -271,9 +271,10 @@ def _read(run: ExplicitResult, body: Lattice, rig: Rig, speed: float, begin: flo
     kinetic = energy["translation"] + energy["rotation"]
     elastic = energy["normal"] + energy["shear"] + energy["bending"] + energy["twisting"]
     both = np.abs(history["far"][:, rig.axis] + history["near"][:, rig.axis])[: top + 1] / rig.section
+    dissipated, slipped, crushed = dissipated_in(history)
     cracking = Cracking(
-        body=body, state=run.state, integrity=CRACKED, dissipated=float(energy["fracture"][-1]),
-        slipped=float(energy["plastic"][-1]), stored=float(elastic[top]), fracture_energy=G,
+        body=body, state=run.state, integrity=CRACKED, dissipated=dissipated, slipped=slipped, crushed=crushed,
+        stored=float(elastic[top]), fracture_energy=G,
         section=rig.torn if rig.sign > 0.0 else math.nan, axis=rig.axis,
     )  # fmt: skip
     return StrengthTest(

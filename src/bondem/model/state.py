@@ -13,6 +13,7 @@ from bondem.boundary.wall_columns import WALL_COLUMNS, WALL_FORCE, WALL_WORK
 from bondem.boundary.wall_constraints import reference_base
 from bondem.boundary.walls import Wall
 from bondem.damage.crack_columns import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT, ONSET_STEP, PLASTIC_COLUMNS
+from bondem.damage.crushing import crushing_of
 from bondem.damage.event_columns import BROKEN_COLUMNS, SOFT_COLUMNS, SOFT_ONSET
 from bondem.errors import InputError
 from bondem.interactions.non_local.non_local_constants import NON_LOCAL_ROWS, NON_LOCAL_WORK
@@ -62,6 +63,7 @@ class State:
     - `walls`: positions, velocities and loads of the walls (`bondem.boundary.wall_columns`), shape (w, 14).
     - `broken`: breakages in order of time (`bondem.damage.event_columns`), shape (e, 10).
     - `released`: energy that breaking bonds have released since the start [J], shape (1,).
+    - `crushed`: energy that they had released before it beyond their fracture energy [J], shape (1,).
     - `cracks`: facets that have begun to crack, in order of time (`bondem.damage.crack_columns`), shape (c, 14).
     - `plastic`: plastic strain of cells (`bondem.damage.crack_columns`), (n, 17), or (0, 17) if none can yield.
     - `softened`: beams that have begun to soften, in order of time (`bondem.damage.event_columns`), shape (c, 7).
@@ -102,21 +104,19 @@ class State:
         self.walls = np.zeros((len(model.walls), WALL_COLUMNS))
         set_off(self.walls, (), model.walls)
         self.broken = np.zeros((0, BROKEN_COLUMNS))
-        self.released = np.zeros(1)
+        self.released, self.crushed = np.zeros((2, 1))
         soft = model.softening
         self.cracks = np.zeros((0, CRACK_COLUMNS))
         self.plastic = np.zeros((n if soft is not None and soft.slip is not None else 0, PLASTIC_COLUMNS))
         self.facet_force = np.zeros((3, 0 if soft is None else m))
         self.softened = np.zeros((0, SOFT_COLUMNS))
         self.grips = reference_base(0 if model.cells is None else len(model.cells.grips.cell))
-        self.step = 0
-        self.time = 0.0
-        self.stale = True
+        self.step, self.time, self.stale = 0, 0.0, True
 
     ARRAYS = (
         "pose", "motion", "acceleration", "integrity", "history", "stress", "eigenstrain", "reaction", "work", "loss",
         "touching", "stretch", "wall_touching", "wall_stretch", "walls", "broken", "released",
-        "cracks", "plastic", "facet_force", "softened", "grips",
+        "crushed", "cracks", "plastic", "facet_force", "softened", "grips",
     )  # fmt: skip
 
     # Those with as many rows as there are contacts, or broken bonds.
@@ -154,11 +154,10 @@ class State:
     def begin(self, model: Origin) -> None:
         """Make this the initial state of a new run of `model`.
 
-        The model has the same elements and bonds, under these or other conditions.
-        Time, motion and bonds continue; steps, work and losses are counted from here. Boundary conditions, contacts
-        and walls may differ. A wall that existed before stays at its current place; a new wall is where it is
-        defined. The stiffness of bonds of the total formulation may differ too, because their forces follow from the
-        poses.
+        The model has the same elements and bonds, under these or other conditions. Time, motion and bonds continue;
+        steps, work and losses are counted from here. Boundary conditions, contacts and walls may differ. A wall that
+        existed before stays at its current place; a new wall is where it is defined. The stiffness of bonds of the
+        total formulation may differ too, because their forces follow from the poses.
 
         Raises:
             InputError: The state belongs to a model with other elements, masses or bonds.
@@ -204,6 +203,7 @@ class State:
         self.plastic[:, HEAT] = 0.0
         for rows, column in ((self.cracks, ONSET_STEP), (self.softened, SOFT_ONSET)):
             rows[:, column] -= self.step  # steps count from here on
+        self.crushed = crushing_of(soft, model.beam_softening, self.cracks, self.softened)
 
     def _take_walls(self, walls: Sequence[Wall]) -> list[Wall | None]:
         """Carry over displacement and contacts of walls of the same definition; return the previous wall of each."""

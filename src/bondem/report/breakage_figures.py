@@ -14,10 +14,10 @@ from bondem.report.crack_pictures import draw_cracks, draw_fragments
 from bondem.report.findings import Examined
 from bondem.report.numbers import area, many, pieces_and_crumbs, with_unit
 from bondem.report.strength_figures import arranged, broken_in, magnified, panels, reach_of, view_of
-from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, legend_columns, sheet
+from bondem.report.style import AMBER, BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, legend_columns, sheet
 from bondem.specimen.lattice import Lattice
 
-_COLOURS = dict(zip(PARTS, (BLUE, GREY, ORANGE, PURPLE, GREEN, PALE), strict=True))
+_COLOURS = dict(zip(PARTS, (BLUE, GREY, ORANGE, AMBER, PURPLE, GREEN, PALE), strict=True))
 
 
 def draw_pieces(path: Path, specimen: Examined) -> None:

@@ -21,6 +21,7 @@ GREY = "#8a96a3"
 PALE = "#e4e9ee"
 BLUE = "#0b6fa4"
 ORANGE = "#d55e00"
+AMBER = "#e0a30b"
 GREEN = "#00896b"
 PURPLE = "#8a5a9c"
 #: Two-sided colour scale about a neutral value.

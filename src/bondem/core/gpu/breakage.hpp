@@ -211,7 +211,7 @@ inline void end_all_failures(Index, const Candidates &candidates) {
     if (any_fails(candidates)) end_failures(candidates);
 }
 inline void write_released_energy(Index, const DeviceSpan &span, const EventLog &log, const HistoryRows &history) {
-    history.record(clock_of(span).record, of_fracture) = log.released(0);
+    history.record(clock_of(span).record, of_release) = log.released(0);
 }
 
 }  // namespace bondem

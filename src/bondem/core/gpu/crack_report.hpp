@@ -32,5 +32,19 @@ inline void write_energy_of_yielding(Index, const DeviceSpan &span, const CrackE
     for (Index q = 0; q < found.heat.size(); q++) heat += found.heat(q);
     history.record(clock_of(span).record, of_plasticity) = heat;
 }
+inline void sum_portion_of_crushing(Index b, const DeviceSpan &span, const FacetStrengths &strengths,
+                                    const CohesiveCracks &cracks, const CrushingPortions &found) {
+    const Index last = least((b + 1) * bonds_of_portion, span.m);
+    double sum = 0.0;
+    for (Index k = b * bonds_of_portion; k < last; k++)
+        if (cracks.listed(k) != 0) sum += crushed_by_facet(strengths, cracks, k);
+    found.energy(b) = sum;
+}
+inline void write_all_crushing_of_facets(Index, const DeviceSpan &span, const CrushingPortions &found, const EventLog &log,
+                                         const HistoryRows &history) {
+    double sum = 0.0;
+    for (Index b = 0; b < found.energy.size(); b++) sum += found.energy(b);
+    history.record(clock_of(span).record, of_crushing) = sum - log.crushed(0);
+}
 
 }  // namespace bondem

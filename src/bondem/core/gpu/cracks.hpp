@@ -165,6 +165,7 @@ inline void part_crack(Index k, const Moving &all, const ElasticFacets &facets, 
         return stiffness_without(all, lists, weight, p, half, [&](Index h) { return left_before((h - 1) >> 1); });
     };
     losses.lost(k) = energy_of_parting(SingleCrack(all.pose, facets, cracks, k), facets, cracks, lists, k, k, stiffness);
+    history_of(cracks, k).spent += losses.lost(k);
 }
 inline void leave_crack(Index k, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists) {
     const Byte flag = lists.flag(k);

@@ -133,6 +133,7 @@
     X(release_all_pressure)             \
     X(begin_all_softened_contacts)      \
     X(sum_portion_of_pressure)          \
+    X(write_all_crushing_of_beams)      \
     X(turn_stress_of_element)           \
     X(find_force_of_pair)               \
     X(gather_moments)                   \
@@ -208,6 +209,8 @@
     X(sum_portion_of_cracks)            \
     X(add_energies_of_cracks)           \
     X(write_energy_of_yielding)         \
+    X(sum_portion_of_crushing)          \
+    X(write_all_crushing_of_facets)     \
     X(find_still_stress)                \
     X(add_still_surface_stress)         \
     X(mark_plane)                       \

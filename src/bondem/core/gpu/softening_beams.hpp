@@ -94,5 +94,11 @@ inline void sum_portion_of_pressure(Index b, const DeviceSpan &span, const Movin
                                     const SofteningBounds &bounds, const Portions &portions) {
     sum_pressed_energies(portion_of(span, b, bonds_of_portion, span.m), all, beams, bounds, portions);
 }
+inline void write_all_crushing_of_beams(Index, const DeviceSpan &span, const SofteningBounds &bounds, const SofteningBeams &soft,
+                                        const EventLog &log, const HistoryRows &history) {
+    double sum = 0.0;
+    for (Index c = 0; c < soft.begun(0); c++) sum += crushed_by_beam(bounds, soft, c);
+    history.record(clock_of(span).record, of_crushing) = sum - log.crushed(0);
+}
 
 }  // namespace bondem

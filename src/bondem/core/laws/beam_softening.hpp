@@ -43,12 +43,18 @@ template <class T> BONDEM_INLINE OpeningEnergy<T> opening_energy(const BeamEnerg
     return {at_least_zero(whole.bending + pulled), at_least_zero(whole.shear + whole.twisting)};
 }
 
+// λf over λ0 of a beam that stores all that it absorbs, or more, as it begins.
+constexpr double snap_of_beams = 1.05;
+
 // Opening λf where no integrity is left, of a beam that begins to soften at λ0 = `first` [√J]; `tear` and `slide` are
 // G_f A and G_II A [J].
 inline double last_opening(const OpeningEnergy<double> &at_first, double tear, double slide, double first) {
-    constexpr double snap = 1.05;
     const double energy = (at_first.opening + at_first.sliding) / (at_first.opening / tear + at_first.sliding / slide);
-    return most(energy / first, snap * first);
+    return most(energy / first, snap_of_beams * first);
+}
+// G A [J]. A beam that stores more as it begins has no λf of its own: the energy is that of its mode.
+inline double absorbed_energy(double first, double last, double of_mode) {
+    return last > snap_of_beams * first ? first * last : of_mode;
 }
 
 // The line on which s λ falls from λ0 = `first` to λf = `last`, after s λ = λ of the whole beam.

@@ -32,6 +32,7 @@ struct YieldingCells {
 struct FacetStrengths {
     Array<const double, 1> area;  // [m²]
     Array<const double, 1> strength;  // f_t [Pa]
+    Array<const double, 1> absorbed;  // G_f A [J], inf of brittle facets
     Array<const double, 1> brittleness;  // 1 / T_l [1/Pa]
     Array<const double, 1> part;  // part of cell i in the compliance
     Array<const double, 1> fastest;  // by how much the integrity of what breaks at once falls in a step at most

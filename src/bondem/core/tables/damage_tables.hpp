@@ -36,6 +36,7 @@ struct EventLog {
     Array<double, 2> event;
     Array<Index, 1> written;  // number of events, and of those before the present step, (2,)
     Array<double, 1> released;  // energy released since the start of the run [J], (1,)
+    Array<double, 1> crushed;  // what bonds had released before it beyond their fracture energy [J], (1,)
 };
 // Of beams what failure changes: integrity, and integrity over rest length where beams differ in length only.
 struct BeamIntegrity {

@@ -75,6 +75,10 @@ struct FacetArms {
 struct CrackPortions {
     Array<double, 2> energy;  // (portions, 3)
 };
+// What portions of facets have released beyond their fracture energy.
+struct CrushingPortions {
+    Array<double, 1> energy;  // [J], (portions,)
+};
 // Sums over groups of portions, see `gpu/record.hpp`.
 struct FoldedPortions {
     Array<double, 2> sums;  // (groups, 13)

@@ -10,10 +10,12 @@ from bondem.dynamics.cohesive_tables import (
     FacetStrengths,
     StressesOfCells,
 )
+from bondem.dynamics.damage_tables import EventLog
 from bondem.dynamics.on_device.cell_counterparts import energy_of_walls
 from bondem.dynamics.on_device.device_tables import (
     BondsOfElements,
     CrackPortions,
+    CrushingPortions,
     DeviceSpan,
     FacetArms,
     LoadsOfBonds,
@@ -53,6 +55,10 @@ _sum_cracks = IndexPass(
 )  # fmt: skip
 _add_energies = IndexPass("add_energies_of_cracks", WallEnergy, CrackEnergies, CrackPortions, Portions)
 _write_heat = IndexPass("write_energy_of_yielding", DeviceSpan, CrackEnergies, HistoryRows)
+_sum_crushing = IndexPass(
+    "sum_portion_of_crushing", DeviceSpan, FacetStrengths, CohesiveCracks, CrushingPortions
+)  # fmt: skip
+_crushing = IndexPass("write_all_crushing_of_facets", DeviceSpan, CrushingPortions, EventLog, HistoryRows)
 
 
 # ---- forces and stresses
@@ -118,6 +124,16 @@ def _write(run: Translation, found: CrackEnergies, history: HistoryRows) -> list
     return [(_write_heat, 1, (run.span, found, history))]
 
 
+def _write_crushing(
+    run: Translation, strengths: FacetStrengths, cracks: CohesiveCracks, log: EventLog, history: HistoryRows
+) -> list[Launch]:
+    portions = run.once(strengths, lambda: CrushingPortions(np.zeros(-(-run.span.m // 2048))))
+    return [
+        (_sum_crushing, len(portions.energy), (run.span, strengths, cracks, portions)),
+        (_crushing, 1, (run.span, portions, log, history)),
+    ]
+
+
 COUNTERPARTS: dict[str, Counterpart] = {
     "add_and_keep_facet_loads": _load,
     "collect_facet_moments": lambda *_: [],  # a step on a device is one block
@@ -132,4 +148,5 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "sum_crack_energies": _energies,
     "add_crack_energies": _add_energies_to,
     "write_heat": _write,
+    "write_crushing_of_facets": _write_crushing,
 }

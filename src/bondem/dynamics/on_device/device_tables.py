@@ -116,6 +116,12 @@ class CrackPortions(NamedTuple):
     energy: Floats  #: across and along cracks, and of bending [J], (portions, 3)
 
 
+class CrushingPortions(NamedTuple):
+    """Energies that portions of facets have released beyond their fracture energy."""
+
+    energy: Floats  #: [J], (portions,)
+
+
 class FoldedPortions(NamedTuple):
     """Sums over groups of portions."""
 
@@ -135,8 +141,8 @@ SUM_COLUMNS = (
     "translation", "rotation", "damped", "rubbed", "normal", "shear", "bending", "twisting", "wide", "lost",
     "not_finite", "work", "supplied",
 )  # fmt: skip
-#: Columns behind them in a record: energies of contacts, of non-local stresses, of fracture, of plasticity;
-#: work of walls.
-FURTHER_COLUMNS = ("contact", "non_local", "fracture", "plastic", "walls")
+#: Columns behind them in a record: energies of contacts, of non-local stresses, that bonds released, of plasticity,
+#: and of the released energy that of crushing; work of walls.
+FURTHER_COLUMNS = ("contact", "non_local", "released", "plastic", "crushing", "walls")
 #: Portions of a group, and works or walls of a portion.
 GROUP, WORKS = 64, 1024

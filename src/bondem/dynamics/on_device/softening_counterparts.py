@@ -11,7 +11,7 @@ from bondem.dynamics.damage_tables import Candidates, EventLog, SofteningBeams, 
 from bondem.dynamics.on_device.breakage_counterparts import marks_of, ranked
 from bondem.dynamics.on_device.device_tables import BondMarks, DeviceSpan, LoadsOfBonds, SofteningLosses
 from bondem.dynamics.on_device.translation import Counterpart, Translation, over
-from bondem.dynamics.step_tables import Moving, Portions
+from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
 from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
 
 _soften_listed = IndexPass(
@@ -34,6 +34,9 @@ _begin_contacts = IndexPass(
     DeviceSpan, Moving, ContactConstants, ContactPairs, NearPairs, EventLog, ContactSums,
 )  # fmt: skip
 _sum_pressure = IndexPass("sum_portion_of_pressure", DeviceSpan, Moving, Beams, SofteningBounds, Portions)
+_crushing = IndexPass(
+    "write_all_crushing_of_beams", DeviceSpan, SofteningBounds, SofteningBeams, EventLog, HistoryRows
+)
 
 
 def _soften(
@@ -74,6 +77,12 @@ def _pressed(
     return [(_sum_pressure, len(portions.bonds), (run.span, moving, beams, bounds, portions))]
 
 
+def _write_crushing(
+    run: Translation, bounds: SofteningBounds, soft: SofteningBeams, log: EventLog, history: HistoryRows
+) -> list[Launch]:
+    return [(_crushing, 1, (run.span, bounds, soft, log, history))]
+
+
 COUNTERPARTS: dict[str, Counterpart] = {
     "soften_beams": _soften,
     "log_softened_beams": _log_softened,
@@ -82,4 +91,5 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "release_pressure": over(_release_pressure, _one_thread),
     "begin_softened_contacts": over(_begin_contacts, _one_thread),
     "sum_pressed_energies": _pressed,
+    "write_crushing_of_beams": _write_crushing,
 }

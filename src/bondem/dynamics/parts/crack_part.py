@@ -5,7 +5,6 @@ import numpy as np
 from bondem._cache_lines import lines
 from bondem._core_steps import StepPass
 from bondem.damage.crack_columns import FACET
-from bondem.damage.event_columns import BROKEN_COLUMNS
 from bondem.dynamics.cohesive_tables import (
     CellSlack,
     CohesiveCracks,
@@ -96,6 +95,7 @@ _sum_crack_energies = StepPass("sum_crack_energies", Moving, ElasticFacets, Cohe
 _add_crack_energies = StepPass("add_crack_energies", Moving, WallConstraints, CrackEnergies, Portions)
 _write_released = StepPass("write_released", EventLog, HistoryRows)
 _write_heat = StepPass("write_heat", CrackEnergies, HistoryRows)
+_write_crushing = StepPass("write_crushing_of_facets", FacetStrengths, CohesiveCracks, EventLog, HistoryRows)
 
 
 class CrackingBody:
@@ -131,7 +131,7 @@ class CrackingBody:
         self.yielding = yielding_of(model, state, table, body.facets, body.walls, constants)
         portions = len(shared.portions.elements)
         self.energies = CrackEnergies(np.zeros(portions), np.zeros(portions), np.zeros(3))
-        self.log = EventLog(np.empty((m, BROKEN_COLUMNS)), np.zeros(2, dtype=np.int64), state.released)
+        self.log = EventLog.of(state)
         none = np.zeros(0, dtype=np.int64)
         self.tractions = body.tractions or FacetTractions(np.zeros((0, n)), none, 0, np.zeros(0), np.zeros(0))
 
@@ -245,6 +245,7 @@ class CrackingBody:
             *passes, (_sum_crack_energies, moving, body.facets, self.cracks, energies),
             (_add_crack_energies, moving, body.walls, energies, self.shared.portions),
             (_write_released, self.log, history), (_write_heat, energies, history),
+            (_write_crushing, self.strengths, self.cracks, self.log, history),
         ]  # fmt: skip
 
     def keep(self) -> None:

@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._core_steps import StepPass
 from bondem._types import PerBond
-from bondem.damage.event_columns import BROKEN_COLUMNS, SOFT_BOND
+from bondem.damage.event_columns import SOFT_BOND
 from bondem.damage.failure_table import FailureTable
 from bondem.dynamics.cohesive_tables import CohesiveCracks, CrackLists
 from bondem.dynamics.crack_joints import joints
@@ -71,7 +71,7 @@ class DamageTables:
                 held=np.zeros(n, dtype=np.uint8), element=np.empty(n, dtype=np.uint32),
                 row=np.empty(n, dtype=np.uint32), first_row=first, kept=cut.sums[first:],
             ),
-            log=EventLog(np.empty((m, BROKEN_COLUMNS)), np.zeros(2, dtype=np.int64), state.released),
+            log=EventLog.of(state),
         )  # fmt: skip
 
     def part(self, shared: SharedTables, judge: Passes, remove: Passes, dashpots: Dashpots | None) -> Part:

@@ -12,7 +12,7 @@ from bondem.dynamics.damage_tables import Candidates, EventLog, SofteningBeams, 
 from bondem.dynamics.parts.damage_part import DamageTables, write_released
 from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import BONDS_OF_PORTION, Moving, Portions
+from bondem.dynamics.step_tables import BONDS_OF_PORTION, HistoryRows, Moving, Portions
 from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
 from bondem.model.state import State
 
@@ -20,6 +20,7 @@ _soften_beams = StepPass("soften_beams", Moving, Beams, SofteningBounds, Softeni
 _log_softened_beams = StepPass("log_softened_beams", Moving, Beams, SofteningBeams, EventLog)
 _begin_softening = StepPass("begin_softening", Candidates, SofteningBounds, SofteningBeams, EventLog)
 _sum_pressed_energies = StepPass("sum_pressed_energies", Moving, Beams, SofteningBounds, Portions)
+_write_crushing = StepPass("write_crushing_of_beams", SofteningBounds, SofteningBeams, EventLog, HistoryRows)
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +90,8 @@ def softening(
             "apply": [(_begin_softening, candidates, bounds, soft, damage.log)],
         },
         record=lambda history: [
-            (_sum_pressed_energies, moving, beams, bounds, shared.portions), (write_released, damage.log, history)
+            (_sum_pressed_energies, moving, beams, bounds, shared.portions), (write_released, damage.log, history),
+            (_write_crushing, bounds, soft, damage.log, history),
         ],
         keep=keep,
     )  # fmt: skip

@@ -118,4 +118,11 @@ void write_heat(const Turn &turn, const CrackEnergies &found, const HistoryRows 
     history.record(turn.clock.record, column::plastic) = heat;
 }
 
+void write_crushing_of_facets(const Turn &turn, const FacetStrengths &strengths, const CohesiveCracks &cracks,
+                              const EventLog &log, const HistoryRows &history) {
+    double sum = 0.0;
+    for (Index c = 0; c < cracks.size(0); c++) sum += crushed_by_facet(strengths, cracks, cracks.order(c));
+    history.record(turn.clock.record, column::crushing) = sum - log.crushed(0);
+}
+
 }  // namespace bondem

@@ -27,5 +27,8 @@ void sum_crack_energies(const Turn &turn, const Moving &all, const ElasticFacets
 void add_crack_energies(const Turn &turn, const Moving &all, const WallConstraints &walls, const CrackEnergies &found,
                         const Portions &portions);
 void write_heat(const Turn &turn, const CrackEnergies &found, const HistoryRows &history);
+// Writes what facets have released beyond their fracture energy.
+void write_crushing_of_facets(const Turn &turn, const FacetStrengths &strengths, const CohesiveCracks &cracks,
+                              const EventLog &log, const HistoryRows &history);
 
 }  // namespace bondem

@@ -127,9 +127,11 @@ void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
             }
             const SingleCrack one(all.pose, facets, cracks, k);
             if (flag == crack::parts) {
-                lists.lost(q, 1) += energy_of_parting(one, facets, cracks, lists, k, e, [&](Short p, Index half) {
+                const double lost = energy_of_parting(one, facets, cracks, lists, k, e, [&](Short p, Index half) {
                     return stiffness_without(all, lists, cells.weight(p), p, half, [](Index) { return false; });
                 });
+                lists.lost(q, 1) += lost;
+                history_of(cracks, k).spent += lost;
                 end_treating(facets, cracks, lists, k, e, crack::parted);
                 lists.parted(lists.size(3)++) = k;
             } else {

@@ -70,6 +70,12 @@ inline void weigh_cracked(const CellDilatation &cells, const CellSlack &of, cons
     cells.weight(p) = weight_with(of, cracks, p, [&](Index k) { return treated_as_facet(cracks, k); });
 }
 
+// What facet k has dissipated beyond its fracture energy; of a facet whose cell had no cohesion, all [J].
+inline double crushed_by_facet(const FacetStrengths &strengths, const CohesiveCracks &cracks, Index k) {
+    const double absorbed = softening_of(cracks, k).strength > 0.0 ? strengths.absorbed(k) : 0.0;
+    return most(history_of(cracks, k).spent - absorbed, 0.0);
+}
+
 inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &cracks, Index k) {
     CrackShapeRow &of = shape_of(cracks, k);
     for (Index d = 0; d < 3; d++) {

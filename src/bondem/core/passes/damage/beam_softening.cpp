@@ -6,6 +6,7 @@
 // force never acts beyond its strength; it is listed at the end of the step. It holds no element, as its force does not jump.
 #include "beam_softening.hpp"
 
+#include "../record/columns.hpp"
 #include "pipeline.hpp"
 #include "softening_beam.hpp"
 
@@ -64,6 +65,13 @@ void sum_pressed_energies(const Turn &turn, const Moving &all, const Beams &beam
         sum += 0.5 * bounds.press(k) * pressed * pressed;
     }
     portions.bonds(turn.block, 0) += sum;
+}
+
+void write_crushing_of_beams(const Turn &turn, const SofteningBounds &bounds, const SofteningBeams &soft, const EventLog &log,
+                             const HistoryRows &history) {
+    double sum = 0.0;
+    for (Index c = 0; c < soft.begun(0); c++) sum += crushed_by_beam(bounds, soft, c);
+    history.record(turn.clock.record, column::crushing) = sum - log.crushed(0);
 }
 
 }  // namespace bondem

@@ -1,5 +1,6 @@
 // Elements that a failure delays from the end of a step to the removal of what failed.
 #include "../motion/elements.hpp"
+#include "../record/columns.hpp"
 #include "pipeline.hpp"
 
 namespace bondem {
@@ -65,8 +66,7 @@ void list_postponed(const Turn &turn, const Rows &rows, const Candidates &candid
 }
 
 void write_released(const Turn &turn, const EventLog &log, const HistoryRows &history) {
-    constexpr Index fracture = 12;
-    history.record(turn.clock.record, fracture) = log.released(0);
+    history.record(turn.clock.record, column::released) = log.released(0);
 }
 
 }  // namespace bondem

@@ -64,6 +64,13 @@ inline double soften_beam(const Clock &clock, const Moving &all, const Beams &be
     put_integrity(beams, bounds, k, left);
     return spent;
 }
+// What the beam of row c has dissipated beyond its fracture energy [J].
+inline double crushed_by_beam(const SofteningBounds &bounds, const SofteningBeams &soft, Index c) {
+    const double *const row = &soft.row(c, 0);
+    const Index k = bond_of_row(soft, c), mode = Index(row[soft_column::mode]);
+    const double of_mode = mode == shear_mode || mode == twisting_mode ? bounds.slide(k) : bounds.tear(k);
+    return most(row[soft_column::spent] - absorbed_energy(row[soft_column::first], row[soft_column::last], of_mode), 0.0);
+}
 inline bool has_broken(const SofteningBounds &bounds, const SofteningBeams &soft, Index c) {
     return !(bounds.integrity(bond_of_row(soft, c)) > 0.0);
 }

@@ -5,8 +5,8 @@
 namespace bondem::column {
 
 enum : Index {
-    time, translation, rotation, normal, shear, bending, twisting, contact, work, loss, friction, non_local, fracture, plastic,
-    fixed_columns
+    time, translation, rotation, normal, shear, bending, twisting, contact, work, loss, friction, non_local, released, plastic,
+    crushing, fixed_columns
 };
 
 }  // namespace bondem::column

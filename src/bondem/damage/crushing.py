@@ -1,0 +1,30 @@
+"""Energy that bonds have released beyond their fracture energy."""
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.damage.beam_softening import BeamSoftening
+from bondem.damage.crack_columns import SPENT
+from bondem.damage.event_columns import SOFT_SPENT
+from bondem.damage.softening_table import SofteningTable
+
+
+def crushing_of(
+    facets: SofteningTable | None, beams: BeamSoftening | None, cracks: Floats, softened: Floats
+) -> Floats:
+    """Return what cracked facets or softening beams have released beyond their fracture energy [J], (1,).
+
+    The terms are added one by one, as the core does: a run that begins from damage has no crushing at first.
+
+    Args:
+        facets: table of softening facets, or None.
+        beams: table of softening beams, or None.
+        cracks: rows of cracked facets (`bondem.damage.crack_columns`), (c, 14).
+        softened: rows of softening beams (`bondem.damage.event_columns`), (c, 7).
+    """
+    beyond = np.zeros(1)
+    if facets is not None:
+        beyond = np.append(beyond, np.maximum(cracks[:, SPENT] - facets.absorbed_by(cracks), 0.0))
+    if beams is not None:
+        beyond = np.append(beyond, np.maximum(softened[:, SOFT_SPENT] - beams.absorbed(softened), 0.0))
+    return np.cumsum(beyond)[-1:]
