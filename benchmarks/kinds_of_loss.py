@@ -6,9 +6,9 @@ times their diameter over √(E/ρ). Bars of 30 × 10 × 10 mm, f_t = 3 MPa, G_f
 third of the section, are pulled apart in 840 lengths over √(E/ρ) with a mass damping of a tenth of the first mode.
 Reported are, per case,
 
-    fracture    energy of fracture over G_f times the own area of all broken facets
-    crushing    energy of crushing over that of fracture
-    per_area    all that facets dissipated that broke as cracks, over G_f times their own area (`run.fracture_energy`)
+    fracture    energy of fracture of the facets that broke as cracks, over G_f times their own area
+    crushing    energy of crushing over that of fracture, of all facets
+    per_area    fracture and crushing of the facets that broke as cracks, over G_f times their own area
     section     fracture and crushing of a bar over G_f times its section or ligament
     ledger      largest error of the ledger over its largest entry
 
@@ -42,17 +42,15 @@ IN_BARS = bd.Rankine(tension=3e6, fracture_energy=60.0)
 def measured(run: bd.ExplicitResult, section: float | None = None) -> dict[str, Any]:
     """Return the kinds of loss of a run."""
     energy = {name: float(values[-1]) for name, values in run.history.energy.items()}
-    one, model = run.fracture_energy[0], run.state.model
-    G = model.failure.fracture_energy
-    broken = float(model.lattice.facets.area[run.state.bond_integrity == 0.0].sum())
+    (one,), lattice = run.fracture_energy, run.state.model.lattice
     found = {
-        "fracture": energy["fracture"] / (G * broken), "crushing": energy["crushing"] / energy["fracture"],
-        "per_area": one.ratio, "broken": broken, "area": run.fracture_area, "ledger": run.history.imbalance,
+        "fracture": one.fractured, "crushing": energy["crushing"] / energy["fracture"], "per_area": one.ratio,
+        "area": run.fracture_area, "area_of_facets": float(lattice.facets.area.sum()), "ledger": run.history.imbalance,
         "energies": {name: energy[name] for name in ("fracture", "crushing", "friction", "plastic")},
         "steps": run.steps,
     }  # fmt: skip
     if section is not None:
-        found["section"] = (energy["fracture"] + energy["crushing"]) / (G * section)
+        found["section"] = (energy["fracture"] + energy["crushing"]) / (one.entered * section)
     return found
 
 

@@ -29,12 +29,14 @@ class FractureEnergy:
         region: region or pair of regions of the criterion; None for one criterion of all.
         area: own area of the facets, or of the sections of the beams [m²].
         dissipated: energy that they have dissipated until the present [J].
+        crushed: energy of it that they released beyond their fracture energy [J].
         entered: fracture energy that they absorb per own area, their mean [J/m²]; NaN if there is none.
     """
 
     region: Region | tuple[Region, Region] | None
     area: float
     dissipated: float
+    crushed: float
     entered: float
 
     @property
@@ -46,6 +48,11 @@ class FractureEnergy:
     def ratio(self) -> float:
         """Energy dissipated over the fracture energy of the same area [-]; NaN without either."""
         return self.per_area / self.entered
+
+    @property
+    def fractured(self) -> float:
+        """Ratio without what is crushed, at most 1 [-]; NaN without an area or a fracture energy."""
+        return self.ratio - self.crushed / (self.area * self.entered) if self.area > 0.0 else math.nan
 
 
 def areas_of(lattice: Lattice, stiffness: BondStiffness) -> PerBond:
@@ -68,11 +75,12 @@ def fracture_energies(state: State) -> tuple[FractureEnergy, ...]:
     of_bond = np.zeros(len(state.integrity), dtype=np.int64)
     for number, part in enumerate(parts):
         of_bond[part.bonds] = number
-    sums = [np.bincount(of_bond[bond], each, len(parts)) for each in (area, dissipated, absorbed)]
+    crushed = np.maximum(dissipated - absorbed, 0.0)
+    sums = [np.bincount(of_bond[bond], each, len(parts)) for each in (area, dissipated, crushed, absorbed)]
     regions = tuple(model.failure) if isinstance(model.failure, dict) else (None,)
     return tuple(
-        FractureEnergy(where, *map(float, (A, spent, taken / A if A > 0.0 and taken < np.inf else np.nan)))
-        for where, A, spent, taken in zip(regions, *sums, strict=True)
+        FractureEnergy(where, *map(float, (A, spent, beyond, taken / A if A > 0.0 and taken < np.inf else np.nan)))
+        for where, A, spent, beyond, taken in zip(regions, *sums, strict=True)
     )
 
 
