@@ -45,9 +45,9 @@ def measured(run: bd.ExplicitResult, section: float | None = None) -> dict[str, 
     (one,), lattice = run.fracture_energy, run.state.model.lattice
     found = {
         "fracture": one.fractured, "crushing": energy["crushing"] / energy["fracture"], "per_area": one.ratio,
-        "area": run.fracture_area, "area_of_facets": float(lattice.facets.area.sum()), "ledger": run.history.imbalance,
+        "area": run.fracture_area, "area_of_facets": float(lattice.facets.area.sum()), "steps": run.steps,
         "energies": {name: energy[name] for name in ("fracture", "crushing", "friction", "plastic")},
-        "steps": run.steps,
+        "ledger": run.history.imbalance,
     }  # fmt: skip
     if section is not None:
         found["section"] = (energy["fracture"] + energy["crushing"]) / (one.entered * section)
