@@ -68,6 +68,14 @@ def travel(
     return np.array(times), np.array(values)
 
 
+def speeds(times: Floats, values: Floats) -> Floats:
+    """Of a path of `travel` at its points: linear in between, nothing at first, (m, d)."""
+    found = np.zeros_like(values)
+    for k, mean in enumerate(np.diff(values, axis=0) / np.diff(times)[:, None]):
+        found[k + 1] = 2.0 * mean - found[k]
+    return found
+
+
 @dataclass(frozen=True, eq=False)
 class Course:
     """What a run along a path has measured, one row a record.
@@ -163,12 +171,13 @@ def course(
     times, values = travel(points, strength / law.E * long / until, rise, begin, hurry)
     boundary = [] if others is None else others(begin, rise)
     gauges, section = {}, {}
+    # a later stage goes on from where faces are, which need not be exactly where they were at first
+    how, ways = ("", values) if state is None else ("v", speeds(times, values))
     for k, axis in enumerate(knots):
         near, far = bd.Face(f"{axis}_min"), bd.Face(f"{axis}_max")
-        ways = {axis: bd.Table(times, values[:, k])}
-        if slide and axis == "x":
-            ways["y"] = bd.Table(times, values[:, -1])
-        boundary += [bd.Fix(near, translation="".join(ways), rotation=""), bd.Drive(far, **ways)]
+        columns = {axis: k} | ({"y": -1} if slide and axis == "x" else {})
+        drive = bd.Drive(far, **{how + along: bd.Table(times, ways[:, at]) for along, at in columns.items()})
+        boundary += [bd.Fix(near, translation="".join(columns), rotation=""), drive]
         gauges |= {f"{axis} near": bd.Gauge(near, "force"), f"{axis} far": bd.Gauge(far, "force")}
         section[axis] = float(np.prod(np.delete(size, AXES.index(axis))))
 

@@ -85,7 +85,7 @@ def test_results_are_summed_up_from_what_was_kept(battery: ModuleType, tmp_path:
 
 
 def test_a_path_goes_through_its_points_without_jumps_of_speed(battery: ModuleType) -> None:
-    from paths.driving import travel
+    from paths.driving import speeds, travel
 
     times, values = travel([(0.0, 0.0), (8.0, -2.0), (8.0, -2.0), (7.9, 0.0)], speed=2.0, rise=0.5, begin=3.0)
     assert times[0] == 3.0
@@ -96,3 +96,9 @@ def test_a_path_goes_through_its_points_without_jumps_of_speed(battery: ModuleTy
     assert np.abs(np.diff(rate, axis=0)).max() < 0.3
     # a leg takes its way over the speed and the time in which the speed changes; a rest three times that
     assert times[-1] - 3.0 == pytest.approx((4.0 + 0.5) + 1.5 + (1.0 + 0.5))
+    way = np.concatenate([[values[0]], values[0] + np.cumsum(
+        0.5 * np.diff(times)[:, None] * (speeds(times, values)[1:] + speeds(times, values)[:-1]), axis=0
+    )])  # fmt: skip
+    assert way == pytest.approx(values, abs=1e-12)
+    assert np.abs(speeds(times, values)).max() == pytest.approx(2.0)
+    assert speeds(times, values)[-1] == pytest.approx((0.0, 0.0), abs=1e-9)
