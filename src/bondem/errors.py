@@ -104,6 +104,10 @@ class FractureEnergyWarning(UserWarning):
     """Warning of a test whose work per section is not a fracture energy, as it feeds more than one crack."""
 
 
+class UnresolvedOpeningWarning(FractureEnergyWarning):
+    """Warning of a run whose cracks open in so few time steps that their fracture energy depends on the step."""
+
+
 class ReportWarning(UserWarning):
     """Warning of a figure or report that could not be written, beside results that were."""
 

@@ -18,6 +18,7 @@ from bondem.damage.criteria.stress_criterion import StressCriterion
 from bondem.dynamics.damping import AnyDamping
 from bondem.dynamics.events import Event
 from bondem.dynamics.explicit import integrate
+from bondem.dynamics.opening_check import warn_of_openings
 from bondem.dynamics.plan import Callback, ExplicitResult, Loop, Plan, Status
 from bondem.dynamics.quasistatic_check import measured
 from bondem.dynamics.restart import begin, check_gauges
@@ -105,6 +106,8 @@ def solve_explicit(
         NotQuasistaticWarning: The run looks quasi-static (a servo wall; two ends, one of them driven, with damping or
             slowly), but its kinetic energy, the difference of the forces at both ends or the force of a servo wall
             says that it is not; `result.quasistatic` has the numbers.
+        UnresolvedOpeningWarning: Cracks of cells open in so few steps that the fracture energy may be off by more
+            than 15 %; `result.events.opening_steps` has the numbers.
 
     Raises:
         UnstableStepError: dt exceeds the critical step.
@@ -161,8 +164,14 @@ def _unless(stopped: int | None, result: ExplicitResult, sink: RunFile | None) -
         on = "" if sink is None else f"; bd.resume('{sink.path}') continues from there"
         stop_by(stopped, f"{result.message}, step {result.steps}{on}", result)
     if not result.status.failed:
-        result.quasistatic.warn()
+        _warn(result)
     return result
+
+
+def _warn(result: ExplicitResult) -> None:
+    """Issue the warnings of a run that is over."""
+    result.quasistatic.warn()
+    warn_of_openings(result.state, result.dt)
 
 
 def _kept(
@@ -222,7 +231,7 @@ def _going_on(
     """Continue a run from its checkpoint, or return its result if it is over already."""
     over = _over(kept)
     if over is not None:
-        over.quasistatic.warn()
+        _warn(over)
         return over
     loop_of = _loop_on(device, kept.model)
     cracks = GrowingCracks(kept.model.lattice)

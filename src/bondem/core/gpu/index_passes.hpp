@@ -21,8 +21,7 @@
 
 #define BONDEM_JUDGED_FACET(X, name, Criterion) X(judge_facet_by_##name)
 #define BONDEM_JUDGED_BEAM(X, name, Criterion) X(judge_beam_by_##name)
-#define BONDEM_SOFTENING_LOADS_OF(X, name, Criterion) \
-    X(load_beam_softening_by_##name) X(load_alike_beam_softening_by_##name)
+#define BONDEM_BEGUN_BEAM(X, name, Criterion) X(begin_beam_by_##name)
 #define BONDEM_INDEX_PASSES(X)          \
     X(set_clock)                        \
     X(count_record)                     \
@@ -128,7 +127,9 @@
     X(soften_listed)                    \
     X(end_portion_of_softening)         \
     X(log_all_softened)                 \
-    BONDEM_SOFTENING_CRITERIA(BONDEM_SOFTENING_LOADS_OF, X)\
+    X(load_softening_beam)              \
+    X(load_softening_alike_beam)        \
+    BONDEM_SOFTENING_CRITERIA(BONDEM_BEGUN_BEAM, X)\
     X(begin_all_softening)              \
     X(release_all_pressure)             \
     X(begin_all_softened_contacts)      \

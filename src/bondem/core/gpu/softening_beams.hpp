@@ -1,6 +1,6 @@
 // Beams that soften, on a device: a thread lets one row of the lists lose integrity, one thread a portion adds up what its
-// rows have dissipated, a thread loads one beam, which begins to soften there, and one thread logs beams that have broken
-// and begins the rows.
+// rows have dissipated, a thread loads one beam, and one each lets a marked beam begin to soften, before loads are
+// gathered; one thread logs beams that have broken and begins the rows.
 //
 // The stages are those of the CPU (`passes/damage/beam_softening.cpp`), in the same order of rows and bonds.
 #pragma once
@@ -38,37 +38,43 @@ inline void log_all_softened(Index, const DeviceSpan &span, const Moving &all, c
 
 // ---- forces, with the pressure on the softened part of a beam
 
-template <class Criterion>
-BONDEM_INLINE void put_softening(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                                 BeamLoads<double> loads, const LoadsOfBonds &to, const SofteningBounds &bounds,
-                                 const BondMarks &marks, const Candidates &candidates) {
-    mark_one(k, loads, bounds, marks);
-    const Clock clock = clock_of(span);
-    if (marks.mark(k) != 0 && !clock.first && beams.integrity(k) > 0.0) {
-        const Verdict<double> verdict = begin_beam<Criterion>(all, beams, bounds, clock.dt, k);
-        if (list_failing(k, verdict, marks, candidates)) {
-            const double left = beams.integrity(k);
-            loads = {left * loads.force, left * loads.on_i, left * loads.on_j};
-        }
-    }
+BONDEM_INLINE void put_pressed(Index k, const Moving &all, const Beams &beams, BeamLoads<double> loads,
+                               const LoadsOfBonds &to, const SofteningBounds &bounds) {
     const Vector apart = ends_of(all.pose.data, beams, k).branch;
     loads.force = plus(loads.force, bounds.press(k), pressure_on(apart, beams.length(k)));
     put(to, k, loads);
 }
-#define BONDEM_LOAD(_, name, Criterion)                                                                                   \
-    inline void load_beam_softening_by_##name(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,     \
-                                              const LoadsOfBonds &to, const SofteningBounds &bounds,                      \
-                                              const BondMarks &marks, const Candidates &candidates) {                     \
-        put_softening<Criterion>(k, span, all, beams, loads_of(k, all, beams), to, bounds, marks, candidates);            \
-    }                                                                                                                     \
-    inline void load_alike_beam_softening_by_##name(Index k, const DeviceSpan &span, const Moving &all,                   \
-                                                    const Beams &beams, const AlikeBeams &alike, const LoadsOfBonds &to,  \
-                                                    const SofteningBounds &bounds, const BondMarks &marks,                \
-                                                    const Candidates &candidates) {                                       \
-        put_softening<Criterion>(k, span, all, beams, loads_of(k, all, beams, alike), to, bounds, marks, candidates);     \
+inline void load_softening_beam(Index k, const Moving &all, const Beams &beams, const LoadsOfBonds &to,
+                                const SofteningBounds &bounds, const BondMarks &marks) {
+    const BeamLoads<double> loads = loads_of(k, all, beams);
+    mark_one(k, loads, bounds, marks);
+    put_pressed(k, all, beams, loads, to, bounds);
+}
+inline void load_softening_alike_beam(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike,
+                                      const LoadsOfBonds &to, const SofteningBounds &bounds, const BondMarks &marks) {
+    const BeamLoads<double> loads = loads_of(k, all, beams, alike);
+    mark_one(k, loads, bounds, marks);
+    put_pressed(k, all, beams, loads, to, bounds);
+}
+// Lets beam k begin to soften where it is marked and its criterion is reached; its loads, those of a whole beam, fall.
+template <class Criterion>
+BONDEM_INLINE void begin_one(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams, const LoadsOfBonds &to,
+                             const SofteningBounds &bounds, const BondMarks &marks, const Candidates &candidates) {
+    const Clock clock = clock_of(span);
+    if (marks.mark(k) == 0 || clock.first || !(beams.integrity(k) > 0.0)) return;
+    if (!list_failing(k, begin_beam<Criterion>(all, beams, bounds, clock.dt, k), marks, candidates)) return;
+    const double left = beams.integrity(k);
+    const BeamLoads<double> whole = loads_in(to, k);
+    put_pressed(k, all, beams, {left * whole.force, left * whole.on_i, left * whole.on_j}, to, bounds);
+}
+#define BONDEM_BEGIN(_, name, Criterion)                                                                               \
+    inline void begin_beam_by_##name(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,           \
+                                     const LoadsOfBonds &to, const SofteningBounds &bounds, const BondMarks &marks,    \
+                                     const Candidates &candidates) {                                                   \
+        begin_one<Criterion>(k, span, all, beams, to, bounds, marks, candidates);                                      \
     }
-BONDEM_SOFTENING_CRITERIA(BONDEM_LOAD, )
-#undef BONDEM_LOAD
+BONDEM_SOFTENING_CRITERIA(BONDEM_BEGIN, )
+#undef BONDEM_BEGIN
 
 // ---- beams that have begun
 

@@ -19,13 +19,12 @@ _soften_listed = IndexPass(
 )
 _end_portion = IndexPass("end_portion_of_softening", SofteningBounds, SofteningBeams, SofteningLosses)
 _log = IndexPass("log_all_softened", DeviceSpan, Moving, Beams, SofteningBeams, EventLog)
-_MARKS = LoadsOfBonds, SofteningBounds, BondMarks, Candidates
-_LOADS = {
-    f"add_{kind}_loads_softening_by_{name}": IndexPass(
-        f"load_{kind}_softening_by_{name}", DeviceSpan, Moving, *tables, *_MARKS
-    )
+_MARKS = LoadsOfBonds, SofteningBounds, BondMarks
+_load_beam = IndexPass("load_softening_beam", Moving, Beams, *_MARKS)
+_load_alike_beam = IndexPass("load_softening_alike_beam", Moving, Beams, AlikeBeams, *_MARKS)
+_BEGIN = {
+    name: IndexPass(f"begin_beam_by_{name}", DeviceSpan, Moving, Beams, *_MARKS, Candidates)
     for name in SOFTENING_CRITERIA
-    for kind, tables in (("beam", (Beams,)), ("alike_beam", (Beams, AlikeBeams)))
 }
 _begin = IndexPass("begin_all_softening", DeviceSpan, Candidates, SofteningBounds, SofteningBeams, EventLog)
 _release_pressure = IndexPass("release_all_pressure", DeviceSpan, EventLog, SofteningBounds)
@@ -49,13 +48,17 @@ def _soften(
     ]
 
 
-def _loading(one: IndexPass) -> Counterpart:
+def _loading(load: IndexPass, begin: IndexPass) -> Counterpart:
     """Return the counterpart of a pass of loads of beams that begin to soften, which lists these in their order."""
 
-    def counterpart(run: Translation, moving: Moving, *tables: Any) -> list[Launch]:
-        *beams, _cut, bounds, candidates = tables
-        of_beams = run.span, moving, *beams, run.loads, bounds, marks_of(run), candidates
-        return [(one, run.span.m, of_beams), ranked(run, candidates)]
+    def counterpart(run: Translation, moving: Moving, beams: Beams, *tables: Any) -> list[Launch]:
+        *alike, _cut, bounds, candidates = tables
+        marks = marks_of(run)
+        return [
+            (load, run.span.m, (moving, beams, *alike, run.loads, bounds, marks)),
+            (begin, run.span.m, (run.span, moving, beams, run.loads, bounds, marks, candidates)),
+            ranked(run, candidates),
+        ]
 
     return counterpart
 
@@ -86,7 +89,8 @@ def _write_crushing(
 COUNTERPARTS: dict[str, Counterpart] = {
     "soften_beams": _soften,
     "log_softened_beams": _log_softened,
-    **{name: _loading(one) for name, one in _LOADS.items()},
+    **{f"add_beam_loads_softening_by_{name}": _loading(_load_beam, one) for name, one in _BEGIN.items()},
+    **{f"add_alike_beam_loads_softening_by_{name}": _loading(_load_alike_beam, one) for name, one in _BEGIN.items()},
     "begin_softening": over(_begin, _one_thread),
     "release_pressure": over(_release_pressure, _one_thread),
     "begin_softened_contacts": over(_begin_contacts, _one_thread),

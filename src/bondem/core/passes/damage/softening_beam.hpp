@@ -22,7 +22,7 @@ inline Ends<double> ends_of(const Row<double> &i, const Row<double> &j, const Be
     return ends_of(i, j, beams.period.data);
 }
 // Energy of beam k as if it were whole.
-inline OpeningEnergy<double> opening_energy_of(const Ends<double> &ends, const Beams &beams, Index k) {
+__attribute__((noinline)) inline OpeningEnergy<double> opening_energy_of(const Ends<double> &ends, const Beams &beams, Index k) {
     const BeamShape<double> shape = shape_of<double>(beams, k);
     const BeamEnergy<double> energy = beam_energy(ends, shape, stiffness_of(beams, k, 1.0), beams.ks(k), beams.lever(k));
     return opening_energy(energy, length(ends.branch) - shape.length);
@@ -35,7 +35,7 @@ inline Index bond_of_row(const SofteningBeams &soft, Index c) { return Index(sof
 //
 // Schemes count work by the trapezoidal rule. A step in which s falls by Δs therefore loses Δs (Y - ½ ∇Y·Δx), which is
 // Δs λ λ' on a straight path.
-inline double opened_product(const Moving &all, const Beams &beams, const Ends<double> &ends, double rate, double dt, Index k) {
+__attribute__((noinline)) inline double opened_product(const Moving &all, const Beams &beams, const Ends<double> &ends, double rate, double dt, Index k) {
     const Motion<double> i(gather(all.motion.data, beams.i(k))), j(gather(all.motion.data, beams.j(k)));
     const BeamLoads<double> loads = beam_loads(ends, shape_of<double>(beams, k), stiffness_of(beams, k, 1.0));
     const Vector force = minus(loads.force, beams.kn(k), pressure_on(ends.branch, beams.length(k)));
@@ -78,12 +78,19 @@ inline bool has_broken(const SofteningBounds &bounds, const SofteningBeams &soft
 // ---- onset
 
 // The row of an element a step ago: it has moved at the velocity that it still has.
-inline Row<double> row_before(const Moving &all, Short element, double dt) {
+__attribute__((noinline)) inline Row<double> row_before(const Moving &all, Short element, double dt) {
     const Row<double> now = gather(all.pose.data, element);
     const Motion<double> moving(gather(all.motion.data, element));
     const Vector back = -dt * moving.v;
     const Quaternion<double> q = turned(orientation(now), -dt * moving.w);
     return {{now.column[0] + back.x, now.column[1] + back.y, now.column[2] + back.z, now.column[3], q.w, q.x, q.y, q.z}};
+}
+
+// Two poses of a beam are judged by one function, as its registers would count twice.
+template <class Criterion>
+__attribute__((noinline)) Verdict<double> verdict_apart(const Ends<double> &ends, const Beams &beams,
+                                                        const SofteningBounds &bounds, Index k) {
+    return verdict_at<Criterion>(ends, beams, bounds, k);
 }
 
 // Lets whole beam k begin to soften where its criterion is reached, within the last step; returns the verdict.
@@ -93,10 +100,10 @@ inline Row<double> row_before(const Moving &all, Short element, double dt) {
 template <class Criterion>
 inline Verdict<double> begin_beam(const Moving &all, const Beams &beams, const SofteningBounds &bounds, double dt, Index k) {
     const Ends<double> now = ends_of(all.pose.data, beams, k);
-    const Verdict<double> verdict = verdict_at<Criterion>(now, beams, bounds, k);
+    const Verdict<double> verdict = verdict_apart<Criterion>(now, beams, bounds, k);
     if (!(verdict.index >= 1.0)) return verdict;
     const Ends<double> then = ends_of(row_before(all, beams.i(k), dt), row_before(all, beams.j(k), dt), beams);
-    const double index = at_least_zero(verdict_at<Criterion>(then, beams, bounds, k).index);
+    const double index = at_least_zero(verdict_apart<Criterion>(then, beams, bounds, k).index);
     const double share = index < 1.0 ? (1.0 - index) / (verdict.index - index) : 0.0;
     const OpeningEnergy<double> before = opening_energy_of(then, beams, k), after = opening_energy_of(now, beams, k);
     const auto between = [&](double a, double b) {

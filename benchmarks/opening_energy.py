@@ -1,0 +1,107 @@
+"""Fracture energy of bodies that fly apart, at the default time step: over G_f times the broken area.
+
+    rows     a free row of spheres with softening beams, each pair of which parts at 5.3 or 21 m/s, ± 5 % by the seed:
+             3.2 and 0.8 steps per last opening 2 G_f / f_t
+    balls    a ball of cells that turns, its rim at 253, 405 or 1000 m/s, and bursts
+
+Reported are the energy of fracture and crushing, 1 for cracks that dissipate what was entered, the largest error of
+the energy balance over the kinetic energy at the start, the number of broken beams or facets, and the least and
+median number of steps from onset to complete loss (`run.events.opening_steps`; null in versions without it).
+
+Run: python benchmarks/opening_energy.py --name after [--parts rows balls]
+     PYTHONPATH=OTHER/src python benchmarks/opening_energy.py --name before
+Both write benchmarks/results/opening_energy.json; rows of other names and parts stay.
+"""
+
+import argparse
+import json
+import subprocess
+from itertools import product
+from operator import itemgetter
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import bondem as bd
+from kept import RESULTS, keep, origin
+
+FILE = RESULTS / "opening_energy.json"
+SEEDS = range(1, 6)
+#: Numbers of elements and speeds [m/s]: of a pair of spheres that part, of the rim of a ball.
+CASES = {"rows": ((20, 40), (100.0 / 19.0, 400.0 / 19.0)), "balls": ((300, 1000), (253.0, 405.0, 1000.0))}
+PITCH, RADIUS, BALL = 5e-3, 2e-3, 10e-3
+
+
+def row(count: int, seed: int, speed: float) -> tuple[bd.Model, bd.State, float, np.ndarray]:
+    """A row of spheres at the start, the duration of its run, and the section of its beams over G_f^-1 [J]."""
+    x = np.zeros((count, 3))
+    x[:, 0] = PITCH * np.arange(count)
+    spheres = bd.connect(bd.Particles(position=x, radius=np.full(count, PITCH / 2)), tolerance=0.05)
+    failure = bd.PeripheralStress(tension=5e6, shear=5e6, fracture_energy=50.0)
+    model = bd.Model(spheres, bd.EulerBernoulli(E=30e9, nu=0.2, radius=RADIUS), density=2400.0, failure=failure)
+    apart = speed * (1.0 + 0.05 * np.random.default_rng(seed).uniform(-1.0, 1.0, count - 1))
+    velocity = np.zeros((count, 3))
+    velocity[1:, 0] = np.cumsum(apart)
+    state = model.state()
+    state.set_motion(velocity=velocity - velocity.mean(axis=0))
+    return model, state, 2.0 * PITCH / speed, np.full(count - 1, 50.0 * np.pi * RADIUS**2)
+
+
+def ball(count: int, seed: int, speed: float) -> tuple[bd.Model, bd.State, float, np.ndarray]:
+    """A ball that turns at the start, the duration of its run, and G_f times the areas of its facets [J]."""
+    body = bd.connect(bd.pack(bd.Ball(BALL), count=count, method="even", seed=seed), method="laguerre")
+    failure = bd.Rankine(tension=20e6, fracture_energy=100.0)
+    model = bd.Model(body, bd.CellBond(E=50e9, nu=0.2), density=2500.0, failure=failure)
+    turning = np.array([0.0, 0.0, speed / BALL])
+    centre = body.cells.volume @ body.centre / body.cells.volume.sum()
+    state = model.state()
+    state.set_motion(
+        velocity=np.cross(turning, body.centre - centre), angular_velocity=np.broadcast_to(turning, (count, 3))
+    )
+    return model, state, 60e-6, 100.0 * body.facets.area
+
+
+def measure(part: str, count: int, seed: int, speed: float) -> dict[str, Any]:
+    """Energy, error of the balance and steps of one run."""
+    model, state, duration, cost = {"rows": row, "balls": ball}[part](count, seed, speed)
+    run = bd.solve_explicit(model, duration=duration, every=20, state=state)
+    energy, broken = run.history.energy, run.state.bond_integrity == 0.0
+    steps = getattr(run.events, "opening_steps", None)
+    released = sum(energy[kind][-1] for kind in ("fracture", "crushing") if kind in energy)
+    return {
+        "energy": float(released / (cost @ broken)), "broken": int(broken.sum()),
+        "balance": float(np.abs(energy["balance"]).max() / energy["translation"][0]), "steps": run.steps,
+        "least opening": None if steps is None else float(np.nanmin(steps)),
+        "median opening": None if steps is None else float(np.nanmedian(steps)),
+        "status": run.status.value,
+    }  # fmt: skip
+
+
+def main(arguments: list[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--name", default="after")
+    parser.add_argument("--parts", nargs="+", choices=CASES, default=list(CASES))
+    parser.add_argument("--seeds", nargs="+", type=int, default=list(SEEDS))
+    parser.add_argument("--out", type=Path, default=FILE)
+    given = parser.parse_args(arguments)
+    bd.set_threads(1)
+    source = subprocess.run(
+        ["git", "rev-parse", "--short=12", "HEAD"], cwd=Path(bd.__file__).parent, capture_output=True, text=True,
+        check=True,
+    ).stdout.strip()  # fmt: skip
+    kept = json.loads(given.out.read_text(encoding="utf-8"))["rows"] if given.out.exists() else []
+    report = origin() | {"rows": kept}
+    for part in given.parts:
+        counts, speeds = CASES[part]
+        for count, speed, seed in product(counts, speeds, given.seeds):
+            case = {"name": given.name, "part": part, "count": count, "speed": speed, "seed": seed}
+            found = case | measure(part, count, seed, speed) | {"commit": source}
+            others = [one for one in report["rows"] if case.items() - one.items()]
+            report["rows"] = sorted([*others, found], key=itemgetter("part", "count", "speed", "name", "seed"))
+            keep(given.out, report)
+            print(*found.values(), flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,83 @@
+"""Check of cracks that open in few time steps, whose fracture energy depends on the step.
+
+Forces act at the ends of steps, and the trapezoidal rule counts their work. Along a line it is exact. Over the corner
+at the strength it misses at most d²/8 times the change of the slope, or, from rest, half the strength times d, with
+the opening d in a step. A crack that softens within n steps, whose opening at the strength is the share β of the last
+one, opens by d ≤ (1 - β) / (n - 1) of that. Of the fracture energy of a straight softening curve this is
+
+    error ≤ min((1 - β) / (n - 1), (1 - β) / (4 β (n - 1)²))
+
+The corner at the last opening counts less. Below two steps nothing is known: a step that ends beyond the last opening
+takes more than what is left.
+Beams have the work of their softening line in any number of steps (`core/laws/beam_softening.hpp`).
+"""
+
+import warnings
+
+import numpy as np
+
+from bondem._names import users_line
+from bondem._types import Floats
+from bondem.damage.event_columns import BROKEN_BOND, BROKEN_ENERGY, BROKEN_TIME, OPENING_STEPS
+from bondem.damage.softening_table import SofteningTable
+from bondem.errors import UnresolvedOpeningWarning
+from bondem.model.state import State
+
+# Error of the fracture energy from which on a run says so, as a share of all of it.
+_LIMIT = 0.15
+
+
+def warn_of_openings(state: State, dt: float) -> None:
+    """Issue a warning if much of the fracture energy of a run comes from openings of few time steps.
+
+    Args:
+        state: state at the end of the run.
+        dt: time step of the run [s].
+
+    Warns:
+        UnresolvedOpeningWarning: the fracture energy may be off by more than 15 %.
+    """
+    text = doubt_about_openings(state, dt)
+    if text:
+        warnings.warn(text, UnresolvedOpeningWarning, stacklevel=users_line())
+
+
+def doubt_about_openings(state: State, dt: float) -> str:
+    """Return a text about cracks that open in too few steps; empty if the fracture energy is known to 15 %."""
+    table = state.model.softening
+    if table is None:
+        return ""
+    rows = state.broken[state.broken[:, BROKEN_TIME] > state.time - (state.step + 0.5) * dt]
+    rows = rows[np.isfinite(rows[:, OPENING_STEPS])]
+    rows = rows[table.last[rows[:, BROKEN_BOND].astype(np.int64)] > 0.0]  # brittle facets have no curve
+    facet, steps, energy = rows[:, BROKEN_BOND].astype(np.int64), rows[:, OPENING_STEPS], rows[:, BROKEN_ENERGY]
+    error = opening_error(table, facet, steps)
+    whole = float(state.released[0])
+    if not whole > 0.0 or not error @ energy > _LIMIT * whole:
+        return ""
+    fast = error > _LIMIT
+    least, median, most = steps[fast].min(), float(np.median(steps[fast])), steps[fast].max()
+    off, share, shorter = error @ energy / whole, energy[fast].sum() / whole, max(median, 0.5) / (most + 1.0)
+    return (
+        f"cracks open in so few time steps that the fracture energy may be off by {100.0 * off:.0f} %:"
+        f" {fast.sum()} of {len(rows)} broken facets, with {100.0 * share:.0f} % of the energy, lost all within"
+        f" {least:g} to {most:g} steps (median {median:g}); use a step of {dt * shorter:.1g} s by dt=,"
+        f" or {shorter:.1g} of safety="
+    )
+
+
+def opening_error(table: SofteningTable, facet: np.ndarray, steps: Floats) -> Floats:
+    """Return bounds of the error of the fracture energy of facets that lost all in some steps [-], (e,).
+
+    Args:
+        table: facets of the model.
+        facet: internal numbers of the facets, (e,).
+        steps: steps from onset to complete loss, (e,).
+    """
+    first = table.strength[facet] / table.last[facet]
+    step = (1.0 - first) / np.maximum(steps - 1.0, 1.0)
+    kink, end = table.kink, table.steep * (1.0 - table.kink)
+    area = 0.5 * (end * (1.0 + kink) + kink * (1.0 - end))  # under the curve, 1/2 for a straight line
+    slopes = 1.0 / first + 1.0 / (table.steep - first)
+    error = np.minimum(0.5 * step, 0.125 * step**2 * slopes) / area
+    return np.where(steps < 2.0, 1.0, np.minimum(error, 1.0))
