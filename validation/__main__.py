@@ -11,9 +11,9 @@ from validation.frame.command import command_of
 from validation.frame.study import Study
 
 STUDIES = (
-    "abacus", "assembly", "beam_bonds", "branching", "celigueta", "coverage", "dispersion", "fracture", "granite",
-    "influence", "kalthoff", "protocol", "quasistatic", "refinement", "ring", "section", "size_effect", "spall",
-    "surface", "toughness", "vibration", "wave", "weibull",
+    "abacus", "assembly", "beam_bonds", "branching", "celigueta", "coverage", "crack_paths", "dispersion", "fracture",
+    "granite", "influence", "kalthoff", "protocol", "quasistatic", "refinement", "ring", "section", "size_effect",
+    "spall", "surface", "toughness", "vibration", "wave", "weibull",
 )  # fmt: skip
 
 

@@ -10,6 +10,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.patches import Patch
 
 from bondem._types import Floats
+from bondem.geometry.shape import Shape
 from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, sheet
 from validation.cases.case import Case
 
@@ -37,7 +38,7 @@ def draw_case(path: Path, case: Case, rows: Sequence[dict[str, Any]]) -> None:
     with sheet(path, sum(widths), _HEIGHT, 1, len(widths), gridspec_kw={"width_ratios": widths}) as (_, boxes):
         for ax, name in zip(boxes, drawn, strict=False):
             _curves(ax, case, rows, name)
-        _crack_path(boxes[-1], case, rows[0])
+        crack_path(boxes[-1], case.shape, case.path, rows[0])
 
 
 def _curves(ax: Axes, case: Case, rows: Sequence[dict[str, Any]], name: str) -> None:
@@ -80,7 +81,7 @@ def envelope(x: Floats, load: Floats, bins: int = 120) -> tuple[Floats, Floats]:
     return x[chosen], load[chosen]
 
 
-def _crack_path(ax: Axes, case: Case, row: dict[str, Any]) -> None:
+def crack_path(ax: Axes, shape: Shape, window: tuple[float, float, float, float], row: dict[str, Any]) -> None:
     """Facets of the crack, seen along the thickness: short lines along them, orange where hardly anything is left."""
     crack = {name: np.array(values) for name, values in row["crack"].items()}
     along = np.column_stack([-crack["normal_y"], crack["normal_x"]])
@@ -88,8 +89,8 @@ def _crack_path(ax: Axes, case: Case, row: dict[str, Any]) -> None:
     middle = np.column_stack([crack["x"], crack["y"]])
     order = np.argsort(-crack["integrity"])
     lines = 1e3 * np.stack([middle - half, middle + half], axis=1)[order]
-    low_x, high_x, low_y, high_y = case.path
-    _outline(ax, case)
+    low_x, high_x, low_y, high_y = window
+    _outline(ax, shape, window)
     gone = crack["integrity"][order] < _GONE
     for chosen, colour, width in ((~gone, GREY, 0.6), (gone, ORANGE, 1.3)):
         ax.add_collection(LineCollection(list(lines[chosen]), colors=colour, linewidths=width, alpha=0.7))
@@ -98,14 +99,14 @@ def _crack_path(ax: Axes, case: Case, row: dict[str, Any]) -> None:
     ax.grid(False)
 
 
-def _outline(ax: Axes, case: Case) -> None:
+def _outline(ax: Axes, shape: Shape, window: tuple[float, float, float, float]) -> None:
     """The part of the body that is shown, in grey."""
-    low_x, high_x, low_y, high_y = case.path
+    low_x, high_x, low_y, high_y = window
     step = max(high_x - low_x, high_y - low_y) / _GRID
     x, y = np.arange(low_x - step, high_x + step, step), np.arange(low_y - step, high_y + step, step)
-    lower, upper = case.shape.bounds
+    lower, upper = shape.bounds
     grid = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
     middle = np.full((len(grid), 1), 0.5 * (lower[2] + upper[2]))
-    depth = case.shape.depth(np.hstack([grid, middle])).reshape(len(y), len(x))
+    depth = shape.depth(np.hstack([grid, middle])).reshape(len(y), len(x))
     ax.contourf(1e3 * x, 1e3 * y, depth, levels=[0.0, np.inf], colors=[PALE])
     ax.contour(1e3 * x, 1e3 * y, depth, levels=[0.0], colors=[GREY], linewidths=0.8)

@@ -106,7 +106,7 @@ def _condensed(case: Case, beam: BentBeam, across: int) -> tuple[Floats, Ints]:
     corner = np.stack([number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]], axis=-1)
     a: Floats = np.repeat(np.diff(x), lines - 1).astype(np.float64)
     b: Floats = np.tile(np.diff(y), columns - 1).astype(np.float64)
-    block = _quad(a, b, case.E, case.nu, beam.width)
+    block = quad(a, b, case.E, case.nu, beam.width)
     dof = (2 * corner.reshape(-1, 4)[:, :, None] + np.arange(2)).reshape(-1, 8)
     i, j = np.broadcast_to(dof[:, :, None], block.shape), np.broadcast_to(dof[:, None, :], block.shape)
     size = 2 * columns * lines
@@ -119,7 +119,7 @@ def _condensed(case: Case, beam: BentBeam, across: int) -> tuple[Floats, Ints]:
     return whole[:, kept][kept].toarray() - mixed.T @ splu(whole[:, inner][inner]).solve(mixed), ligament
 
 
-def _quad(a: Floats, b: Floats, E: float, nu: float, width: float) -> Floats:
+def quad(a: Floats, b: Floats, E: float, nu: float, width: float) -> Floats:
     """Stiffness of rectangles a × b in plane stress, two by two points, (e, 8, 8)."""
     D = E / (1.0 - nu**2) * np.array([[1.0, nu, 0.0], [nu, 1.0, 0.0], [0.0, 0.0, 0.5 * (1.0 - nu)]])
     found = np.zeros((len(a), 8, 8))

@@ -16,17 +16,16 @@ from typing import Any
 
 import numpy as np
 
-from bondem._types import Floats
+from bondem._types import Floats, PerBond
 from bondem.specimen.lattice import Lattice
 from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult, solve_quasistatic
 from validation.cases.case import Case
+from validation.cases.path_case import LOST
 from validation.frame.files import plain
 from validation.frame.request import Request
 
 #: Largest way of the pushed line of events that count, over the largest height of the body [-].
 FOLDED = 0.05
-#: A facet that has lost this share of its integrity is of the crack.
-LOST = 0.5
 # Digits that are kept of curves and cracks.
 _DIGITS = 6
 
@@ -81,8 +80,8 @@ class FractureRun(Request):
             "run_seconds": round(perf_counter() - begun, 1),
             "peak": path.load[peak], "displacement": way[peak], "work": path.energy[:last].sum() + stored,
             "tail": path.load[last] * way[last], "dissipated": path.energy.sum() + 0.5 * path.load[-1] * way[-1],
-            "area": _torn(body, path),
-            "curve": _curve(case, path), "crack": _crack(body, path),
+            "area": _torn(body, path.bond_integrity),
+            "curve": _curve(case, path), "crack": crack_of(body, path.bond_integrity),
         })  # fmt: skip
 
 
@@ -101,7 +100,8 @@ def counted(load: Floats, way: Floats, until: float, farthest: float) -> tuple[i
     return peak, int(np.flatnonzero(load >= until * load[peak])[-1])
 
 
-def _rounded(values: Floats) -> list[float]:
+def rounded(values: Floats) -> list[float]:
+    """Values as files keep them."""
     return [float(f"{value:.{_DIGITS}g}") for value in values.tolist()]
 
 
@@ -110,24 +110,24 @@ def _curve(case: Case, path: QuasistaticResult) -> dict[str, list[float]]:
     curve = {"displacement": case.way(path), "load": path.load}
     if case.mouth is not None:
         curve["CMOD"] = path.gauge["CMOD"][:, 0]
-    return {name: _rounded(values) for name, values in curve.items()}
+    return {name: rounded(values) for name, values in curve.items()}
 
 
-def _cracked(path: QuasistaticResult) -> np.ndarray:
-    return np.flatnonzero(path.bond_integrity < 1.0 - LOST)
+def _cracked(integrity: PerBond) -> np.ndarray:
+    return np.flatnonzero(integrity < 1.0 - LOST)
 
 
-def _torn(body: Lattice, path: QuasistaticResult) -> float:
+def _torn(body: Lattice, integrity: PerBond) -> float:
     """Area of the facets of the crack [m²]."""
     assert body.facets is not None
-    return float(body.facets.area[_cracked(path)].sum())
+    return float(body.facets.area[_cracked(integrity)].sum())
 
 
-def _crack(body: Lattice, path: QuasistaticResult) -> dict[str, list[float]]:
+def crack_of(body: Lattice, integrity: PerBond) -> dict[str, list[float]]:
     """Facets of the crack: centre [m], normal [-], area [m²], and the integrity that is left [-]."""
     assert body.facets is not None
-    facets, torn = body.facets, _cracked(path)
+    facets, torn = body.facets, _cracked(integrity)
     found = {axis: facets.centroid[torn, k] for k, axis in enumerate("xyz")}
     found |= {f"normal_{axis}": facets.normal[torn, k] for k, axis in enumerate("xyz")}
-    found |= {"area": facets.area[torn], "integrity": path.bond_integrity[torn]}
-    return {name: _rounded(values) for name, values in found.items()}
+    found |= {"area": facets.area[torn], "integrity": integrity[torn]}
+    return {name: rounded(values) for name, values in found.items()}

@@ -1,0 +1,126 @@
+"""A crack that meets an interface between two stiffnesses, strong or weak: it goes on, or is deflected.
+
+A crack normal to an interface is deflected where the toughness of the interface, over that of the material ahead, is
+below G_d/G_p: about a quarter for equal stiffnesses, a fifth where the material ahead is a third as stiff and two
+fifths where it is three times as stiff (He and Hutchinson, Int. J. Solids Struct. 25, 1989, figure 3 as we remember
+it). A tenth is to deflect it in both, and an interface as tough as the materials is to let it through. Quantities:
+length of the interface that has parted to both sides of the crack, over l, and how far the crack has gone beyond the
+interface, over l. Deflected: more than 2 l and less than 1 l; through: less than 1 l and more than 2 l.
+
+Fixed before the runs: the compact specimen of `validation.cases.toughness`, W = 14 l, a notch of 0.4 W, the interface
+3 l ahead of it across the whole specimen, plane strain, both materials with the same f_t and G_f; E of 40 GPa before
+the interface, and a third or three times of it behind; the weak interface with f_t/3 and G_f/10, evaluated by its own
+traction; cells of 0.45 l, of one size so that they end on the interface; two in the thickness; runs to half of the
+peak.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bondem.boundary.conditions import Fix
+from bondem.damage.criteria.criterion import Criterion
+from bondem.damage.criteria.rankine import Rankine
+from bondem.geometry.elementary_shapes import Box
+from bondem.geometry.shape import Shape
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.model.model import Model
+from bondem.packing import EVEN, pack
+from bondem.specimen.bonding import connect
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Everything, Face, Plane, Region
+from bondem.statics.quasistatic.quasistatic_run import solve_quasistatic
+from validation.cases.case import Claim
+from validation.cases.path_case import LOST, Outcome, PathCase
+from validation.cases.spared import SparedRankine
+from validation.cases.toughness import ENERGY, LENGTH, NU, RHO, TENSION, CompactTension, E
+
+#: Width W, notch, and distance of the interface from it, over l.
+OVER, NOTCH, AHEAD = 14.0, 5.6, 3.0
+#: Strength and toughness of a weak interface over those of the materials [-].
+WEAK = (1.0 / 3.0, 0.1)
+# Size of cells and thickness over l.
+_CELLS, _THICK = 0.45, 0.9
+_RIPPLE, _TOGETHER, _UNTIL = 0.05, 0.01, 0.5
+
+
+@dataclass(frozen=True)
+class InterfaceCrack(PathCase):
+    """A compact specimen of two materials.
+
+    Attributes:
+        ratio: E behind the interface over E before it [-].
+        weak: whether the interface is weak.
+    """
+
+    ratio: float = 1.0
+    weak: bool = False
+
+    @property
+    def plate(self) -> CompactTension:
+        """The specimen without notch; its thickness is four times its cells."""
+        return CompactTension(OVER, 0.25 * _THICK)
+
+    @property
+    def at(self) -> float:
+        """Place of the interface, x from the line of the load [m]."""
+        return (NOTCH + AHEAD) * LENGTH
+
+    @property
+    def shape(self) -> Shape:
+        """See `PathCase`."""
+        plate = self.plate
+        lower, _ = plate.plate.bounds
+        wide, thick = _CELLS * LENGTH, plate.thickness
+        slot = Box((NOTCH * LENGTH - lower[0] + wide, wide, 3.0 * thick))
+        return plate.plate.cut(slot.moved((lower[0] - wide, -0.5 * wide, -thick)), name="notch")
+
+    @property
+    def behind(self) -> Plane:
+        """The material behind the interface."""
+        return Plane(point=(self.at, 0.0, 0.0), normal=(1.0, 0.0, 0.0))
+
+    def body(self, seed: int) -> Lattice:
+        """Its cells."""
+        size = _CELLS / self.finer * LENGTH
+        return connect(pack(self.shape, size=size, method=EVEN, seed=seed, around=self.behind), method="laguerre")
+
+    def run(self, seed: int) -> Outcome:
+        """See `PathCase`."""
+        body, plate, rest, behind = self.body(seed), self.plate, Everything(), self.behind
+        loads, read = plate.ends(body)
+        walls = [Fix(Face(name), translation="z", rotation="") for name in ("z_min", "z_max")]
+        material = SparedRankine(tension=TENSION, fracture_energy=ENERGY, lines=plate.spared)
+        strength, energy = WEAK if self.weak else (1.0, 1.0)
+        joint = Rankine(
+            tension=strength * TENSION, fracture_energy=energy * ENERGY, on="traction" if self.weak else "stress"
+        )
+        failure: dict[Region | tuple[Region, Region], Criterion] = {rest: material, behind: material, (rest, behind): joint}
+        law: dict[Region, CellBond] = {rest: CellBond(E=E, nu=NU), behind: CellBond(E=self.ratio * E, nu=NU)}
+        model = Model(body, law, RHO, failure=failure, boundary=[*walls, *loads])
+        path = solve_quasistatic(model, read, ripple=_RIPPLE, together=_TOGETHER, until=_UNTIL)
+        assert body.facets is not None
+        side = behind.mask(body)
+        across = side[body.pairs[:, 0]] != side[body.pairs[:, 1]]
+        lost = path.bond_integrity < 1.0 - LOST
+        beyond = body.facets.centroid[lost & ~across, 0].max(initial=self.at) - self.at
+        return Outcome(
+            body=body, integrity=path.bond_integrity, curve=np.column_stack([path.displacement, path.load]),
+            values={"parted": float(body.facets.area[lost & across].sum() / plate.thickness / LENGTH),
+                    "beyond": float(beyond / LENGTH), "peak": path.peak},
+        )  # fmt: skip
+
+
+def _case(ratio: float, weak: bool) -> InterfaceCrack:
+    ahead, kind = "stiffer" if ratio > 1.0 else "softer", "weak" if weak else "strong"
+    parted, beyond = (
+        (Claim("parted", 2.0, np.inf, "above 2 l"), Claim("beyond", 0.0, 1.0, "below 1 l")) if weak
+        else (Claim("parted", 0.0, 1.0, "below 1 l"), Claim("beyond", 2.0, np.inf, "above 2 l"))
+    )  # fmt: skip
+    return InterfaceCrack(
+        name=f"interface_{ahead}_{kind}", title=f"{kind} interface, {ahead} ahead", claims=(parted, beyond),
+        window=((NOTCH - 2.0) * LENGTH, (NOTCH + 9.0) * LENGTH, -5.5 * LENGTH, 5.5 * LENGTH), ratio=ratio, weak=weak,
+    )  # fmt: skip
+
+
+INTERFACES = tuple(_case(ratio, weak) for ratio in (3.0, 1.0 / 3.0) for weak in (False, True))

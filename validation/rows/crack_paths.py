@@ -1,0 +1,53 @@
+"""Tests whose cracks choose their path, each run a row: quantities, load curve and crack."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from validation.cases.path_case import PathCase
+from validation.frame.files import plain, thinned
+from validation.frame.request import Request
+from validation.rows.fracture import crack_of, rounded
+
+
+@dataclass(frozen=True)
+class PathRun(Request):
+    """A case on one packing.
+
+    Attributes:
+        case: what is tested.
+        seed: seed of the packing.
+    """
+
+    case: PathCase
+    seed: int
+
+    @property
+    def readable(self) -> str:
+        """See `Request`."""
+        return f"{self.case.name}_finer{self.case.finer:g}_seed{self.seed}"
+
+    @property
+    def weight(self) -> float:
+        """See `Request`."""
+        return self.case.finer**4
+
+    @property
+    def asked(self) -> dict[str, Any]:
+        """See `Request`; cells are of one kind, and their number follows."""
+        return {"case": self.case.name, "finer": self.case.finer, "seed": self.seed, "count": 0, "spread": 0.0}
+
+    def measured(self, folder: Path) -> dict[str, Any]:
+        """See `Request`: SI units."""
+        begun = perf_counter()
+        found = self.case.run(self.seed)
+        curve = thinned(np.asarray(found.curve))
+        return plain({
+            "count": len(found.body.particles), "facets": len(found.body.pairs), "values": dict(found.values),
+            "run_seconds": round(perf_counter() - begun, 1),
+            "curve": {"displacement": rounded(curve[:, 0]), "load": rounded(curve[:, 1])},
+            "crack": crack_of(found.body, found.integrity),
+        })  # fmt: skip

@@ -1,0 +1,112 @@
+"""Cracks that choose their path: mixed mode, splitting, a hole and interfaces, with what is known of them."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import Any, ClassVar
+
+from bondem._checks import choice
+from bondem.errors import InputError
+from validation.cases.arrea_ingraffea import ARREA_INGRAFFEA
+from validation.cases.hole_arrest import HOLE_ARREST
+from validation.cases.interface_crack import INTERFACES
+from validation.cases.nooru_mohamed import NOORU_MOHAMED
+from validation.cases.path_case import PathCase
+from validation.cases.split_cube import SPLIT_CUBE
+from validation.figures.crack_paths import draw_path
+from validation.frame.files import table
+from validation.frame.study import Row, Stages, Study
+from validation.rows.crack_paths import PathRun
+
+CASES: Mapping[str, PathCase] = {
+    one.name: one for one in (*NOORU_MOHAMED, ARREA_INGRAFFEA, SPLIT_CUBE, *INTERFACES, HOLE_ARREST)
+}
+_HEAD = ("case", "quantity", "known", "bondem", "verdict", "cells", "seconds a run")
+
+
+@dataclass(frozen=True)
+class CrackPaths(Study):
+    """Cracks that choose their path: shear with tension, four-point shear, splitting, interfaces and a hole.
+
+    Attributes:
+        cases: which of them.
+        seeds: packings of each.
+        finer: how many times smaller cells are than the cases have them.
+    """
+
+    name: ClassVar[str] = "crack_paths"
+    title: ClassVar[str] = "Cracks that choose their path"
+    template: ClassVar[str] = "plain.html"
+
+    cases: tuple[str, ...] = tuple(CASES)
+    seeds: tuple[int, ...] = (1,)
+    finer: float = 1.0
+
+    def __post_init__(self) -> None:
+        for name in self.cases:
+            choice(self.name, "cases", name, tuple(CASES))
+        if not self.seeds or min(self.seeds) < 0:
+            raise InputError("crack_paths: give seeds from 0 up, such as --seeds 1,2")
+        if not 0.0 < self.finer <= 10.0:
+            raise InputError(f"crack_paths: finer = {self.finer:g}; give a number above 0 up to 10")
+
+    def stages(self, out: Path) -> Stages:
+        """See `Study`."""
+        yield "break", [PathRun(replace(CASES[name], finer=self.finer), seed)
+                        for name in self.cases for seed in self.seeds]  # fmt: skip
+
+    def results(self, out: Path, rows: Sequence[Row]) -> dict[str, Any]:
+        """See `Study`: what packings of each case gave, and a verdict on each claim."""
+        cases = []
+        for name in self.cases:
+            some = [row for row in rows if row["case"] == name and not row["error"]]
+            if some:
+                cases.append(_judged(CASES[name], some))
+        return {"finer": self.finer, "cases": cases}
+
+    def table(self, results: Mapping[str, Any]) -> str:
+        """See `Study`."""
+        lines = []
+        for one in results["cases"]:
+            for claim in one["claims"]:
+                values = one["values"][claim["quantity"]]
+                lines.append([
+                    one["title"], claim["quantity"], claim["words"], ", ".join(_shown(value) for value in values),
+                    claim["verdict"], ", ".join(map(str, one["count"])),
+                    ", ".join(f"{value:.0f}" for value in one["run_seconds"]),
+                ])  # fmt: skip
+        return table("Cracks that choose their path, SI units", _HEAD, lines) if lines else "no run\n"
+
+    def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
+        """See `Study`: a figure a case."""
+        for name in self.cases:
+            if some := [row for row in rows if row["case"] == name]:
+                draw_path(out / "figures" / f"{name}.png", CASES[name], some)
+
+    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
+        """See `Study`."""
+        verdicts = [claim["verdict"] for one in results["cases"] for claim in one["claims"]]
+        return {
+            "about": "Slabs of cells; inputs fixed beforehand in `validation/cases`.",
+            "verdict": f"{sum(one != 'missed' for one in verdicts)} of {len(verdicts)} claims are met.",
+            "captions": {one["name"]: f"{one['title']}: load curve, and the crack." for one in results["cases"]},
+            "note": "",
+        }
+
+
+def _shown(value: float | None) -> str:
+    return "none" if value is None else f"{value:.4g}"
+
+
+def _judged(case: PathCase, rows: Sequence[Row]) -> dict[str, Any]:
+    values = {key: [row["values"][key] for row in rows] for key in rows[0]["values"]}
+    claims = []
+    for claim in case.claims:
+        found = values[claim.quantity]
+        met = "missed" if any(value is None for value in found) else claim.verdict(found)
+        high = claim.high if claim.high < float("inf") else None
+        claims.append(asdict(claim) | {"high": high, "verdict": met})
+    return {
+        "name": case.name, "title": case.title, "claims": claims, "values": values,
+        **{key: [row[key] for row in rows] for key in ("seed", "count", "run_seconds")},
+    }  # fmt: skip
