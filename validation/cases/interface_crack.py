@@ -95,7 +95,9 @@ class InterfaceCrack(PathCase):
         joint = Rankine(
             tension=strength * TENSION, fracture_energy=energy * ENERGY, on="traction" if self.weak else "stress"
         )
-        failure: dict[Region | tuple[Region, Region], Criterion] = {rest: material, behind: material, (rest, behind): joint}
+        failure: dict[Region | tuple[Region, Region], Criterion] = {
+            rest: material, behind: material, (rest, behind): joint,
+        }  # fmt: skip
         law: dict[Region, CellBond] = {rest: CellBond(E=E, nu=NU), behind: CellBond(E=self.ratio * E, nu=NU)}
         model = Model(body, law, RHO, failure=failure, boundary=[*walls, *loads])
         path = solve_quasistatic(model, read, ripple=_RIPPLE, together=_TOGETHER, until=_UNTIL)
