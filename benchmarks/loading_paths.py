@@ -159,6 +159,10 @@ def sum_up(folder: Path, results: Path = RESULTS, name: str = "loading_paths", b
     found = verdicts(rows)
     earlier = json.loads((results / f"{before}.json").read_text())["verdicts"] if before else []
     text = table(found, rows, [Verdict(**one) for one in earlier])
+    made: dict[str, list[str]] = {}
+    for one in cases:
+        made.setdefault(one["commit"], []).append(f"{one['task']} {one['count']}")
+    text += "".join(f"- commit {commit}: {', '.join(dict.fromkeys(tasks))}\n" for commit, tasks in made.items())
     (results / f"{name}.md").write_text(text, encoding="utf-8")
     verdict = [vars(one) for one in found]
     keep(results / f"{name}.json", began | {"verdicts": verdict, "cases": cases})
