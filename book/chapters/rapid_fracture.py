@@ -13,7 +13,8 @@ BRANCHING = study("branching", {f"branching_{case}": f"branching_{case}" for cas
 FINE = study("branching", {"branching_B40": "branching_B40"}, options="--cases B40 --seeds 1", kept="branching_fine")
 SPALL = study("spall", {"spall": "spall"})
 GRANITE = study("granite", {"granite": "granite"})
-MEASUREMENTS = (BRANCHING, FINE, SPALL, GRANITE)
+LOSSES = Measurement("kinds_of_loss", "python benchmarks/kinds_of_loss.py", "20 min")
+MEASUREMENTS = (BRANCHING, FINE, SPALL, LOSSES, GRANITE)
 
 _SPEED, _TIME, _PLACE = Form("m/s", style=".0f"), Form("µs", 1e-6, ".1f"), Form("mm", 1e-3, ".0f")
 _FINE_SPEED, _RATIO, _MPA = Form("m/s", style=".2f"), Form(style=".2f"), Form("MPa", 1e6, ".2f")
@@ -32,7 +33,7 @@ def chapter() -> Chapter:
             "limit depends on them. Every packing that was run is in the results."
         ),
         misses="The Brazilian strength and the toughness of the granite, from a small beam, are too low.",
-        sections=(_branching(), _soda_lime(), _spall(), _granite()),
+        sections=(_branching(), _soda_lime(), _spall(), _losses(), _granite()),
     )
 
 
@@ -150,6 +151,45 @@ def _spall() -> Section:
             " packings; the published place lies within this range."
         ),
         figures=(Figure("spall.png", "Velocity of the free end, and the broken share of each section"),),
+    )
+
+
+def _losses() -> Section:
+    """Fracture, and crushing beyond it."""
+    rows, bars, impacts = [], LOSSES.at("bars"), LOSSES.at("impacts")
+    shares, more = ([one[name] for one in impacts] for name in ("fracture", "crushing"))
+    for law, speed in dict.fromkeys((one["law"], one["speed"]) for one in impacts):
+        some = [one for one in impacts if (one["law"], one["speed"]) == (law, speed)]
+        counts = " and ".join(str(count) for count in dict.fromkeys(one["count"] for one in some))
+        which = f"impact at {speed:g} m/s, {law}, {counts} cells, {_seeds(some)}"
+        rows.append(Row(case=f"{which}: crushing over fracture", ours=_of(LOSSES, some, "crushing"), form=_RATIO))
+    for shape in dict.fromkeys(one["shape"] for one in bars):
+        some = [one for one in bars if one["shape"] == shape]
+        which = f"{shape} bars of {' and '.join(str(n) for n in dict.fromkeys(one['count'] for one in some))} cells"
+        rows += [
+            Row(case=f"{which}, {_seeds(some)}: crushing over fracture", ours=_of(LOSSES, some, "crushing"),
+                form=Form(style=".3f"), tolerance=AtMost(0.02)),
+            Row(case=f"{which}: fracture and crushing over G_f times the section",
+                ours=_of(LOSSES, some, "section"), form=Form(style=".3f")),
+            Row(case=f"{which}: both in broken facets over G_f times their own area",
+                ours=_of(LOSSES, some, "per_area"), form=_RATIO),
+        ]  # fmt: skip
+    return Section(
+        title="Fracture and crushing",
+        before=(
+            "Balls of 50 mm of concrete (f_t = 4 MPa, G_f = 20 J/m²) hit a wall; bars of 30 × 10 × 10 mm (f_t = 3"
+            " MPa, G_f = 60 J/m²), plain and notched, are pulled apart slowly. Energy that a facet releases beyond"
+            " G_f times its own area is crushing ([decision 0049](decisions/0049-kinds-of-loss.md)), in a bar at most"
+            " 2 % of the fracture."
+        ),
+        rows=tuple(rows),
+        after=(
+            f"In {len(impacts)} impacts (10 and 30 m/s, Rankine and Mohr–Coulomb) the fracture of broken facets is"
+            f" {min(shares):.2f} to {max(shares):.2f} of G_f times their area, and crushing {min(more):.2f} to"
+            f" {max(more):.1f} times the fracture: under the contact a layer of cells stores tens of G_f, which"
+            " softening of pressed facets releases. Crushing decreases with the size of the cells, as the energy of a"
+            " layer does."
+        ),
     )
 
 

@@ -142,7 +142,7 @@ class ExplicitResult(Solution, Plotted):
     def fracture_area(self) -> float:
         """Own area of all broken bonds or facets, each counted once [m²].
 
-        Facets of cells without cohesion are left out. A plane crack through cells has 1.3 to 1.4 times its projected
+        Facets of cells without cohesion are left out. A plane crack through cells has 1.2 to 1.5 times its projected
         area, which `bd.cracks(...).projected_area` gives.
         """
         return sum(one.area for one in self.fracture_energy)

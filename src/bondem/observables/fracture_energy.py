@@ -21,7 +21,7 @@ class FractureEnergy:
     """Energy that the broken bonds or facets of one criterion have dissipated, over their own area.
 
     A facet that fractures dissipates G_f per area projected on its crack, at most G_f per area of its own. So
-    `per_area` of a single crack through cells is 0.70 to 0.75 of `entered`. Where it is larger, facets have released
+    `per_area` of a single crack through cells is 0.7 to 0.8 of `entered`. Where it is larger, facets have released
     stored energy for which there was no more surface: crushing under pressure, or a time step too long for the
     opening of fast cracks. Facets of cells without cohesion are left out.
 
