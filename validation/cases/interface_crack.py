@@ -10,9 +10,9 @@ interface, over l. Deflected: more than 2 l and less than 1 l; through: less tha
 Fixed before the runs: the compact specimen of `validation.cases.toughness`, W = 14 l, a notch of 0.4 W, the interface
 3 l ahead of it across the whole specimen, plane strain, both materials with the same f_t and G_f; E of 40 GPa before
 the interface, and a third or three times of it behind; the weak interface with f_t/3 and G_f/10, evaluated by its own
-traction; cells of 0.45 l, of one size so that they end on the interface; two in the thickness. Runs end at 0.15 of the
-peak; in a first round they ended at half of it, which is where the crack meets the interface: three of four had not
-come to it.
+traction; cells of 0.45 l, of one size so that they end on the interface; two in the thickness. Runs end at 0.15 of
+the peak; in a first round they ended at half of it, which is where the crack meets the interface: three of four had
+not come to it.
 """
 
 from dataclasses import dataclass
