@@ -89,7 +89,9 @@ def test_a_sliding_run_resumes_to_the_same_bits(tmp_path: Path):
 
 def test_platens_strengthen_squat_cylinders():
     """As rough platens do in the laboratory: a cylinder half as long as wide gains more than a fifth."""
-    rock = bd.MohrCoulomb(tension=4e6, cohesion=14e6, friction_angle=0.61, fracture_energy=20.0)
+    rock = bd.MohrCoulomb(
+        tension=4e6, cohesion=14e6, friction_angle=0.61, fracture_energy=20.0, fracture_energy_shear=600.0
+    )
     body = cells(bd.Cylinder(radius=10e-3, length=10e-3), 150)
     smooth, rough = (
         bd.labtests.uniaxial_compression(body, bd.CellBond(E=E, nu=0.2), rock, platen_friction=mu, traverses=30.0)

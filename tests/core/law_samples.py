@@ -114,14 +114,14 @@ def softened(s: float, traction, strength: float, last: float, kink: float, stee
 
 
 def yielding(stress: np.ndarray, strength: np.ndarray, *, cone: bool) -> np.ndarray:
-    """Return the bound of F [Pa], Δγ, the plastic strain and the principal stresses [Pa] of cells, (11, m).
+    """Return the bound of F [Pa], Δγ, what is held of it, strain and principal stresses [Pa] of cells, (12, m).
 
     Args:
         stress: stresses xx, yy, zz, xy, xz, yz [Pa], (6, m).
-        strength: strength [Pa], slope, dilation and stiffness [Pa] of each cell, (4, m).
+        strength: strength [Pa], slope, dilation, stiffness [Pa] and slip held of each cell, (5, m).
         cone: whether by Drucker and Prager.
     """
-    found = np.empty((11, stress.shape[1]))
+    found = np.empty((12, stress.shape[1]))
     evaluate_yielding(YieldSamples(np.ascontiguousarray(stress), np.ascontiguousarray(strength), cone, False, found))
     return found
 

@@ -166,39 +166,52 @@ def yielding_cells() -> tuple[np.ndarray, np.ndarray]:
     stress[3:, ::5] = 0.0
     stress[0, ::5] = stress[1, ::5]
     strength = np.array([
-        rng.choice([0.0, 5e6, 2e7], COUNT), np.full(COUNT, 0.2), np.full(COUNT, 0.1), np.full(COUNT, 1e10)
+        rng.choice([0.0, 5e6, 2e7], COUNT), np.full(COUNT, 0.2), np.full(COUNT, 0.1), np.full(COUNT, 1e10),
+        rng.choice([0.0, 1e-4, 1e-3], COUNT),
     ])  # fmt: skip
     return stress, strength
 
 
-def assert_step(found: np.ndarray, gamma: np.ndarray, strain: np.ndarray, principal: np.ndarray) -> None:
+def slip_of(
+    F: np.ndarray, most: np.ndarray, stiffness: np.ndarray, held: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Δγ and what is held of it, with z = 0.8, where slip takes at most `most`."""
+    gamma = np.clip(held + (0.36 + 0.04) * F / stiffness, 0.0, most)
+    return gamma, np.where(gamma > 0.0, np.maximum(gamma - 0.36 * F / stiffness, 0.0), 0.0)
+
+
+def assert_step(
+    found: np.ndarray, gamma: np.ndarray, held: np.ndarray, strain: np.ndarray, principal: np.ndarray
+) -> None:
     np.testing.assert_allclose(found[1], gamma, rtol=1e-9, atol=1e-16)
-    assert (np.abs(matrices(found[2:8]) - strain).max(axis=(1, 2)) <= 1e-9 * gamma).all()
-    np.testing.assert_allclose(np.sort(found[8:].T), principal, rtol=1e-12, atol=1e-6)
+    np.testing.assert_allclose(found[2], held, rtol=1e-9, atol=1e-16)
+    assert (np.abs(matrices(found[3:9]) - strain).max(axis=(1, 2)) <= 1e-9 * gamma).all()
+    np.testing.assert_allclose(np.sort(found[9:].T), principal, rtol=1e-12, atol=1e-6)
     assert 0.1 < (found[1] > 0.0).mean() < 0.9
 
 
 def test_a_step_of_slip():
-    """Δε = ½ Δγ [(1 + sin ψ) e1⊗e1 - (1 - sin ψ) e3⊗e3] with half of Δγ = F / 2 G."""
-    stress, (cohesion, slope, dilation, G) = yielding_cells()
-    found = yielding(stress, np.array([cohesion, slope, dilation, G]), cone=False)
+    """Δε = ½ Δγ [(1 + sin ψ) e1⊗e1 - (1 - sin ψ) e3⊗e3], at most half of the shear there is."""
+    stress, strength = yielding_cells()
+    cohesion, slope, dilation, stiffness, before = strength
+    found = yielding(stress, strength, cone=False)
     principal, direction = np.linalg.eigh(matrices(stress))
     low, high, third, first = principal[:, 0], principal[:, 2], direction[:, :, 0], direction[:, :, 2]
     F = 0.5 * (high - low) + 0.5 * (high + low) * slope - cohesion
-    gamma = 0.5 * np.clip(F, 0.0, high - low) / (2.0 * G)
+    gamma, held = slip_of(F, 0.25 * (high - low) / stiffness, stiffness, before)
     up, down = 0.5 * gamma * (1.0 + dilation), 0.5 * gamma * (1.0 - dilation)
     strain = up[:, None, None] * first[:, :, None] * first[:, None, :]
     strain -= down[:, None, None] * third[:, :, None] * third[:, None, :]
     # where two principal stresses are alike, the strain has its principal values and the axes of the stress
     alike = np.arange(0, COUNT, 5)
-    given = matrices(found[2:8])[alike]
+    given = matrices(found[3:9])[alike]
     np.testing.assert_allclose(
         np.linalg.eigvalsh(given), np.linalg.eigvalsh(strain[alike]), rtol=1e-9, atol=1e-9 * gamma.max()
     )
     commuting = given @ matrices(stress)[alike] - matrices(stress)[alike] @ given
     np.testing.assert_allclose(commuting, 0.0, atol=1e-9 * gamma.max() * np.abs(stress).max())
     strain[alike] = given
-    assert_step(found, gamma, strain, principal)
+    assert_step(found, gamma, held, strain, principal)
     mean = principal.mean(axis=1)
     deviator = np.sqrt(0.5 * ((principal - mean[:, None]) ** 2).sum(axis=1))
     bound = deviator + slope * (mean + deviator / math.sqrt(3.0)) - cohesion
@@ -206,22 +219,23 @@ def test_a_step_of_slip():
 
 
 def test_a_step_on_the_cone():
-    """Δε = Δγ [s / 2√J2 + β 1] with half of Δγ = F / (G + 9 K α β), for compressive mean stress."""
-    stress, (cohesion, slope, dilation, stiffness) = yielding_cells()
-    found = yielding(stress, np.array([cohesion, slope, dilation, stiffness]), cone=True)
+    """Δε = Δγ [s / 2√J2 + β 1] for compressive mean stress, at most the shear there is."""
+    stress, strength = yielding_cells()
+    cohesion, slope, dilation, stiffness, before = strength
+    found = yielding(stress, strength, cone=True)
     full = matrices(stress)
     mean, one = np.trace(full, axis1=1, axis2=2) / 3.0, np.eye(3)
     s = full - mean[:, None, None] * one
     deviator = np.sqrt(0.5 * (s**2).sum(axis=(1, 2)))
-    F = np.where(mean > 0.0, 0.0, deviator + 3.0 * slope * mean - cohesion)
-    gamma = 0.5 * np.clip(F, 0.0, 2.0 * deviator) / stiffness
+    F = deviator + 3.0 * slope * mean - cohesion
+    gamma, held = slip_of(F, np.where(mean > 0.0, 0.0, deviator / stiffness), stiffness, before)
     strain = gamma[:, None, None] * (s / (2.0 * deviator[:, None, None]) + dilation[:, None, None] * one)
-    assert_step(found, gamma, strain, np.linalg.eigvalsh(full))
+    assert_step(found, gamma, held, strain, np.linalg.eigvalsh(full))
 
 
 @pytest.mark.parametrize("cone", [False, True], ids=["mohr-coulomb", "drucker-prager"])
 def test_lanes_yield_as_single_cells(cone):
-    one, several = (YieldSamples(*yielding_cells(), cone, wide, np.empty((11, COUNT))) for wide in (False, True))
+    one, several = (YieldSamples(*yielding_cells(), cone, wide, np.empty((12, COUNT))) for wide in (False, True))
     evaluate_yielding(one)
     evaluate_yielding(several)
     np.testing.assert_array_equal(several.found, one.found)

@@ -26,7 +26,7 @@ from tests.specimens import crooked_cells, row
 
 DATA = Path(__file__).parent / "data"
 # What a schema did not have: arrays of the state, columns of the records.
-_SOFT = ("cracks", "plastic", "facet_force", "softened", "grips")
+_SOFT = ("cracks", "plastic", "held_slip", "facet_force", "softened", "grips")
 MISSING = {
     2: (("stress", "broken", "released", *_SOFT), (NON_LOCAL, RELEASED, PLASTIC)),
     3: (("broken", "released", *_SOFT), (RELEASED, PLASTIC)),

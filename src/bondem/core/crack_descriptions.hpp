@@ -19,12 +19,13 @@ namespace bondem {
 BONDEM_TABLE(SofteningSamples, F(traction, "3 m"), F(normal, "3 m"), F(stress, "6 m"), F(bent, "m"),
              F(integrity, "m"), F(strength, "6 m"), F(kink, ""), F(steep, ""), F(wide, ""), F(left, "2 m"))
 BONDEM_TABLE(CrackSamples, F(given, "46 m"), F(wide, ""), F(found, "26 m"))
-BONDEM_TABLE(YieldSamples, F(stress, "6 m"), F(strength, "4 m"), F(cone, ""), F(wide, ""), F(found, "11 m"))
+BONDEM_TABLE(YieldSamples, F(stress, "6 m"), F(strength, "5 m"), F(cone, ""), F(wide, ""), F(found, "12 m"))
 BONDEM_TABLE(StressBoundSamples, F(stress, "6 m"), F(bent, "m"), F(wide, ""), F(found, "5 m"))
 
 BONDEM_TABLE(StressesOfCells, F(volume, "n"), F(tensor, "n 8"), F(carried, "n 12"), F(pressed, "* n 6"))
 BONDEM_TABLE(YieldingCells, F(cone, ""), F(cohesion, "n"), F(slope, "n"), F(dilation, "n"), F(stiffness, "n"),
-             F(fade, "n"), F(plastic, "n 17"), F(base_i, "3 m"), F(base_j, "3 m"), F(base_wall, "held 3"))
+             F(fade, "n"), F(near_start, "n+1"), F(near, "*"), F(slipped, "n"), F(held, "n"), F(plastic, "n 17"),
+             F(base_i, "3 m"), F(base_j, "3 m"), F(base_wall, "held 3"))
 BONDEM_TABLE(FacetStrengths, F(area, "m"), F(strength, "m"), F(absorbed, "m"), F(brittleness, "m"), F(part, "m"), F(fastest, "m"),
              F(friction, "m"), F(plane, "m"), F(cohesion, "m"), F(slip_brittleness, "m"), F(planes, "*"), F(kink, ""),
              F(steep, ""), F(hot, ""))

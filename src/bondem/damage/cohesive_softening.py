@@ -44,6 +44,7 @@ class Slip:
         slope: sin φ, or α [-].
         dilation: sin ψ, or β [-].
         fracture_energy: G_II, which slip dissipates until the cohesion is zero [J/m²]; inf for a constant cohesion.
+        width: width of shear bands [m], or None for that of four cells (`damage/shear_bands.py`).
     """
 
     cone: bool
@@ -52,6 +53,7 @@ class Slip:
     slope: float
     dilation: float
     fracture_energy: float
+    width: float | None = None
 
     def compressive(self, pressure: float = 0.0) -> float:
         """Return the strength of a continuum along one axis under a pressure on its sides [Pa].
@@ -186,15 +188,20 @@ def check_energies(owner: str, fracture_energy: float | None, shear: float | Non
         physical(owner, "fracture_energy_shear", shear, advice=advice)
 
 
-def check_slip(owner: str, fracture_energy: float | None, shear: float | None, dilatancy: float) -> None:
-    """Check G_II [J/m²], inf for a constant cohesion, and the dilatancy [rad, or -] of yielding cells.
+def check_slip(
+    owner: str, fracture_energy: float | None, shear: float | None, dilatancy: float, width: float | None
+) -> None:
+    """Check G_II [J/m²], inf for a constant cohesion, dilatancy [rad, or -] and band width [m] of yielding cells.
 
     Raises:
         InputError: An energy is not positive, or either is given without a fracture energy of tension.
     """
-    if fracture_energy is None and (shear is not None or dilatancy != 0.0):
+    if fracture_energy is None and (shear is not None or dilatancy != 0.0 or width is not None):
         raise InputError(
-            f"{owner}: fracture_energy_shear and dilatancy apply to cells that yield; give fracture_energy too"
+            f"{owner}: fracture_energy_shear, dilatancy and band_width apply to cells that yield; give"
+            " fracture_energy too"
         )
+    if width is not None:
+        number(owner, "band_width", width, unit="m", above=0.0, advice="a width in m, or None for that of four cells")
     if shear is not None and not (isinstance(shear, float) and shear == math.inf):
         physical(owner, "fracture_energy_shear", shear)

@@ -191,8 +191,9 @@ def _check_non_local(failure: Criterion) -> None:
 def _check_soft(failure: Criterion, contact: ContactLaw | None) -> None:
     """Reject options unsupported by softening beams."""
     if isinstance(failure, MohrCoulomb):
-        if failure.dilatancy != 0.0:
-            raise InputError("MohrCoulomb: dilatancy applies to cells that yield; leave it out for beams that soften")
+        if failure.dilatancy != 0.0 or failure.band_width is not None:
+            name = "dilatancy" if failure.dilatancy != 0.0 else "band_width"
+            raise InputError(f"MohrCoulomb: {name} applies to cells that yield; leave it out for beams that soften")
         if failure.fracture_energy_shear == math.inf:
             raise InputError("MohrCoulomb: fracture_energy_shear = inf is for cells that yield; give beams a number")
         if failure.curve is not None:

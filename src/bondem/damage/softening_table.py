@@ -1,6 +1,5 @@
 """Tables of softening facets and yielding cells, internal order."""
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +8,7 @@ from bondem._types import Floats, Ints, Mask, PerBond, PerElement
 from bondem.damage.cohesive_softening import SNAP, Softening, StressIndex
 from bondem.damage.crack_columns import FACET, ONSET
 from bondem.damage.failure_assignment import FailurePart
+from bondem.damage.shear_bands import band_widths, cells_of_bands
 from bondem.errors import InputError
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_constants import CellConstants
@@ -33,7 +33,8 @@ class SlipTable:
         strength: c cos φ, or k of the cone [Pa]; inf for cells that do not yield.
         slope: sin φ, or α [-].
         dilation: sin ψ, or β [-].
-        fade: share of its cohesion that a cell loses by a slip of 1.
+        fade: share of its cohesion that a cell loses by a mean slip of 1, B c / 2 G_II with the width B of bands.
+        near_start, near: cells over which the slip of each is averaged (`damage/shear_bands.py`), (n + 1,), (l,).
     """
 
     cone: bool
@@ -41,27 +42,47 @@ class SlipTable:
     slope: PerElement
     dilation: PerElement
     fade: PerElement
+    near_start: Ints
+    near: Ints
 
     @classmethod
-    def of(cls, parts: tuple[FailurePart, ...], volume: PerElement, rank: Ints) -> "SlipTable | None":
+    def of(
+        cls, body: Lattice, layout: Layout, volume: PerElement, parts: tuple[FailurePart, ...]
+    ) -> "SlipTable | None":
         """Return the table of a body, or None if no cell can yield.
 
         Args:
+            body: the body of cells.
+            layout: internal order of the cells.
+            volume: volumes of the cells [m³], in that order, (n,).
             parts: criteria with their cells.
-            volume: volumes of the cells [m³], internal order, (n,).
-            rank: place of each cell in that order, (n,).
+
+        Raises:
+            InputError: Shear bands are too thin for the cells, or too wide for a periodic body.
         """
-        n, cone, yields = len(volume), False, False
+        n, cone, rank = len(volume), False, layout.rank
         strength, slope, dilation, fade = np.full(n, np.inf), np.zeros(n), np.zeros(n), np.zeros(n)
+        given = np.zeros(n)
         for part in parts:
             slip = None if part.criterion.softening is None else part.criterion.softening.slip
             if slip is None:
                 continue
-            own, yields, cone = rank[part.elements], True, slip.cone
+            own, cone = rank[part.elements], slip.cone
             strength[own], slope[own], dilation[own] = slip.strength, slip.slope, slip.dilation
-            if math.isfinite(slip.fracture_energy):
-                fade[own] = np.cbrt(volume[own]) * slip.cohesion / (2.0 * slip.fracture_energy)
-        return cls(cone, strength, slope, dilation, fade) if yields else None
+            given[own], fade[own] = slip.width or 0.0, slip.cohesion / (2.0 * slip.fracture_energy)
+        edge, yields = np.cbrt(volume), np.isfinite(strength)
+        if not yields.any():
+            return None
+        width = band_widths(edge, yields, given)
+        near_start, near = cells_of_bands(body, layout.order, edge, yields, width)
+        return cls(cone, strength, slope, dilation, width * fade, near_start, near)
+
+    def spent(self, slipped: PerElement) -> PerElement:
+        """Return the share of its cohesion that each cell has lost by slips (n,) in internal order [-], (n,)."""
+        count = np.diff(self.near_start)
+        own = np.repeat(np.arange(len(count)), count)
+        mean = np.bincount(own, weights=slipped[self.near], minlength=len(count)) / np.maximum(count, 1)
+        return np.minimum(self.fade * mean, 1.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,7 +189,7 @@ class SofteningTable:
             judge=surface,
             least=0.0 if surface is None else _NEARER * surface.nearest(), tension=softening.tension,
             friction=friction, plane=plane, cohesion=cohesion, last_slip=last_slip,
-            slip=SlipTable.of(parts, cells.volume, layout.rank),
+            slip=SlipTable.of(body, layout, cells.volume, parts),
         )  # fmt: skip
 
 

@@ -11,6 +11,7 @@ from bondem.damage.crack_columns import (
     BEFORE,
     CRACK_COLUMNS,
     FACET,
+    GAMMA,
     ONSET,
     ONSET_STEP,
     RATE,
@@ -50,7 +51,11 @@ class YieldingCells(NamedTuple):
     slope: Floats
     dilation: Floats
     stiffness: Floats  #: [Pa]
-    fade: Floats  #: share of the cohesion lost by Δγ of 1, (n,)
+    fade: Floats  #: share of the cohesion lost by a mean slip of 1 of the cells near, (n,)
+    near_start: Ints  #: cells near cell p are near[near_start[p]] …, (n + 1,)
+    near: np.ndarray  #: uint32
+    slipped: Floats  #: Σ Δγ before a step, (n,)
+    held: Floats  #: that of a state: slip that the next step begins with, (n,)
     plastic: Floats  #: that of a state, (n, 17)
     base_i: np.ndarray  #: levers of facets without plastic strain [pitch], int32, (3, m)
     base_j: np.ndarray
@@ -234,10 +239,11 @@ def yielding_of(
     slip = table.slip
     if slip is None:
         return None
-    G = constants.G
-    if slip.cone:
-        G = G + (9.0 * constants.lame + 6.0 * G) * slip.slope * slip.dilation
+    G, lame = constants.G, constants.lame
+    # by which F falls per slip while the total strain stays
+    stiffness = G + ((9.0 * lame + 6.0 * G) if slip.cone else (lame + G)) * slip.slope * slip.dilation
     return YieldingCells(
-        slip.cone, slip.strength, slip.slope, slip.dilation, G, slip.fade, state.plastic, facets.lever_i.copy(),
-        facets.lever_j.copy(), walls.arm.copy(),
+        slip.cone, slip.strength, slip.slope, slip.dilation, stiffness, slip.fade, slip.near_start,
+        slip.near.astype(np.uint32), state.plastic[:, GAMMA].copy(), state.held_slip, state.plastic,
+        facets.lever_i.copy(), facets.lever_j.copy(), walls.arm.copy(),
     )  # fmt: skip

@@ -65,7 +65,7 @@ class State:
     - `released`: energy that breaking bonds have released since the start [J], shape (1,).
     - `crushed`: energy that they had released before it beyond their fracture energy [J], shape (1,).
     - `cracks`: facets that have begun to crack, in order of time (`bondem.damage.crack_columns`), shape (c, 14).
-    - `plastic`: plastic strain of cells (`bondem.damage.crack_columns`), (n, 17), or (0, 17) if none can yield.
+    - `plastic`, `held_slip`: of cells that yield (`bondem.damage.crack_columns`), shapes (n, 17) and (n,).
     - `softened`: beams that have begun to soften, in order of time (`bondem.damage.event_columns`), shape (c, 7).
     - `grips`: initial places of walls that hold facets of cells (`bondem.boundary.wall_constraints`), shape (g, 7).
     - `facet_force`: force of each facet on its cell i [N], (3, m), if facets may crack; else (3, 0).
@@ -108,6 +108,7 @@ class State:
         soft = model.softening
         self.cracks = np.zeros((0, CRACK_COLUMNS))
         self.plastic = np.zeros((n if soft is not None and soft.slip is not None else 0, PLASTIC_COLUMNS))
+        self.held_slip = np.zeros(len(self.plastic))
         self.facet_force = np.zeros((3, 0 if soft is None else m))
         self.softened = np.zeros((0, SOFT_COLUMNS))
         self.grips = reference_base(0 if model.cells is None else len(model.cells.grips.cell))
@@ -116,7 +117,7 @@ class State:
     ARRAYS = (
         "pose", "motion", "acceleration", "integrity", "history", "stress", "eigenstrain", "reaction", "work", "loss",
         "touching", "stretch", "wall_touching", "wall_stretch", "walls", "broken", "released",
-        "crushed", "cracks", "plastic", "facet_force", "softened", "grips",
+        "crushed", "cracks", "plastic", "held_slip", "facet_force", "softened", "grips",
     )  # fmt: skip
 
     # Those with as many rows as there are contacts, or broken bonds.
@@ -199,7 +200,7 @@ class State:
         if self.plastic.shape != fresh.plastic.shape:
             if self.plastic.any():
                 raise InputError("the state has cells that yielded; give the model a criterion by which cells yield")
-            self.plastic = fresh.plastic
+            self.plastic, self.held_slip = fresh.plastic, fresh.held_slip
         self.plastic[:, HEAT] = 0.0
         for rows, column in ((self.cracks, ONSET_STEP), (self.softened, SOFT_ONSET)):
             rows[:, column] -= self.step  # steps count from here on

@@ -83,8 +83,8 @@ def yield_index(model: Model, state: State) -> PerElement:
     principal = np.linalg.eigvalsh(mean_stress(model, CellForces.of(model, state)))
     low, high, first = principal[:, 0], principal[:, 2], principal.sum(axis=1)
     rank = model.layout.rank
-    left, slope = 1.0 - slip.fade[rank] * state.slipped, slip.slope[rank]
-    bears = slip.strength[rank] * np.maximum(left, 0.0)
+    slope, lost = slip.slope[rank], slip.spent(state.slipped[model.layout.order])[rank]
+    bears = slip.strength[rank] * (1.0 - lost)
     if slip.cone:
         shear = np.sqrt(0.5 * ((principal - first[:, None] / 3.0) ** 2).sum(axis=1))
         load = np.where(first <= 0.0, shear + slope * first, 0.0)

@@ -30,6 +30,7 @@ def read_failure(table: TomlTable) -> Criterion:
             given |= _cracks(table)
             given["fracture_energy_shear"] = table.number("fracture_energy_shear", default=None)
             given["dilatancy"] = table.number("dilatancy", unit="-", default=0.0)
+            given["band_width"] = table.number("band_width", default=None)
             return _made(table, DruckerPrager, given)
         given = {"tension": table.number("tension")}
         if name in (Rankine.__name__, Hydrostatic.__name__):
@@ -39,6 +40,7 @@ def read_failure(table: TomlTable) -> Criterion:
         given["fracture_energy"] = table.number("fracture_energy")
         given["fracture_energy_shear"] = table.number("fracture_energy_shear", default=None)
         given["dilatancy"] = table.number("dilatancy", default=0.0)
+        given["band_width"] = table.number("band_width", default=None)
         return _made(table, MohrCoulomb, given | {"curve": _curve(table)})
 
 

@@ -76,6 +76,7 @@ FAILURE = KeyTable("failure criterion", {
     "fracture_energy": _energy("fracture energy G_f"),
     "fracture_energy_shear": _energy("fracture energy in shear G_II"),
     "dilatancy": Number("dilatancy: the angle ψ of MohrCoulomb, the factor of DruckerPrager", "rad"),
+    "band_width": _length("width of shear bands"),
     "friction": Number("friction of closed cracks", "-", above=_ZERO),
     "curve": Text("softening curve", ("straight", "bilinear")),
     "kink_stress": Number("stress at the kink of the bilinear curve, over the strength"),

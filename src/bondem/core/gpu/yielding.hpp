@@ -14,8 +14,7 @@ inline void yield_cell(Index p, const DeviceSpan &span, const Moving &all, const
                        const YieldingCells &cells, const CrackOnset &onset) {
     if (!takes_time(span)) return;
     where_yields(stresses, cells, onset, p, [&](const YieldStrength<double> &by) {
-        const PlasticFlow<double> found = flow_under(tensor_of(stresses, p), by, cells.cone != 0);
-        if (found.gamma > 0.0) flow(all, stresses, cells, p, found);
+        flow(all, stresses, cells, p, flow_under(tensor_of(stresses, p), by, cells.cone != 0));
     });
 }
 // Number h of the elements that own rows, as cells with loads on free facets do.

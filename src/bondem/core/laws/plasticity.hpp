@@ -2,15 +2,26 @@
 //
 // Mohr and Coulomb, with σ_1 and σ_3 the largest and least principal stress and V the volume of the cell:
 //
-//     F = ½ (σ_1 - σ_3) + ½ (σ_1 + σ_3) sin φ - r c cos φ        r = ⟨1 - Σ Δγ V^(1/3) c / 2 G_II⟩
-//     Δγ = ½ F / 2 G                                               Δε = ½ Δγ [(1 + sin ψ) e_1⊗e_1 - (1 - sin ψ) e_3⊗e_3]
+//     F = ½ (σ_1 - σ_3) + ½ (σ_1 + σ_3) sin φ - r c cos φ       Δε = ½ Δγ [(1 + sin ψ) e_1⊗e_1 - (1 - sin ψ) e_3⊗e_3]
+//     H = G + (λ + G) sin φ sin ψ                               r = ⟨1 - γ B c / 2 G_II⟩
 //
 // Drucker and Prager, for a mean stress that is compressive, with the deviator s, and k in place of c in r:
 //
-//     F = √J2 + α I1 - r k        Δγ = ½ F / (G + 9 K α β)        Δε = Δγ [s / 2 √J2 + β 1]
+//     F = √J2 + α I1 - r k        H = G + 9 K α β               Δε = Δγ [s / 2 √J2 + β 1]
 //
-// so that in pure shear τ both dissipate τ Δγ. Half of the return to the surface is made in a step, because the
-// stress is that of the step before.
+// so that in pure shear τ both dissipate τ Δγ, and F falls by H Δγ as all cells slip by Δγ at constant total strain.
+// γ is the mean slip of cells about half the width B of a shear band away: a band that slips by s has γ = s / B
+// whatever its profile is, if it is thinner than B/2 (`damage/shear_bands.py`), and dissipates G_II per area.
+//
+// The slip of step n is found from stresses of the steps before, by those that F had after each:
+//
+//     H Δγ_n = H Δγ_(n-1) + (1 - z²) (F_n - F_(n-1)) + (1 - z)² F_n,      z = 0.8
+//
+// With F_(n+1) = F_n + H (S - Δγ_n) for strains that raise F by H S a step, F tends to zero as n z^n, without the lag
+// of F = H S / x that a slip of x F_n / H has. Of an elastic mode with ω Δt = Ω whose stress is as that of its cells,
+// the characteristic polynomial is (x - 1)² + Ω² x + (1 - z²) (x - 1) + (1 - z)² x, and |x| ≤ 1 while Ω ≤ 1 + z. So
+// z = 2·0.9 - 1 is stable in every mode at 0.9 of the critical step. The fastest modes move cells against each other,
+// and have less stress in cells than on facets.
 //
 // The plastic strain is an eigenstrain of the cell: its levers are P b with P ← (1 + Δε) P in the frame of the cell.
 // So what is dissipated is exactly V σ:Δε, also at large strain.
@@ -21,14 +32,17 @@
 
 namespace bondem {
 
-// Share of the return to the yield surface that is made in a step.
-constexpr double share_of_return = 0.5;
+// By how much the distance from the yield surface falls in a step; what slip follows of the growth of F, and of F.
+constexpr double decay_of_excess = 0.8;
+constexpr double part_of_growth = 1.0 - decay_of_excess * decay_of_excess;
+constexpr double part_of_excess = (1.0 - decay_of_excess) * (1.0 - decay_of_excess);
 
 template <class T> struct YieldStrength {
     T cohesion;  // r c cos φ, or r k of the cone [Pa]
     T slope;  // sin φ, or α [-]
     T dilation;  // sin ψ, or β [-]
-    T stiffness;  // G, of the cone G + 9 K α β [Pa]
+    T stiffness;  // H [Pa]
+    T held;  // Δγ - (1 - z²) F / H of the step before, 0 without slip [-]
 };
 // An upper bound of F by Mohr and Coulomb, F itself by the cone [Pa].
 template <class T>
@@ -37,22 +51,27 @@ BONDEM_INLINE T yield_bound(const StressInvariants<T> &s, const YieldStrength<T>
     return s.deviator + by.slope * (s.mean + 0.57735026918962576 * s.deviator) - by.cohesion;
 }
 
-// A step of plastic strain: Δγ, and Δε along each of the principal directions of the stress.
+// A step of plastic strain: Δγ, what the next step holds of it, and Δε along the principal directions of the stress.
 template <class T> struct PlasticStep {
-    T gamma;
+    T gamma, held;
     T along[3];
 };
+// Δγ and what is held of it; slip takes no more than `most_slip`.
+template <class T> BONDEM_INLINE PlasticStep<T> slip_after(T F, T most_slip, const YieldStrength<T> &by) {
+    const T over = F / by.stiffness, zero = {};
+    const T gamma = positive(least(T(by.held + (part_of_growth + part_of_excess) * over), most_slip));
+    return {gamma, select(gamma > zero, positive(T(gamma - part_of_growth * over)), zero), {}};
+}
 template <class T>
 BONDEM_INLINE PlasticStep<T> slip_step(const PrincipalStress<T> &s, const YieldStrength<T> &by) {
     const T high = largest_of(s), low = least_of(s), zero = {};
     const T F = 0.5 * (high - low) + 0.5 * (high + low) * by.slope - by.cohesion;
-    // slip takes no more than the shear there is
-    const T gamma = share_of_return * positive(least(F, high - low)) / (2.0 * by.stiffness);
+    const auto [gamma, held, none] = slip_after(F, T(0.25 * (high - low) / by.stiffness), by);
     const T up = 0.5 * gamma * (1.0 + by.dilation), down = -0.5 * gamma * (1.0 - by.dilation);
     // of equal stresses the first is the largest and the last the least
     const Mask<T> up0 = s.stress[0] >= high, up1 = opposite(up0) & (s.stress[1] >= high);
     const Mask<T> low2 = s.stress[2] <= low, low1 = opposite(low2) & (s.stress[1] <= low);
-    return {gamma,
+    return {gamma, held,
             {select(up0, up, select(low2 | low1, zero, down)), select(up1, up, select(low1, down, zero)),
              select(low2, down, select(up0 | up1, zero, up))}};
 }
@@ -60,12 +79,12 @@ template <class T>
 BONDEM_INLINE PlasticStep<T> cone_step(const PrincipalStress<T> &s, const StressInvariants<T> &at,
                                        const YieldStrength<T> &by) {
     const T zero = {}, F = at.deviator + 3.0 * by.slope * at.mean - by.cohesion;
-    const T flow = share_of_return * positive(least(F, 2.0 * at.deviator)) / by.stiffness;
-    const T gamma = select(at.mean > zero, zero, flow), half = 0.5 / at.deviator;
+    const PlasticStep<T> slip = slip_after(F, select(at.mean > zero, zero, T(at.deviator / by.stiffness)), by);
+    const T gamma = slip.gamma, half = 0.5 / at.deviator;
     const auto along = [&](int d) {
         return select(gamma > zero, T(gamma * ((s.stress[d] - at.mean) * half + by.dilation)), zero);
     };
-    return {gamma, {along(0), along(1), along(2)}};
+    return {gamma, slip.held, {along(0), along(1), along(2)}};
 }
 // Δε in space.
 template <class T> BONDEM_INLINE Symmetric3<T> plastic_strain(const PrincipalStress<T> &s,

@@ -28,10 +28,10 @@ struct CrackSamples {
 // Cells that yield (`laws/plasticity.hpp`).
 struct YieldSamples {
     Array<const double, 2> stress;  // [Pa], (6, m)
-    Array<const double, 2> strength;  // cohesion [Pa], slope, dilation, stiffness [Pa], (4, m)
+    Array<const double, 2> strength;  // cohesion [Pa], slope, dilation, stiffness [Pa], slip held, (5, m)
     Index cone;  // whether by Drucker and Prager
     Index wide;
-    Array<double, 2> found;  // bound of F [Pa], Δγ, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa], (11, m)
+    Array<double, 2> found;  // bound of F [Pa], Δγ, what is held, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa], (12, m)
 };
 // Bounds of principal stresses, and of what bending opens of a facet (`laws/stress.hpp`).
 struct StressBoundSamples {

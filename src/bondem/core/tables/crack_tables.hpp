@@ -22,7 +22,11 @@ struct YieldingCells {
     Index cone;  // whether by Drucker and Prager
     Array<const double, 1> cohesion;  // c cos φ or k [Pa], inf for cells that do not yield, (n,)
     Array<const double, 1> slope, dilation, stiffness;  // (n,)
-    Array<const double, 1> fade;  // share of the cohesion lost by Δγ of 1, (n,)
+    Array<const double, 1> fade;  // share of the cohesion lost by a mean slip of 1 of the cells near, (n,)
+    Array<const Index, 1> near_start;  // cells near cell p are near[near_start[p]] …, (n + 1,)
+    Array<const Short, 1> near;
+    Array<double, 1> slipped;  // Σ Δγ before this step, which other cells read, (n,)
+    Array<double, 1> held;  // slip that the next step begins with, (n,)
     Array<double, 2> plastic;  // P - 1 by rows, Σ Δγ, last increment of strain in space, energy dissipated [J], (n, 17)
     Array<int32_t, 2> base_i, base_j;  // levers of facets without plastic strain [pitch], (3, m)
     Array<double, 2> base_wall;  // those of walls [m], (g, 3)

@@ -32,8 +32,9 @@ class DruckerPrager(Criterion):
     also if the cells are under pressure. A body splits along the load, because facets in compression cannot open.
 
     With a fracture energy the cone has two sides. For I1 > 0 facets in tension crack as for `bd.Rankine`, up to the
-    opening 2 G_f / f_t. For I1 ≤ 0 cells yield on their mean stress, √J2 + α I1 ≥ r k. r falls from 1 to 0 as slip
-    dissipates the fracture energy of shear, while friction (α) remains. Facets of a cell without cohesion break.
+    opening 2 G_f / f_t. For I1 ≤ 0 cells yield on their mean stress, √J2 + α I1 ≥ r k. r falls from 1 to 0 with the
+    mean slip of the cells half a band width away, as a band dissipates the fracture energy of shear per area.
+    Friction (α) remains. Facets of a cell that has slipped and has no cohesion break.
 
     Attributes:
         tension: f_t [Pa].
@@ -42,6 +43,8 @@ class DruckerPrager(Criterion):
         fracture_energy: G_f of tension [J/m²]; None for brittle facets.
         fracture_energy_shear: G_II of slip [J/m²], inf for a constant cohesion; 10 G_f by default.
         dilatancy: β of the flow potential √J2 + β I1 [-], in [0, α]; the volume grows by 3 β of the slip.
+        band_width: width of shear bands between cells [m], by which G_II becomes a work per volume; None for four
+            cells, of the size of each.
         friction: μ on the faces of closed cracks [-].
         curve: softening curve of cracks; None for a straight line.
 
@@ -58,6 +61,7 @@ class DruckerPrager(Criterion):
     fracture_energy: float | None = None
     fracture_energy_shear: float | None = None
     dilatancy: float = 0.0
+    band_width: float | None = None
     friction: float = 0.0
     curve: Bilinear | None = None
 
@@ -76,7 +80,7 @@ class DruckerPrager(Criterion):
         number(_NAME, "dilatancy", self.dilatancy, least=0.0)
         if self.dilatancy > self.slope:
             raise InputError(f"{_NAME}: dilatancy = {self.dilatancy:g}; give β in [0, α] = [0, {self.slope:.4g}]")
-        check_slip(_NAME, self.fracture_energy, self.fracture_energy_shear, self.dilatancy)
+        check_slip(_NAME, self.fracture_energy, self.fracture_energy_shear, self.dilatancy, self.band_width)
 
     def _check_cone(self) -> None:
         ft, fc, fh = self.tension, self.compression, self.hydrostatic
@@ -117,7 +121,7 @@ class DruckerPrager(Criterion):
             shear = self.fracture_energy_shear
             slip = Slip(
                 cone=True, cohesion=k, strength=k, slope=slope, dilation=self.dilatancy,
-                fracture_energy=10.0 * energy if shear is None else shear,
+                fracture_energy=10.0 * energy if shear is None else shear, width=self.band_width,
             )  # fmt: skip
         return Softening(
             tension=k / (1.0 / _ROOT + slope), fracture_energy=energy or 0.0, friction=self.friction, slip=slip,

@@ -30,8 +30,9 @@ class MohrCoulomb(BondCriterion):
 
         (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ ≥ r c cos φ
 
-    on their mean stress. The cohesion falls (r from 1 to 0) as slip dissipates the fracture energy of shear, while
-    friction remains. Facets of a cell without cohesion break.
+    on their mean stress. The cohesion falls (r from 1 to 0) with the mean slip of the cells half a band width away,
+    as a band dissipates the fracture energy of shear per area. Friction remains. Facets of a cell that has slipped
+    and has no cohesion break.
 
     An entry of `failure=` for a pair of regions describes a plane between them, by the traction of its facets. A
     facet opens from t_n = tension on and slips from |t_s| + t_n tan φ = c on, with G_f and G_II per facet area.
@@ -50,6 +51,8 @@ class MohrCoulomb(BondCriterion):
         fracture_energy: G_f of tension [J/m²]; None for bonds or facets that break at once, by their traction.
         fracture_energy_shear: G_II of slip [J/m²], for cells inf for a constant cohesion; 10 G_f by default.
         dilatancy: ψ of cells [rad], in [0, φ].
+        band_width: width of shear bands between cells [m], by which G_II becomes a work per volume; None for four
+            cells, of the size of each.
         curve: softening curve of cracks between cells; None for a straight line, the only one for beams.
 
     Raises:
@@ -66,6 +69,7 @@ class MohrCoulomb(BondCriterion):
     fracture_energy: float | None = None
     fracture_energy_shear: float | None = None
     dilatancy: float = 0.0
+    band_width: float | None = None
     curve: Bilinear | None = None
 
     def __post_init__(self) -> None:
@@ -79,7 +83,7 @@ class MohrCoulomb(BondCriterion):
         number("MohrCoulomb", "dilatancy", self.dilatancy, unit="rad", least=0.0, advice="an angle in [0, φ] rad")
         number("MohrCoulomb", "friction_angle - dilatancy", self.friction_angle - self.dilatancy, least=0.0)
         check_crack("MohrCoulomb", self.fracture_energy, 0.0, self.curve)
-        check_slip("MohrCoulomb", self.fracture_energy, self.fracture_energy_shear, self.dilatancy)
+        check_slip("MohrCoulomb", self.fracture_energy, self.fracture_energy_shear, self.dilatancy, self.band_width)
 
     @property
     def principal(self) -> tuple[float, float, float] | None:
@@ -98,7 +102,7 @@ class MohrCoulomb(BondCriterion):
         slip = Slip(
             cone=False, cohesion=self.cohesion, strength=self.cohesion * math.cos(self.friction_angle),
             slope=math.sin(self.friction_angle), dilation=math.sin(self.dilatancy),
-            fracture_energy=self.energies[1],
+            fracture_energy=self.energies[1], width=self.band_width,
         )  # fmt: skip
         return Softening(
             tension=self.tension, fracture_energy=self.fracture_energy, friction=math.tan(self.friction_angle),

@@ -114,13 +114,13 @@ template <class T> void load_crack(const CrackSamples &samples, Index e) {
 template <class T> void flow(const YieldSamples &samples, Index e) {
     ReadColumns<T> stress(samples.stress, e), of(samples.strength, e);
     const Symmetric3<T> s = stress.tensor();
-    const YieldStrength<T> by = {of.number(), of.number(), of.number(), of.number()};
+    const YieldStrength<T> by = {of.number(), of.number(), of.number(), of.number(), of.number()};
     const StressInvariants<T> at = invariants(s);
     const PrincipalStress<T> p = principal(s);
     const PlasticStep<T> step = samples.cone ? cone_step(p, at, by) : slip_step(p, by);
     const Symmetric3<T> strain = plastic_strain(p, step);
     WriteColumns<T> found(samples.found, e);
-    found(yield_bound(at, by, samples.cone != 0)), found(step.gamma);
+    found(yield_bound(at, by, samples.cone != 0)), found(step.gamma), found(step.held);
     found(Vector3<T>{strain.xx, strain.yy, strain.zz}), found(Vector3<T>{strain.xy, strain.xz, strain.yz});
     found(Vector3<T>{p.stress[0], p.stress[1], p.stress[2]});
 }

@@ -28,43 +28,48 @@ inline bool grows(const YieldingCells &cells, Index p) {
 
 // ---- flow
 
-// Adds what the last increment dissipated, by the mean of the stresses before and after it, and returns which share of the cohesion is left.
-inline double close_increment(const StressesOfCells &stresses, const YieldingCells &cells, Index p) {
+// Adds what the last increment dissipated, by the mean of the stresses before and after it.
+inline void close_increment(const StressesOfCells &stresses, const YieldingCells &cells, Index p) {
     using namespace plastic_column;
-    if (!(cells.plastic(p, gamma) > 0.0)) return 1.0;
+    if (!has_yielded(cells, p)) return;
     cells.plastic(p, heat) += 0.5 * stresses.volume(p) * work_of(tensor_of(stresses, p), strain_of(cells, p));
     for (Index d = 0; d < 6; d++) cells.plastic(p, increment + d) = 0.0;
-    return positive(1.0 - cells.fade(p) * cells.plastic(p, gamma));
 }
-// Closes the last increment of cell p, and calls on(strength) where the cell may be beyond its yield surface.
+// The share of its cohesion that cell p has left, after the slip of the cells near it.
+inline double cohesion_left(const YieldingCells &cells, Index p) {
+    const Index first = cells.near_start(p), last = cells.near_start(p + 1);
+    double sum = 0.0;
+    for (Index e = first; e < last; e++) sum += cells.slipped(Index(cells.near(e)));
+    return positive(1.0 - cells.fade(p) * sum / double(last - first));
+}
+// Closes the last increment of cell p, and calls on(strength) where the cell may slip.
 template <class On>
 inline void where_yields(const StressesOfCells &stresses, const YieldingCells &cells, const CrackOnset &onset, Index p, On on) {
-    // No stress σ is beyond Mohr and Coulomb's planes or a cone by more than √2 |σ| less their strength; the square, and
-    // something for rounding.
-    constexpr double reach = 2.01;
-    const double size = stresses.tensor(p, 7), whole = cells.cohesion(p);
-    const bool flowed = cells.plastic(p, plastic_column::gamma) > 0.0;
-    if (!flowed && reach * size * size < whole * whole) return;
-    const double kept = close_increment(stresses, cells, p);
-    const YieldStrength<double> by = {kept * whole, cells.slope(p), cells.dilation(p), cells.stiffness(p)};
-    if (flowed && kept == 0.0) onset.judged(p) = 2;
-    if (yield_bound(invariants(tensor_of(stresses, p)), by, cells.cone != 0) > 0.0) on(by);
+    const double whole = cells.cohesion(p);
+    if (whole == infinity) return;
+    close_increment(stresses, cells, p);
+    const YieldStrength<double> by = {cohesion_left(cells, p) * whole, cells.slope(p), cells.dilation(p),
+                                      cells.stiffness(p), cells.held(p)};
+    if (by.cohesion == 0.0 && has_yielded(cells, p)) onset.judged(p) = 2;
+    if (by.held > 0.0 || yield_bound(invariants(tensor_of(stresses, p)), by, cells.cone != 0) > 0.0) on(by);
 }
 
-// Δγ and Δε in space.
+// Δγ, what is held of it, and Δε in space.
 template <class T> struct PlasticFlow {
-    T gamma;
+    T gamma, held;
     Symmetric3<T> strain;
 };
 template <class T> BONDEM_INLINE PlasticFlow<T> flow_under(const Symmetric3<T> &s, const YieldStrength<T> &by, bool cone) {
     const PrincipalStress<T> found = principal(s);
     const PlasticStep<T> step = cone ? cone_step(found, invariants(s), by) : slip_step(found, by);
-    return {step.gamma, plastic_strain(found, step)};
+    return {step.gamma, step.held, plastic_strain(found, step)};
 }
-// Cell p flows.
+// Cell p flows, if it does.
 inline void flow(const Moving &all, const StressesOfCells &stresses, const YieldingCells &cells, Index p,
                  const PlasticFlow<double> &by) {
     using namespace plastic_column;
+    cells.held(p) = by.held;
+    if (!(by.gamma > 0.0)) return;
     double *const row = &cells.plastic(p, 0);
     auto &P = *reinterpret_cast<PlasticDeformation<double> *>(row + deformation);
     const Symmetric3<double> &e = by.strain;
@@ -84,9 +89,10 @@ inline void stretch_lever(const Array<int32_t, 2> &lever, const Array<int32_t, 2
     const Vector to = stretched(P, b);
     for (Index d = 0; d < 3; d++) lever(d, k) = int32_t(nearest(to[d] / pitch(d)));
 }
-// Levers of cell p.
+// Levers of cell p, whose slip other cells may read from now on.
 inline void stretch_cell(const ElasticFacets &facets, const FacetsOfCells &of_cells, const YieldingCells &cells, Index p) {
     const PlasticDeformation<double> &P = deformation_of(cells, p);
+    cells.slipped(p) = cells.plastic(p, plastic_column::gamma);
     for (Index k = of_cells.in_start(p); k < of_cells.in_start(p + 1); k++)
         stretch_lever(facets.lever_j, cells.base_j, facets.pitch, P, k);
     for (Index e = of_cells.out_start(p); e < of_cells.out_start(p + 1); e++)
