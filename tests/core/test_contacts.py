@@ -28,7 +28,7 @@ NUMBERS = json.loads((Path(__file__).parent / "contact_numbers.json").read_text(
 # ---- the former loop
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("case", NUMBERS)
 def test_the_numbers_are_those_of_the_former_loop(case):
     make, damping = CASES[case]
     model, state = make()
