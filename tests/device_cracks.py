@@ -9,6 +9,7 @@ import numpy as np
 import bondem as bd
 from bondem.model.state import State
 from tests.device_cases import Case
+from tests.specimens import cubes
 
 LAW = bd.CellBond(E=40e9, nu=0.2)
 RANKINE = bd.Rankine(tension=4e6, fracture_energy=50.0)
@@ -56,6 +57,28 @@ def held() -> bd.Model:
     ])  # fmt: skip
 
 
+def sliding() -> bd.Model:
+    """A bar of 128 cubes, whose upper half slides on a weak joint that presses."""
+    box = (32e-3, 16e-3, 8e-3)
+    low, up = bd.Within(bd.Box(box)), bd.Within(bd.Box(box).moved((0.0, 0.0, 8e-3)))
+    weak = bd.MohrCoulomb(
+        tension=1e4, cohesion=1e4, friction_angle=0.4, fracture_energy=0.3, fracture_energy_shear=0.3
+    )
+    failure = {bd.Everything(): bd.Rankine(tension=20e6, fracture_energy=300.0), (low, up): weak}
+    return bd.Model(
+        cubes((8, 4, 4), 4e-3), LAW, 2500.0, failure=failure, contact=bd.LinearContact(E=40e9, friction=0.4),
+        boundary=[bd.Fix(bd.Face("z_min")), bd.Pressure(bd.Face("z_max"), 5e6)],
+    )  # fmt: skip
+
+
+def pushed(model: bd.Model) -> State:
+    """The upper half slides at 80 m/s."""
+    state = model.state()
+    upper = model.lattice.centre[:, 2] > 8e-3
+    state.set_motion(velocity=np.where(upper[:, None], [80.0, 5.0, 0.0], 0.0))
+    return state
+
+
 CASES: dict[str, Callable[[], Case]] = {
     "torn apart": lambda: (free(RANKINE), thrown((2.0, -0.4, 0.6)), 240, STEP, {"every": 20}),
     "brittle": lambda: (
@@ -71,4 +94,5 @@ CASES: dict[str, Callable[[], Case]] = {
         free(RANKINE, contact=bd.LinearContact(E=40e9, friction=0.4)), thrown((-40.0, -12.0, -12.0), 10.0), 500,
         0.25 * STEP, {"every": 100},
     ),
+    "sliding on a joint": lambda: (sliding(), pushed, 500, 0.8 * STEP, {"every": 100}),
 }  # fmt: skip

@@ -203,7 +203,7 @@ def test_the_list_has_all_pairs_that_no_bond_joins_and_their_memory():
         return earlier[which].astype(np.uint32)
 
     rest = gap[later, earlier] < 0.0
-    memory = rng.random((touching.sum(), 6))
+    memory = rng.random((touching.sum(), 8))
     found = found_pairs(grid_of(position, radius, None, skin), PairSources(
         starts(bonded), first(bonded), wanted.astype(np.uint8), starts(rest),
         first(rest), gap[later, earlier][rest], starts(touching), first(touching), memory,
@@ -213,7 +213,7 @@ def test_the_list_has_all_pairs_that_no_bond_joins_and_their_memory():
     expected = np.column_stack([later[listed], earlier[listed]])  # np.nonzero sorts by the later element
     np.testing.assert_array_equal(np.column_stack([found.second, found.first]), expected)
     np.testing.assert_array_equal(found.touch, touching[listed])
-    np.testing.assert_array_equal(found.memory[found.touch == 1, :6], memory[listed[touching]])
+    np.testing.assert_array_equal(found.memory[found.touch == 1], memory[listed[touching]])
     np.testing.assert_allclose(found.gap, np.minimum(gap[later, earlier][listed], 0.0), atol=0)
     of_bond = np.flatnonzero(bonded)[found.bond[found.bond >= 0]]
     np.testing.assert_array_equal(of_bond, np.flatnonzero(bonded & listed))

@@ -6,6 +6,7 @@ import pytest
 from bondem.damage.crack_columns import ACTIVE, PARTED, RESTING, STATUS
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.history import RELEASED
+from bondem.interactions.contact.contact_columns import BETWEEN, KIND
 from tests.device_cracks import CASES
 from tests.device_runs import deviation
 from tests.device_sides import (
@@ -37,10 +38,14 @@ def test_a_device_agrees_with_the_cpu(case: str, record: Record) -> None:
 
 
 def test_these_runs_have_all_that_happens_to_cracks() -> None:
-    """Cracks break and part, and contact begins between parted faces."""
-    cpu = [carried_out(CASES[case](), CoreLoop) for case in ("brittle", "driven together and touching")]
+    """Cracks break and part, and contact begins between parted faces: some press, some lie between cells."""
+    cases = "brittle", "driven together and touching", "sliding on a joint"
+    cpu = [carried_out(CASES[case](), CoreLoop) for case in cases]
     assert len(cpu[0].state.broken) > 10
     assert (cpu[1].state.cracks[:, STATUS] == PARTED).sum() >= 3
+    kind = cpu[2].state.stretch[:, KIND]
+    assert (kind > 0.0).sum() > 10
+    assert (kind == BETWEEN).any()
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -240,6 +240,7 @@ def joint(seed: int) -> tuple[bd.Model, float, float]:
 
 
 @pytest.mark.filterwarnings("ignore::bondem.errors.StrengthWarning")
+@pytest.mark.filterwarnings("ignore:faces of a joint slid off:bondem.errors.ContactWarning")  # the smallest one
 @pytest.mark.parametrize("seed", [1, 2])
 def test_a_flat_joint_slips_by_more_than_a_facet_at_the_default_step(seed: int) -> None:
     """Before: the energy that appeared was 13 and 29 % of the work, and intact blocks broke.

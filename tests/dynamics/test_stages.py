@@ -228,7 +228,7 @@ def test_a_state_without_contacts_forgets_them():
     begun = state.copy()
     begun.begin(bd.Model(apart, None, 1000.0))
     assert len(begun.contacts) == 0
-    assert begun.stretch.shape == (0, 6)
+    assert begun.stretch.shape == (0, 9)
 
 
 # ---- one shape of results

@@ -3,6 +3,7 @@
 #include "described.hpp"
 #include "passes/contacts/candidates.hpp"
 #include "passes/contacts/contact_loads.hpp"
+#include "passes/contacts/face_contacts.hpp"
 #include "passes/contacts/handover.hpp"
 #include "passes/contacts/travel.hpp"
 #include "passes/contacts/rigid_walls.hpp"
@@ -16,6 +17,10 @@ BONDEM_TABLE(ContactPairs, F(first, "pairs"), F(second, "pairs"), F(start, "n+1"
              F(memory, "pairs 8"), F(touch, "pairs"), F(bond, "pairs"), F(joined, "*"), F(of_bond, "*"), F(period, "6"))
 BONDEM_TABLE(NearPairs, F(near, "pairs+1"), F(close, "pairs+1"), F(output, "pairs 8"), F(counts, "element_portions 2"),
              F(width, ""))
+BONDEM_TABLE(FacePairs, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(lever_i, "3 m"), F(lever_j, "3 m"),
+             F(pitch, "3"), F(normal, "3 m"), F(j, "m"), F(k, "m"), F(area, "m"), F(listed, "m"), F(plane, "m"), F(open, "m"), F(faced, "n"),
+             F(outer, "n"), F(earlier_start, "n+1"), F(earlier, "pairs"), F(chosen, "pairs"), F(whole, "pairs"), F(close, "pairs"),
+             F(output, "pairs 12"), F(gained, "pairs"), F(count, "element_portions"))
 BONDEM_TABLE(Travel, F(listed, "n 3"), F(measured, "n 3"), F(portion, "element_portions 3"), F(far, "2"), F(reach, ""))
 BONDEM_TABLE(ContactSums, F(sums, "n 8"))
 BONDEM_TABLE(ContactEnergies, F(energy, "element_portions"))
@@ -29,7 +34,7 @@ BONDEM_TABLE(WallMotions, F(times, "wall_times"), F(values, "wall_times"), F(sta
              F(free_force, "free_walls 3"))
 BONDEM_TABLE(PairSources, F(bond_start, "n+1"), F(bond_first, "m"),
              F(wanted, "m"), F(rest_start, "n+1"), F(rest_first, "rest"), F(rest_gap, "rest"), F(kept_start, "n+1"),
-             F(kept_first, "kept"), F(kept_memory, "kept 6"))
+             F(kept_first, "kept"), F(kept_memory, "kept 8"))
 BONDEM_TABLE(FoundPairs, F(first, "room"), F(second, "room"), F(bond, "room"), F(start, "n+1"), F(gap, "room"),
              F(memory, "room 8"), F(touch, "room"))
 BONDEM_TABLE(WallSources, F(radius, "n"), F(rest_start, "n+1"), F(rest_wall, "rest"), F(rest_gap, "rest"),
@@ -41,7 +46,7 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
 
 // Lines of the lists in `index.cpp`.
 #define BONDEM_CONTACT_TABLES                                                                                            \
-    described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<Travel>(),               \
+    described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<FacePairs>(), described<Travel>(),               \
         described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<Walls>(),           \
         described<WallMotions>(), described<PairSources>(), described<FoundPairs>(), described<WallSources>(),           \
         described<FoundWalls>()
@@ -52,6 +57,7 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
         S(serial, load_walls), S(serial, keep_measures), S(elements_of_blocks, add_contact_loads),                       \
         S(of_elements, sum_pair_energies), S(of_elements, sum_wall_energies), S(serial, write_contact_energy),           \
         S(serial, count_wall_work), S(serial, write_walls), S(serial, begin_contacts), S(serial, release_pressure),             \
-        S(serial, begin_softened_contacts)
+        S(serial, begin_softened_contacts), S(of_elements, press_pairs_and_faces), S(of_ranges, add_face_loads),          \
+        S(of_elements, sum_face_energies), S(serial, begin_face_contacts)
 
 }  // namespace bondem

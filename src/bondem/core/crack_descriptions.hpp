@@ -35,7 +35,7 @@ BONDEM_TABLE(CandidateFacets, F(scale, "m"), F(area, "m"), F(tension, ""), F(lea
              F(total, "1"))
 BONDEM_TABLE(CohesiveCracks, F(shape, "facets 8"), F(face, "facets 8"), F(state, "facets 8"), F(softening, "facets 8"),
              F(history, "facets 8"), F(pull, "facets 4"), F(pitch, "3"), F(order, "facets"), F(listed, "m"),
-             F(integrity, "facets"), F(size, "2"))
+             F(integrity, "facets"), F(size, "2"), F(slide, ""))
 BONDEM_TABLE(CellSlack, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(slack_i, "m"), F(slack_j, "m"),
              F(weight, "n"))
 BONDEM_TABLE(CrackLists, F(size, "4"), F(treated, "places"), F(resting, "places"), F(treated_i, "places"),

@@ -24,6 +24,7 @@ BONDEM_TABLE(WorkPortions, F(works, "work_portions 2"))
 BONDEM_TABLE(StrainPortions, F(due, "2"), F(power, "* *"))
 BONDEM_TABLE(WallEnergy, F(energy, "wall_portions"))
 BONDEM_TABLE(LossesOfCracks, F(lost, "*"), F(portion, "loss_portions"), F(group, "loss_groups"), F(fallen, "*"), F(number, "1"))
+BONDEM_TABLE(BegunFaces, F(gained, "element_portions"))
 BONDEM_TABLE(FacetArms, F(arm, "7 *"))
 BONDEM_TABLE(CrackPortions, F(energy, "* 3"))
 BONDEM_TABLE(CrushingPortions, F(energy, "*"))
@@ -37,7 +38,8 @@ BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
         described<LoadsOfBonds>(), described<BondsOfElements>(), described<EarlierPairs>(), \
         described<RowOrder>(), described<WorkPortions>(), described<StrainPortions>(), \
         described<WallEnergy>(), described<FoldedPortions>(), described<GaugeParts>(), \
-        described<LossesOfCracks>(), described<FacetArms>(), described<CrackPortions>(), described<CrushingPortions>()
+        described<LossesOfCracks>(), described<BegunFaces>(), described<FacetArms>(), described<CrackPortions>(), \
+        described<CrushingPortions>()
 
 // Name and tables of a pass over an index. Its loop on the CPU is in `loops.cpp`.
 template <auto pass> struct IndexPass;

@@ -105,14 +105,15 @@ class CohesiveCracks(NamedTuple):
     listed: np.ndarray  #: 0 for whole facets, else 1 and the status of the crack, uint8, (m,)
     integrity: Floats  #: that of a state, (m,)
     size: Ints  #: number of cracks, and 1 where lists are out of date, (2,)
+    slide: float  #: largest slip of faces of material planes that face each other, over √A, at most 1 [-]
 
     @classmethod
-    def of(cls, state: State, listed: np.ndarray) -> "CohesiveCracks":
+    def of(cls, state: State, listed: np.ndarray, slide: float) -> "CohesiveCracks":
         """Return the cracks of a state; memory is taken as facets crack."""
         m, count = len(state.integrity), len(state.cracks)
         cracks = cls(
             lines(m), lines(m), lines(m), lines(m), lines(m), np.zeros((m, 4)), np.zeros(3), np.zeros(m, np.int64),
-            listed, state.integrity, np.array([count, 1], dtype=np.int64),
+            listed, state.integrity, np.array([count, 1], dtype=np.int64), slide,
         )  # fmt: skip
         facet = state.cracks[:, FACET].astype(np.int64)
         cracks.order[:count] = facet

@@ -11,6 +11,7 @@ from bondem._types import Floats, Ints
 from bondem.boundary.wall_columns import WALL_RATE
 from bondem.damage.crack_columns import FACET, PARTED, STATUS
 from bondem.errors import ContactWarning
+from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.contact.contact_model import ContactModel
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -93,9 +94,10 @@ class ContactCheck:
 
 
 class SinkingCheck:
-    """Check that warns once if separated elements overlap because the model has no contact law.
+    """Check that warns once where only a contact law could carry pressure, and the model has none.
 
-    Only elements with a broken bond, or a facet whose faces have separated, are checked.
+    These are cells of a joint whose faces have slid off each other, and separated elements that overlap. Only
+    elements with a broken bond, or a facet whose faces have separated, are checked.
     """
 
     def __init__(self, model: Model) -> None:
@@ -106,9 +108,15 @@ class SinkingCheck:
         """Check a state.
 
         Warns:
-            ContactWarning: Elements overlap; given once.
+            ContactWarning: Faces of a joint have slid off each other, or elements overlap; given once.
         """
         if self._warned:
+            return
+        slid = self._slid(state)
+        if slid:
+            self._warn(
+                f"faces of a joint slid off each other by t = {state.time:.6g} s ({slid} facets) and carry nothing"
+            )
             return
         layout, n = self._model.layout, len(self._radius)
         parted = state.integrity <= 0.0
@@ -135,9 +143,29 @@ class SinkingCheck:
         limit = np.where(bonded, _SUNK_PAIR * np.minimum(self._model.bonds.length[place], limit / _SUNK), limit)
         sunk = np.linalg.norm(apart, axis=1) < np.where(bonded & ~parted[place], 0.0, limit)
         if sunk.any():
-            self._warned = True
-            warnings.warn(
-                f"separated elements overlap at t = {state.time:.6g} s ({int(sunk.sum())} pairs),"
-                " because the model has no contact law; pass contact=bd.LinearContact(...) to bd.Model",
-                ContactWarning, stacklevel=users_line(),
-            )  # fmt: skip
+            self._warn(f"separated elements overlap at t = {state.time:.6g} s ({int(sunk.sum())} pairs)")
+
+    def _warn(self, what: str) -> None:
+        self._warned = True
+        warnings.warn(
+            f"{what}, because the model has no contact law; pass contact=bd.LinearContact(...) to bd.Model",
+            ContactWarning, stacklevel=users_line(),
+        )  # fmt: skip
+
+    def _slid(self, state: State) -> int:
+        """Return the number of facets of material planes whose faces have parted by a slip, not by a gap."""
+        layout, facets, softening = self._model.layout, self._model.lattice.facets, self._model.softening
+        parted = state.cracks[state.cracks[:, STATUS] == PARTED, FACET].astype(np.int64)
+        if facets is None or softening is None or not len(parted):
+            return 0
+        parted = parted[softening.plane[parted] != 0]
+        user, i, j = layout.bond_order[parted], layout.i[parted], layout.j[parted]
+        normal = np.where(layout.flipped[parted, None], -1.0, 1.0) * facets.normal[user]
+        normal = turned_vectors(state.pose[i, 4:], normal) + turned_vectors(state.pose[j, 4:], normal)
+        normal /= np.linalg.norm(normal, axis=1)[:, None]
+        apart = state.pose[j, :3] - state.pose[i, :3]
+        if (period := self._model.lattice.particles.period) is not None:
+            apart -= period * np.rint(apart / period)
+        along, edge = np.einsum("ek,ek->e", apart, normal), np.sqrt(facets.area[user])
+        across = np.linalg.norm(apart - along[:, None] * normal, axis=1)
+        return int(((np.abs(along - facets.span[user]) < 0.5 * edge) & (across < 2.0 * edge)).sum())

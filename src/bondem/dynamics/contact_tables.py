@@ -29,7 +29,7 @@ class ContactPairs(NamedTuple):
     start: Ints  #: start of the pairs of each later element, (n + 1,)
     reach: Floats  #: distance of the centres at which a pair touches [m], (c,)
     own: Floats  #: kn of a pair that does not have that of the law, or 0 [N/m], (c,)
-    memory: Floats  #: tangential stretch [m] and force of the dashpots [N], in six of (c, 8)
+    memory: Floats  #: as `State.stretch`, (c, 8)
     touch: np.ndarray  #: uint8, (c,)
     bond: Ints  #: the bond of each pair, or -1, (c,)
     joined: Floats  #: above 0 of bonds that join their elements, which then do not touch, (m,)
@@ -45,6 +45,34 @@ class NearPairs(NamedTuple):
     output: Floats  #: force on the later element, damped [J], torque over the radius, rubbed [J], (c, 8)
     counts: Ints  #: of near and of close pairs of each portion of elements, (portions, 2)
     width: float  #: motion of an element after which distances are measured again [m]
+
+
+class FacePairs(NamedTuple):
+    """Faces of cells on material planes whose facet has cracked, and the pairs that touch by them."""
+
+    in_start: Ints
+    out_start: Ints
+    out_bond: np.ndarray  #: uint32
+    lever_i: np.ndarray  #: those of `ElasticFacets`, (3, m)
+    lever_j: np.ndarray
+    pitch: Floats
+    normal: Floats
+    j: np.ndarray
+    k: Floats
+    area: Floats  #: [m²], (m,)
+    listed: np.ndarray  #: that of `CohesiveCracks`, (m,)
+    plane: Floats  #: 1 for facets of material planes, (m,)
+    open: np.ndarray  #: 1 for facets whose faces have parted, uint8, (m,)
+    faced: np.ndarray  #: 1 for cells with such a facet, uint8, (n,)
+    outer: Floats  #: distance within which two cells touch by faces, as a sum of both [m], (n,)
+    earlier_start: Ints  #: start of the pairs whose earlier element each element is, (n + 1,)
+    earlier: np.ndarray  #: these pairs, uint32, (c,)
+    chosen: Floats  #: the two faces by which each pair touches as one number, 0 for none, (c,)
+    whole: Floats  #: reach of the spheres of pairs whose faces have not lain between them [m], (c,)
+    close: np.ndarray  #: pairs that touch by faces, uint32, (c,)
+    output: Floats  #: loads of each pair, (c, 12)
+    gained: Floats  #: energy taken over from facets that part [J], (c,)
+    count: Ints  #: close pairs of each portion of elements, (portions,)
 
 
 class Travel(NamedTuple):

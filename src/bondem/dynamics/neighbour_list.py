@@ -4,9 +4,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import Floats, Ints, PerBond
+from bondem._types import Floats, Ints, PerBond, PerElement
+from bondem.dynamics.contact_tables import ContactPairs, WallContacts
+from bondem.interactions.contact.contact_columns import BETWEEN, FACES, KIND, LINE_COLUMNS, NOT_YET, START
 from bondem.interactions.contact.contact_model import ContactModel, grid_of
 from bondem.interactions.contact.contact_search import (
+    APART,
+    FACING,
+    JUST_PARTED,
+    LATE,
     TOUCHING,
     FoundPairs,
     FoundWalls,
@@ -32,6 +38,9 @@ class FoundContacts:
 
     Attributes:
         pairs: pairs of elements.
+        whole: distance at which pairs touch as spheres [m], (c,).
+        least: distance at which each pair touches: less, where faces lay between it inside that distance [m], (c,).
+        faces: faces by which pairs touch, as one number, 0 for none, (c,).
         own: normal stiffness of the pairs of bonds, or 0 [N/m], (c,).
         of_bond: the pair of each bond, or -1, (m,).
         walls: contacts with walls.
@@ -41,6 +50,9 @@ class FoundContacts:
     """
 
     pairs: FoundPairs
+    whole: Floats
+    least: Floats
+    faces: Floats
     own: Floats
     of_bond: Ints
     walls: FoundWalls
@@ -52,7 +64,10 @@ class FoundContacts:
 class ContactSearch:
     """Search for the contacts of a run, with a skin that grows where lists do not last."""
 
-    def __init__(self, model: Model, contacts: ContactModel, state: State, joints: tuple[PerBond, PerBond]) -> None:
+    def __init__(
+        self, model: Model, contacts: ContactModel, state: State, joints: tuple[PerBond, PerBond],
+        outer: PerElement | None = None,
+    ) -> None:  # fmt: skip
         """Prepare the first search.
 
         Args:
@@ -60,7 +75,9 @@ class ContactSearch:
             contacts: contacts of the model.
             state: state with the pose of the elements.
             joints: result of `bondem.dynamics.crack_joints.joints`; passes write both arrays.
+            outer: distance within which two cells may touch by faces, as a sum of both [m], (n,); None without.
         """
+        self._size = contacts.radius if outer is None else np.maximum(contacts.radius, outer)
         self._contacts = contacts
         self._state = state
         self._period = model.lattice.particles.period
@@ -80,11 +97,11 @@ class ContactSearch:
         skin = self._skin * float(radius.mean())
         position = state.pose[:, :3].copy()
         n = len(position)
-        grid = grid_of(position, radius, self._period, skin)
+        grid = grid_of(position, self._size, self._period, skin)
         pairs = found_pairs(grid, PairSources(
             layout.in_start, layout.i, self._listed(position, skin),
             contacts.pairs.start, contacts.pairs.partner, contacts.pairs.gap,
-            _starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32), state.stretch,
+            _starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32), _line(state.stretch),
         ))  # fmt: skip
         own = np.zeros(len(pairs.first))
         if contacts.law.parallel:
@@ -97,6 +114,8 @@ class ContactSearch:
             pairs.gap[bonded] = self._apart[pairs.bond[bonded]] - (
                 radius[pairs.first[bonded]] + radius[pairs.second[bonded]]
             )
+        whole = radius[pairs.first] + radius[pairs.second] + pairs.gap
+        least = _recalled(pairs, whole)
         rest, kept = contacts.at_walls, state.wall_touching
         walls = Walls(contacts.walls.shape, state.walls, contacts.walls.friction, np.zeros((len(state.walls), 4)))
         at_walls = WallSources(
@@ -104,14 +123,16 @@ class ContactSearch:
             state.wall_stretch, skin, np.empty(n + 1, dtype=np.int64),
         )  # fmt: skip
         found = found_walls(state.pose, walls, at_walls)
-        return FoundContacts(pairs, own, of_bond, found, at_walls.start, position, 0.5 * skin)
+        return FoundContacts(
+            pairs, whole, least, self._faces_of(pairs), own, of_bond, found, at_walls.start, position, 0.5 * skin
+        )  # fmt: skip
 
     def _listed(self, position: Floats, skin: float) -> np.ndarray:
         """Return a mask of the bonds whose pairs are listed, (m,): breakable ones, and broken ones with near ends.
 
         If contacts act beside bonds, these are all bonds with near ends.
         """
-        layout, radius = self._state.layout, self._contacts.radius
+        layout, size = self._state.layout, self._size
         broken = (self._joined[: len(layout.i)] <= 0.0) | self._contacts.law.parallel
         listed = ~broken if self._breaking else np.zeros(len(broken), dtype=bool)
         e = np.flatnonzero(broken)
@@ -119,21 +140,60 @@ class ContactSearch:
         apart = position[j] - position[i]
         if self._period is not None:
             apart -= self._period * np.rint(apart / self._period)
-        reach = np.maximum(radius[i] + radius[j], self._apart[e]) + skin
+        reach = np.maximum(size[i] + size[j], self._apart[e]) + skin
         listed[e] = np.einsum("ek,ek->e", apart, apart) < reach**2
         return listed.astype(np.uint8)
 
-    def keep(
-        self, first: Ints, second: Ints, touch: np.ndarray, memory: Floats, element: Ints, wall: Ints,
-        wall_touch: np.ndarray, wall_memory: Floats,
-    ) -> None:  # fmt: skip
-        """Write the memory of touching pairs, and of elements that touch walls, into the state."""
-        state = self._state
-        touching, at_wall = touch == TOUCHING, wall_touch == TOUCHING
-        state.touching = np.column_stack([first[touching], second[touching]]).astype(np.int64)
-        state.stretch = memory[touching, :6]
-        state.wall_touching = np.column_stack([element[at_wall], wall[at_wall]]).astype(np.int64)
-        state.wall_stretch = wall_memory[at_wall]
+    def _faces_of(self, pairs: FoundPairs) -> Floats:
+        """Return the faces by which pairs touch, of the state, (c,)."""
+        state, n, found = self._state, len(self._state.pose), np.zeros(len(pairs.first))
+        if state.stretch.shape[1] > FACES:
+            known = state.touching[:, 1] * n + state.touching[:, 0]
+            kept = np.flatnonzero(pairs.touch != APART)
+            key = pairs.second[kept].astype(np.int64) * n + pairs.first[kept]
+            found[kept] = state.stretch[np.searchsorted(known, key), FACES]
+        return found
+
+    def keep(self, pairs: ContactPairs, walls: WallContacts, whole: Floats, faces: Floats | None) -> None:
+        """Write the memory of pairs, and of elements that touch walls, into the state.
+
+        Args:
+            pairs: the list of pairs.
+            walls: contacts with walls.
+            whole: distance at which pairs touch as spheres [m], (c,).
+            faces: faces by which pairs touch, (c,), or None where none do.
+        """
+        state, at_wall = self._state, walls.touch == TOUCHING
+        late = (pairs.reach < whole) & ((pairs.touch == LATE) | (pairs.touch == JUST_PARTED))
+        kept = late | (pairs.touch == TOUCHING) | (pairs.touch == FACING)
+        memory, spheres, less = pairs.memory[kept], pairs.touch[kept] != FACING, (pairs.reach < whole)[kept]
+        memory[spheres, START] = np.where(less, pairs.reach[kept], 0.0)[spheres]
+        memory[spheres, KIND] = 0.0
+        memory[~spheres & ~(memory[:, KIND] > 0.0), KIND] = BETWEEN
+        memory[late[kept], KIND] = NOT_YET
+        state.touching = np.column_stack([pairs.first[kept], pairs.second[kept]]).astype(np.int64)
+        state.stretch = np.column_stack([memory, np.zeros(len(memory)) if faces is None else faces[kept]])
+        state.wall_touching = np.column_stack([walls.element[at_wall], walls.wall[at_wall]]).astype(np.int64)
+        state.wall_stretch = walls.memory[at_wall]
+
+
+def _recalled(pairs: FoundPairs, whole: Floats) -> Floats:
+    """Set how pairs with a memory touch; return the distance at which each touches as spheres [m], (c,)."""
+    kind, start = pairs.memory[:, KIND], pairs.memory[:, START]
+    kept = pairs.touch == TOUCHING
+    pairs.touch[kept & ((kind > 0.0) | (kind == BETWEEN))] = FACING
+    pairs.touch[kept & (kind == NOT_YET)] = LATE
+    spheres = kept & (pairs.touch != FACING)
+    reach = np.where(spheres & (start > 0.0), start, whole)
+    start[spheres] = 0.0
+    np.maximum(kind, 0.0, out=kind)
+    return reach
+
+
+def _line(stretch: Floats) -> Floats:
+    """Return the memory of contacts as the core has it; older files lack the columns of faces, (c, 8)."""
+    lacks = max(LINE_COLUMNS - stretch.shape[1], 0)
+    return np.ascontiguousarray(np.pad(stretch[:, :LINE_COLUMNS], ((0, 0), (0, lacks))))
 
 
 def _starts(later: Ints, n: int) -> Ints:

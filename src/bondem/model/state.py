@@ -16,6 +16,7 @@ from bondem.damage.crack_columns import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT,
 from bondem.damage.crushing import crushing_of
 from bondem.damage.event_columns import BROKEN_COLUMNS, SOFT_COLUMNS, SOFT_ONSET
 from bondem.errors import InputError
+from bondem.interactions.contact.contact_columns import CONTACT_COLUMNS, in_contact
 from bondem.interactions.non_local.non_local_constants import NON_LOCAL_ROWS, NON_LOCAL_WORK
 from bondem.model.state_compatibility import Origin, difference
 from bondem.model.state_walls import known_walls, rows_of_walls, set_off
@@ -56,8 +57,8 @@ class State:
       element and of strains follow, if there are any.
     - `loss`: energy that damping has taken from each element, its present power, and energy lost to friction
       [J, W, J], shape (n, 3).
-    - `touching`: internal pairs i < j in contact, sorted by j, then i, shape (c, 2).
-    - `stretch`: tangential stretch [m] and dashpot force [N] of these contacts, shape (c, 6).
+    - `touching`: internal pairs i < j in contact or with faces between them, sorted by j, then i, shape (c, 2).
+    - `stretch`: memory of these contacts, columns of `contact_columns`, shape (c, 9).
     - `wall_touching`: internal element and wall of each contact with a wall, shape (b, 2).
     - `wall_stretch`: tangential stretch [m] and dashpot force [N] of these contacts, shape (b, 6).
     - `walls`: positions, velocities and loads of the walls (`bondem.boundary.wall_columns`), shape (w, 14).
@@ -97,8 +98,7 @@ class State:
         self.reaction = np.zeros((rows, 6))
         self.work = np.zeros(model.constraints.works[-1])
         self.loss = np.zeros((n, 3))
-        self.touching = np.zeros((0, 2), dtype=np.int64)
-        self.stretch = np.zeros((0, 6))
+        self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, CONTACT_COLUMNS))
         self.wall_touching = np.zeros((0, 2), dtype=np.int64)
         self.wall_stretch = np.zeros((0, 6))
         self.walls = np.zeros((len(model.walls), WALL_COLUMNS))
@@ -173,7 +173,7 @@ class State:
         if model.non_local is not None:
             self.history[NON_LOCAL_WORK] = 0.0
         if model.contact is None:
-            self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, 6))
+            self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, CONTACT_COLUMNS))
         before = self._take_walls(model.walls)
         set_off(self.walls, before, model.walls)
         self.walls[:, WALL_WORK] = 0.0
@@ -335,7 +335,7 @@ class State:
     @property
     def contacts(self) -> Pairs:
         """Pairs of elements in contact, without bonded pairs, user's order, shape (c, 2)."""
-        return freeze(self.layout.order[self.touching])
+        return freeze(self.layout.order[self.touching[in_contact(self.stretch)]])
 
     @property
     def wall_displacement(self) -> Floats:

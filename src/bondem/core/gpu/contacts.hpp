@@ -4,6 +4,7 @@
 // an element or a wall has left stops the run: what follows in a graph does nothing, and the CPU makes the list anew.
 #pragma once
 #include "../passes/contacts/contact_loads.hpp"
+#include "../passes/contacts/face_contacts.hpp"
 #include "../passes/contacts/pairs.hpp"
 #include "../passes/contacts/wall_shapes.hpp"
 #include "../passes/contacts/rigid_walls.hpp"
@@ -54,6 +55,24 @@ inline void press_pair(Index k, const DeviceSpan &span, const Moving &all, const
     }
     with_law(c, [&](auto law) { press_one(law, k, all, c, pairs, near, clock_of(span).dt); });
 }
+// The same of bodies of cells with cracks, whose pairs touch by faces too.
+inline void press_pair_or_faces(Index k, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
+                                const ContactPairs &pairs, const NearPairs &near, const FacePairs &faces) {
+    faces.close(k) = 0;
+    if (bonded(pairs, k)) return;
+    const double dt = clock_of(span).dt;
+    const PairOf kind = press_faces(all, c, pairs, faces, k, dt);
+    faces.close(k) = kind == PairOf::faces;
+    if (kind == PairOf::spheres) with_law(c, [&](auto law) { press_one(law, k, all, c, pairs, near, dt); });
+}
+// Adds what faces do to element p: of pairs whose later element it is, then of those whose earlier one.
+inline void add_faces_of_element(Index p, const ContactPairs &pairs, const FacePairs &faces, const ContactSums &to) {
+    for (Index k = pairs.start(p); k < pairs.start(p + 1); k++)
+        if (faces.close(k) != 0) add_faces_to(faces, k, true, &to.sums(p, 0));
+    for (Index e = faces.earlier_start(p); e < faces.earlier_start(p + 1); e++)
+        if (faces.close(faces.earlier(e)) != 0) add_faces_to(faces, faces.earlier(e), false, &to.sums(p, 0));
+}
+inline bool as_spheres(Byte touch) { return touch == touching || touch == parted; }
 // Adds what pairs do to element p: those whose later element it is, then those whose earlier one, in their order.
 inline void add_pairs_of_element(Index p, const ContactConstants &c, const ContactPairs &pairs, const EarlierPairs &earlier,
                                  const NearPairs &near, const ContactSums &to) {
@@ -61,7 +80,7 @@ inline void add_pairs_of_element(Index p, const ContactConstants &c, const Conta
     bool loaded = false;
     const double r = c.radius(p);
     for (Index k = pairs.start(p); k < pairs.start(p + 1); k++) {
-        if (pairs.touch(k) == separate) continue;
+        if (!as_spheres(pairs.touch(k))) continue;
         const Row<double> &out = row_at(near.output.data, Short(k));
         for (Index x = 0; x < 4; x++) sum.column[x] += out.column[x];
         for (Index x = 4; x < 7; x++) sum.column[x] += r * out.column[x];
@@ -70,7 +89,7 @@ inline void add_pairs_of_element(Index p, const ContactConstants &c, const Conta
     }
     for (Index e = earlier.start(p); e < earlier.start(p + 1); e++) {
         const Short k = earlier.pair(e);
-        if (pairs.touch(k) == separate) continue;
+        if (!as_spheres(pairs.touch(k))) continue;
         const Row<double> &out = row_at(near.output.data, k);
         for (Index x = 0; x < 3; x++) {
             sum.column[x] -= out.column[x];
@@ -138,6 +157,10 @@ inline void measure_overlaps(Index b, const DeviceSpan &span, const Moving &all,
 inline void sum_portion_of_pairs(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
                                  const ContactPairs &pairs, const ContactEnergies &energies) {
     sum_pair_energies(portion_of(span, b, elements_of_portion, span.n), all, c, pairs, energies);
+}
+inline void sum_portion_of_faces(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
+                                 const ContactPairs &pairs, const FacePairs &faces, const ContactEnergies &energies) {
+    sum_face_energies(portion_of(span, b, elements_of_portion, span.n), all, c, pairs, faces, energies);
 }
 inline void sum_portion_at_walls(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
                                  const WallContacts &contacts, const Walls &walls, const ContactEnergies &energies) {

@@ -4,6 +4,7 @@
 // What several cracks change of a cell is added by its thread, in the order of the CPU, from flags of its facets. Flags of
 // both kinds are those of the present step: `flag` of cracks that are treated one by one, `waking` of those at rest.
 #pragma once
+#include "../passes/contacts/face_contacts.hpp"
 #include "../passes/contacts/handover.hpp"
 #include "../passes/cracks/carried.hpp"
 #include "../passes/cracks/crack_loads.hpp"
@@ -106,7 +107,7 @@ inline void wake_crack(Index k, const Moving &all, const ElasticFacets &facets, 
                        const CrackLists &lists) {
     if (lists.waking(k) != crack::wakes) return;
     const SingleCrack one(all.pose, facets, cracks, k);
-    if (one.s == 0.0 && turned_away(one.now, one.area)) {
+    if (one.s == 0.0 && turned_away(one.now, one.area, slide_of(cracks, k))) {
         part_resting(facets, cracks, k);
         lists.waking(k) = crack::parts;
         return;
@@ -184,6 +185,33 @@ inline void touch_parted_face(Index k, const Moving &all, const ContactPairs &pa
                               const CrackLists &lists, const PartedReach &reach) {
     if (lists.flag(k) != crack::parts && lists.waking(k) != crack::parts) return;
     shape_of(cracks, k).top = reach.apart(k) = open_pair(all, pairs, k, reach.apart(k));
+}
+// Marks the faces of facet k that part in this step, and their cells.
+inline void open_face(Index k, const ContactPairs &pairs, const FacePairs &faces, const CrackLists &lists) {
+    if (lists.flag(k) != crack::parts && lists.waking(k) != crack::parts) return;
+    mark_parting(pairs, faces, k, pairs.of_bond(k));
+}
+// Begins the contact of the faces of pair k that part in this step.
+inline void begin_faces_of_pair(Index k, const Moving &all, const ContactPairs &pairs, const FacePairs &faces) {
+    const bool begins = faces.faced(pairs.first(k)) == 2 || faces.faced(pairs.second(k)) == 2;
+    faces.gained(k) = begins ? begin_by_faces(all, pairs, faces, k) : 0.0;
+}
+inline void sum_portion_of_begun(Index b, const DeviceSpan &span, const ContactPairs &pairs, const FacePairs &faces,
+                                 const BegunFaces &begun) {
+    const Turn turn = portion_of(span, b, elements_of_portion, span.n);
+    double sum = 0.0;
+    for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++) sum += faces.gained(k);
+    begun.gained(b) = sum;
+}
+inline void settle_face(Index k, const FacePairs &faces) {
+    if (faces.open(k) == 2) faces.open(k) = 1;
+}
+inline void settle_faces_of_cell(Index p, const FacePairs &faces) {
+    if (faces.faced(p) == 2) faces.faced(p) = 1;
+}
+// Takes what faces that begin to touch have gained off the energy that has been released.
+inline void take_over_from_cracks(Index, const BegunFaces &begun, const EventLog &log) {
+    for (Index b = 0; b < begun.gained.size(); b++) log.released(0) -= begun.gained(b);
 }
 
 // ---- forces, and what is dissipated

@@ -154,6 +154,9 @@
     X(move_all_walls)                   \
     X(press_pair)                       \
     X(add_pairs_of_element)             \
+    X(press_pair_or_faces)              \
+    X(add_faces_of_element)             \
+    X(sum_portion_of_faces)             \
     X(press_walls_on_element)           \
     X(add_contact_load)                 \
     X(load_wall)                        \
@@ -193,6 +196,12 @@
     X(leave_crack)                      \
     X(take_leaving)                     \
     X(touch_parted_face)                \
+    X(open_face)                        \
+    X(begin_faces_of_pair)              \
+    X(sum_portion_of_begun)             \
+    X(settle_face)                      \
+    X(settle_faces_of_cell)             \
+    X(take_over_from_cracks)            \
     X(load_crack)                       \
     X(add_crack_load)                   \
     X(sum_portion_of_losses)            \

@@ -7,6 +7,7 @@
 #include "../passes/cells/cell_stress.cpp"
 #include "../passes/cells/facet_failure.cpp"
 #include "../passes/contacts/contact_loads.cpp"
+#include "../passes/contacts/face_contacts.cpp"
 #include "../passes/contacts/handover.cpp"
 #include "../passes/contacts/rigid_walls.cpp"
 #include "../passes/cracks/crack_loads.cpp"

@@ -58,12 +58,13 @@ BONDEM_INLINE FacedFaces<T> crack_faces(const Ends<T> &ends, const FacetShape<T>
 
 // Faces whose normals are further apart than this cosine do not press on each other as planes.
 constexpr double least_facing = 0.7;
-// Whether the faces of a crack of a facet of this area no longer face each other.
-template <class T> BONDEM_INLINE Mask<T> turned_away(const FacedFaces<T> &now, T area) {
+// Whether the faces of a crack of a facet of this area no longer face each other: they are further apart than √A, or have
+// slid by more than `slide` √A.
+template <class T> BONDEM_INLINE Mask<T> turned_away(const FacedFaces<T> &now, T area, double slide) {
     const Vector3<T> gap = now.faces.gap, n = now.faces.normal;
     const T d = dot(gap, n), along = positive(d);
     const Vector3<T> across = minus(gap, d, n);
-    return (now.facing < all<T>(least_facing)) | (most(along * along, dot(across, across)) > area);
+    return (now.facing < all<T>(least_facing)) | (along * along > area) | (dot(across, across) > slide * slide * area);
 }
 
 // F of a half as if it were whole, its opening part, and its pressing part along the normal, at most 0 [N].

@@ -24,8 +24,9 @@ struct ContactPairs {
     Array<const Index, 1> start;  // where the pairs of each later element begin, (n + 1,)
     Array<double, 1> reach;  // distance of the centres at which a pair touches [m], (c,)
     Array<const double, 1> own;  // kn of a pair that does not have that of the law, or 0 [N/m], (c,)
-    Array<double, 2> memory;  // tangential stretch [m] and force of the dashpots [N], in six of (c, 8)
-    Array<Byte, 1> touch;  // apart, touching or parted, (c,)
+    // tangential stretch [m] and force of the dashpots [N]; of faces the overlap u0 [m] and kn a step ago [N/m], (c, 8)
+    Array<double, 2> memory;
+    Array<Byte, 1> touch;  // `TouchState`, (c,)
     Array<const Index, 1> bond;  // the bond of each pair, or -1; while it joins them they do not touch, (c,)
     Array<double, 1> joined;  // above 0 of bonds that join their elements
     Array<const Index, 1> of_bond;  // the pair of each bond, or -1, (m,)
@@ -40,6 +41,31 @@ struct NearPairs {
     Array<double, 2> output;  // (c, 8)
     Array<Index, 2> counts;  // of near and of close pairs of each portion, (portions, 2)
     double width;  // motion of an element after which distances are measured anew [m]
+};
+// Faces of cells on material planes whose facet has cracked, and the pairs that touch by them (`laws/face_contact.hpp`).
+struct FacePairs {
+    Array<const Index, 1> in_start, out_start;  // facets of each cell, as `FacetsOfCells` has them, (n + 1,)
+    Array<const Short, 1> out_bond;
+    Array<const int32_t, 2> lever_i, lever_j;  // as `ElasticFacets` has them, (3, m)
+    Array<const double, 1> pitch;
+    Array<const double, 2> normal;
+    Array<const Short, 1> j;  // later cell, (m,)
+    Array<const double, 1> k, area;  // [N/m, m²], (m,)
+    Array<const Byte, 1> listed;  // that of `CohesiveCracks`: 0 for whole facets, (m,)
+    Array<const double, 1> plane;  // 1 for facets of material planes, (m,)
+    Array<Byte, 1> open;  // 1 for facets whose faces have parted, 2 in the step in which they do, (m,)
+    Array<Byte, 1> faced;  // the same of cells that have such a facet, (n,)
+    Array<const double, 1> outer;  // distance within which two cells touch by faces, as a sum of both [m], (n,)
+    Array<const Index, 1> earlier_start;  // pairs whose earlier element is p, (n + 1,)
+    Array<const Short, 1> earlier;  // (c,)
+    Array<double, 1> chosen;  // the two faces by which each pair touches (`ChosenFaces`), 0 for none, (c,)
+    Array<double, 1> whole;  // reach of the spheres of pairs whose faces have not lain between them [m], (c,)
+    Array<Short, 1> close;  // pairs that touch by faces or did a step ago, ascending, those of a portion from its first on, (c,)
+    // of pair k: force on the later element [N], lost to dashpots [J], torque on it [N·m], lost to friction [J], torque on
+    // the earlier one [N·m], (c, 12)
+    Array<double, 2> output;
+    Array<double, 1> gained;  // energy taken over from facets that part in this step [J], (c,)
+    Array<Index, 1> count;  // of close pairs of each portion, (portions,)
 };
 // How far elements have moved since their distances were measured, and since the list was made.
 struct Travel {
@@ -103,7 +129,7 @@ struct PairSources {
     Array<const double, 1> rest_gap;  // [m]
     Array<const Index, 1> kept_start;  // pairs that touch, (n + 1,)
     Array<const Short, 1> kept_first;
-    Array<const double, 2> kept_memory;  // (…, 6)
+    Array<const double, 2> kept_memory;  // (…, 8)
 };
 // The list, with room for all pairs.
 struct FoundPairs {

@@ -67,6 +67,7 @@ struct CohesiveCracks {
     Array<Byte, 1> listed;  // of each facet: 0 whole, else 1 and how its crack is treated, (m,)
     Array<double, 1> integrity;  // of each facet, (facets,)
     Array<Index, 1> size;  // number of cracks, and whether lists are out of date, (2,)
+    double slide;  // largest slip of faces of material planes that face each other, over √A, at most 1 [-]
 };
 // What cells lose with facets that are treated as facets of less integrity.
 struct CellSlack {

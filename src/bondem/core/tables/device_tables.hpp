@@ -67,6 +67,10 @@ struct LossesOfCracks {
     Array<double, 1> portion, group;  // sums of it
     Array<Index, 1> fallen, number;  // facets, in any order until they are logged, (m,), and how many, (1,)
 };
+// Energy that faces which begin to touch take over.
+struct BegunFaces {
+    Array<double, 1> gained;  // of each portion of elements [J]
+};
 // Levers of the cells of each facet in space [m], and T_b² [Pa²].
 struct FacetArms {
     Array<double, 2> arm;  // (7, m)

@@ -5,11 +5,13 @@ from typing import Any
 import numpy as np
 
 from bondem._device import IndexPass, Launch
+from bondem.dynamics.cohesive_tables import CrackLists
 from bondem.dynamics.contact_tables import (
     ContactConstants,
     ContactEnergies,
     ContactPairs,
     ContactSums,
+    FacePairs,
     NearPairs,
     Travel,
     WallContacts,
@@ -18,7 +20,14 @@ from bondem.dynamics.contact_tables import (
 from bondem.dynamics.damage_tables import EventLog, Postponed
 from bondem.dynamics.gauge_tables import Gauges
 from bondem.dynamics.on_device.breakage_counterparts import marks_of
-from bondem.dynamics.on_device.device_tables import BondMarks, BondsOfElements, DeviceSpan, EarlierPairs, RowOrder
+from bondem.dynamics.on_device.device_tables import (
+    BegunFaces,
+    BondMarks,
+    BondsOfElements,
+    DeviceSpan,
+    EarlierPairs,
+    RowOrder,
+)
 from bondem.dynamics.on_device.translation import Counterpart, Translation
 from bondem.dynamics.parts.part import Passes
 from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
@@ -32,6 +41,19 @@ _press_pair = IndexPass("press_pair", DeviceSpan, Moving, ContactConstants, Cont
 _add_pairs = IndexPass(
     "add_pairs_of_element", ContactConstants, ContactPairs, EarlierPairs, NearPairs, ContactSums
 )
+_press_pair_or_faces = IndexPass(
+    "press_pair_or_faces", DeviceSpan, Moving, ContactConstants, ContactPairs, NearPairs, FacePairs
+)
+_add_faces = IndexPass("add_faces_of_element", ContactPairs, FacePairs, ContactSums)
+_sum_faces = IndexPass(
+    "sum_portion_of_faces", DeviceSpan, Moving, ContactConstants, ContactPairs, FacePairs, ContactEnergies
+)
+_open_face = IndexPass("open_face", ContactPairs, FacePairs, CrackLists)
+_begin_faces = IndexPass("begin_faces_of_pair", Moving, ContactPairs, FacePairs)
+_sum_begun = IndexPass("sum_portion_of_begun", DeviceSpan, ContactPairs, FacePairs, BegunFaces)
+_settle_face = IndexPass("settle_face", FacePairs)
+_settle_cell = IndexPass("settle_faces_of_cell", FacePairs)
+_take_over_from_cracks = IndexPass("take_over_from_cracks", BegunFaces, EventLog)
 _press_walls = IndexPass(
     "press_walls_on_element", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, ContactSums
 )
@@ -91,6 +113,43 @@ def _add(
     return [(_add_pairs, run.span.n, (law, pairs, earlier_pairs(run, pairs), near, sums))]
 
 
+def _press_with_faces(
+    run: Translation,
+    moving: Moving,
+    law: ContactConstants,
+    pairs: ContactPairs,
+    near: NearPairs,
+    _: Travel,
+    faces: FacePairs,
+) -> list[Launch]:
+    return [(_press_pair_or_faces, len(pairs.first), (run.span, moving, law, pairs, near, faces))]
+
+
+def _add_by_faces(run: Translation, pairs: ContactPairs, faces: FacePairs, sums: ContactSums) -> list[Launch]:
+    return [(_add_faces, run.span.n if len(pairs.first) else 0, (pairs, faces, sums))]
+
+
+def _begin_by_faces(
+    run: Translation,
+    moving: Moving,
+    pairs: ContactPairs,
+    _: NearPairs,
+    faces: FacePairs,
+    lists: CrackLists,
+    log: EventLog,
+) -> list[Launch]:
+    portions = len(faces.count)
+    begun = run.once(faces, lambda: BegunFaces(np.zeros(portions)))
+    return [
+        (_open_face, run.span.m, (pairs, faces, lists)),
+        (_begin_faces, len(pairs.first), (moving, pairs, faces)),
+        (_sum_begun, portions, (run.span, pairs, faces, begun)),
+        (_settle_face, run.span.m, (faces,)),
+        (_settle_cell, run.span.n, (faces,)),
+        (_take_over_from_cracks, 1, (begun, log)),
+    ]
+
+
 def _press_at_walls(
     run: Translation,
     moving: Moving,
@@ -139,6 +198,17 @@ def _pair_energies(
     return [(_sum_pairs, len(energies.energy), (run.span, moving, law, pairs, energies))]
 
 
+def _face_energies(
+    run: Translation,
+    moving: Moving,
+    law: ContactConstants,
+    pairs: ContactPairs,
+    faces: FacePairs,
+    energies: ContactEnergies,
+) -> list[Launch]:
+    return [(_sum_faces, len(energies.energy), (run.span, moving, law, pairs, faces, energies))]
+
+
 def _wall_energies(
     run: Translation,
     moving: Moving,
@@ -167,6 +237,10 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "check_travel": _check,
     "press_pairs": _press,
     "add_pair_loads": _add,
+    "press_pairs_and_faces": _press_with_faces,
+    "add_face_loads": _add_by_faces,
+    "sum_face_energies": _face_energies,
+    "begin_face_contacts": _begin_by_faces,
     "press_walls": _press_at_walls,
     "measure_wall_overlaps": lambda *_: [],  # with the overlaps of pairs, at the guard
     "keep_measures": lambda *_: [],
@@ -184,9 +258,10 @@ COUNTERPARTS: dict[str, Counterpart] = {
 def deepest_overlaps(run: Translation, passes: Passes) -> list[Launch]:
     """Return the launches that measure the deepest overlap of each portion, of the passes of a step."""
     named = {one.name: tables for one, *tables in passes}
-    if "press_pairs" not in named:
+    pressed = named.get("press_pairs", named.get("press_pairs_and_faces"))
+    if pressed is None:
         return []
-    moving, law, pairs, _, travel = named["press_pairs"]
+    moving, law, pairs, _, travel = pressed[:5]
     _, walls, _ = named["check_travel"]
     contacts = named["press_walls"][2] if "press_walls" in named else run.once(walls, lambda: _none(run.span.n))
     return [(_measure_overlaps, len(travel.portion), (run.span, moving, law, pairs, contacts, walls, travel))]
@@ -203,7 +278,7 @@ def _none(n: int) -> WallContacts:
 
 def lists_of_contacts(passes: Passes) -> list[Any]:
     """Return the tables of the passes of a step that are made anew with a list of contacts."""
-    kinds = ContactPairs, NearPairs, Travel, WallContacts
+    kinds = ContactPairs, FacePairs, NearPairs, Travel, WallContacts
     return list({id(table): table for _, *tables in passes for table in tables if isinstance(table, kinds)}.values())
 
 

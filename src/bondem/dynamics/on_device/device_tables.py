@@ -104,6 +104,12 @@ class LossesOfCracks(NamedTuple):
     number: Ints  #: how many, (1,)
 
 
+class BegunFaces(NamedTuple):
+    """Energy that faces which begin to touch take over."""
+
+    gained: Floats  #: of each portion of elements [J]
+
+
 class FacetArms(NamedTuple):
     """Levers of the cells of each facet in space, and the square of what bending opens."""
 

@@ -11,11 +11,13 @@ from bondem.dynamics.contact_tables import (
     ContactEnergies,
     ContactPairs,
     ContactSums,
+    FacePairs,
     NearPairs,
     Travel,
     WallContacts,
     WallMotions,
 )
+from bondem.dynamics.cracked_faces import CrackedFaces
 from bondem.dynamics.damage_tables import EventLog, Postponed, SofteningBounds
 from bondem.dynamics.gauge_tables import Gauges
 from bondem.dynamics.neighbour_list import ContactSearch, FoundContacts
@@ -35,6 +37,16 @@ _measure_travel = StepPass("measure_travel", Moving, Travel)
 _check_travel = StepPass("check_travel", Travel, Walls, Portions)
 _press_pairs = StepPass("press_pairs", Moving, ContactConstants, ContactPairs, NearPairs, Travel)
 _add_pair_loads = StepPass("add_pair_loads", ContactConstants, ContactPairs, NearPairs, ContactSums)
+_press_pairs_and_faces = StepPass(
+    "press_pairs_and_faces", Moving, ContactConstants, ContactPairs, NearPairs, Travel, FacePairs
+)
+_add_face_loads = StepPass("add_face_loads", ContactPairs, FacePairs, ContactSums)
+_sum_face_energies = StepPass(
+    "sum_face_energies", Moving, ContactConstants, ContactPairs, FacePairs, ContactEnergies
+)
+_begin_face_contacts = StepPass(
+    "begin_face_contacts", Moving, ContactPairs, NearPairs, FacePairs, CrackLists, EventLog
+)
 _press_walls = StepPass("press_walls", Moving, ContactConstants, WallContacts, Walls, ContactSums)
 _measure_walls = StepPass("measure_wall_overlaps", Moving, ContactConstants, WallContacts, Walls, NearPairs, Travel)
 _keep_measures = StepPass("keep_measures", NearPairs, Travel)
@@ -83,7 +95,10 @@ class ContactTables:
         joints: Joints, dt: float,
     ) -> None:  # fmt: skip
         self._state, self._shared, self._gauges = state, shared, gauges
-        self._search = ContactSearch(model, contacts, state, (joints.integrity, joints.apart))
+        planes = joints.cracks is not None and len(joints.cracks.strengths.planes) > 0
+        self._faces = CrackedFaces(joints.cracks, state) if planes else None
+        outer = None if self._faces is None else self._faces.outer
+        self._search = ContactSearch(model, contacts, state, (joints.integrity, joints.apart), outer)
         self._check = ContactCheck(contacts, dt)
         self._period, self._joints = model.period, joints
         n, portions = len(state.pose), len(shared.portions.elements)
@@ -105,12 +120,15 @@ class ContactTables:
 
     def _list(self, found: FoundContacts) -> None:
         """Make the tables of a list."""
-        pairs, at_walls, radius = found.pairs, found.walls, self._law.radius
+        pairs, at_walls = found.pairs, found.walls
         c, portions = len(pairs.first), len(self._energies.energy)
+        self._whole = found.whole
         self._pairs = ContactPairs(
-            pairs.first, pairs.second, pairs.start, radius[pairs.first] + radius[pairs.second] + pairs.gap, found.own,
-            pairs.memory, pairs.touch, pairs.bond, self._joints.integrity, found.of_bond, self._period,
+            pairs.first, pairs.second, pairs.start, found.least, found.own, pairs.memory, pairs.touch,
+            pairs.bond, self._joints.integrity, found.of_bond, self._period,
         )  # fmt: skip
+        faces = self._faces
+        self._face_pairs = faces and faces.pairs(self._pairs, found.faces, found.whole, portions)
         self._near = NearPairs(
             np.zeros(c + 1, dtype=np.uint32), np.zeros(c + 1, dtype=np.uint32), np.empty((c, 8)),
             np.zeros((portions, 2), dtype=np.int64), _FRESH * found.reach,
@@ -127,13 +145,17 @@ class ContactTables:
 
     def part(self) -> Part:
         """Return the part of contacts with their present list."""
-        s, law, walls = self._shared, self._law, self._walls
+        s, law, walls, faces = self._shared, self._law, self._walls, self._face_pairs
         walled = len(walls.body) > 0
         travel: Passes = [(_measure_travel, s.moving, self._travel), (_check_travel, self._travel, walls, s.portions)]
-        contacts: Passes = [
-            (_press_pairs, s.moving, law, self._pairs, self._near, self._travel),
-            (_add_pair_loads, law, self._pairs, self._near, self._sums),
-        ]
+        add = (_add_pair_loads, law, self._pairs, self._near, self._sums)
+        examined = s.moving, law, self._pairs, self._near, self._travel
+        contacts: Passes = [(_press_pairs, *examined), add]
+        if faces is not None:
+            contacts = [
+                (_press_pairs_and_faces, *examined, faces), add,
+                (_add_face_loads, self._pairs, faces, self._sums),
+            ]  # fmt: skip
         guard: Passes = []
         if walled:
             travel.insert(0, (_move_walls, self._motions, walls))
@@ -144,17 +166,19 @@ class ContactTables:
             ]
             guard.append((_count_wall_work, walls, s.portions))
         contacts.append((_keep_measures, self._near, self._travel))
-        add: Passes = [(_add_contact_loads, s.moving, s.cut, self._sums)]
-        stages = {**self._after_failure(), "travel": travel, "contacts": contacts, "add": add, "guard": guard}
+        loads: Passes = [(_add_contact_loads, s.moving, s.cut, self._sums)]
+        stages = {**self._after_failure(), "travel": travel, "contacts": contacts, "add": loads, "guard": guard}
         return Part(stages, record=self._record, keep=self._keep, renewed=self._renewed)
 
     def _after_failure(self) -> dict[str, Passes]:
         """Return the passes that begin contact where bonds have failed."""
         moving, law, pairs, near, joints = self._shared.moving, self._law, self._pairs, self._near, self._joints
         if joints.cracks is not None:
-            cracks, lists = joints.cracks
-            reach = PartedReach(joints.apart)
-            return {"constrain": [(_touch_parted_faces, moving, pairs, near, cracks, lists, reach)]}
+            cracks, lists, reach = joints.cracks.cracks, joints.cracks.lists, PartedReach(joints.apart)
+            begin: Passes = [(_touch_parted_faces, moving, pairs, near, cracks, lists, reach)]
+            if (faces := self._face_pairs) is not None:
+                begin.append((_begin_face_contacts, moving, pairs, near, faces, lists, joints.cracks.log))
+            return {"constrain": begin}
         if joints.damage is None:
             return {}
         log = joints.damage.log
@@ -181,6 +205,8 @@ class ContactTables:
     def _record(self, history: HistoryRows) -> Passes:
         moving, law, energies = self._shared.moving, self._law, self._energies
         passes: Passes = [(_sum_pair_energies, moving, law, self._pairs, energies)]
+        if self._face_pairs is not None:
+            passes.append((_sum_face_energies, moving, law, self._pairs, self._face_pairs, energies))
         if len(self._walls.body):
             passes.append((_sum_wall_energies, moving, law, self._at_walls, self._walls, energies))
             passes.append((_write_walls, self._walls, self._gauges, history))
@@ -189,10 +215,8 @@ class ContactTables:
     def _keep(self) -> None:
         """Write the memory of contacts into the state, and check them."""
         pairs, at_walls = self._pairs, self._at_walls
-        self._search.keep(
-            pairs.first, pairs.second, pairs.touch, pairs.memory, at_walls.element, at_walls.wall, at_walls.touch,
-            at_walls.memory,
-        )  # fmt: skip
+        chosen = None if self._face_pairs is None else self._face_pairs.chosen
+        self._search.keep(pairs, at_walls, self._whole, chosen)
         self._deepest = max(self._deepest, float(self._travel.portion[:, 2].max(initial=0.0)))
         listed = ListedContacts(
             pairs.first, pairs.second, pairs.bond, pairs.joined, at_walls.element, at_walls.wall, self._walls.body,

@@ -21,6 +21,7 @@ from bondem.dynamics.cohesive_tables import (
 from bondem.dynamics.crack_joints import LOSS, pressed_moments
 from bondem.dynamics.damage_tables import EventLog
 from bondem.dynamics.parts.cell_part import BodyOfCells, cells, constants_of
+from bondem.dynamics.parts.damage_part import CrackJoints
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.step_tables import Dashpots, HistoryRows, Moving, Portions
@@ -97,6 +98,10 @@ _write_released = StepPass("write_released", EventLog, HistoryRows)
 _write_heat = StepPass("write_heat", CrackEnergies, HistoryRows)
 _write_crushing = StepPass("write_crushing_of_facets", FacetStrengths, CohesiveCracks, EventLog, HistoryRows)
 
+# Slip over √A from which faces of a material plane no longer face each other: where no contact follows, when they are
+# beside each other; where it does, when a face is as near to the next one as to its own.
+_SLIDE, _SLIDE_TO_NEXT = 1.0, 0.5
+
 
 class CrackingBody:
     """Tables of a body of cells whose facets soften and whose cells may yield."""
@@ -114,7 +119,7 @@ class CrackingBody:
         listed = np.zeros(len(body.facets.k), dtype=np.uint8)
         listed[m:] = 1  # no facets: they fill a group of lanes
         self.by_stress = OnsetByStress.of(model, self.strengths, len(shared.portions.bonds))
-        self.cracks = CohesiveCracks.of(state, listed)
+        self.cracks = CohesiveCracks.of(state, listed, _SLIDE if model.contacts is None else _SLIDE_TO_NEXT)
         cracked, facet = np.zeros(n, dtype=np.uint8), state.cracks[:, FACET].astype(np.int64)
         cracked[layout.i[facet]] = cracked[layout.j[facet]] = 1
         self.onset = CrackOnset(
@@ -134,6 +139,13 @@ class CrackingBody:
         self.log = EventLog.of(state)
         none = np.zeros(0, dtype=np.int64)
         self.tractions = body.tractions or FacetTractions(np.zeros((0, n)), none, 0, np.zeros(0), np.zeros(0))
+
+    @property
+    def joints(self) -> CrackJoints:
+        """The cracked facets as joints of their cells."""
+        return CrackJoints(
+            self.cracks, self.lists, self.body.facets, self.of_cells, self.strengths, self.log
+        )  # fmt: skip
 
     def parts(self, model: Model, dashpots: Dashpots | None) -> list[Part]:
         """Return the parts of the body: what its stresses lead to, the elastic body, and its cracks."""

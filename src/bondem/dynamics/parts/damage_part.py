@@ -1,6 +1,7 @@
 """The damage pipeline of a run: what is the same for beams, facets of cells and pairs of the non-local law."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -8,12 +9,13 @@ from bondem._core_steps import StepPass
 from bondem._types import PerBond
 from bondem.damage.event_columns import SOFT_BOND
 from bondem.damage.failure_table import FailureTable
-from bondem.dynamics.cohesive_tables import CohesiveCracks, CrackLists
+from bondem.dynamics.cohesive_tables import CohesiveCracks, CrackLists, FacetStrengths
 from bondem.dynamics.crack_joints import joints
 from bondem.dynamics.damage_tables import Candidates, EventLog, FailureBounds, Postponed, SofteningBounds
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.step_tables import Dashpots, HistoryRows
+from bondem.interactions.cells.cell_tables import ElasticFacets, FacetsOfCells
 from bondem.model.constraints import Rows
 from bondem.model.domain_blocks import StepCut
 from bondem.model.model import Model
@@ -105,6 +107,17 @@ class DamageTables:
             self.log.written[:] = 0
 
 
+class CrackJoints(NamedTuple):
+    """Cracked facets of a run, which join their cells until their faces part."""
+
+    cracks: CohesiveCracks
+    lists: CrackLists
+    facets: ElasticFacets
+    of_cells: FacetsOfCells
+    strengths: FacetStrengths
+    log: EventLog
+
+
 @dataclass(frozen=True, eq=False)
 class Joints:
     """Bonds that join elements, which do not touch as long as they are joined.
@@ -114,14 +127,14 @@ class Joints:
         apart: distance of the centres at which the elements of a bond touch without it [m], (m,).
         damage: tables of the damage pipeline, or None if bonds do not fail.
         pressed: pressure on beams that soften, or None if none do.
-        cracks: cracked facets whose faces may part, and their lists, or None.
+        cracks: cracked facets whose faces may part, or None.
     """
 
     integrity: PerBond
     apart: PerBond
     damage: DamageTables | None
     pressed: SofteningBounds | None = None
-    cracks: tuple[CohesiveCracks, CrackLists] | None = None
+    cracks: CrackJoints | None = None
 
     @classmethod
     def of(

@@ -55,7 +55,7 @@ def _bonds(
     if model.softening is not None:
         body = CrackingBody(model, state, shared, dt)
         joined, apart = joints(model, state, state.integrity)
-        return BondParts(body.parts(model, dashpots), Joints(joined, apart, None, cracks=(body.cracks, body.lists)))
+        return BondParts(body.parts(model, dashpots), Joints(joined, apart, None, cracks=body.joints))
     if model.cells is not None:
         return body_of_cells(model, state, shared, dashpots)
     if model.non_local is not None:

@@ -84,7 +84,8 @@ class ContactModel:
         order = np.lexsort((earlier, later))
         later, earlier = later[order], earlier[order]
         user = layout.order
-        distance = np.linalg.norm(lattice.particles.separation(user[earlier], user[later]), axis=1)
+        branch = lattice.particles.nearest(lattice.centre[user[later]] - lattice.centre[user[earlier]])
+        distance = np.linalg.norm(branch, axis=1)
         pairs = RestGaps(
             _starts(later, n), earlier.astype(np.uint32), np.minimum(distance - radius[earlier] - radius[later], 0.0)
         )

@@ -12,8 +12,9 @@ from bondem._types import Floats, Ints
 from bondem.geometry.neighbours import SphereGrid
 from bondem.interactions.beams.beam_tables import Poses
 
-#: Whether elements touch: 1 where they do.
-APART, TOUCHING = 0, 1
+#: How elements touch: as spheres; by faces of cells, or not at all as these faces lie between them; not yet, though
+#: inside their spheres. `core/passes/contacts/pairs.hpp`
+APART, TOUCHING, JUST_PARTED, FACING, LATE = range(5)
 
 
 class Walls(NamedTuple):
@@ -36,7 +37,7 @@ class PairSources(NamedTuple):
     rest_gap: Floats  #: [m]
     kept_start: Ints  #: start of the pairs of each later element that touch, (n + 1,)
     kept_first: np.ndarray  #: uint32
-    kept_memory: Floats  #: (…, 6)
+    kept_memory: Floats  #: (…, 8)
 
 
 class FoundPairs(NamedTuple):
@@ -47,7 +48,7 @@ class FoundPairs(NamedTuple):
     bond: Ints  #: the bond of each pair, or -1, (c,)
     start: Ints  #: start of the pairs of each later element, (n + 1,)
     gap: Floats  #: gap from which the overlap counts, at most 0 [m], (c,)
-    memory: Floats  #: tangential stretch [m] and force of the dashpots [N], in six of (c, 8)
+    memory: Floats  #: as `State.stretch`, (c, 8)
     touch: np.ndarray  #: uint8, (c,)
 
 

@@ -34,7 +34,7 @@ void recall(const Found &found, Index k, const Array<const double, 1> &rest_gap,
             const Array<const double, 2> &kept_memory, Index kept) {
     found.gap(k) = rest >= 0 ? rest_gap(rest) : 0.0;
     found.touch(k) = kept >= 0 ? touching : separate;
-    for (Index c = 0; c < found.memory.shape[1]; c++) found.memory(k, c) = kept >= 0 && c < 6 ? kept_memory(kept, c) : 0.0;
+    for (Index c = 0; c < found.memory.shape[1]; c++) found.memory(k, c) = kept >= 0 ? kept_memory(kept, c) : 0.0;
 }
 
 double gap_of(const Poses &all, const Walls &walls, const WallSources &from, Index p, Index w) {

@@ -7,6 +7,7 @@
 #include "contact_loads.hpp"
 
 #include "../record/columns.hpp"
+#include "face_contacts.hpp"
 #include "pairs.hpp"
 #include "travel.hpp"
 
@@ -16,19 +17,22 @@ namespace {
 // Share of a distance by which rounding may be wrong about it.
 constexpr double rounding = 1e-9;
 
-// Lists the pairs of a portion that may touch before an element has moved by `width`, and those that do.
+// Lists the pairs of a portion that may touch before an element has moved by `width`, and those that do; `outer` is the
+// distance within which a pair may touch otherwise than as spheres [m].
+template <class Outer>
 void list_near(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
-               const NearPairs &near, const Travel &travel) {
+               const NearPairs &near, const Travel &travel, Outer outer) {
     const Index begin = pairs.start(turn.first), end = pairs.start(turn.last);
     Index count = 0;
     double deepest = 0.0;
     for (Index k = begin; k < end; k++) {
         if (bonded(pairs, k)) continue;
         const Vector d = branch_of(all.pose.data, pairs, k);
-        const double square = dot(d, d), reach = (1.0 + rounding) * pairs.reach(k), limit = reach + 2.0 * near.width;
+        const double square = dot(d, d), reach = (1.0 + rounding) * pairs.reach(k);
+        const double limit = most(reach, outer(k)) + 2.0 * near.width;
         near.near(begin + count) = Short(k);
         count += (square <= limit * limit) | (pairs.touch(k) != separate);
-        if (square < reach * reach) {
+        if (square < reach * reach && pairs.touch(k) != facing) {
             const double smaller = least(c.radius(pairs.first(k)), c.radius(pairs.second(k)));
             deepest = most(deepest, (reach - root(square)) / smaller);
         }
@@ -58,6 +62,24 @@ Index find_close(const Turn &turn, const Moving &all, const ContactPairs &pairs,
         found += !off;
     }
     near.counts(turn.block, 1) = found;
+    return found;
+}
+
+// The same of bodies with cracks: pairs whose faces face each other give what these do.
+Index find_close(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                 const NearPairs &near, const FacePairs &faces) {
+    const Index begin = pairs.start(turn.first), count = near.counts(turn.block, 0);
+    Index found = 0, faced = 0;
+    for (Index e = begin; e < begin + count; e++) {
+        const Short k = near.near(e);
+        const PairOf kind = press_faces(all, c, pairs, faces, k, turn.clock.dt);
+        near.close(begin + found) = k;
+        found += kind == PairOf::spheres;
+        faces.close(least(begin + faced, pairs.start(turn.last) - 1)) = k;
+        faced += kind == PairOf::faces;
+    }
+    near.counts(turn.block, 1) = found;
+    faces.count(turn.block) = faced;
     return found;
 }
 
@@ -98,6 +120,15 @@ BONDEM_INLINE void press(const Law &law, const SeveralPairs &who, const Moving &
     for (int n = 0; n < lanes; n++) pairs.touch.data[who.pair[n]] = loads.overlap[n] > 0.0 ? touching : parted;
 }
 
+void press_close(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                 const NearPairs &near, Index count) {
+    const Index begin = pairs.start(turn.first), end = begin + count;
+    with_law(c, [&](auto law) {
+        for (Index e = begin; e < end; e += lanes)
+            press(law, SeveralPairs(pairs, near, e, end), all, c, pairs, near, turn.clock.dt);
+    });
+}
+
 #endif
 
 }  // namespace
@@ -106,12 +137,15 @@ BONDEM_INLINE void press(const Law &law, const SeveralPairs &who, const Moving &
 
 void press_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                  const NearPairs &near, const Travel &travel) {
-    if (measures_anew(turn, near, travel)) list_near(turn, all, c, pairs, near, travel);
-    const Index begin = pairs.start(turn.first), end = begin + find_close(turn, all, pairs, near);
-    with_law(c, [&](auto law) {
-        for (Index e = begin; e < end; e += lanes)
-            press(law, SeveralPairs(pairs, near, e, end), all, c, pairs, near, turn.clock.dt);
-    });
+    if (measures_anew(turn, near, travel)) list_near(turn, all, c, pairs, near, travel, [](Index) { return 0.0; });
+    press_close(turn, all, c, pairs, near, find_close(turn, all, pairs, near));
+}
+
+void press_pairs_and_faces(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                           const NearPairs &near, const Travel &travel, const FacePairs &faces) {
+    if (measures_anew(turn, near, travel))
+        list_near(turn, all, c, pairs, near, travel, [&](Index k) { return outer_reach(pairs, faces, k); });
+    press_close(turn, all, c, pairs, near, find_close(turn, all, c, pairs, near, faces));
 }
 
 void add_pair_loads(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs,

@@ -8,6 +8,9 @@ namespace bondem {
 // since that was done.
 void press_pairs(const Turn &turn, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
                  const NearPairs &near, const Travel &travel);
+// The same of bodies of cells with cracks, whose pairs touch by faces too.
+void press_pairs_and_faces(const Turn &turn, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
+                           const NearPairs &near, const Travel &travel, const FacePairs &faces);
 // Adds what pairs do to the elements of a range, in the order of the pairs.
 void add_pair_loads(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs,
                     const NearPairs &near, const ContactSums &to);

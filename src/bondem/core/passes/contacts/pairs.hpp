@@ -9,8 +9,10 @@
 
 namespace bondem {
 
-// What a contact is. One that has parted in this step still gives what it lost.
-enum TouchState : Byte { separate, touching, parted };
+// What a contact is. One that has parted in this step still gives what it lost. Cells whose cracked faces face each other
+// touch by these, not as spheres; where they turn away from each other inside their spheres, the spheres touch from the
+// distance then, until they have come apart.
+enum TouchState : Byte { separate, touching, parted, facing, late };
 
 // Calls on(law) with the law of the contacts.
 template <class On> BONDEM_INLINE void with_law(const ContactConstants &c, On on) {

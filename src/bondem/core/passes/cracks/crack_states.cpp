@@ -82,7 +82,7 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
             if (lists.waking(e) != crack::wakes) continue;
             const Index k = lists.resting(e);
             const SingleCrack one(all.pose, facets, cracks, k);
-            if (one.s == 0.0 && turned_away(one.now, one.area)) {
+            if (one.s == 0.0 && turned_away(one.now, one.area, slide_of(cracks, k))) {
                 part_resting(facets, cracks, k);
                 lists.parted(lists.size(3)++) = k;
                 continue;

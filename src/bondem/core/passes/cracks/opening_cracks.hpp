@@ -15,7 +15,13 @@ BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const dou
     const SwellingHalves<T> half = swelling_halves(at.facet, at.s, at.now.faces);
     group.put_halves(lists.half.data, row_of(half.i), row_of(half.j));
     if (!changes) return;
-    const Mask<T> away = (at.s == T{}) & turned_away(at.now, at.area);
+    const Mask<T> broken = at.s == T{}, slid = broken & turned_away(at.now, at.area, cracks.slide);
+    Mask<T> away = broken & turned_away(at.now, at.area, 1.0);
+    if (any(slid)) {
+        T plane;
+        group.resistances(cracks, &plane);
+        away = away | (slid & (plane > T{}));
+    }
     group.flag(lists.flag, lists.flagged, portion, away, crack::parts);
 }
 

@@ -23,6 +23,9 @@ struct SingleCrack {
     }
 };
 
+// Largest slip of the faces of facet k that face each other, over √A.
+inline double slide_of(const CohesiveCracks &cracks, Index k) { return softening_of(cracks, k).plane > 0.0f ? cracks.slide : 1.0; }
+
 BONDEM_INLINE void put_lever(const CrackLists &lists, Index number, const int32_t *lever) {
     for (int d = 0; d < 3; d++) lists.node(number, 1 + d) = lever[d];
 }

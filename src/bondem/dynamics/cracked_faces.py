@@ -1,0 +1,54 @@
+"""Cracked faces of material planes, by which cells touch (`core/passes/contacts/face_contacts.hpp`)."""
+
+import numpy as np
+
+from bondem._types import Floats, PerElement
+from bondem.damage.crack_columns import FACET, PARTED, STATUS
+from bondem.dynamics.contact_tables import ContactPairs, FacePairs
+from bondem.dynamics.parts.damage_part import CrackJoints
+from bondem.model.state import State
+
+
+class CrackedFaces:
+    """Faces of cells on material planes, which touch others once their facet has parted.
+
+    Args:
+        joints: cracked facets of the run.
+        state: state of the run.
+
+    Attributes:
+        outer: distance within which two cells may touch by faces, as a sum of both [m], (n,).
+    """
+
+    def __init__(self, joints: CrackJoints, state: State) -> None:
+        facets, n = joints.facets, len(state.pose)
+        planes = joints.strengths.planes
+        self._joints = joints
+        self._open, self._faced = np.zeros(len(facets.k), dtype=np.uint8), np.zeros(n, dtype=np.uint8)
+        parted = np.intersect1d(state.cracks[state.cracks[:, STATUS] == PARTED, FACET].astype(np.int64), planes)
+        self._open[parted] = 1
+        self._faced[facets.i[parted]] = self._faced[facets.j[parted]] = 1
+        # two equal faces at the largest lateral distance at which they overlap, R, are just as far apart
+        beside = 0.75 / np.pi * joints.strengths.area[planes]
+        self.outer: PerElement = np.zeros(n)
+        for cell, lever in ((facets.i, facets.lever_i), (facets.j, facets.lever_j)):
+            arm = facets.pitch[:, None] * lever[:, planes]
+            np.maximum.at(self.outer, cell[planes], np.sqrt((arm**2).sum(axis=0) + beside))
+
+    def pairs(self, pairs: ContactPairs, chosen: Floats, whole: Floats, portions: int) -> FacePairs:
+        """Return the tables of a list of pairs.
+
+        Args:
+            pairs: the list.
+            chosen: faces by which each pair touches, as `State.stretch` has them, (c,).
+            whole: reach of spheres that never touched by faces [m], (c,).
+            portions: number of portions of elements.
+        """
+        facets, strengths, c = self._joints.facets, self._joints.strengths, len(whole)
+        earlier = np.concatenate([[0], np.cumsum(np.bincount(pairs.first, minlength=len(self._faced)))])
+        return FacePairs(
+            *self._joints.of_cells, facets.lever_i, facets.lever_j, facets.pitch, facets.normal, facets.j, facets.k,
+            strengths.area, self._joints.cracks.listed, strengths.plane, self._open, self._faced, self.outer,
+            earlier.astype(np.int64), np.argsort(pairs.first, kind="stable").astype(np.uint32), chosen, whole,
+            np.zeros(c, dtype=np.uint32), np.zeros((c, 12)), np.zeros(c), np.zeros(portions, dtype=np.int64),
+        )  # fmt: skip
