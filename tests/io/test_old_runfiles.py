@@ -85,13 +85,14 @@ def test_the_models_of_older_files_come_back(tmp_path: Path) -> None:
 
 
 def without_additions_of_10(path: Path, schema: int) -> None:
-    """Take the steps of onset and crushing from a run file of today, which schemas before 10 did not have."""
+    """Take the steps of onset, crushing and faces in contact from a run file: schemas before 10 did not have them."""
     kept = bd.read_run(path)
     history = bd.History(np.delete(kept.history.records, CRUSHING, axis=1), kept.history.gauges)
-    for name in ("broken", "cracks", "softened"):
-        setattr(kept.state, name, getattr(kept.state, name)[:, :-1])
+    late = {"broken": 1, "cracks": 1, "softened": 1, "stretch": 3}
+    for name, columns in late.items():
+        setattr(kept.state, name, getattr(kept.state, name)[:, :-columns])
     with h5py.File(path, "a") as file:
-        for name in ("broken", "cracks", "softened"):
+        for name in late:
             del file[f"state/{name}"]
             file[f"state/{name}"] = getattr(kept.state, name)
         del file["state/crushed"], file["history/records"]

@@ -101,7 +101,8 @@ class ContactSearch:
         pairs = found_pairs(grid, PairSources(
             layout.in_start, layout.i, self._listed(position, skin),
             contacts.pairs.start, contacts.pairs.partner, contacts.pairs.gap,
-            _starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32), _line(state.stretch),
+            _starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32),
+            np.ascontiguousarray(state.stretch[:, :LINE_COLUMNS]),
         ))  # fmt: skip
         own = np.zeros(len(pairs.first))
         if contacts.law.parallel:
@@ -147,11 +148,10 @@ class ContactSearch:
     def _faces_of(self, pairs: FoundPairs) -> Floats:
         """Return the faces by which pairs touch, of the state, (c,)."""
         state, n, found = self._state, len(self._state.pose), np.zeros(len(pairs.first))
-        if state.stretch.shape[1] > FACES:
-            known = state.touching[:, 1] * n + state.touching[:, 0]
-            kept = np.flatnonzero(pairs.touch != APART)
-            key = pairs.second[kept].astype(np.int64) * n + pairs.first[kept]
-            found[kept] = state.stretch[np.searchsorted(known, key), FACES]
+        known = state.touching[:, 1] * n + state.touching[:, 0]
+        kept = np.flatnonzero(pairs.touch != APART)
+        key = pairs.second[kept].astype(np.int64) * n + pairs.first[kept]
+        found[kept] = state.stretch[np.searchsorted(known, key), FACES]
         return found
 
     def keep(self, pairs: ContactPairs, walls: WallContacts, whole: Floats, faces: Floats | None) -> None:
@@ -188,12 +188,6 @@ def _recalled(pairs: FoundPairs, whole: Floats) -> Floats:
     start[spheres] = 0.0
     np.maximum(kind, 0.0, out=kind)
     return reach
-
-
-def _line(stretch: Floats) -> Floats:
-    """Return the memory of contacts as the core has it; older files lack the columns of faces, (c, 8)."""
-    lacks = max(LINE_COLUMNS - stretch.shape[1], 0)
-    return np.ascontiguousarray(np.pad(stretch[:, :LINE_COLUMNS], ((0, 0), (0, lacks))))
 
 
 def _starts(later: Ints, n: int) -> Ints:

@@ -8,25 +8,25 @@ from bondem.model.model import Model
 from bondem.model.state import State
 
 # Schema from which on cracks are judged by the strength of their facet, and places count from the local origin; and
-# from which on failures and what softens know the step of their onset.
+# from which on failures and what softens know the step of their onset, and contacts the faces by which cells touch.
 _BY_FACET, _WITH_ONSET = 8, 10
-#: Arrays whose last column is new in the second.
-_OF_ONSET = "broken", "cracks", "softened"
+#: Arrays with the number of their last columns that are new in the second, and what these are in older files.
+_OF_ONSET = {"broken": (1, np.nan), "cracks": (1, np.nan), "softened": (1, np.nan), "stretch": (3, 0.0)}
 
 
 def shape_in(schema: int, name: str, shape: tuple[int, ...]) -> tuple[int, ...]:
     """Return the shape of an array of a state in files of a schema, given that of today."""
-    return (shape[0], shape[1] - 1) if schema < _WITH_ONSET and name in _OF_ONSET else shape
+    return (shape[0], shape[1] - _OF_ONSET[name][0]) if schema < _WITH_ONSET and name in _OF_ONSET else shape
 
 
 def brought_up(model: Model, state: State, schema: int) -> None:
     """Convert a state of an older schema to the current one, in place."""
     if schema < _WITH_ONSET:
         fresh = State(model)
-        for name in _OF_ONSET:
+        for name, (_, value) in _OF_ONSET.items():
             rows = getattr(state, name)
             missing = getattr(fresh, name).shape[1] - rows.shape[1]
-            setattr(state, name, np.pad(rows, ((0, 0), (0, missing)), constant_values=np.nan))
+            setattr(state, name, np.pad(rows, ((0, 0), (0, missing)), constant_values=value))
     if schema >= _BY_FACET:
         return
     judge_anew(model, state)

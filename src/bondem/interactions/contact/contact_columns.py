@@ -16,5 +16,5 @@ BETWEEN, NOT_YET = -1.0, -2.0
 
 
 def in_contact(stretch: Floats) -> np.ndarray:
-    """Return a mask of the pairs that touch, given the memory of all; older files have no column of kinds."""
-    return (stretch[:, KIND : KIND + 1] >= 0.0).all(axis=1)
+    """Return a mask of the pairs that touch, given the memory of all."""
+    return stretch[:, KIND] >= 0.0
