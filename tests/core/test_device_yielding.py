@@ -37,7 +37,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
 TEETH = {
     "find_cell_stress": "crushed", "judge_cell": "crushed", "yield_cell": "crushed",
     "stretch_growing_cell": "crushed", "stretch_crack_of_cells": "crushed", "sum_portion_of_heat": "crushed",
-    "sum_portion_of_crushing": "crushed",
+    "sum_portion_of_crushing": "crushed and touching",
     "add_surface_stress": "crushed between walls", "stretch_wall_of_cell": "crushed between walls",
     "add_yielding_work_of_row": "crushed between walls",
     "mark_plane": "planes", "begin_marked_crack": "planes",
