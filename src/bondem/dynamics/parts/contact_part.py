@@ -95,8 +95,10 @@ class ContactTables:
         joints: Joints, dt: float,
     ) -> None:  # fmt: skip
         self._state, self._shared, self._gauges = state, shared, gauges
-        planes = joints.cracks is not None and len(joints.cracks.strengths.planes) > 0
-        self._faces = CrackedFaces(joints.cracks, state) if planes else None
+        cracks = joints.cracks
+        self._faces = None
+        if cracks is not None and len(cracks.strengths.planes):
+            self._faces = CrackedFaces(cracks, state)
         outer = None if self._faces is None else self._faces.outer
         self._search = ContactSearch(model, contacts, state, (joints.integrity, joints.apart), outer)
         self._check = ContactCheck(contacts, dt)
@@ -128,7 +130,9 @@ class ContactTables:
             pairs.bond, self._joints.integrity, found.of_bond, self._period,
         )  # fmt: skip
         faces = self._faces
-        self._face_pairs = faces and faces.pairs(self._pairs, found.faces, found.whole, portions)
+        self._face_pairs = (
+            None if faces is None else faces.pairs(self._pairs, found.faces, found.whole, portions)
+        )  # fmt: skip
         self._near = NearPairs(
             np.zeros(c + 1, dtype=np.uint32), np.zeros(c + 1, dtype=np.uint32), np.empty((c, 8)),
             np.zeros((portions, 2), dtype=np.int64), _FRESH * found.reach,
