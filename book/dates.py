@@ -28,7 +28,8 @@ FAILING = frozenset({
     "strength", "brazilian", "load_factors", "concrete", "bending_energy", "mesoscale", "strength_calibration",
     "laws_side_by_side", "concrete_beams", "granite", "glass", "fracture", "size_effect", "fracture_coarse",
     "fracture_fine", "toughness", "kalthoff", "weibull", "ring", "ring_fine", "ring_thin", "branching",
-    "branching_fine", "spall", "kinds_of_loss", "loading_paths", "breaking_cells", "breaking_cells_contact",
+    "branching_fine", "crack_paths", "spall", "kinds_of_loss", "loading_paths",
+    "breaking_cells", "breaking_cells_contact",
 })  # fmt: skip
 
 

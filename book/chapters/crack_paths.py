@@ -10,12 +10,11 @@ from book.results import Measurement, study
 from book.row import Row
 from book.tolerances import AtLeast, Between
 
-_FIGURES = (
-    "nooru_mohamed_4a", "nooru_mohamed_4b", "nooru_mohamed_4c", "arrea_ingraffea", "split_cube",
-    "interface_stiffer_strong", "interface_stiffer_weak", "interface_softer_strong", "interface_softer_weak",
-    "hole_arrest",
-)  # fmt: skip
-PATHS = study("crack_paths", {name: f"paths_{name}" for name in _FIGURES})
+_PLATES = ("nooru_mohamed_4a", "nooru_mohamed_4b", "nooru_mohamed_4c", "arrea_ingraffea", "split_cube")
+# Interfaces and the hole of the same study have no record yet.
+PATHS = study(
+    "crack_paths", {name: f"paths_{name}" for name in _PLATES}, options=f"--cases {','.join(_PLATES)}"
+)
 MEASUREMENTS: tuple[Measurement, ...] = (PATHS,)
 
 _LENGTH, _FORCE, _RATIO = Form("mm", 1e-3, ".0f"), Form("kN", 1e3, ".1f"), Form(style=".3f")
@@ -49,8 +48,10 @@ def section() -> Section:
         rows=tuple(row for one in cases for row in _rows(one)),
         after=(
             "Nooru-Mohamed 4c: with f_t = 3.0 MPa a shear force of 27.5 kN bends a section 10 mm below the upper edge"
-            " by 3.9 MPa; nothing may fail within 25 mm of the upper and the lower edge, and one crack follows that"
-            " border."
+            " by 3.9 MPa. Nothing may fail within 25 mm of the upper and the lower edge, and a crack follows the border"
+            " below, while none leaves the left notch. The distance between cracks counts that crack and is no"
+            " agreement: the pattern of 4c is not that of the test. 4a and 4b have one crack from each notch, as the"
+            " tests, but 5 and 0.3 mm farther apart than the corridor."
         ),
         figures=tuple(
             Figure(f"paths_{one['name']}.png", f"{one['title']}: load curve, and the crack") for one in cases

@@ -3,7 +3,7 @@
 from typing import Any
 
 from book.chapter import Chapter, Figure, Section
-from book.chapters import ring
+from book.chapters import crack_paths, ring, weakest_link
 from book.chapters.strength import FACTORS
 from book.forms import Form
 from book.results import Measurement, study
@@ -26,10 +26,10 @@ KALTHOFF = study("kalthoff", {"kalthoff": "fracture_kalthoff"})
 BEAMS = study(
     "beam_bonds", {f"beams_{name}": f"fracture_beams_{name}" for name in ("l_panel", "gregoire", "kalthoff")}
 )
-WEIBULL = study("weibull", {"weibull": "fracture_weibull"})
 KALTHOFF_SECONDS = Measurement("kalthoff_seconds", "python benchmarks/kalthoff_seconds.py")
 MEASUREMENTS = (
-    FRACTURE, COARSE, FINE, BEAMS, FACTORS, TOUGHNESS, SIZES, KALTHOFF, KALTHOFF_SECONDS, WEIBULL, *ring.MEASUREMENTS,
+    FRACTURE, COARSE, FINE, BEAMS, FACTORS, TOUGHNESS, SIZES, KALTHOFF, KALTHOFF_SECONDS,
+    *weakest_link.MEASUREMENTS, *crack_paths.MEASUREMENTS, *ring.MEASUREMENTS,
 )  # fmt: skip
 
 _FORMS = {"peak": Form("kN", 1e3, ".3f"), "work": Form("J", style=".3f")}
@@ -52,11 +52,12 @@ def chapter() -> Chapter:
             "on each; Grégoire's beam is 11 % above the range. One of two packings with a centre "
             "crack is too tough. Calibrated beam bonds "
             "miss the panel, Grégoire's beam and Kalthoff's plate. Two peaks on coarse bars with wide bands differ "
-            "from those of explicit runs. Independent strengths of facets do not make a weakest link. Fragments of "
-            "the expanding ring are too large."
+            "from those of explicit runs. Weibull strengths of bonded spheres are no weakest link within 5 %. "
+            "Fragments of the expanding ring are too large."
         ),
         sections=(_scorecard(), *(_case(one) for one in FRACTURE.at("cases")), _beams(), _ways(), _toughness(),
-                  _sizes(), _kalthoff(), _weibull(), ring.section()),
+                  _sizes(), _kalthoff(), weakest_link.section(), crack_paths.section(),
+                  ring.section()),
     )
 
 
@@ -316,34 +317,3 @@ def _kalthoff() -> Section:
         ),
         figures=(Figure("fracture_kalthoff.png", "Cracks of three packings after 90 µs, and the published angle"),),
     )  # fmt: skip
-
-
-def _weibull() -> Section:
-    rows, kinds = [], {True: "strengths a field of correlation length 6 mm", False: "strengths independent"}
-    for one in WEIBULL.at("bars"):
-        if one["verdict"] == "–":
-            continue
-        what = f"{1e9 * one['bar']:.0f} over 6750 mm³"
-        if one["asked"] == 1.0:
-            what = f"cells of {1e3 * one['size']:g} in place of 3 mm"
-        case = f"{kinds[one['correlated']]}: mean strength, {what}"
-        rows.append(
-            Row(case=case, paper=one["asked"], ours=WEIBULL.of(one["ratio"], scatter=one["ratio_error"]), form=RATIO,
-                tolerance=Near(relative=WEIBULL.at("limit")))
-        )  # fmt: skip
-    return Section(
-        title="Strength over volume",
-        before=(
-            f"Brittle bars have m = 10 and {len(WEIBULL.at('seeds'))} fields of strengths each. Ratios of mean"
-            " strengths ± their error are compared with V^(−1/m) of a weakest link, and with 1 where only the size of"
-            " cells differs."
-        ),
-        rows=tuple(rows),
-        after=(
-            "Independent strengths do not make a weakest link: a weak facet breaks alone, because its neighbours "
-            "are strong, and a bar fails only when many have broken. A field whose weak places are some cells wide "
-            "breaks the bar where it is weakest. The mean strength is then 0.75 of the weakest link's, because a "
-            "smooth field has more and weaker minima than independent patches of its correlation volume."
-        ),
-        figures=(Figure("fracture_weibull.png", "Mean strength over volume; bars are two errors of the mean"),),
-    )

@@ -1,5 +1,6 @@
 """Tests whose cracks choose their path, each run a row: quantities, load curve and crack."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
@@ -7,10 +8,20 @@ from typing import Any
 
 import numpy as np
 
+from validation.cases.arrea_ingraffea import ARREA_INGRAFFEA
+from validation.cases.hole_arrest import HOLE_ARREST
+from validation.cases.interface_crack import INTERFACES
+from validation.cases.nooru_mohamed import NOORU_MOHAMED
 from validation.cases.path_case import PathCase
+from validation.cases.split_cube import SPLIT_CUBE
 from validation.frame.files import plain, thinned
 from validation.frame.request import Request
 from validation.rows.fracture import crack_of, rounded
+
+#: The cases, which stand here so that a row is stale where one of them has changed.
+CASES: Mapping[str, PathCase] = {
+    one.name: one for one in (*NOORU_MOHAMED, ARREA_INGRAFFEA, SPLIT_CUBE, *INTERFACES, HOLE_ARREST)
+}
 
 
 @dataclass(frozen=True)

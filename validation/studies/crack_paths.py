@@ -7,20 +7,12 @@ from typing import Any, ClassVar
 
 from bondem._checks import choice
 from bondem.errors import InputError
-from validation.cases.arrea_ingraffea import ARREA_INGRAFFEA
-from validation.cases.hole_arrest import HOLE_ARREST
-from validation.cases.interface_crack import INTERFACES
-from validation.cases.nooru_mohamed import NOORU_MOHAMED
 from validation.cases.path_case import PathCase
-from validation.cases.split_cube import SPLIT_CUBE
 from validation.figures.crack_paths import draw_path
 from validation.frame.files import table
 from validation.frame.study import Row, Stages, Study
-from validation.rows.crack_paths import PathRun
+from validation.rows.crack_paths import CASES, PathRun
 
-CASES: Mapping[str, PathCase] = {
-    one.name: one for one in (*NOORU_MOHAMED, ARREA_INGRAFFEA, SPLIT_CUBE, *INTERFACES, HOLE_ARREST)
-}
 _HEAD = ("case", "quantity", "known", "bondem", "verdict", "cells", "seconds a run")
 
 
