@@ -48,7 +48,7 @@ def section() -> Section:
         rows=tuple(row for one in cases for row in _rows(one)),
         after=(
             "Nooru-Mohamed 4c: with f_t = 3.0 MPa a shear force of 27.5 kN bends a section 10 mm below the upper edge"
-            " by 3.9 MPa. Nothing may fail within 25 mm of the upper and the lower edge, and a crack follows the border"
+            " by 3.9 MPa. Nothing may fail within 25 mm of the upper and the lower edge, and one crack follows it"
             " below, while none leaves the left notch. The distance between cracks counts that crack and is no"
             " agreement: the pattern of 4c is not that of the test. 4a and 4b have one crack from each notch, as the"
             " tests, but 5 and 0.3 mm farther apart than the corridor."
