@@ -9,14 +9,9 @@ from bondem._core import Pass
 
 
 class SofteningSamples(NamedTuple):
-    """Facets that may soften."""
+    """Facets that may soften; rows as in `core/tables/crack_sample_tables.hpp`."""
 
-    traction: np.ndarray
-    normal: np.ndarray
-    stress: np.ndarray
-    bent: np.ndarray
-    integrity: np.ndarray
-    strength: np.ndarray
+    given: np.ndarray
     kink: float
     steep: float
     wide: bool
@@ -64,10 +59,12 @@ def softening(
     steep: float = 1.0, plane: bool = False, cohesion: float = math.inf, last_slip: float = math.inf,
     friction: float = 0.0,
 ) -> np.ndarray:  # fmt: skip
-    """Return the integrity of a facet under some loads, at most s, and the traction below which none softens it [Pa].
+    """Return what is left of a facet under some loads, and the traction below which none softens it [Pa].
+
+    The axes of the facet are the principal directions of the stress, the largest one first.
 
     Args:
-        s: present integrity.
+        s: present integrity along the first axis; that along the others is 1.
         traction: tractions that the facet would have if it were whole [Pa], (3,) or (m, 3).
         normal: normal of the facet.
         stress: mean stress of its cells [Pa], (3, 3).
@@ -79,26 +76,25 @@ def softening(
         cohesion, last_slip, friction: cohesion of a plane [Pa], `last` of its slip [Pa], and tan φ.
 
     Returns:
-        Shape (2,) or (2, m).
+        s_1, s_2, s_3, grip and the least traction, (5,) or (5, m).
     """
     loads = np.atleast_2d(np.asarray(traction, dtype=float)).T
     m = loads.shape[1]
-
-    def same(numbers) -> np.ndarray:
-        return np.repeat(np.array(numbers, dtype=float)[:, None], m, axis=1)
-
-    samples = SofteningSamples(
-        np.ascontiguousarray(loads), same(normal), same(np.asarray(stress)[ROW, COLUMN]), np.full(m, 0.0) + bent,
-        np.full(m, float(s)), same([strength, 1.0 / last, cohesion, 1.0 / last_slip, friction, float(plane)]), kink,
-        steep, False, np.empty((2, m)),
-    )  # fmt: skip
+    axes = np.linalg.eigh(np.asarray(stress, dtype=float))[1][:, ::-1].T
+    others = [
+        strength, 1.0 / last, cohesion, 1.0 / last_slip, friction, float(plane), *axes.ravel(), s, 1.0, 1.0,
+        s if plane else 1.0,
+    ]  # fmt: skip
+    columns = [loads, *([np.full(m, float(one))] for one in normal), [np.full(m, 0.0) + bent]]
+    columns += [[np.full(m, float(one))] for one in (*np.asarray(stress)[ROW, COLUMN], *others)]
+    samples = SofteningSamples(np.ascontiguousarray(np.vstack(columns)), kink, steep, False, np.empty((5, m)))
     evaluate_softening(samples)
     return samples.left if np.ndim(traction) == 2 else samples.left[:, 0]
 
 
 def left_in_bulk(s: float, traction, normal, stress, **options) -> np.ndarray:
-    """Return the integrity of a facet of the material under loads (`softening`)."""
-    return softening(s, traction, normal, stress, **options)[0]
+    """Return the least integrity of a facet of the material under loads (`softening`)."""
+    return softening(s, traction, normal, stress, **options)[:3].min(axis=0)
 
 
 def left_on_plane(s: float, traction, normal, **options) -> np.ndarray:

@@ -12,8 +12,6 @@ from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
 from bondem.model.state import State
 from tests.bits import threads
-from tests.core.former_loop import FormerLoop, with_former_law
-from tests.specimens import crooked_cells
 
 RANKINE = bd.Rankine(tension=4e6, fracture_energy=50.0)
 COULOMB = bd.MohrCoulomb(
@@ -60,20 +58,6 @@ def ran(kind: str, steps: int, *, lattice=None, factor: float = 0.5, pieces: int
     return state, np.concatenate(records)
 
 
-@pytest.mark.parametrize("kind", ["stretched", "crushed"])
-def test_the_run_is_that_of_the_former_loop(kind, monkeypatch):
-    """Positions and energies after 200 steps. Cracks amplify rounding, so velocities are compared after 50."""
-    lattice = with_former_law(monkeypatch, crooked_cells((9, 5, 5), edge=3e-3))
-    former = FormerLoop("cohesive_cracks", kind)
-    early, _ = ran(kind, 50, lattice=lattice)
-    former.assert_close(1e-10, velocity=early.motion[:, 0:3], spin=early.motion[:, 4:7])
-    state, records = ran(kind, 200, lattice=lattice)
-    former.assert_same(status=state.cracks[:, STATUS])
-    assert {ACTIVE, RESTING} <= set(state.cracks[:, STATUS])
-    former.assert_close(1e-10, displacement=state.pose[:, :3] - state.rest, plastic=state.plastic)
-    former.assert_records(1e-10, records)
-
-
 @pytest.mark.parametrize("kind", [
     kind if kind == "crushed" else pytest.param(kind, marks=pytest.mark.validate) for kind in FAILURES
 ])  # fmt: skip
@@ -99,12 +83,13 @@ def test_energy_is_stored_or_released_and_momentum_kept(kind):
     for factor, steps in ((0.5, 160), (0.125, 640)):
         state, records = ran(kind, steps, factor=factor)
         history = bd.History(records)
-        errors.append(history.imbalance)
+        balance = history.energy["balance"]
+        errors.append(float(np.abs(balance[len(balance) // 2 :]).max() / history.energy["translation"][0]))
+        assert history.imbalance < 5e-3
         fracture = history.released
         assert (np.diff(fracture) >= 0.0).all()
         assert fracture[-1] > 0.02 * history.energy["translation"][0]
     # brittle facets lose a tenth of their integrity in a step at most, whatever its size: first order
-    assert errors[0] < 5e-3
     assert errors[1] < (0.5 if kind == "brittle" else 0.25) * errors[0]
     mass = 1.0 / state.motion[:, 3:4]
     _, first, _ = moving(kind, body(), 0.125)

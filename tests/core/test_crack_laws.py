@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from tests.core.former_loop import FormerLoop
 from tests.core.law_samples import (
     CrackSamples,
     SofteningSamples,
@@ -42,7 +41,7 @@ def softening_samples(kind: str, curve: str) -> SofteningSamples:
     tensor = stress[[[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
     traction = np.einsum("abk,bk->ak", tensor, normal) * rng.uniform(0.3, 2.0, COUNT)
     traction += 1e6 * rng.standard_normal((3, COUNT))
-    integrity = rng.choice([1.0, 0.9, 0.5, 0.1, 1e-3], COUNT)
+    integrity = np.sort(rng.choice([1.0, 0.9, 0.5, 0.1, 1e-3], (3, COUNT)), axis=0)
     tension, last = np.full(COUNT, 3e6), rng.uniform(5e6, 2e7, COUNT)
     friction, cohesion, slip = np.full(COUNT, 0.6), np.full(COUNT, math.inf), np.full(COUNT, math.inf)
     if kind == "brittle":
@@ -52,49 +51,71 @@ def softening_samples(kind: str, curve: str) -> SofteningSamples:
     elif kind == "slipping":
         cohesion[::2], slip[::4] = 4e6, 2e7
     with np.errstate(divide="ignore"):
-        on_plane = np.full(COUNT, float(kind in ("plane", "slipping")))
-        strength = np.array([tension, 1.0 / last, cohesion, 1.0 / slip, friction, on_plane])
+        alike = np.full(COUNT, float(kind in ("plane", "slipping", "loose")))
+        strength = np.array([tension, 1.0 / last, cohesion, 1.0 / slip, friction, alike])
     bent = np.where(rng.random(COUNT) < 0.5, 0.0, rng.uniform(0.0, 4e6, COUNT))
+    axes = rotations(unit(rng, 4)).as_matrix().transpose(2, 1, 0).reshape(9, COUNT)
     kink, steep = CURVES[curve]
-    return SofteningSamples(
-        traction, normal, stress, bent, integrity, strength, kink, steep, False, np.empty((2, COUNT))
-    )
+    given = np.vstack([traction, normal, bent, stress, strength, axes, integrity, np.ones(COUNT)])
+    return SofteningSamples(np.ascontiguousarray(given), kink, steep, False, np.empty((5, COUNT)))
 
 
 @pytest.mark.parametrize("curve", CURVES)
 @pytest.mark.parametrize("kind", ["bulk", "brittle", "loose", "plane", "slipping"])
-def test_the_integrity_that_loads_leave(kind, curve):
-    samples, former = softening_samples(kind, curve), FormerLoop("crack_laws", f"{kind}, {curve}")
+def test_integrities_only_fall_and_lanes_agree(kind, curve):
+    samples = softening_samples(kind, curve)
     evaluate_softening(samples)
-    former.assert_close(1e-11, left=samples.left[0], least=samples.left[1])
-    fell = (samples.left[0] < samples.integrity).mean()
+    integrity, left = samples.given[28:31], samples.left[:3]
+    assert (left <= integrity).all()
+    assert (left >= 0.0).all()
+    fell = (left[0] < integrity[0]).mean()
     assert fell > 0.1
-    assert kind == "brittle" or ((samples.left[0] > 0.0) & (samples.left[0] < samples.integrity)).mean() > 0.03
-    wide = samples._replace(wide=True, left=np.empty((2, COUNT)))
+    assert kind == "brittle" or ((left[0] > 0.0) & (left[0] < integrity[0])).mean() > 0.03
+    wide = samples._replace(wide=True, left=np.empty((5, COUNT)))
     evaluate_softening(wide)
     np.testing.assert_array_equal(wide.left, samples.left)
 
 
-def test_a_facet_keeps_its_integrity_below_the_traction_that_softens_none():
-    samples = softening_samples("bulk", "bilinear")
+def test_what_is_left_along_each_direction_follows_the_curve():
+    """s T = t_0 (1 - T / T_l) / (1 - t_0 / T_l) from t_0 = r f_t c_d on, for each direction that has begun."""
+    samples = softening_samples("bulk", "straight")
     evaluate_softening(samples)
-    size = np.sqrt((samples.traction**2).sum(axis=0) + samples.bent**2)
-    samples.traction[:] *= 0.999 * samples.left[1] / size
-    samples.bent[:] *= 0.999 * samples.left[1] / size
-    evaluate_softening(samples)
-    np.testing.assert_array_equal(samples.left[0], samples.integrity)
+    traction, normal, bent = samples.given[:3], samples.given[3:6], samples.given[6]
+    strength, last = samples.given[13], 1.0 / samples.given[14]
+    axes, integrity = samples.given[19:28].reshape(3, 3, COUNT), samples.given[28:31]
+    stress = samples.given[7:13][[[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
+    pressure = -np.einsum("dak,abk,dbk->dk", axes, stress, axes).min(axis=0)
+    slope = np.abs(np.einsum("dak,ak->dk", axes, normal))
+    opens = np.maximum(bent - np.maximum(pressure, 0.0), 0.0) / slope.max(axis=0)
+    begun = (integrity < 1.0).all(axis=0)  # axes that are whole turn first
+    for d in range(3):
+        pull, bend = np.maximum(np.einsum("ak,ak->k", axes[d], traction), 0.0), opens * slope[d]
+        T, both = np.hypot(pull, bend), pull + bend
+        with np.errstate(divide="ignore", invalid="ignore"):
+            r = T / both
+            onset, end = r * strength * np.maximum(slope[d], 0.2), last / r
+            curve = np.clip(onset * (1.0 - T / end) / (T * (1.0 - onset / end)), 0.0, integrity[d])
+        expected = np.where(T > onset, curve, integrity[d])[begun]
+        np.testing.assert_allclose(samples.left[d, begun], np.where(expected < 1e-9, 0.0, expected), atol=2e-9)
+    assert begun.mean() > 0.3
 
 
 # ---- cracks
 
+#: Rows of what is given and found of a crack.
+BRANCH, H_ROWS, K, LEFT, RUBS, STRESS, SLIP, FRICTION = slice(0, 3), slice(26, 32), 32, slice(38, 42), 42, 43, 45, 48
+FOUND = 29
+FORCE, ON_I, ON_J, RATES, BENDING, ACROSS, SWELLING = slice(0, 3), slice(3, 6), slice(6, 9), slice(15, 19), 19, 23, 27
+
 
 def crack_samples() -> CrackSamples:
-    """Cracks that are open, closed and sliding, of any integrity and turned."""
+    """Cracks that are open, closed and sliding, of any axes and integrity, and turned."""
     rng = np.random.default_rng(2)
     normal, k, area = unit(rng, 3), np.full(COUNT, 1e9), 1e-6
     lever_i = 0.5e-3 * normal + 1e-4 * rng.standard_normal((3, COUNT))
     lever_j = -0.5e-3 * normal + 1e-4 * rng.standard_normal((3, COUNT))
-    w, s = rng.uniform(0.3, 0.7, COUNT), rng.choice([1.0, 0.7, 0.2, 0.0], COUNT)
+    w, s = rng.uniform(0.3, 0.7, COUNT), np.sort(rng.choice([1.0, 0.7, 0.2, 0.0], (3, COUNT)), axis=0)
+    grip = rng.choice([1.0, 0.6, 0.0], COUNT)
     share_i, share_j = area * w * (normal + 0.1 * unit(rng, 3)), area * (1.0 - w) * (normal + 0.1 * unit(rng, 3))
     gap = 1e-6 * (rng.standard_normal((3, COUNT)) + rng.choice([-2.0, 0.0, 2.0], COUNT) * normal)
     p, q = np.array([[1.0], [0], [0], [0]]), np.array([[1.0], [0], [0], [0]])
@@ -105,49 +126,97 @@ def crack_samples() -> CrackSamples:
     H = np.einsum("abk,cbk->ack", half, half)
     H = np.array([H[0, 0], H[1, 1], H[2, 2], H[0, 1], H[0, 2], H[1, 2]])
     stress = 3e8 * rng.standard_normal((2, COUNT))
-    before = np.minimum(s + rng.choice([0.0, 0.05], COUNT), 1.0)
+    before = np.minimum(np.vstack([s, grip]) + rng.choice([0.0, 0.05], (4, COUNT)), 1.0)
     rest = [
-        1e-6 * rng.standard_normal((3, COUNT)), rng.choice([0.0, 0.5], (1, COUNT)), before[None],
-        rng.uniform(0.0, 1e-3, (1, COUNT)), rng.standard_normal((3, COUNT)),
+        1e-6 * rng.standard_normal((3, COUNT)), rng.choice([0.0, 0.5], (1, COUNT)), before,
+        rng.uniform(0.0, 1e-3, (4, COUNT)), rng.standard_normal((3, COUNT)),
     ]  # fmt: skip
-    given = np.vstack([gap + turned, p, q, lever_i, lever_j, share_i, share_j, normal, H, k, w, s, stress, *rest])
-    return CrackSamples(np.ascontiguousarray(given), False, np.empty((26, COUNT)))
+    given = np.vstack([
+        gap + turned, p, q, lever_i, lever_j, share_i, share_j, normal, H, k, w, unit(rng, 4), s, grip,
+        (grip == 0.0).astype(float), stress, *rest,
+    ])  # fmt: skip
+    return CrackSamples(np.ascontiguousarray(given), False, np.empty((FOUND, COUNT)))
 
 
-#: What is found of a crack, and its first row.
-CRACK_ROWS = {
-    "force": 0, "torques": 3, "friction": 9, "slip": 12, "rates": 15, "torque of bending": 17, "across": 20,
-    "along": 21, "cracked": 22, "rubbed away": 23, "swelling": 24,
-}  # fmt: skip
+def evaluated(samples: CrackSamples, **changed) -> np.ndarray:
+    """What is found with some rows changed."""
+    given = samples.given.copy()
+    for row, values in changed.values():
+        given[row] += values
+    now = CrackSamples(given, False, np.empty((FOUND, COUNT)))
+    evaluate_cracks(now)
+    return now.found
 
 
-def test_what_cracks_carry_store_and_dissipate():
-    samples, former = crack_samples(), FormerLoop("crack_laws", "cracks")
+def potential(found: np.ndarray, samples: CrackSamples) -> np.ndarray:
+    """Energy of cracks and σ V θ of their cells: a function of gaps and stresses whose gradient is the force."""
+    stress = samples.given[STRESS : STRESS + 2]
+    return found[ACROSS] + found[ACROSS + 1] + (stress * found[SWELLING:]).sum(axis=0)
+
+
+def test_lanes_of_cracks_agree():
+    samples = crack_samples()
     evaluate_cracks(samples)
-    parts = np.split(samples.found, [*CRACK_ROWS.values()][1:])
-    former.assert_close(1e-11, **dict(zip(CRACK_ROWS, parts, strict=True)))
-    wide = samples._replace(wide=True, found=np.empty((26, COUNT)))
+    wide = samples._replace(wide=True, found=np.empty((FOUND, COUNT)))
     evaluate_cracks(wide)
     np.testing.assert_array_equal(wide.found, samples.found)
+
+
+def test_the_force_of_a_crack_is_the_gradient_of_its_energy():
+    """By central differences of the gap, at cracks without friction that no half closes or opens in between."""
+    samples = crack_samples()
+    samples.given[FRICTION] = 0.0
+    force, step = evaluated(samples)[FORCE], 1e-11
+    for axis in range(3):
+        ahead, behind = (potential(evaluated(samples, gap=(axis, sign * step)), samples) for sign in (1.0, -1.0))
+        slope = (ahead - behind) / (2.0 * step)
+        np.testing.assert_allclose(slope, force[axis], atol=2e-4 * np.abs(force).max())
+
+
+def test_what_a_crack_releases_is_the_slope_of_its_energy():
+    """-∂U/∂s of each integrity and of the grip, by a difference of each."""
+    samples = crack_samples()
+    samples.given[FRICTION] = 0.0
+    rates = evaluated(samples)[RATES]
+    before, step = potential(evaluated(samples), samples), 1e-7
+    inside = samples.given[LEFT] < 1.0
+    for d in range(4):
+        after = potential(evaluated(samples, left=(LEFT.start + d, step * inside[d])), samples)
+        # σ V θ takes part: at fixed gap and stress the slope is that of W, and W rises with what is left
+        np.testing.assert_allclose(
+            ((after - before) / step)[inside[d]], rates[d][inside[d]], atol=2e-5 * np.abs(rates).max()
+        )
+    assert (rates >= 0.0).all()
 
 
 def test_torques_of_a_crack_balance_its_force():
     """δ × f and all torques but those of the levers add up to zero: no angular momentum comes from a crack."""
     samples = crack_samples()
-    evaluate_cracks(samples)
-    f, on_i, on_j = samples.found[:3].T, samples.found[3:6].T, samples.found[6:9].T
-    moment = np.cross(samples.given[:3].T, -f) + on_i + on_j
+    found = evaluated(samples)
+    f, on_i, on_j = found[FORCE].T, found[ON_I].T, found[ON_J].T
+    moment = np.cross(samples.given[BRANCH].T, -f) + on_i + on_j
     np.testing.assert_allclose(moment, 0.0, atol=1e-12 * np.abs(on_i).max())
+
+
+def test_a_crack_that_has_lost_all_presses_along_its_normal_only():
+    samples = crack_samples()
+    samples.given[LEFT] = 0.0
+    samples.given[RUBS], samples.given[FRICTION] = 1.0, 0.0
+    axes = (rotations(samples.given[3:7]) * rotations(samples.given[34:38])).as_matrix()[:, :, 0]
+    force = evaluated(samples)[FORCE].T
+    along = (force * axes).sum(axis=1)
+    np.testing.assert_allclose(force, along[:, None] * axes, atol=1e-12 * np.abs(force).max())
+    assert (along <= 0.0).all()
+    assert 0.2 < (along < 0.0).mean() < 0.8
 
 
 def test_bending_is_that_of_the_cell_law():
     """2 v·H v, with v the vector of the quaternion by which one cell is turned from the other."""
     samples = crack_samples()
-    evaluate_cracks(samples)
-    p, q, H = samples.given[3:7], samples.given[7:11], samples.given[26:32]
+    p, q, H = samples.given[3:7], samples.given[7:11], samples.given[H_ROWS]
     v = (rotations(p).inv() * rotations(q)).as_quat()[:, :3]
     square = 2.0 * np.einsum("ka,kab,kb->k", v, matrices(H), v)
-    np.testing.assert_allclose(samples.found[16], square, rtol=1e-10)
+    np.testing.assert_allclose(evaluated(samples)[BENDING], square, rtol=1e-10)
 
 
 # ---- yielding

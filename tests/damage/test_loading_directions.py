@@ -107,18 +107,6 @@ def test_a_bent_facet_begins_by_its_edge_and_dissipates_the_same(share: float, s
         assert taken <= G_F * slope * (1.0 + 5e-3)
 
 
-def test_nothing_is_left_beyond_the_last_opening() -> None:
-    """A facet that has begun and is pulled across, in a direction that no principal stress has, ends at `last`."""
-    n, away = (1.0, 0.0, 0.0), math.sqrt(1.0 / 3.0)
-    frame, t = np.diag([1.0, 0.0, 0.0]), (away, away, away)
-    below, beyond = (
-        left_in_bulk(0.9, tuple(size * LAST * one for one in t), n, frame, **LINE)
-        for size in (0.99, 1.01)
-    )
-    assert below > 0.0
-    assert beyond == 0.0
-
-
 def test_pressure_closes_the_bending_of_a_plane() -> None:
     """What pressure on a plane takes off its bending does not open it."""
     for bent, whole in ((2.9e6 + F_T, True), (3.1e6 + F_T, False)):
@@ -156,11 +144,9 @@ def test_a_plane_under_pressure_loses_its_cohesion_and_keeps_its_friction() -> N
 @pytest.mark.parametrize(("kink", "steep"), [(0.0, 1.0), (1.0 / 3.0, bd.Bilinear().steep)])
 def test_the_curve_and_its_inverse_agree(kink: float, steep: float) -> None:
     for s in (1.0, 0.7, 0.2, 0.01):
-        # the least traction is that of the weakest direction, of 0.7 of the least slope
         T = softening(
-            s, np.zeros(3), (1.0, 0.0, 0.0), np.zeros((3, 3)), strength=F_T / (0.7 * LEAST_SLOPE), last=LAST,
-            kink=kink, steep=steep,
-        )[1]  # fmt: skip
+            s, np.zeros(3), ALONG, np.diag(ALONG), strength=F_T, last=LAST, kink=kink, steep=steep
+        )[4]  # fmt: skip
         assert softened(s, T * (1.0 - 1e-9), F_T, LAST, kink, steep) == s
         assert softened(s, T * (1.0 + 1e-6), F_T, LAST, kink, steep) < s
 
@@ -179,14 +165,14 @@ def test_equilibria_and_runs_judge_alike() -> None:
     traction[(traction * normal).sum(axis=1) < 0.0] *= -1.0
     full = mean[:, [[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
     opened = Opened.of(table, facets, normal, traction, np.zeros(20), full)
-    for s in (1.0, 0.6):
+    for s in (1.0,):
         for e, factor in enumerate(opened.reached(np.full(20, s))):
             k, n = facets[e], tuple(normal[e])
             for near, falls in ((1.0 - 1e-6, False), (1.0 + 1e-6, True)):
-                now, _ = softening(
+                now = softening(
                     s, near * factor * traction[e], n, full[e], strength=table.strength[k], last=table.last[k],
                     plane=bool(table.plane[k]),
-                )  # fmt: skip
+                )[:3].min()  # fmt: skip
                 assert (now < s) == falls
 
 

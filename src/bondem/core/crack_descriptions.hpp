@@ -16,9 +16,8 @@ namespace bondem {
 
 #define F BONDEM_FIELD
 
-BONDEM_TABLE(SofteningSamples, F(traction, "3 m"), F(normal, "3 m"), F(stress, "6 m"), F(bent, "m"),
-             F(integrity, "m"), F(strength, "6 m"), F(kink, ""), F(steep, ""), F(wide, ""), F(left, "2 m"))
-BONDEM_TABLE(CrackSamples, F(given, "46 m"), F(wide, ""), F(found, "26 m"))
+BONDEM_TABLE(SofteningSamples, F(given, "32 m"), F(kink, ""), F(steep, ""), F(wide, ""), F(left, "5 m"))
+BONDEM_TABLE(CrackSamples, F(given, "60 m"), F(wide, ""), F(found, "29 m"))
 BONDEM_TABLE(YieldSamples, F(stress, "6 m"), F(strength, "5 m"), F(cone, ""), F(wide, ""), F(found, "12 m"))
 BONDEM_TABLE(StressBoundSamples, F(stress, "6 m"), F(bent, "m"), F(wide, ""), F(found, "5 m"))
 
@@ -33,7 +32,8 @@ BONDEM_TABLE(CrackOnset, F(cracked, "n"), F(judged, "n"), F(marked, "m"), F(list
 BONDEM_TABLE(CandidateFacets, F(scale, "m"), F(area, "m"), F(tension, ""), F(least, ""), F(hot, ""), F(along, "m"),
              F(bond, "candidates"), F(stress, "candidates 3 3"), F(found, "candidates"), F(number, "bond_portions"),
              F(total, "1"))
-BONDEM_TABLE(CohesiveCracks, F(shape, "facets 8"), F(face, "facets 8"), F(state, "facets 8"), F(softening, "facets 8"),
+BONDEM_TABLE(CohesiveCracks, F(shape, "facets 8"), F(face, "facets 8"), F(state, "facets 8"), F(frame, "facets 8"),
+             F(past, "facets 8"), F(softening, "facets 8"),
              F(history, "facets 8"), F(pull, "facets 4"), F(pitch, "3"), F(order, "facets"), F(listed, "m"),
              F(integrity, "facets"), F(size, "2"), F(slide, ""))
 BONDEM_TABLE(CellSlack, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(slack_i, "m"), F(slack_j, "m"),
@@ -41,7 +41,8 @@ BONDEM_TABLE(CellSlack, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"
 BONDEM_TABLE(CrackLists, F(size, "4"), F(treated, "places"), F(resting, "places"), F(treated_i, "places"),
              F(treated_j, "places"), F(resting_i, "places"), F(resting_j, "places"), F(parted, "places"), F(cell, "*"),
              F(head, "n"), F(node, "halves 4"), F(flag, "places"), F(waking, "places"), F(flagged, "crack_portions"),
-             F(woken, "crack_portions"), F(stale, "n"), F(base, "n"), F(half, "halves 8"), F(output, "halves 8"),
+             F(woken, "crack_portions"), F(stale, "n"), F(base, "n"), F(half, "halves 16"), F(output, "halves 8"),
+             F(shear, "halves 8"), F(slip, "n 4"),
              F(lost, "crack_portions 2"))
 BONDEM_TABLE(PartedReach, F(apart, "*"))
 BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_portions"), F(cracked, "3"))
@@ -71,6 +72,7 @@ BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_
         S(serial, weigh_cracked_cells), S(serial, list_cracks), S(serial, carry_cracks),                      \
         S(of_elements, begin_bases), S(serial, measure_cracks), S(serial, relax_cracked_cells),               \
         S(serial, watch_resting_cracks), S(serial, wake_cracks), S(serial, soften_cracks),                    \
+        S(serial, choose_crack_axes), S(serial, slide_cracks),                                                \
         S(serial, leave_cracks), S(serial, relax_stale_cells), S(serial, load_cracks), S(serial, log_cracks), \
         S(elements_of_blocks, add_crack_loads), S(of_elements, sum_stressed_dilatation),                      \
         S(of_elements, sum_heat), S(serial, sum_crack_energies), S(serial, add_crack_energies),                   \

@@ -8,9 +8,12 @@ from bondem._cache_lines import lines
 from bondem._types import Floats, Ints
 from bondem.damage.crack_columns import (
     ACTIVE,
+    ALIKE,
+    AXES,
     BEFORE,
     CRACK_COLUMNS,
     FACET,
+    FRESH,
     GAMMA,
     ONSET,
     ONSET_STEP,
@@ -97,6 +100,8 @@ class CohesiveCracks(NamedTuple):
     shape: Floats  #: (m, 8), and so on
     face: Floats
     state: Floats
+    frame: Floats
+    past: Floats
     softening: Floats
     history: Floats
     pull: Floats  #: force on cell i [N], (m, 4)
@@ -112,7 +117,7 @@ class CohesiveCracks(NamedTuple):
         """Return the cracks of a state; memory is taken as facets crack."""
         m, count = len(state.integrity), len(state.cracks)
         cracks = cls(
-            lines(m), lines(m), lines(m), lines(m), lines(m), np.zeros((m, 4)), np.zeros(3), np.zeros(m, np.int64),
+            *(lines(m) for _ in range(7)), np.zeros((m, 4)), np.zeros(3), np.zeros(m, np.int64),
             listed, state.integrity, np.array([count, 1], dtype=np.int64), slide,
         )  # fmt: skip
         facet = state.cracks[:, FACET].astype(np.int64)
@@ -124,11 +129,15 @@ class CohesiveCracks(NamedTuple):
 
     def _columns(self) -> list[tuple[int | slice, Floats, int | slice]]:
         """Return columns of the cracks of a state, with the table and the columns that have them here."""
-        three = slice(0, 3)
+        def columns(first: int, number: int) -> slice:
+            return slice(first, first + number)
+
         return [
-            (ONSET, self.softening, 7), (slice(SLIP, SLIP + 3), self.state, three), (RATE, self.state, 7),
-            (STATUS, self.history, 0), (BEFORE, self.state, 6), (slice(RUB, RUB + 3), self.state, slice(3, 6)),
-            (SPENT, self.history, 1), (TOP, self.shape, 7), (ONSET_STEP, self.history, 6),
+            (ONSET, self.softening, 7), (columns(AXES, 4), self.frame, columns(0, 4)),
+            (columns(LEFT, 4), self.frame, columns(4, 4)), (columns(RATE, 4), self.past, columns(4, 4)),
+            (columns(BEFORE, 4), self.past, columns(0, 4)), (columns(SLIP, 3), self.state, columns(0, 3)),
+            (columns(RUB, 3), self.state, columns(3, 3)), (STATUS, self.history, 0), (SPENT, self.history, 1),
+            (TOP, self.shape, 7), (FRESH, self.state, 6), (ALIKE, self.state, 7), (ONSET_STEP, self.history, 6),
         ]  # fmt: skip
 
     def keep(self, kept: FacetForces, state: State) -> None:
@@ -177,6 +186,8 @@ class CrackLists(NamedTuple):
     base: Floats
     half: Floats
     output: Floats
+    shear: Floats
+    slip: Floats
     lost: Floats
 
     @classmethod
@@ -191,7 +202,8 @@ class CrackLists(NamedTuple):
             numbers.copy(),
             np.zeros(n + _BEHIND, np.uint32), np.zeros(n, np.int32), np.zeros((halves, 4), np.int32), flags,
             flags.copy(), np.zeros(portions, np.int64), np.zeros(portions, np.int64), np.zeros(n, np.uint8),
-            np.zeros(n), lines(halves), lines(halves), np.zeros((portions, 2)),
+            np.zeros(n), lines(2 * halves).reshape(halves, 16), lines(halves), lines(halves), np.zeros((n, 4)),
+            np.zeros((portions, 2)),
         )  # fmt: skip
 
 

@@ -2,21 +2,30 @@
 
 import numpy as np
 
-from bondem.damage.crack_columns import FACET, ONSET, RESTING, STATUS, TOP
+from bondem._types import Floats
+from bondem.damage.crack_columns import ACTIVE, CRACK_COLUMNS, FACET, LEFT, ONSET, RATE, RESTING, RUB, SLIP, SPENT, STATUS, TOP
+from bondem.damage.crack_rows import alike_left, axes_along, crack_rows
 from bondem.damage.event_columns import BROKEN_PLACE
 from bondem.model.model import Model
 from bondem.model.state import State
 
 # Schema from which on cracks are judged by the strength of their facet, and places count from the local origin; and
-# from which on failures and what softens know the step of their onset, and contacts the faces by which cells touch.
+# from which on failures and what softens know the step of their onset, contacts the faces by which cells touch, and
+# cracks their directions.
 _BY_FACET, _WITH_ONSET = 8, 10
 #: Arrays with the number of their last columns that are new in the second, and what these are in older files.
-_OF_ONSET = {"broken": (1, np.nan), "cracks": (1, np.nan), "softened": (1, np.nan), "stretch": (3, 0.0)}
+_OF_ONSET = {"broken": (1, np.nan), "softened": (1, np.nan), "stretch": (3, 0.0)}
+# Columns of a crack before: facet, strength, slip, rate, status, integrity a step ago, friction force, energy, top.
+_OLDER = 13
 
 
 def shape_in(schema: int, name: str, shape: tuple[int, ...]) -> tuple[int, ...]:
     """Return the shape of an array of a state in files of a schema, given that of today."""
-    return (shape[0], shape[1] - _OF_ONSET[name][0]) if schema < _WITH_ONSET and name in _OF_ONSET else shape
+    if schema >= _WITH_ONSET:
+        return shape
+    if name == "cracks":
+        return shape[0], _OLDER
+    return (shape[0], shape[1] - _OF_ONSET[name][0]) if name in _OF_ONSET else shape
 
 
 def brought_up(model: Model, state: State, schema: int) -> None:
@@ -27,12 +36,31 @@ def brought_up(model: Model, state: State, schema: int) -> None:
             rows = getattr(state, name)
             missing = getattr(fresh, name).shape[1] - rows.shape[1]
             setattr(state, name, np.pad(rows, ((0, 0), (0, missing)), constant_values=value))
+        state.cracks = with_directions(model, state)
     if schema >= _BY_FACET:
         return
     judge_anew(model, state)
     if state.origin.any():  # places counted from zero
         state.pose[:, :3] -= state.origin
         state.broken[:, BROKEN_PLACE : BROKEN_PLACE + 3] -= state.origin
+
+
+def with_directions(model: Model, state: State) -> Floats:
+    """Return cracks of files whose facets had one integrity: along the normal of the facet, and alike in its plane."""
+    older, cells = state.cracks, model.cells
+    if cells is None:
+        return np.zeros((0, CRACK_COLUMNS))
+    facet = older[:, 0].astype(np.int64)
+    table = model.softening
+    alike = older[:, 1] == 0.0 if table is None else (older[:, 1] == 0.0) | table.plane[facet]
+    rows = crack_rows(facet, older[:, 1], axes_along(cells.normal[facet]), alike_left(state.integrity[facet]), alike)
+    rows[:, SLIP : SLIP + 3], rows[:, RUB : RUB + 3] = older[:, 2:5], older[:, 8:11]
+    rows[:, RATE], rows[:, STATUS], rows[:, SPENT], rows[:, TOP] = older[:, 5], older[:, 6], older[:, 11], older[:, 12]
+    # cracks of the material that are not gone are treated one by one
+    softens = ~alike & (rows[:, LEFT] > 0.0)
+    rows[softens & (rows[:, STATUS] == RESTING), STATUS] = ACTIVE
+    rows[softens, SLIP : SLIP + 3] = rows[softens, RUB : RUB + 3] = 0.0
+    return rows
 
 
 def judge_anew(model: Model, state: State) -> None:

@@ -7,6 +7,7 @@
 #include "../passes/contacts/face_contacts.hpp"
 #include "../passes/contacts/handover.hpp"
 #include "../passes/cracks/carried.hpp"
+#include "../passes/cracks/crack_axes.hpp"
 #include "../passes/cracks/crack_loads.hpp"
 #include "../passes/cracks/loaded_cracks.hpp"
 #include "../passes/cracks/opening.hpp"
@@ -97,17 +98,15 @@ inline void relax_stale_cell(Index p, const Moving &all, const CellDilatation &c
 // ---- rest
 
 inline void watch_resting_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
-                                const FacetStrengths &strengths, const StressesOfCells &stresses,
-                                const CohesiveCracks &cracks, const CrackLists &lists) {
+                                const FacetStrengths &strengths, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (cracks.listed(k) != 1 + crack::resting || !takes_time(span)) return;
-    SingleTrials trials;
-    watch_each(OneCrack(facets, k), all, facets.period.data, strengths, stresses, cracks, lists, 0, trials);
+    watch_each(OneCrack(facets, k), all, facets.period.data, strengths, cracks, lists, 0);
 }
 inline void wake_crack(Index k, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                        const CrackLists &lists) {
     if (lists.waking(k) != crack::wakes) return;
     const SingleCrack one(all.pose, facets, cracks, k);
-    if (one.s == 0.0 && turned_away(one.now, one.area, slide_of(cracks, k))) {
+    if (one.is_gone() && turned_away(one.now, one.area, slide_of(cracks, k))) {
         part_resting(facets, cracks, k);
         lists.waking(k) = crack::parts;
         return;
@@ -123,7 +122,7 @@ BONDEM_INLINE bool change_base(Index p, const Moving &all, const ElasticFacets &
     for_each_facet_of(slack, p, [&](Index k, bool is_i) {
         if (!changes(k)) return;
         any = true;
-        const CrackFaces<double> at = SingleCrack(all.pose, facets, cracks, k).now.faces;
+        const CrackFaces<double> at = SingleCrack(all.pose, facets, cracks, k).now;
         lists.base(p) += sign * cracks.integrity(k) * dot(is_i ? at.share_i : at.share_j, at.gap);
     });
     return any;
@@ -140,12 +139,17 @@ inline void take_woken(Index p, const DeviceSpan &span, const Moving &all, const
 
 // ---- softening
 
+inline void choose_crack_axis(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                              const CellSlack &slack, const StressesOfCells &stresses, const CohesiveCracks &cracks,
+                              const CrackLists &lists) {
+    if (!is_treated(cracks, k) || !takes_time(span)) return;
+    choose_axes(all, facets, slack, stresses, cracks, lists, k, [](Index half) { return (half - 1) >> 1; });
+}
 inline void soften_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                          const FacetStrengths &strengths, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                          const CrackLists &lists) {
     if (!is_treated(cracks, k) || !takes_time(span)) return;
-    SingleTrials trials;
-    soften_each(OneCrack(facets, k), all, strengths, stresses, cracks, lists, facets.period.data, 0, trials);
+    soften_each(OneCrack(facets, k), all, facets, strengths, stresses, cracks, lists, 0);
     if (lists.flag(k) != crack::unchanged) make_stale(lists, facets, k);
 }
 
@@ -217,14 +221,22 @@ inline void take_over_from_cracks(Index, const BegunFaces &begun, const EventLog
 // ---- forces, and what is dissipated
 
 inline void load_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
-                       const CohesiveCracks &cracks, const CrackLists &lists, const LossesOfCracks &losses) {
+                       const FacetStrengths &strengths, const StressesOfCells &stresses, const CohesiveCracks &cracks,
+                       const CrackLists &lists, const LossesOfCracks &losses) {
     const bool treated = is_treated(cracks, k);
     if (!treated && !leaves(lists.flag(k))) return;
     if (treated) lists.flag(k) = crack::unchanged;
     double lost = 0.0;
-    load_each(OneCrack(facets, k), all, facets.period.data, cracks, lists, 0, takes_time(span), lost);
+    load_each(OneCrack(facets, k), all, facets.period.data, strengths, stresses, cracks, lists, 0, takes_time(span), lost);
     if (treated) losses.lost(k) = lost;
     if (lists.flag(k) == crack::fell) losses.fallen(count_up(losses.number(0))) = k;
+}
+inline void slide_cell(Index p, const DeviceSpan &span, const CrackLists &lists) {
+    if (lists.head(p) != 0 && takes_time(span)) slide_of_cell(lists, p);
+}
+inline void slide_crack_of(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
+                           const CohesiveCracks &cracks, const CrackLists &lists) {
+    if (is_treated(cracks, k) && takes_time(span)) slide_crack(all, facets, cracks, lists, k, k);
 }
 inline void add_crack_load(Index e, const DeviceSpan &span, const Moving &all, const StressesOfCells &stresses,
                            const CohesiveCracks &cracks, const CrackLists &lists, const StepCut &cut) {

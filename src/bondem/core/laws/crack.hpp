@@ -1,27 +1,33 @@
 // A cracked facet: two halves in series with springs that stand for what has been lost, and friction where it has
 // closed.
 //
-// Half p of a facet of stiffness k has the part w_p of its compliance, so its own stiffness is k / w_p. Integrity s
-// puts a spring s / (1 - s) k / w_p in series with it, whose opening u_p is eliminated. With δ the gap of the two
-// faces, σ_p = λ θ of the cell, g_p = R_p (A w m)_p its share in the swelling, and n the normal of the reference
-// turned with both cells, in the middle,
+// Half p of a facet of stiffness k has the part w_p of its compliance, so its own stiffness is k / w_p. A crack has an
+// orthonormal frame e_1, e_2, e_3 that turns with cell i; e_1 is its normal. Along e_d half p keeps the share s⁺_d of a
+// force that pulls and s⁻_d of one that presses; springs s / (1 - s) k / w_p in series with it stand for the rest, and
+// their opening u_p is eliminated. With δ the gap of the two faces less what they have slipped, σ_p = λ θ of the cell,
+// and g_p = R_p (A w m)_p its share in the swelling,
 //
 //     F_p = k δ + σ_p g_p / w_p        the force of that half as if it were whole
-//     F⁺ = F - min(F·n, 0) n           what of it opens or shears
-//     u_p = (1 - s) w_p F⁺_p / k       V_p θ_p = Σ g_p·δ - (1 - s) g_p·F⁺_p / k
-//     f = Σ_p w_p [s F_p + (1 - s) min(F_p·n, 0) n] + q
-//     -∂U/∂s = Σ_p w_p |F⁺_p|² / 2 k + bending - friction spring ≥ 0
+//     L_p = Σ_d [(1 - s⁺_d) ⟨F_p·e_d⟩ + (1 - s⁻_d) min(F_p·e_d, 0)] e_d        what it has lost of it
+//     u_p = w_p L_p / k        V_p θ_p = Σ g_p·δ - g_p·L_p / k
+//     f = Σ_p w_p (F_p - L_p) + q
 //
-// so a closed crack carries pressure with Lamé's λ, as whole material does. q = (1 - s) k (δ_t - slip) is friction on
-// what is broken, cut at μ times the pressure on it. An open crack has no friction (Alfano and Sacco 2006).
+//     s⁺_1 = s_1    s⁺_2 = γ s_2    s⁺_3 = γ s_3        s⁻_1 = 1    s⁻_2 = s⁻_3 = γ
 //
-// Energy U: halves store ½ k / w |w δ - u|², their springs ½ s (1 - s) w |F⁺|² / k, friction ½ |q|² / (1 - s) k, and
-// bending s 2 v·H v with v the vector part of q_i* q_j.
+// A crack of the material loses s_d along each direction by itself: what acts along the crack stays, as in the material
+// beside it, and what closes along e_1 presses with Lamé's λ, as whole material does. Its grip γ on what acts along it
+// is 1 until its faces are far apart. A facet of a material plane, or of a cell without cohesion, has e_1 = n and one
+// integrity, s_1 = γ = s: it loses all but the pressure across it. q = (1 - γ) k (δ_t - slip) is friction on what is
+// broken of the latter, and of cracks of the material once γ = 0, cut at μ times the pressure along e_1. An open crack
+// has no friction (Alfano and Sacco 2006).
 //
-// Signs: f acts on cell i, -f on j; δ is from i to j, so tension is positive. The couples of the turning normals
-// follow from the balance of angular momentum: all torques and δ × f together are zero.
+// Energy U: halves store ½ k / w |w δ - u|², their springs ½ s (1 - s) w (F·e_d)² / k for s⁺ or s⁻, friction
+// ½ |q|² / (1 - γ) k, and bending s 2 v·H v with v the vector part of q_i* q_j and s the least of s_1, s_2, s_3.
 //
-// What a crack dissipates in a step is -∂U/∂s times its loss of integrity. The product of the openings before and
+// Signs: f acts on cell i, -f on j; δ is from i to j, so tension is positive. The couple of the frame that turns with
+// cell i follows from the balance of angular momentum: all torques and δ × f together are zero.
+//
+// What a crack dissipates in a step is -∂U/∂s times its loss of each integrity. The product of the openings before and
 // after, the geometric mean of both rates, is exact where the opening does not turn: then works by the trapezoidal
 // rule, energy and dissipation add up to zero.
 #pragma once
@@ -35,79 +41,165 @@ template <class T> struct FacetCompliance {
     T k;  // [N/m]
     T part;  // w of cell i; that of j is 1 - w [-]
 };
-// Its two faces now.
+// What a crack has left: s_1, s_2, s_3, and its grip.
+template <class T> struct CrackIntegrity {
+    T s[3], grip;
+
+    BONDEM_INLINE T open(int d) const { return d == 0 ? s[0] : T(grip * s[d]); }
+    BONDEM_INLINE T shut(int d) const { return d == 0 ? all<T>(1.0) : grip; }
+    BONDEM_INLINE T least_left() const { return least(least(s[0], s[1]), s[2]); }
+};
+// Three directions, of which each is at right angles to the others.
+template <class T> struct CrackAxes {
+    Vector3<T> e[3];
+};
+// The axes that a unit quaternion stores: the sign of its scalar part says on which side e_3 is.
+template <class T> BONDEM_INLINE CrackAxes<T> axes_of(Quaternion<T> cell, Quaternion<T> stored) {
+    const Rotation<T> r = matrix_of(product(cell, stored));
+    const T one = all<T>(1.0), side = select(stored.w < T{}, -one, one);
+    return {{{r.x.x, r.y.x, r.z.x}, {r.x.y, r.y.y, r.z.y}, {side * r.x.z, side * r.y.z, side * r.z.z}}};
+}
+// The same the other way round, of axes in the frame of the cell.
+inline Quaternion<double> stored_axes(const CrackAxes<double> &axes) {
+    const Vector a = axes.e[0], b = axes.e[1], c = cross(a, b);
+    const double side = dot(c, axes.e[2]) < 0.0 ? -1.0 : 1.0, trace = a.x + b.y + c.z;
+    Quaternion<double> q;
+    if (trace > 0.0) {
+        q = {1.0 + trace, b.z - c.y, c.x - a.z, a.y - b.x};
+    } else if (a.x >= b.y && a.x >= c.z) {
+        q = {b.z - c.y, 1.0 + a.x - b.y - c.z, b.x + a.y, c.x + a.z};
+    } else if (b.y >= c.z) {
+        q = {c.x - a.z, b.x + a.y, 1.0 + b.y - a.x - c.z, c.y + b.z};
+    } else {
+        q = {a.y - b.x, c.x + a.z, c.y + b.z, 1.0 + c.z - a.x - b.y};
+    }
+    constexpr double some = 1e-200;  // so that w has a sign
+    q.w = q.w < 0.0 ? least(q.w, -some) : most(q.w, some);
+    const double size = root(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z), one = (q.w < 0.0 ? -side : side) / size;
+    return {one * q.w, one * q.x, one * q.y, one * q.z};
+}
+// Axes with a first direction, and the others anyhow.
+inline CrackAxes<double> axes_along(Vector e) {
+    const Vector other = absolute(e.x) < 0.6 ? Vector{1.0, 0.0, 0.0} : Vector{0.0, 1.0, 0.0};
+    const Vector a = minus(other, dot(other, e), e), b = (1.0 / length(a)) * a;
+    return {{e, b, cross(e, b)}};
+}
+
+// A crack now.
 template <class T> struct CrackFaces {
-    Vector3<T> gap, normal;  // δ [m], n [-]
+    Vector3<T> gap, strained;  // gap of the faces, and δ [m]
+    Vector3<T> normal;  // of the facet, turned with cell i [-]
+    T facing;  // cosine between the normals of both cells
     Vector3<T> share_i, share_j;  // g [m²]
     Vector3<T> arm_i, arm_j;  // levers [m]
-    Vector3<T> normal_i;  // the normal of the reference turned with cell i [-]
-};
-// And the cosine between the normals of both, for faces that turn away from each other.
-template <class T> struct FacedFaces {
-    CrackFaces<T> faces;
-    T facing;
+    CrackAxes<T> at;
+    CrackIntegrity<T> left;
+    Mask<T> rubs;  // whether friction acts on what is broken, so that the slip is that of its spring
+
+    BONDEM_INLINE const Vector3<T> &across() const { return at.e[0]; }
 };
 template <class T>
-BONDEM_INLINE FacedFaces<T> crack_faces(const Ends<T> &ends, const FacetShape<T> &shape, Vector3<T> normal) {
+BONDEM_INLINE CrackFaces<T> crack_faces(const Ends<T> &ends, const FacetShape<T> &shape, Vector3<T> normal,
+                                        Quaternion<T> axes, const CrackIntegrity<T> &left, Mask<T> rubs,
+                                        Vector3<T> slip) {
     const OpenFacet<T> open = opened(ends, shape);
-    const Vector3<T> n = turned_by(ends.i, normal), m = turned_by(ends.j, normal), both = n + m;
-    return {{open.gap, (1.0 / length(both)) * both, turned_by(ends.i, shape.share_i), turned_by(ends.j, shape.share_j),
-             open.arm_i, open.arm_j, n},
-            dot(n, m)};
+    const Vector3<T> n = turned_by(ends.i, normal), m = turned_by(ends.j, normal);
+    const CrackAxes<T> at = axes_of(ends.i, axes);
+    // where friction is by its own spring, the slip along the crack is that of the spring
+    const Vector3<T> slipped = turned_by(ends.i, slip), across = dot(slipped, at.e[0]) * at.e[0];
+    return {open.gap, open.gap - select<T>(rubs, across, slipped), n, dot(n, m),
+            turned_by(ends.i, shape.share_i), turned_by(ends.j, shape.share_j), open.arm_i, open.arm_j, at, left, rubs};
 }
 
 // Faces whose normals are further apart than this cosine do not press on each other as planes.
 constexpr double least_facing = 0.7;
 // Whether the faces of a crack of a facet of this area no longer face each other: they are further apart than √A, or have
 // slid by more than `slide` √A.
-template <class T> BONDEM_INLINE Mask<T> turned_away(const FacedFaces<T> &now, T area, double slide) {
-    const Vector3<T> gap = now.faces.gap, n = now.faces.normal;
-    const T d = dot(gap, n), along = positive(d);
-    const Vector3<T> across = minus(gap, d, n);
-    return (now.facing < all<T>(least_facing)) | (along * along > area) | (dot(across, across) > slide * slide * area);
+template <class T> BONDEM_INLINE Mask<T> turned_away(const CrackFaces<T> &now, T area, double slide) {
+    const T d = dot(now.gap, now.across()), along = positive(d);
+    const Vector3<T> beside = minus(now.gap, d, now.across());
+    return (now.facing < all<T>(least_facing)) | (along * along > area) | (dot(beside, beside) > slide * slide * area);
 }
 
-// F of a half as if it were whole, its opening part, and its pressing part along the normal, at most 0 [N].
+// A half: its force along each direction as if it were whole, and what it has lost [N].
 template <class T> struct CrackHalf {
-    Vector3<T> opening;
-    T press;
+    T along[3];
+    Vector3<T> lost;
+
+    BONDEM_INLINE T press() const { return least(along[0], T{}); }
 };
-template <class T> BONDEM_INLINE CrackHalf<T> crack_half(T k, T part, Vector3<T> gap, Vector3<T> share, T stress,
-                                                         Vector3<T> n) {
-    const Vector3<T> whole = plus(k * gap, stress / part, share);
-    const T press = least(dot(whole, n), T{});
-    return {minus(whole, press, n), press};
+template <class T>
+BONDEM_INLINE CrackHalf<T> crack_half(T k, T part, const CrackFaces<T> &at, Vector3<T> share, T stress) {
+    const Vector3<T> whole = plus(k * at.strained, stress / part, share);
+    CrackHalf<T> half = {};
+    const T zero = {}, one = all<T>(1.0);
+    for (int d = 0; d < 3; d++) {
+        const T F = half.along[d] = dot(whole, at.at.e[d]);
+        half.lost = plus(half.lost, T(select(F > zero, T(one - at.left.open(d)), T(one - at.left.shut(d))) * F), at.at.e[d]);
+    }
+    return half;
 }
 template <class T> struct CrackHalves {
     CrackHalf<T> i, j;
 };
 template <class T>
-BONDEM_INLINE CrackHalves<T> crack_halves(const FacetCompliance<T> &facet, const CrackFaces<T> &at,
-                                          OfCells<T> stress) {
-    return {crack_half(facet.k, facet.part, at.gap, at.share_i, stress.i, at.normal),
-            crack_half(facet.k, T(1.0 - facet.part), at.gap, at.share_j, stress.j, at.normal)};
+BONDEM_INLINE CrackHalves<T> crack_halves(const FacetCompliance<T> &facet, const CrackFaces<T> &at, OfCells<T> stress) {
+    return {crack_half(facet.k, facet.part, at, at.share_i, stress.i),
+            crack_half(facet.k, T(1.0 - facet.part), at, at.share_j, stress.j)};
 }
 // The force that a facet would have if it were whole [N].
-template <class T>
-BONDEM_INLINE Vector3<T> whole_force(T k, const CrackFaces<T> &at, OfCells<T> stress) {
-    return plus(plus(k * at.gap, stress.i, at.share_i), stress.j, at.share_j);
+template <class T> BONDEM_INLINE Vector3<T> whole_force(T k, const CrackFaces<T> &at, OfCells<T> stress) {
+    return plus(plus(k * at.strained, stress.i, at.share_i), stress.j, at.share_j);
 }
 
 // What a half adds to V θ of its cell, a piecewise linear function of the stress σ of the cell:
-// swollen - loose (pulled + σ square), and where closed + σ pressed < 0, + loose (closed + σ pressed) along.
+//
+//     swollen - Σ_d loose_d F_d g_d        F_d = pulled_d + σ inverse g_d
+//
+// with (1 - s⁺_d) / k for loose_d where F_d pulls, and (1 - s⁻_d) / k where it presses.
 template <class T> struct SwellingHalf {
-    T swollen, pulled;  // g·δ [m³], k g·δ [N·m²]
-    T square, along, pressed;  // g² / w [m⁴], g·n, g·n / w [m²]
-    T closed;  // k δ·n [N]
-    T loose;  // (1 - s) / k [m/N]
-    T turns;  // σ where it closes or opens [Pa]
+    T swollen, inverse;  // g·δ [m³], 1 / w [-]
+    T pulled[3], along[3];  // k δ·e_d [N], g·e_d [m²]
+    T loose[3], grip;  // (1 - s⁺_d) / k, (1 - γ) / k [m/N]
+    T turns[3];  // σ where it closes or opens [Pa]
+    T unused;
+
+    BONDEM_INLINE T force(int d, T stress) const { return pulled[d] + stress * inverse * along[d]; }
+    BONDEM_INLINE T loosened(int d, T force) const {
+        const T shut = d == 0 ? T{} : grip;
+        return select(force > T{}, loose[d], shut);
+    }
 };
 template <class T>
-BONDEM_INLINE SwellingHalf<T> swelling_half(T k, T part, T s, Vector3<T> gap, Vector3<T> share, Vector3<T> n) {
-    const T swollen = dot(share, gap), along = dot(share, n), inverse = 1.0 / part;
-    const T closed = k * dot(gap, n), pressed = along * inverse;
-    return {swollen, k * swollen, dot(share, share) * inverse, along, pressed, closed, (1.0 - s) / k,
-            -closed / pressed};
+BONDEM_INLINE SwellingHalf<T> swelling_half(T k, T part, const CrackFaces<T> &at, Vector3<T> share) {
+    SwellingHalf<T> half = {};
+    const T one = all<T>(1.0), soft = one / k;
+    half.swollen = dot(share, at.strained);
+    half.inverse = one / part;
+    for (int d = 0; d < 3; d++) {
+        half.pulled[d] = k * dot(at.strained, at.at.e[d]);
+        half.along[d] = dot(share, at.at.e[d]);
+        half.loose[d] = (one - at.left.open(d)) * soft;
+    }
+    half.grip = (one - at.left.grip) * soft;
+    for (int d = 0; d < 3; d++) {  // none where both are alike
+        const Mask<T> alike = half.loose[d] == (d == 0 ? T{} : half.grip);
+        half.turns[d] = select(alike, all<T>(infinity), T(-half.pulled[d] / (half.along[d] * half.inverse)));
+    }
+    return half;
+}
+// What it adds at the stress of its cell [m³], and by how much less at a larger one [m³/Pa].
+template <class T> struct Swelling {
+    T swelling, softness;
+};
+template <class T> BONDEM_INLINE Swelling<T> swelling_of(const SwellingHalf<T> &half, T stress) {
+    Swelling<T> sum = {half.swollen, T{}};
+    for (int d = 0; d < 3; d++) {
+        const T F = half.force(d, stress), loose = half.loosened(d, F) * half.along[d];
+        sum.swelling -= loose * F;
+        sum.softness += loose * half.along[d] * half.inverse;
+    }
+    return sum;
 }
 
 // Energy of the bending of a whole facet [J], and its torque on i [N·m].
@@ -131,11 +223,32 @@ template <class T> struct CrackFriction {
     Vector3<T> force, slip;
 };
 template <class T>
-BONDEM_INLINE CrackFriction<T> crack_friction(T k, T s, Vector3<T> gap, Vector3<T> n, Vector3<T> slip, T limit) {
+BONDEM_INLINE CrackFriction<T> crack_friction(T k, T grip, Vector3<T> gap, Vector3<T> n, Vector3<T> slip, T limit) {
     const Vector3<T> across = minus(gap, dot(gap, n), n), stretch = across - minus(slip, dot(slip, n), n);
-    const T stiff = (1.0 - s) * k, size = stiff * length(stretch);
+    const T stiff = (1.0 - grip) * k, size = stiff * length(stretch);
     const T kept = select(size > limit, limit / size, all<T>(1.0));
     return {(stiff * kept) * stretch, minus(across, kept, stretch)};
+}
+
+// -∂U/∂s_1 … -∂U/∂s_3 and -∂U/∂γ without bending and friction [J].
+template <class T> struct CrackRates {
+    T of[4];
+};
+template <class T>
+BONDEM_INLINE CrackRates<T> crack_rates(const FacetCompliance<T> &facet, const CrackIntegrity<T> &left,
+                                        const CrackHalves<T> &half) {
+    const T half_k = 0.5 / facet.k;
+    CrackRates<T> rates = {};
+    const auto add = [&](T w, const CrackHalf<T> &of) __attribute__((always_inline)) {
+        for (int d = 0; d < 3; d++) {
+            const T pull = positive(of.along[d]), press = of.along[d] - pull, square = half_k * w * pull * pull;
+            rates.of[d] += d == 0 ? square : T(left.grip * square);
+            if (d > 0) rates.of[3] += left.s[d] * square + half_k * w * press * press;
+        }
+    };
+    add(facet.part, half.i);
+    add(T(1.0 - facet.part), half.j);
+    return rates;
 }
 
 // What a crack does to its cells, but for bending.
@@ -143,51 +256,54 @@ template <class T> struct CrackLoads {
     Vector3<T> force;  // on i; its opposite on j [N]
     Vector3<T> on_i, on_j;  // torques [N·m]
     CrackFriction<T> friction;
-    T rate;  // -∂U/∂s without bending and friction [J]
 };
-// Couple of a half whose normal turns with its cell: (w δ - u) × σ g / w.
+// Couple of a half whose share turns with its cell: (w δ - u) × σ g / w.
 template <class T>
-BONDEM_INLINE Vector3<T> half_couple(T k, T w, T s, Vector3<T> gap, Vector3<T> share, T stress, Vector3<T> opening) {
-    return (stress / w) * cross(minus(w * gap, T((1.0 - s) * w / k), opening), share);
+BONDEM_INLINE Vector3<T> half_couple(T k, T w, const CrackFaces<T> &at, Vector3<T> share, T stress, Vector3<T> lost) {
+    return (stress / w) * cross(minus(w * at.strained, T(w / k), lost), share);
 }
 template <class T>
-BONDEM_INLINE CrackLoads<T> crack_loads(const FacetCompliance<T> &facet, const CrackFaces<T> &at, T s,
-                                        OfCells<T> stress,
-                                        Vector3<T> slip, T friction) {
-    const T k = facet.k, w = facet.part, v = 1.0 - w;
-    const CrackHalves<T> half = crack_halves(facet, at, stress);
-    const T along = w * half.i.press + v * half.j.press;
-    const CrackFriction<T> rub = crack_friction(k, s, at.gap, at.normal, slip, T(-friction * (1.0 - s) * along));
-    const Vector3<T> sheared = plus(plus(rub.force, T(s * w), half.i.opening), T(s * v), half.j.opening);
-    const Vector3<T> f = plus(sheared, along, at.normal);
-    const Vector3<T> ci = half_couple(k, w, s, at.gap, at.share_i, stress.i, half.i.opening);
-    const Vector3<T> cj = half_couple(k, v, s, at.gap, at.share_j, stress.j, half.j.opening);
-    // the normal n = (n_i + n_j) / |n_i + n_j| turns with both cells, and the slip with cell i
-    const Vector3<T> both = cross(at.gap, f) - ci - cj, slid = cross(rub.slip, rub.force), turning = both - slid;
-    const T half_inverse = 0.5 / dot(at.normal_i, at.normal);  // 1 / |n_i + n_j|
-    const Vector3<T> t = half_inverse * cross(at.normal_i, cross(turning, at.normal));
-    const T rate = 0.5 / k * (w * dot(half.i.opening, half.i.opening) + v * dot(half.j.opening, half.j.opening));
-    return {f, cross(at.arm_i, f) + ci + slid + t, cross(f, at.arm_j) + cj + turning - t, rub, rate};
+BONDEM_INLINE CrackLoads<T> crack_loads(const FacetCompliance<T> &facet, const CrackFaces<T> &at,
+                                        const CrackHalves<T> &half, OfCells<T> stress, Vector3<T> slip, T friction) {
+    const T k = facet.k, w = facet.part, v = 1.0 - w, broken = 1.0 - at.left.grip, zero = {};
+    const T limit = -friction * broken * (w * half.i.press() + v * half.j.press());
+    CrackFriction<T> rub = crack_friction(k, at.left.grip, at.gap, at.across(), slip, limit);
+    const Vector3<T> none = {};
+    rub.force = select<T>(at.rubs, rub.force, none);
+    // along each direction by itself, so that nothing is left exactly where all is lost
+    Vector3<T> f = rub.force;
+    for (int d = 0; d < 3; d++) {
+        const auto kept = [&](T F) { return select(F > zero, T(at.left.open(d) * F), T(at.left.shut(d) * F)); };
+        f = plus(f, T(w * kept(half.i.along[d]) + v * kept(half.j.along[d])), at.at.e[d]);
+    }
+    const Vector3<T> couple = half_couple(k, v, at, at.share_j, stress.j, half.j.lost);
+    return {f, cross(at.arm_i + at.gap, f) - couple, cross(f, at.arm_j) + couple, rub};
 }
 
 // What a crack has dissipated in a step, and what friction has [J].
 template <class T> struct CrackLosses {
     T cracked, rubbed;
 };
-// Integrity, -∂U/∂s and friction force before and now, and the slip that came between.
+// Integrities, rates and friction force before and now, and the slip that came between.
 template <class T> struct CrackStep {
-    T s_before, s;
-    T rate_before, rate;
+    CrackIntegrity<T> before, now;
+    CrackRates<T> rate_before, rate;
     Vector3<T> rub_before, rub, came;
 };
 template <class T> BONDEM_INLINE CrackLosses<T> crack_losses(T k, const CrackStep<T> &step) {
-    const T fell = step.s_before - step.s, zero = {}, one = all<T>(1.0);
-    const Vector3<T> stretch = (1.0 / (k * (1.0 - step.s))) * step.rub;
-    // the spring of friction stores Δs times the product of its stretches before and after
-    const T taken = select(step.s_before < one, T(0.5 * dot(step.rub_before, stretch) / (1.0 - step.s_before)),
+    const T zero = {}, one = all<T>(1.0), fell = step.before.grip - step.now.grip;
+    T cracked = {};
+    for (int d = 0; d < 4; d++) {
+        const T lost = d < 3 ? T(step.before.s[d] - step.now.s[d]) : fell;
+        const T mean = root(positive(T(step.rate_before.of[d] * step.rate.of[d])));
+        cracked += select(lost > zero, T(mean * lost), zero);
+    }
+    const Vector3<T> stretch = (1.0 / (k * (1.0 - step.now.grip))) * step.rub;
+    // the spring of friction stores Δγ times the product of its stretches before and after
+    const T taken = select(step.before.grip < one, T(0.5 * dot(step.rub_before, stretch) / (1.0 - step.before.grip)),
                            T(0.5 * k * dot(stretch + step.came, stretch)));
-    const T cracked = (root(positive(step.rate_before * step.rate)) - taken) * fell;
-    return {select(fell > zero, cracked, zero), 0.5 * (dot(step.rub_before, step.came) + dot(step.rub, step.came))};
+    return {cracked - select(fell > zero, T(taken * fell), zero),
+            0.5 * (dot(step.rub_before, step.came) + dot(step.rub, step.came))};
 }
 
 // Elastic energy across and along a crack, but for bending [J].
@@ -195,24 +311,29 @@ template <class T> struct CrackEnergy {
     T across, along;
 };
 // That of the spring of friction.
-template <class T> BONDEM_INLINE T friction_energy(T k, T s, Vector3<T> rub) {
-    const T stiff = k * (1.0 - s);
+template <class T> BONDEM_INLINE T friction_energy(T k, T grip, Vector3<T> rub) {
+    const T stiff = k * (1.0 - grip);
     return select(stiff > T{}, T(0.5 * dot(rub, rub) / stiff), T{});
 }
 template <class T>
-BONDEM_INLINE CrackEnergy<T> crack_energy(const FacetCompliance<T> &facet, const CrackFaces<T> &at, T s,
+BONDEM_INLINE CrackEnergy<T> crack_energy(const FacetCompliance<T> &facet, const CrackFaces<T> &at,
                                           const CrackHalves<T> &half, Vector3<T> rub) {
-    const T k = facet.k;
+    const T k = facet.k, zero = {}, one = all<T>(1.0);
+    const Vector3<T> none = {};
     CrackEnergy<T> sum = {};
-    const auto add = [&](T w, Vector3<T> opening) __attribute__((always_inline)) {
-        const Vector3<T> e = minus(w * at.gap, T((1.0 - s) * w / k), opening);
-        const T normal = dot(e, at.normal), across = normal * normal, stiff = 0.5 * k / w;
-        sum.across = sum.across + stiff * across + 0.5 * s * (1.0 - s) * w / k * dot(opening, opening);
+    const auto add = [&](T w, const CrackHalf<T> &of) __attribute__((always_inline)) {
+        const Vector3<T> e = minus(w * at.strained, T(w / k), of.lost);
+        const T normal = dot(e, at.across()), across = normal * normal, stiff = 0.5 * k / w;
+        sum.across = sum.across + stiff * across;
+        for (int d = 0; d < 3; d++) {
+            const T F = of.along[d], s = select(F > zero, at.left.open(d), at.left.shut(d));
+            sum.across = sum.across + 0.5 * s * (one - s) * w / k * F * F;
+        }
         sum.along = sum.along + stiff * (dot(e, e) - across);
     };
-    add(facet.part, half.i.opening);
-    add(T(1.0 - facet.part), half.j.opening);
-    sum.along = sum.along + friction_energy(k, s, rub);
+    add(facet.part, half.i);
+    add(T(1.0 - facet.part), half.j);
+    sum.along = sum.along + friction_energy(k, at.left.grip, select<T>(at.rubs, rub, none));
     return sum;
 }
 

@@ -1,20 +1,19 @@
 // Facets that lose their integrity: from strength and fracture energy to the integrity that loads leave.
 //
-// With t the traction that a facet would have if it were whole, n its normal, and e_1, e_2, e_3 the present principal
-// directions of the mean stress of its two cells, the criterion of a facet is evaluated along each of them:
+// With t the traction that a facet of the material would have if it were whole, n its normal, and e_1, e_2, e_3 the axes
+// that its crack keeps (`laws/crack.hpp`), each direction has its own criterion and its own integrity s_d:
 //
-//     T_a² = p_a² + b_a²        b_a = b |n·e_a| / max_d |n·e_d|
-//     p_a = |t·e_a| where σ_a > 0, else ⟨t·e_a sign(n·e_a)⟩
-//     strength r f_t c_a        c_a = max(|n·e_a|, 0.2)        r = T_a / (p_a + b_a)
+//     T_d² = p_d² + b_d²        p_d = ⟨t·e_d⟩        b_d = b |n·e_d| / max |n·e|
+//     strength r f_t c_d        c_d = max(|n·e_d|, 0.2)        r = T_d / (p_d + b_d)
 //
 // Bending opens one edge of a facet more than the other: T_b = √(2 k U_b) / A is the rms of the tractions by which
-// its points differ, U_b the energy of bending of the whole facet, and b = ⟨T_b - ⟨-σ_3⟩⟩ what of it opens the facet.
+// its points differ, U_b the energy of bending of the whole facet, and b = ⟨T_b - max ⟨-σ_dd⟩⟩ what of it opens the
+// facet, with the mean stress σ of its two cells.
 //
-// The integrity s is the least that the softening curve gives along any direction, and never rises: s T falls from
-// the strength t_0 to 0 as the opening u = (1 - s) A T / k grows to its last one, 2 G_f / f_t (of a straight line;
-// over r), which is the same for all facets. So every facet begins to soften at σ_1 = f_t, and dissipates G_f A c_a,
-// which is G_f per area projected on the crack. With T_l = k u / A at the last opening, the curve is the larger of
-// two lines, each of the form a - b (1 - s) T,
+// An integrity is what the softening curve gives, and never rises: s T falls from the strength t_0 to 0 as the opening
+// u = (1 - s) A T / k grows to its last one, 2 G_f / f_t (of a straight line; over r), which is the same for all facets.
+// So every facet begins to soften at σ_1 = f_t, and dissipates G_f A c_d, which is G_f per area projected on the crack.
+// With T_l = k u / A at the last opening, the curve is the larger of two lines, each of the form a - b (1 - s) T,
 //
 //     s = t_0 (1 - T / m T_l) / T (1 - t_0 / m T_l)
 //     s = g (1 - T / T_l) / T (1 - g / T_l)        g = κ t_0 / (1 - (1 - κ) m)
@@ -22,12 +21,17 @@
 // with the kink at κ t_0 and m the opening where the first line would reach zero, over the last one. κ = 0 and m = 1
 // are a straight line.
 //
+// Directions: a facet that is whole takes those of a facet of its cells that has cracked, where the first of these is
+// within 45° of the largest principal stress around it, else the principal directions of that stress. Directions that
+// have lost nothing turn with the stress in the plane at right angles to those that have.
+//
 // A facet of a material plane (interface, joint, bedding) fails by its own traction: √(⟨t·n⟩² + b²) from the
 // strength of the plane on, and |t_s| + t_n tan φ from the cohesion c on. Its fracture energies count per own area:
 // an opening that is inclined, |t|² = q T², ends at a last opening smaller by q.
 //
-// Sources: decisions 0019 and 0028. Jirásek and Zimmermann (1998) compare cracks that rotate with the principal axes
-// with fixed ones, in smeared models.
+// Sources: decisions 0019, 0028 and 0045. Cracks that keep their directions, several at a point at right angles to each
+// other, are those of the fixed smeared crack models (de Borst and Nauta 1985); Jirásek and Zimmermann (1998) compare
+// them with cracks that rotate with the principal axes.
 #pragma once
 #include "principal.hpp"
 
@@ -77,34 +81,35 @@ template <class T> BONDEM_INLINE Vector3<T> opening_part(Vector3<T> f, Vector3<T
     return minus(f, least(along, T{}), normal);
 }
 
-// p_a of a traction t along e, where the principal stress is `stress` and n·e is `slope` [Pa].
+// What a traction t pulls along a direction e that has lost nothing, where the principal stress is `stress` and n·e is
+// `slope` [Pa].
 template <class T> BONDEM_INLINE T pulled_along(Vector3<T> t, Vector3<T> e, T slope, T stress) {
     const T pull = dot(t, e), zero = {};
     return select(stress > zero, absolute(pull), positive(select(slope >= zero, pull, -pull)));
 }
 
-// A facet of the material of traction t and normal n; `bent` is b [Pa]. The integrity that is left, at most s.
+// What a traction pulls and bending opens along a direction of a crack, rms, and its strength over that of the facet.
+template <class T> struct LoadAlong {
+    T traction, share, slope;  // T_d [Pa], r, c_d [-]
+};
+template <class T> BONDEM_INLINE LoadAlong<T> load_along(T pull, T bending, T slope) {
+    const T both = pull + bending, traction = root(pull * pull + bending * bending), zero = {};
+    return {traction, select(both > zero, traction / both, all<T>(1.0)), most(slope, all<T>(least_slope))};
+}
+// The integrity that is left along it, at most s.
 template <class T>
-BONDEM_INLINE T left_in_bulk(T s, Vector3<T> t, Vector3<T> n, T bent, const PrincipalStress<T> &principal,
-                             const Softening<T> &facet, const CurveShape &curve) {
-    const T whole = s, zero = {}, one = all<T>(1.0);
-    T slope[3], largest = {};
-    for (int d = 0; d < 3; d++) {
-        slope[d] = dot(n, principal.direction[d]);
-        largest = most(largest, absolute(slope[d]));
-    }
-    const T share_of_bending = bent / largest;
-    for (int d = 0; d < 3; d++) {
-        const T pull = pulled_along(t, principal.direction[d], slope[d], principal.stress[d]);
-        const T steepness = absolute(slope[d]), bending = share_of_bending * steepness, both = pull + bending;
-        const T traction = root(pull * pull + bending * bending), share = traction / both;
-        const T onset = facet.strength * most(steepness, all<T>(least_slope)) * share;
-        s = select(both == zero, s, softened(s, traction, onset, facet.brittleness * share, curve));
-    }
-    // one that has begun is gone where its opening is the last one: as the stress vanishes its directions say little
-    const Vector3<T> opening = opening_part(t, n, dot(t, n));
-    const Mask<T> gone = (zero < s) & (s < one) & (root(dot(opening, opening)) * facet.brittleness >= one);
-    return select(whole == zero, whole, select(gone, zero, s));
+BONDEM_INLINE T left_along(T s, const LoadAlong<T> &load, const Softening<T> &facet, const CurveShape &curve) {
+    const T zero = {}, onset = facet.strength * load.slope * load.share;
+    const T left = select(load.traction > zero,
+                          softened(s, load.traction, onset, facet.brittleness * load.share, curve), s);
+    // what breaks at once continues
+    return select((facet.brittleness == all<T>(infinity)) & (s < all<T>(1.0)), zero, left);
+}
+// What a direction of integrity s bears at most, over its strength.
+template <class T>
+BONDEM_INLINE T borne_of(T s, T slope, const Softening<T> &facet, const CurveShape &curve) {
+    const T onset = facet.strength * slope, one = all<T>(1.0);
+    return select(s < one, least(one, T(s * softens_at(s, onset, facet.brittleness, curve) / onset)), one);
 }
 
 // What a material plane has besides its strength in tension.
@@ -140,16 +145,11 @@ template <class T> struct FacetTraction {
     Vector3<T> t, normal;  // [Pa], [-]
     T bent;  // T_b [Pa]
 };
-// The integrity of a facet under its present loads, at most s, by the softening curve alone.
+// The integrity of a facet of a material plane, or of a cell without cohesion, under its present loads, at most s.
 template <class T>
-BONDEM_INLINE T integrity_left(T s, const FacetTraction<T> &load, const PrincipalStress<T> &principal,
-                               const CrackStrength<T> &by, const CurveShape &curve) {
-    const T zero = {}, b = positive(load.bent - largest_pressure(principal));
-    T left = left_in_bulk(s, load.t, load.normal, b, principal, by.tension, curve);
-    if (any(by.on_plane)) {
-        const T plane = left_on_plane(s, load.t, load.normal, load.bent, by.tension, by.plane, curve);
-        left = select(by.on_plane, plane, left);
-    }
+BONDEM_INLINE T integrity_left(T s, const FacetTraction<T> &load, const CrackStrength<T> &by, const CurveShape &curve) {
+    const T zero = {};
+    T left = left_on_plane(s, load.t, load.normal, load.bent, by.tension, by.plane, curve);
     const Mask<T> loose = by.tension.strength == zero;
     if (any(loose)) {
         const Vector3<T> opening = opening_part(load.t, load.normal, dot(load.t, load.normal));
@@ -160,15 +160,13 @@ BONDEM_INLINE T integrity_left(T s, const FacetTraction<T> &load, const Principa
     const Mask<T> breaks = (by.tension.brittleness == all<T>(infinity)) & (s < all<T>(1.0));
     return select(breaks, zero, left);
 }
-// The traction below which a facet of integrity s does not soften, whatever its direction [Pa].
-template <class T> BONDEM_INLINE T unsoftened_below(T s, const CrackStrength<T> &by, const CurveShape &curve) {
+// The traction below which it does not soften, whatever its direction [Pa].
+template <class T> BONDEM_INLINE T unsoftened_below(T s, const CrackStrength<T> &by) {
     const T zero = {}, one = all<T>(1.0), strength = by.tension.strength;
     const Mask<T> brittle = by.tension.brittleness == all<T>(infinity);
-    // a facet that is pulled and bent begins at 1/√2 of its strength, by the rms of its points
-    const T bulk = softens_at(s, 0.7 * least_slope * strength, by.tension.brittleness, curve);
     const T slips = by.plane.cohesion / root(1.0 + by.plane.friction * by.plane.friction);
     const T plane = select(brittle & (s < one), zero, least(strength, slips));
-    return select(s == zero, all<T>(infinity), select(by.on_plane, plane, bulk));
+    return select(s == zero, all<T>(infinity), plane);
 }
 
 }  // namespace bondem

@@ -7,22 +7,22 @@ namespace bondem {
 
 // Facets that follow the softening curve (`laws/softening.hpp`).
 struct SofteningSamples {
-    Array<const double, 2> traction, normal;  // [Pa, -], (3, m)
-    Array<const double, 2> stress;  // mean of both cells, xx, yy, zz, xy, xz, yz [Pa], (6, m)
-    Array<const double, 1> bent, integrity;  // T_b [Pa], s, (m,)
-    Array<const double, 2> strength;  // f_t, 1 / T_l, c, 1 / T_l of slip [Pa, 1/Pa], tan φ, 1 on a plane, (6, m)
+    // traction [Pa], normal, T_b [Pa], mean stress of both cells xx, yy, zz, xy, xz, yz [Pa]; f_t, 1 / T_l, c, 1 / T_l of
+    // slip [Pa, 1/Pa], tan φ, 1 where one integrity goes for all directions; axes e_1, e_2, e_3; s_1, s_2, s_3, grip: (32, m)
+    Array<const double, 2> given;
     double kink, steep;  // of the softening curve
     Index wide;  // whether lanes are used
-    Array<double, 2> left;  // the integrity that is left, and the traction below which none is lost [Pa], (2, m)
+    Array<double, 2> left;  // what is left of s_1, s_2, s_3, grip, and the traction below which a plane loses none [Pa], (5, m)
 };
 // Cracks (`laws/crack.hpp`).
 struct CrackSamples {
-    // branch, orientations of i and j, levers of i and j, shares of i and j, normal; H, k, w; s, σ of i and j [Pa],
-    // slip [m], friction; s, -∂U/∂s and friction force before: (46, m)
+    // branch, orientations of i and j, levers of i and j, shares of i and j, normal; H, k, w; axes as a quaternion, s_1, s_2,
+    // s_3, grip, 1 with friction; σ of i and j [Pa], slip in the frame of i [m], friction; integrities, their rates and
+    // friction force before: (60, m)
     Array<const double, 2> given;
     Index wide;
-    // force, torques on i and j, friction force, slip; -∂U/∂s, bending [J], torque of bending; energy across and
-    // along; energy dissipated by the crack and by friction; V θ of the halves of i and j [m³]: (26, m)
+    // force, torques on i and j, friction force, slip; four rates, bending [J], torque of bending; energy across and
+    // along; energy dissipated by the crack and by friction; V θ of the halves of i and j [m³]: (29, m)
     Array<double, 2> found;
 };
 // Cells that yield (`laws/plasticity.hpp`).

@@ -60,7 +60,7 @@ struct CrackOnset {
 // Cracked facets, by the number of their facet. Rows are lines of the cache, each for some passes
 // (`passes/cracks/crack_rows.hpp`); those of whole facets are not used, and take no memory.
 struct CohesiveCracks {
-    Array<double, 2> shape, face, state, softening, history;  // (facets, 8)
+    Array<double, 2> shape, face, state, frame, past, softening, history;  // (facets, 8)
     Array<double, 2> pull;  // force on cell i [N], (facets, 4)
     Array<double, 1> pitch;  // unit of levers [m], (3,)
     Array<Index, 1> order;  // cracked facets in the order in which they began
@@ -91,8 +91,10 @@ struct CrackLists {
     Array<Index, 1> flagged, woken;  // whether there is a flag in a portion
     Array<Byte, 1> stale;  // 1 for cells whose stress is to be found again, (n,)
     Array<double, 1> base;  // V θ without cracks that are treated one by one [m³], (n,)
-    Array<double, 2> half;  // `SwellingHalf` by number of the half, (halves, 8)
+    Array<double, 2> half;  // `SwellingHalf` by number of the half, (halves, 16)
     Array<double, 2> output;  // force, energy rubbed away, torque, 0 on the cell of a half, (halves, 8)
+    Array<double, 2> shear;  // what would slide, K, Σ of it as it is, what it bears (`slides.hpp`), (halves, 8)
+    Array<double, 2> slip;  // by how much the cracks of a cell slip in this step [m], (n, 4)
     Array<double, 2> lost;  // energy of portions dissipated, and that of cracks that part [J], (portions, 2)
 };
 // Where elements touch that a facet does not join any more.

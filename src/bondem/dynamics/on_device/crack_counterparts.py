@@ -34,7 +34,12 @@ _measure_crack = IndexPass("measure_crack", DeviceSpan, Moving, *_CRACKS, Losses
 _relax_cell = IndexPass("relax_cell", Moving, CellDilatation, CrackLists)
 _relax_stale_cell = IndexPass("relax_stale_cell", Moving, CellDilatation, CrackLists)
 _JUDGED = DeviceSpan, Moving, ElasticFacets, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists
-_watch_resting_crack = IndexPass("watch_resting_crack", *_JUDGED)
+_watch_resting_crack = IndexPass(
+    "watch_resting_crack", DeviceSpan, Moving, ElasticFacets, FacetStrengths, CohesiveCracks, CrackLists
+)
+_choose_axis = IndexPass(
+    "choose_crack_axis", DeviceSpan, Moving, ElasticFacets, CellSlack, StressesOfCells, CohesiveCracks, CrackLists
+)
 _wake_crack = IndexPass("wake_crack", Moving, *_CRACKS)
 _CHANGED = DeviceSpan, Moving, ElasticFacets, CellDilatation, CellSlack, CohesiveCracks, CrackLists
 _take_woken = IndexPass("take_woken", *_CHANGED)
@@ -45,7 +50,9 @@ _take_leaving = IndexPass("take_leaving", *_CHANGED)
 _touch_parted_face = IndexPass(
     "touch_parted_face", Moving, ContactPairs, CohesiveCracks, CrackLists, PartedReach
 )  # fmt: skip
-_load_crack = IndexPass("load_crack", DeviceSpan, Moving, *_CRACKS, LossesOfCracks)
+_load_crack = IndexPass("load_crack", *_JUDGED, LossesOfCracks)
+_slide_cell = IndexPass("slide_cell", DeviceSpan, CrackLists)
+_slide_crack = IndexPass("slide_crack_of", DeviceSpan, Moving, *_CRACKS)
 _add_crack_load = IndexPass(
     "add_crack_load", DeviceSpan, Moving, StressesOfCells, CohesiveCracks, CrackLists, StepCut
 )
@@ -83,7 +90,7 @@ def _link(
     cracks.listed[facet] = 1 + cracks.history[facet, 0].astype(np.uint8)
     cracks.history[facet, BEGAN] = np.arange(-count, 0)
     lists.treated[:m] = np.arange(m)
-    run.scratch += [lists.half, lists.output, lists.node, lists.flag, lists.waking]
+    run.scratch += [lists.half, lists.output, lists.shear, lists.slip, lists.node, lists.flag, lists.waking]
 
     def order() -> None:
         """Write the order in which cracks began."""
@@ -154,9 +161,20 @@ def _touch(
 
 
 def _load(
+    run: Translation, moving: Moving, facets: ElasticFacets, strengths: FacetStrengths, stresses: StressesOfCells,
+    cracks: CohesiveCracks, lists: CrackLists,
+) -> list[Launch]:  # fmt: skip
+    losses = _losses(run, cracks)
+    return [(_load_crack, run.span.m, (run.span, moving, facets, strengths, stresses, cracks, lists, losses))]
+
+
+def _slide(
     run: Translation, moving: Moving, facets: ElasticFacets, cracks: CohesiveCracks, lists: CrackLists
 ) -> list[Launch]:
-    return [(_load_crack, run.span.m, (run.span, moving, facets, cracks, lists, _losses(run, cracks)))]
+    return [
+        (_slide_cell, run.span.n, (run.span, lists)),
+        (_slide_crack, run.span.m, (run.span, moving, facets, cracks, lists)),
+    ]
 
 
 def _log(
@@ -182,10 +200,12 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "relax_stale_cells": over(_relax_stale_cell, elements, spans=False),
     "watch_resting_cracks": over(_watch_resting_crack, bonds),
     "wake_cracks": _wake,
+    "choose_crack_axes": over(_choose_axis, bonds),
     "soften_cracks": over(_soften_crack, bonds),
     "leave_cracks": _leave,
     "touch_parted_faces": _touch,
     "load_cracks": _load,
+    "slide_cracks": _slide,
     "log_cracks": _log,
     "add_crack_loads": over(_add_crack_load, elements),
 }

@@ -80,14 +80,20 @@ _measure_cracks = StepPass("measure_cracks", Moving, ElasticFacets, CohesiveCrac
 _relax_cracked_cells = StepPass("relax_cracked_cells", Moving, CellDilatation, CrackLists)
 _relax_stale_cells = StepPass("relax_stale_cells", Moving, CellDilatation, CrackLists)
 _watch_resting_cracks = StepPass(
-    "watch_resting_cracks", Moving, ElasticFacets, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists
-)
+    "watch_resting_cracks", Moving, ElasticFacets, FacetStrengths, CohesiveCracks, CrackLists
+)  # fmt: skip
 _wake_cracks = StepPass("wake_cracks", Moving, ElasticFacets, CellDilatation, CellSlack, CohesiveCracks, CrackLists)
+_choose_crack_axes = StepPass(
+    "choose_crack_axes", Moving, ElasticFacets, CellSlack, StressesOfCells, CohesiveCracks, CrackLists
+)
 _soften_cracks = StepPass(
     "soften_cracks", Moving, ElasticFacets, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists
 )
 _leave_cracks = StepPass("leave_cracks", Moving, ElasticFacets, CellDilatation, CellSlack, CohesiveCracks, CrackLists)
-_load_cracks = StepPass("load_cracks", Moving, ElasticFacets, CohesiveCracks, CrackLists)
+_load_cracks = StepPass(
+    "load_cracks", Moving, ElasticFacets, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists
+)  # fmt: skip
+_slide_cracks = StepPass("slide_cracks", Moving, ElasticFacets, CohesiveCracks, CrackLists)
 _log_cracks = StepPass("log_cracks", Moving, ElasticFacets, CohesiveCracks, CrackLists, EventLog)
 _add_crack_loads = StepPass("add_crack_loads", Moving, StressesOfCells, CohesiveCracks, CrackLists, StepCut)
 _sum_stressed_dilatation = StepPass("sum_stressed_dilatation", Moving, CellDilatation, CrackEnergies)
@@ -220,13 +226,15 @@ class CrackingBody:
             (_begin_bases, moving, body.cells, lists),
             (_measure_cracks, moving, body.facets, cracks, lists),
             (_relax_cracked_cells, moving, body.cells, lists),
-            (_watch_resting_cracks, moving, body.facets, strengths, stresses, cracks, lists),
+            (_watch_resting_cracks, moving, body.facets, strengths, cracks, lists),
             (_wake_cracks, moving, body.facets, body.cells, self.slack, cracks, lists),
             again,
+            (_choose_crack_axes, moving, body.facets, self.slack, stresses, cracks, lists),
             (_soften_cracks, moving, body.facets, strengths, stresses, cracks, lists),
             (_leave_cracks, moving, body.facets, body.cells, self.slack, cracks, lists),
             again,
-            (_load_cracks, moving, body.facets, cracks, lists),
+            (_load_cracks, moving, body.facets, strengths, stresses, cracks, lists),
+            (_slide_cracks, moving, body.facets, cracks, lists),
             (_log_cracks, moving, body.facets, cracks, lists, self.log),
             *powers,
         ]

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bondem._types import ArrayLike, Floats, Ints, Mask
-from bondem.damage.crack_columns import CRACK_COLUMNS, FACET, ONSET_STEP
+from bondem.damage.crack_rows import alike_left, axes_along, crack_rows
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.model.model import Model
@@ -158,8 +158,12 @@ class DamagedBody:
         )
         cracked = np.flatnonzero(self.integrity < 1.0)
         state.integrity[:] = self.left
-        state.cracks = np.zeros((len(cracked), CRACK_COLUMNS))
-        state.cracks[:, FACET], state.cracks[:, ONSET_STEP] = cracked, np.nan
+        table = model.softening
+        alike = np.zeros(len(cracked), dtype=bool) if table is None else table.plane[cracked]
+        strength = 0.0 if table is None else table.strength[cracked]
+        state.cracks = crack_rows(
+            cracked, strength, axes_along(self.constants.normal[cracked]), alike_left(self.left[cracked]), alike
+        )
         return state
 
     def weaken(self, facets: Ints, integrity: ArrayLike, closed: ArrayLike) -> None:

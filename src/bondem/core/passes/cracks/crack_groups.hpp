@@ -34,6 +34,7 @@ struct OneCrack {
     BONDEM_INLINE void put(const Array<double, 2> &table, int column, double value) const {
         table(crack, column) = value;
     }
+    BONDEM_INLINE double pull(const CohesiveCracks &cracks, int d) const { return cracks.pull(crack, d); }
     BONDEM_INLINE void prefetch(const Array<double, 2> &) const {}
     BONDEM_INLINE void prefetch_pull(const CohesiveCracks &) const {}
     BONDEM_INLINE FacetShape<double> shapes(const CohesiveCracks &cracks) const { return facet_shape(cracks, crack); }
@@ -47,9 +48,10 @@ struct OneCrack {
                             Index = 1) const {
         if (where) to(e) = value;
     }
-    BONDEM_INLINE void put_halves(double *table, const Row<double> &on_i, const Row<double> &on_j) const {
-        Row<double> *const half = reinterpret_cast<Row<double> *>(table) + 2 * e + 1;
-        half[0] = on_i, half[1] = on_j;
+    BONDEM_INLINE void put_halves(const Array<double, 2> &table, const Row<double> &on_i, const Row<double> &on_j,
+                                  Index from = 0) const {
+        *reinterpret_cast<Row<double> *>(&table(2 * e + 1, from)) = on_i;
+        *reinterpret_cast<Row<double> *>(&table(2 * e + 2, from)) = on_j;
     }
     // Calls on(crack, place, lane) where a mask says so.
     template <class On> BONDEM_INLINE void where(bool mask, On on) const {
@@ -145,6 +147,12 @@ struct CrackGroup {
         for (int n = 0; n < lanes; n++) all[n] = table.data[8 * crack[n] + column];
         return all;
     }
+    // A component of the force on their cell i.
+    BONDEM_INLINE Lanes pull(const CohesiveCracks &cracks, int d) const {
+        Lanes all;
+        for (int n = 0; n < lanes; n++) all[n] = cracks.pull.data[4 * crack[n] + d];
+        return all;
+    }
     BONDEM_INLINE void put(const Array<double, 2> &table, int column, Lanes all) const {
         for (int n = 0; n < known; n++) table.data[8 * crack[n] + column] = all[n];
     }
@@ -194,12 +202,13 @@ struct CrackGroup {
             if (where[n] != 0) to(e + n) = value;
         of_portions(portion) = as;
     }
-    // Writes rows of both halves.
-    BONDEM_INLINE void put_halves(double *table, const Row<Lanes> &on_i, const Row<Lanes> &on_j) const {
+    // Writes eight columns of both halves.
+    BONDEM_INLINE void put_halves(const Array<double, 2> &table, const Row<Lanes> &on_i, const Row<Lanes> &on_j,
+                                  Index from = 0) const {
         double *i[lanes], *j[lanes];
         for (int n = 0; n < lanes; n++) {
-            i[n] = table + 8 * (2 * (e + n) + 1);
-            j[n] = i[n] + 8;
+            i[n] = table.data + table.shape[1] * (2 * (e + n) + 1) + from;
+            j[n] = i[n] + table.shape[1];
         }
         scatter_rows(i, on_i);
         scatter_rows(j, on_j);

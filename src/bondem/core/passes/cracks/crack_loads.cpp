@@ -10,12 +10,12 @@ namespace bondem {
 
 #if defined(BONDEM_LANES)
 
-void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
-                 const CrackLists &lists) {
+void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
+                 const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     const bool changes = turn.clock.dt > 0.0;
     over_treated(turn, lists, [&](Index, Index, Index portion) { lists.lost(portion, 0) = 0.0; },
                  [&](const CrackGroup &group, Index portion) {
-                     load_each(group, all, facets.period.data, cracks, lists, portion, changes,
+                     load_each(group, all, facets.period.data, strengths, stresses, cracks, lists, portion, changes,
                                lists.lost(portion, 0));
                  });
 }

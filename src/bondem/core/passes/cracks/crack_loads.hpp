@@ -7,8 +7,8 @@
 namespace bondem {
 
 // Finds forces and torques of the cracks that are treated one by one, and what they dissipate.
-void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
-                 const CrackLists &lists);
+void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
+                 const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists);
 // Adds up what they have dissipated, and writes down those of which nothing is left.
 void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                 const CrackLists &lists, const EventLog &log);

@@ -8,22 +8,55 @@ namespace bondem {
 template <class T> struct CrackPlace {
     Ends<T> ends;
     OfCells<T> stress;  // of both cells [Pa]
-    FacedFaces<T> now;
+    CrackFaces<T> now;
     FacetCompliance<T> facet;
-    T area, s, friction;
+    T area, friction;
+    Mask<T> alike;  // one integrity goes for all directions
+    Row<T> state;
 };
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE CrackPlace<T> place_of(const Group &group, const Array<double, 2> &pose, const double *period,
                                      const CohesiveCracks &cracks) {
     group.prefetch(cracks.shape);
     group.prefetch(cracks.face);
+    group.prefetch(cracks.state);
+    group.prefetch(cracks.frame);
     const Row<T> a = gather(pose.data, group.i), b = gather(pose.data, group.j);
     const Ends<T> ends = ends_of(a, b, period);
-    const Row<T> face = group.lines(cracks.face);
-    const T *const f = face.column;
-    return {ends, {a.column[stress_column], b.column[stress_column]},
-            crack_faces(ends, group.shapes(cracks), {f[0], f[1], f[2]}), {f[7], f[3]}, f[4], f[5], f[6]};
+    const Row<T> face = group.lines(cracks.face), frame = group.lines(cracks.frame);
+    const T *const f = face.column, *const q = frame.column;
+    CrackPlace<T> at = {ends, {a.column[stress_column], b.column[stress_column]}, {}, {f[6], f[3]}, f[4], f[5], {},
+                        group.lines(cracks.state)};
+    const T *const s = at.state.column;
+    at.alike = s[7] > T{};
+    const CrackIntegrity<T> left = {{q[4], q[5], q[6]}, q[7]};
+    at.now = crack_faces(ends, group.shapes(cracks), {f[0], f[1], f[2]}, {q[0], q[1], q[2], q[3]}, left,
+                         at.alike | (left.grip == T{}), {s[0], s[1], s[2]});
+    return at;
 }
+
+// -∂U/∂s a step ago. A direction of a crack of the material that was whole had it from the force along it, which all of a
+// facet carried; the first also from the energy of bending.
+template <class T>
+BONDEM_INLINE CrackRates<T> rates_before(const FacetCompliance<T> &facet, const CrackFaces<T> &now, Mask<T> alike,
+                                         const CrackHalves<T> &half, Vector3<T> pull, T bending,
+                                         const CrackIntegrity<T> &before, const T *rate) {
+    const CrackAxes<T> &at = now.at;
+    CrackRates<T> found = {{rate[0], rate[1], rate[2], rate[3]}};
+    const T one = all<T>(1.0), w = facet.part;
+    for (int d = 0; d < 3; d++) {
+        const T along = positive(dot(pull, at.e[d])), apart = positive(half.i.along[d]) - positive(half.j.along[d]);
+        const T square = along * along + w * (one - w) * apart * apart;
+        const T whole = 0.5 * square / facet.k + (d == 0 ? bending : T{});
+        found.of[d] = select(opposite(alike) & (before.s[d] == one), whole, found.of[d]);
+    }
+    return found;
+}
+template <class Group, class T = typename Group::Number>
+BONDEM_INLINE Vector3<T> pull_of(const Group &group, const CohesiveCracks &cracks) {
+    return {group.pull(cracks, 0), group.pull(cracks, 1), group.pull(cracks, 2)};
+}
+
 
 // How the cracks of a group soften.
 template <class T> struct CrackJudgement {
@@ -56,20 +89,37 @@ template <class T> BONDEM_INLINE T opened_at_most(T bent, const Symmetric3<T> &m
     return positive(T(bent + least(least(least(mean.xx, mean.yy), mean.zz), T{})));
 }
 
-template <class T> BONDEM_INLINE Row<T> row_of(const SwellingHalf<T> &half) {
-    return {{half.swollen, half.pulled, half.square, half.along, half.pressed, half.closed, half.loose, half.turns}};
+// One of the cracks of a group.
+template <class Group, class T> Vector lane_of(const Group &group, const Vector3<T> &v, int n) {
+    return {group.lane(v.x, n), group.lane(v.y, n), group.lane(v.z, n)};
 }
-template <class T> BONDEM_INLINE SwellingHalf<T> half_of(const Row<T> &row) {
-    const T *const c = row.column;
-    return {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
+template <class Group, class T> CrackAxes<double> lane_of(const Group &group, const CrackAxes<T> &at, int n) {
+    return {{lane_of(group, at.e[0], n), lane_of(group, at.e[1], n), lane_of(group, at.e[2], n)}};
 }
-template <class T> struct SwellingHalves {
-    SwellingHalf<T> i, j;
+template <class Group, class T> CrackIntegrity<double> lane_of(const Group &group, const CrackIntegrity<T> &left, int n) {
+    return {{group.lane(left.s[0], n), group.lane(left.s[1], n), group.lane(left.s[2], n)}, group.lane(left.grip, n)};
+}
+
+// Halves of a crack in a table, two lines each.
+template <class T> struct HalfRows {
+    Row<T> first, second;
 };
-template <class T>
-BONDEM_INLINE SwellingHalves<T> swelling_halves(const FacetCompliance<T> &facet, T s, const CrackFaces<T> &at) {
-    return {swelling_half(facet.k, facet.part, s, at.gap, at.share_i, at.normal),
-            swelling_half(facet.k, T(1.0 - facet.part), s, at.gap, at.share_j, at.normal)};
+template <class T> BONDEM_INLINE HalfRows<T> rows_of(const SwellingHalf<T> &half) {
+    const T *const p = half.pulled, *const a = half.along, *const l = half.loose, *const t = half.turns;
+    return {{{half.swollen, half.inverse, p[0], p[1], p[2], a[0], a[1], a[2]}},
+            {{l[0], l[1], l[2], half.grip, t[0], t[1], t[2], T{}}}};
+}
+template <class T> BONDEM_INLINE SwellingHalf<T> half_of(const HalfRows<T> &rows) {
+    const T *const c = rows.first.column, *const d = rows.second.column;
+    return {c[0], c[1], {c[2], c[3], c[4]}, {c[5], c[6], c[7]}, {d[0], d[1], d[2]}, d[3], {d[4], d[5], d[6]}, d[7]};
+}
+inline SwellingHalf<double> half_at(const CrackLists &lists, Index number) {
+    return lists.half.row<SwellingHalf<double>>(number);
+}
+inline void put_halves_of(const CrackLists &lists, Index place, const FacetCompliance<double> &facet,
+                          const CrackFaces<double> &at) {
+    lists.half.row<SwellingHalf<double>>(2 * place + 1) = swelling_half(facet.k, facet.part, at, at.share_i);
+    lists.half.row<SwellingHalf<double>>(2 * place + 2) = swelling_half(facet.k, 1.0 - facet.part, at, at.share_j);
 }
 
 }  // namespace bondem

@@ -16,13 +16,20 @@ struct CrackShapeRow {
 };
 struct CrackFaceRow {
     double normal[3];  // in the reference [-]
-    double part, area, integrity, friction, k;
+    double part, area, friction, k, unused;
 };
 struct CrackStateRow {
-    double slip[3];  // in the frame of cell i [m]
-    double rub[3];  // friction force a step ago [N]
-    double before;  // integrity a step ago
-    double rate;  // -∂U/∂s [J]
+    double slip[3];  // of the faces, or of the spring of friction, in the frame of cell i [m]
+    double rub[3];  // friction force a step ago [N], or by how much the faces slip in this step, in that frame [m]
+    double fresh;  // 1 for a crack that begins to be treated in this step
+    double alike;  // 1 where one integrity goes for all directions: a material plane, or a cell without cohesion
+};
+struct CrackFrameRow {
+    double axes[4];  // quaternion in the frame of cell i
+    double left[4];  // s_1, s_2, s_3, and the grip
+};
+struct CrackPastRow {
+    double left[4], rate[4];  // a step ago, with -∂U/∂s [J]
 };
 struct CrackSofteningRow {
     float H[6], plane, unused;  // [N·m]; 1 for facets of material planes
@@ -37,11 +44,14 @@ struct CrackHistoryRow {
     double unused;
 };
 static_assert(sizeof(CrackShapeRow) == 64 && sizeof(CrackFaceRow) == 64 && sizeof(CrackStateRow) == 64 &&
-              sizeof(CrackSofteningRow) == 64 && sizeof(CrackHistoryRow) == 64);
+              sizeof(CrackSofteningRow) == 64 && sizeof(CrackHistoryRow) == 64 && sizeof(CrackFrameRow) == 64 &&
+              sizeof(CrackPastRow) == 64);
 
 inline CrackShapeRow &shape_of(const CohesiveCracks &cracks, Index c) { return cracks.shape.row<CrackShapeRow>(c); }
 inline CrackFaceRow &face_of(const CohesiveCracks &cracks, Index c) { return cracks.face.row<CrackFaceRow>(c); }
 inline CrackStateRow &state_of(const CohesiveCracks &cracks, Index c) { return cracks.state.row<CrackStateRow>(c); }
+inline CrackFrameRow &frame_of(const CohesiveCracks &cracks, Index c) { return cracks.frame.row<CrackFrameRow>(c); }
+inline CrackPastRow &past_of(const CohesiveCracks &cracks, Index c) { return cracks.past.row<CrackPastRow>(c); }
 inline CrackSofteningRow &softening_of(const CohesiveCracks &cracks, Index c) {
     return cracks.softening.row<CrackSofteningRow>(c);
 }
@@ -53,8 +63,6 @@ namespace crack {
 enum Status : int { active, resting, parted };
 // What becomes of a crack in a step, besides nothing.
 enum Flag : Byte { unchanged, fell, calmed, parts, wakes };
-// Stands for the integrity a step ago of a crack that begins.
-constexpr double fresh = 2.0;
 // Places of a portion of a list.
 constexpr Index of_portion = 256;
 }  // namespace crack

@@ -6,7 +6,7 @@
 #include "../../laws/softening.hpp"
 #include "../../laws/stress.hpp"
 #include "crack_groups.hpp"
-#include "crack_places.hpp"
+#include "softening_cracks.hpp"
 
 namespace bondem {
 namespace {
@@ -65,22 +65,26 @@ template <class T> T column_at(const Array<const double, 1> &column, Index e) {
 }
 
 template <class T> void soften(const SofteningSamples &samples, Index e) {
-    ReadColumns<T> traction(samples.traction, e), normal(samples.normal, e), stress(samples.stress, e);
-    ReadColumns<T> of(samples.strength, e);
-    const FacetTraction<T> load = {traction.vector(), normal.vector(), column_at<T>(samples.bent, e)};
-    const Softening<T> tension = {of.number(), of.number()};
-    const PlaneStrength<T> plane = {of.number(), of.number(), of.number()};
-    const CrackStrength<T> by = {tension, plane, of.number() > all<T>(0.5)};
+    ReadColumns<T> given(samples.given, e);
+    const FacetTraction<T> load = {given.vector(), given.vector(), given.number()};
+    const Symmetric3<T> mean = given.tensor();
+    const Softening<T> tension = {given.number(), given.number()};
+    const PlaneStrength<T> plane = {given.number(), given.number(), given.number()};
+    const Mask<T> alike = given.number() > all<T>(0.5);
+    CrackFaces<T> at = {};
+    at.at = {{given.vector(), given.vector(), given.vector()}};
+    at.left = {{given.number(), given.number(), given.number()}, given.number()};
     const CurveShape curve = {samples.kink, samples.steep};
-    const T s = column_at<T>(samples.integrity, e);
+    const CrackRates<T> none = {}, some = {{all<T>(1.0), all<T>(1.0), all<T>(1.0), all<T>(1.0)}};
+    const CrackStrength<T> by = {tension, plane, alike};
+    Softened<T> found = soften_along(at, load, mean, none, some, tension, all<T>(1.0), T{}, curve, all<T>(1.0) < T{});
+    const T one = integrity_left(at.left.s[0], load, by, curve);
     WriteColumns<T> left(samples.left, e);
-    left(integrity_left(s, load, principal(stress.tensor()), by, curve));
-    left(unsoftened_below(s, by, curve));
-}
-
-template <class T> T swelling(const SwellingHalf<T> &half, T stress) {
-    const T press = least(half.closed + stress * half.pressed, T{});
-    return half.swollen - half.loose * (half.pulled + stress * half.square - press * half.along);
+    left(select(alike, one, found.left.s[0])), left(found.left.s[1]), left(found.left.s[2]);
+    left(select(alike, one, found.left.grip));
+    const T steep = most(absolute(dot(load.normal, at.at.e[0])), all<T>(least_slope));
+    left(select(alike, unsoftened_below(at.left.s[0], by),
+                softens_at(at.left.s[0], T(tension.strength * steep), tension.brittleness, curve)));
 }
 
 template <class T> void load_crack(const CrackSamples &samples, Index e) {
@@ -90,25 +94,32 @@ template <class T> void load_crack(const CrackSamples &samples, Index e) {
     const Vector3<T> normal = of.vector();
     const Symmetric3<T> H = of.tensor();
     const FacetCompliance<T> facet = {of.number(), of.number()};
-    const T s = of.number();
+    const Quaternion<T> axes = of.quaternion();
+    const CrackIntegrity<T> left = {{of.number(), of.number(), of.number()}, of.number()};
+    const Mask<T> rubs = of.number() > all<T>(0.5);
     const OfCells<T> stress = {of.number(), of.number()};
     const Vector3<T> slip = of.vector();
-    const T friction = of.number(), s_before = of.number(), rate_before = of.number();
+    const T friction = of.number();
+    const CrackIntegrity<T> before = {{of.number(), of.number(), of.number()}, of.number()};
+    const CrackRates<T> rate_before = {{of.number(), of.number(), of.number(), of.number()}};
     const Vector3<T> rub_before = of.vector();
-    const CrackFaces<T> at = crack_faces(ends, shape, normal).faces;
-    const CrackLoads<T> loads = crack_loads(facet, at, s, stress, slip, friction);
+    const CrackFaces<T> at = crack_faces(ends, shape, normal, axes, left, rubs, slip);
+    const CrackHalves<T> half = crack_halves(facet, at, stress);
+    const Vector3<T> turned = turned_by(ends.i, slip);
+    const CrackLoads<T> loads = crack_loads(facet, at, half, stress, turned, friction);
     const FacetBending<T> bending = facet_bending(ends, H);
-    const CrackEnergy<T> energy =
-        crack_energy(facet, at, s, crack_halves(facet, at, stress), loads.friction.force);
-    const CrackStep<T> step = {s_before, s, rate_before, loads.rate + bending.energy,
-                               rub_before, loads.friction.force, loads.friction.slip - slip};
+    const CrackEnergy<T> energy = crack_energy(facet, at, half, loads.friction.force);
+    const CrackRates<T> rates = crack_rates(facet, left, half);
+    const CrackStep<T> step = {before, left, rate_before, rates, rub_before, loads.friction.force,
+                               loads.friction.slip - turned};
     const CrackLosses<T> lost = crack_losses(facet.k, step);
     WriteColumns<T> found(samples.found, e);
     found(loads.force), found(loads.on_i), found(loads.on_j), found(loads.friction.force), found(loads.friction.slip);
-    found(loads.rate), found(bending.energy), found(bending.torque), found(energy.across), found(energy.along);
+    for (int d = 0; d < 4; d++) found(rates.of[d]);
+    found(bending.energy), found(bending.torque), found(energy.across), found(energy.along);
     found(lost.cracked), found(lost.rubbed);
-    found(swelling(swelling_half(facet.k, facet.part, s, at.gap, at.share_i, at.normal), stress.i));
-    found(swelling(swelling_half(facet.k, T(1.0 - facet.part), s, at.gap, at.share_j, at.normal), stress.j));
+    found(swelling_of(swelling_half(facet.k, facet.part, at, at.share_i), stress.i).swelling);
+    found(swelling_of(swelling_half(facet.k, T(1.0 - facet.part), at, at.share_j), stress.j).swelling);
 }
 
 template <class T> void flow(const YieldSamples &samples, Index e) {
@@ -145,7 +156,7 @@ template <class One, class Several> void over(Index count, Index wide, One one, 
 }  // namespace
 
 Index evaluate_softening(Index, const SofteningSamples &samples) {
-    over(samples.bent.size(), samples.wide, [&](Index e) { soften<double>(samples, e); },
+    over(samples.given.shape[1], samples.wide, [&](Index e) { soften<double>(samples, e); },
          [&](Index e) { soften<Lanes>(samples, e); });
     return 0;
 }

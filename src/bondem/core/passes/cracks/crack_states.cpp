@@ -5,8 +5,10 @@
 // closes. A broken crack whose faces no longer face each other parts: its cells touch like others from then on.
 #include "crack_states.hpp"
 
+#include "crack_axes.hpp"
 #include "crack_lists.hpp"
 #include "resting_cracks.hpp"
+#include "slides.hpp"
 #include "softening_cracks.hpp"
 
 namespace bondem {
@@ -19,7 +21,7 @@ void hand_over(const SingleCrack &one, const ElasticFacets &facets, const CellDi
                const CohesiveCracks &cracks, const CrackLists &lists, Index k, double sign) {
     const Short i = facets.i(k), j = facets.j(k);
     const double s = sign * cracks.integrity(k);
-    const CrackFaces<double> &at = one.now.faces;
+    const CrackFaces<double> &at = one.now;
     lists.base(i) += s * dot(at.share_i, at.gap);
     lists.base(j) += s * dot(at.share_j, at.gap);
     weigh_cracked(cells, slack, cracks, i);
@@ -55,20 +57,15 @@ void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCra
 }  // namespace
 
 void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets,
-                          const FacetStrengths &strengths,
-                          const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
+                          const FacetStrengths &strengths, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(1);
     over_places(turn, count, [&](Index first, Index last, Index portion) {
         lists.woken(portion) = 0;
         for (Index e = first; e < last; e++) lists.waking(e) = crack::unchanged;
-        CrackTrials trials;
         for (Index e = first; e < last; e += lanes)
             watch_each(CrackGroup{lists.resting, lists.resting_i, lists.resting_j, e, count}, all,
-                       facets.period.data, strengths, stresses, cracks, lists, portion, trials);
-        trials.finish([&](const auto &at, auto valid, const auto &tried) {
-            wake_tried(at, valid, tried, strengths, stresses, lists, portion);
-        });
+                       facets.period.data, strengths, cracks, lists, portion);
     });
 }
 
@@ -82,7 +79,7 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
             if (lists.waking(e) != crack::wakes) continue;
             const Index k = lists.resting(e);
             const SingleCrack one(all.pose, facets, cracks, k);
-            if (one.s == 0.0 && turned_away(one.now, one.area, slide_of(cracks, k))) {
+            if (one.is_gone() && turned_away(one.now, one.area, slide_of(cracks, k))) {
                 part_resting(facets, cracks, k);
                 lists.parted(lists.size(3)++) = k;
                 continue;
@@ -94,18 +91,35 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
     if (lists.size(0) > before) fill_treated(lists);
 }
 
+void choose_crack_axes(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
+                       const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
+    if (!(turn.clock.dt > 0.0)) return;
+    const auto crack_of = [&](Index half) { return lists.treated((half - 1) >> 1); };
+    over_places(turn, lists.size(0), [&](Index first, Index last, Index) {
+        for (Index e = first; e < last; e++)
+            choose_axes(all, facets, slack, stresses, cracks, lists, lists.treated(e), crack_of);
+    });
+}
+
 void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
                    const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
     const Index count = lists.size(0);
     over_places(turn, count, [&](Index first, Index last, Index portion) {
-        CrackTrials trials;
         for (Index e = first; e < last; e += lanes)
-            soften_each(CrackGroup{lists.treated, lists.treated_i, lists.treated_j, e, count}, all, strengths, stresses,
-                        cracks, lists, facets.period.data, portion, trials);
-        trials.finish([&](const auto &tried, auto valid, const auto &loads) {
-            soften_tried(tried, valid, loads, strengths, stresses, cracks, lists, portion);
-        });
+            soften_each(CrackGroup{lists.treated, lists.treated_i, lists.treated_j, e, count}, all, facets, strengths,
+                        stresses, cracks, lists, portion);
+    });
+}
+
+void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
+                  const CrackLists &lists) {
+    if (!(turn.clock.dt > 0.0)) return;
+    over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
+        for (Index q = first; q < last; q++) slide_of_cell(lists, lists.cell(q));
+    });
+    over_places(turn, lists.size(0), [&](Index first, Index last, Index) {
+        for (Index e = first; e < last; e++) slide_crack(all, facets, cracks, lists, lists.treated(e), e);
     });
 }
 

@@ -7,15 +7,20 @@ namespace bondem {
 
 // Finds the resting cracks that are about to soften or close, and treats them one by one again.
 void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets,
-                          const FacetStrengths &strengths,
-                          const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists);
+                          const FacetStrengths &strengths, const CohesiveCracks &cracks, const CrackLists &lists);
 void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                  const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists);
+// Gives axes to cracks that have lost nothing yet.
+void choose_crack_axes(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
+                       const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists);
 // Lets integrities fall, and finds the cracks that go to rest.
 void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
                    const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists);
 // Lets the cracks rest or part that are to.
 void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                   const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists);
+// Lets the faces of cracks slip, by the forces of this step.
+void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
+                  const CrackLists &lists);
 
 }  // namespace bondem

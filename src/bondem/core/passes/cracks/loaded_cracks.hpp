@@ -1,50 +1,64 @@
 // Forces and torques of cracks, and what they dissipate: of one crack, or of as many as there are lanes.
 #pragma once
 #include "../damage/pipeline.hpp"
-#include "single_cracks.hpp"
+#include "slides.hpp"
 
 namespace bondem {
 
 // Forces of the cracks of a group; adds the energy that they dissipate to a sum, one by one, so that its bits do not depend
 // on the number of lanes.
 template <class Group, class T = typename Group::Number>
-BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double *period, const CohesiveCracks &cracks,
-                             const CrackLists &lists, Index portion, bool changes, double &total) {
-    group.prefetch(cracks.state);
+BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double *period, const FacetStrengths &strengths,
+                             const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
+                             Index portion, bool changes, double &total) {
+    group.prefetch(cracks.past);
     group.prefetch(cracks.softening);
     group.prefetch_pull(cracks);
     const T zero = {};
     const CrackPlace<T> at = place_of(group, all.pose, period, cracks);
-    Row<T> row = group.lines(cracks.state);
-    T *const state = row.column;
-    const T s = at.s, s_before = state[6];
+    const Row<T> past = group.lines(cracks.past);
+    const T *const state = at.state.column;
+    const CrackIntegrity<T> &left = at.now.left, before = {{past.column[0], past.column[1], past.column[2]}, past.column[3]};
+    const T s = left.least_left();
     const Vector3<T> slip = turned_by(at.ends.i, Vector3<T>{state[0], state[1], state[2]});
-    CrackLoads<T> loads = crack_loads(at.facet, at.now.faces, s, at.stress, slip, at.friction);
-    T rate = loads.rate;
-    const Mask<T> bound = (s > zero) | (s_before > zero);
+    const CrackHalves<T> half = crack_halves(at.facet, at.now, at.stress);
+    CrackLoads<T> loads = crack_loads(at.facet, at.now, half, at.stress, slip, at.friction);
+    CrackRates<T> rates = crack_rates(at.facet, left, half);
+    const Mask<T> bound = (s > zero) | (before.least_left() > zero);
+    FacetBending<T> bending = {};
     if (any(bound)) {
         T plane;
-        const FacetBending<T> bending = facet_bending(at.ends, group.resistances(cracks, &plane));
+        bending = facet_bending(at.ends, group.resistances(cracks, &plane));
         loads.on_i = plus(loads.on_i, s, bending.torque);
         loads.on_j = minus(loads.on_j, s, bending.torque);
-        rate = select(bound, rate + bending.energy, rate);
+        rates.of[0] = select(bound, rates.of[0] + bending.energy, rates.of[0]);
     }
     const Mask<T> treated = opposite(group.flagged(lists.flag));
     const auto kept = [&](T x) { return select(treated, x, zero); };
-    const Vector3<T> f = loads.force, rub = loads.friction.force, now = loads.friction.slip, came = now - slip;
+    const Vector3<T> f = loads.force, none = {};
+    const Vector3<T> rub = loads.friction.force;
+    const Vector3<T> now = plus(loads.friction.slip, dot(slip, at.now.across()), at.now.across());
     CrackLosses<T> lost = {zero, zero};
     if (changes) {
-        const CrackStep<T> step = {s_before, s, state[7], rate, {state[3], state[4], state[5]}, rub, came};
+        const Vector3<T> pull = pull_of(group, cracks), stored = {state[3], state[4], state[5]};
+        const Vector3<T> came = select<T>(at.now.rubs, now - slip, none), was_rub = select<T>(at.now.rubs, stored, none);
+        const CrackStep<T> step = {before, left, rates_before(at.facet, at.now, at.alike, half, pull, bending.energy, before, past.column + 4),
+                                   rates, was_rub, rub, came};
         lost = crack_losses(at.facet.k, step);
-        lost = {kept(lost.cracked), kept(lost.rubbed)};
-        const Vector3<T> own = turned_by(inverse(at.ends.i), now);
-        const Vector3<T> none = {};
-        const Vector3<T> own_kept = select<T>(treated, own, none), rub_kept = select<T>(treated, rub, none);
-        group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, s_before,
-                                  rate}});
+        // work of the force against what the faces of a crack of the material have slipped
+        const T slid = 0.5 * dot(pull + f, turned_by(at.ends.i, stored));
+        const T rubbed = shear_each(group, at, f, treated, strengths, stresses, cracks, lists);
+        lost.cracked = lost.cracked + select(at.now.rubs, zero, T((1.0 - rubbed) * slid));
+        lost = {kept(lost.cracked), kept(select(at.now.rubs, lost.rubbed, T(rubbed * slid)))};
+        const Vector3<T> own = select<T>(at.now.rubs, turned_by(inverse(at.ends.i), now), Vector3<T>{state[0], state[1], state[2]});
+        const Vector3<T> own_kept = select<T>(treated, own, none), rub_kept = select<T>(treated & at.now.rubs, rub, none);
+        group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, zero,
+                                  state[7]}});
+        group.put(cracks.past, {{left.s[0], left.s[1], left.s[2], left.grip, rates.of[0], rates.of[1], rates.of[2],
+                                 rates.of[3]}});
         if (any(lost.cracked != zero))
             group.put(cracks.history, 1, group.number(cracks.history, 1) + lost.cracked);
-        const Mask<T> breaks = treated & (s == zero) & (s_before > zero);
+        const Mask<T> breaks = treated & (s == zero) & (before.least_left() > zero);
         group.flag(lists.flag, lists.flagged, portion, breaks, crack::fell, 2);
     }
     group.where(treated, [&](Index k, Index, int n) {
@@ -52,7 +66,7 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
         pull[0] = group.lane(f.x, n), pull[1] = group.lane(f.y, n), pull[2] = group.lane(f.z, n);
     });
     const Vector3<T> p = loads.on_i, q = loads.on_j;
-    group.put_halves(lists.output.data,
+    group.put_halves(lists.output,
                      {{kept(f.x), kept(f.y), kept(f.z), lost.rubbed, kept(p.x), kept(p.y), kept(p.z), zero}},
                      {{kept(-f.x), kept(-f.y), kept(-f.z), zero, kept(q.x), kept(q.y), kept(q.z), zero}});
     group.add(lost.cracked, total);
@@ -62,9 +76,9 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
 inline void log_crack(const Clock &clock, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                       const EventLog &log, Index k) {
     const SingleCrack one(all.pose, facets, cracks, k);
-    const CrackFaces<double> &at = one.now.faces;
+    const CrackFaces<double> &at = one.now;
     const Vector centre = {all.pose(facets.i(k), 0), all.pose(facets.i(k), 1), all.pose(facets.i(k), 2)};
-    const double gap = dot(at.gap, at.normal);
+    const double gap = dot(at.gap, at.across());
     const CrackHistoryRow &history = history_of(cracks, k);
     log_event(clock, log, k, gap > 0.0 ? tension_mode : shear_mode,
               {history.spent, gap, centre + at.arm_i, double(clock.step) - history.onset_step});
@@ -73,14 +87,17 @@ inline void log_crack(const Clock &clock, const Moving &all, const ElasticFacets
 // Adds the elastic energies of the crack of facet k: across it, along it, and of bending [J].
 inline void add_energies_of_crack(const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks, Index k,
                                   Vector &sum) {
-    const SingleCrack one(all.pose, facets, cracks, k);
+    SingleCrack one(all.pose, facets, cracks, k);
     const double *const q = state_of(cracks, k).rub;
+    // its forces are those of the slip before this step
+    if (!one.now.rubs) one.now.strained = one.now.strained + turned_by(one.ends.i, Vector{q[0], q[1], q[2]});
     const float *const h = softening_of(cracks, k).H;
-    const CrackHalves<double> half = crack_halves(one.stiffness, one.now.faces, one.stress);
-    const CrackEnergy<double> energy = crack_energy(one.stiffness, one.now.faces, one.s, half, Vector{q[0], q[1], q[2]});
+    const CrackHalves<double> half = crack_halves(one.stiffness, one.now, one.stress);
+    const CrackEnergy<double> energy = crack_energy(one.stiffness, one.now, half, Vector{q[0], q[1], q[2]});
     sum.x += energy.across;
     sum.y += energy.along;
-    sum.z += one.s * facet_bending(one.ends, Symmetric3<double>{h[0], h[1], h[2], h[3], h[4], h[5]}).energy;
+    const Symmetric3<double> H = {h[0], h[1], h[2], h[3], h[4], h[5]};
+    sum.z += one.now.left.least_left() * facet_bending(one.ends, H).energy;
 }
 
 }  // namespace bondem

@@ -1,6 +1,6 @@
 // Faces of cracks, and the stresses of their cells as cracks open or press: one, or as many as there are lanes.
 //
-// V θ = Σ g·δ - (1 - s) g·F⁺ / k of the halves of a cell (`laws/crack.hpp`), and σ = weight · V θ. Newton's method on
+// V θ = Σ g·δ - g·L / k of the halves of a cell (`laws/crack.hpp`), and σ = weight · V θ. Newton's method on
 // this piecewise linear, rising function: a step is exact where no half closes or opens on the way.
 #pragma once
 #include "single_cracks.hpp"
@@ -12,11 +12,15 @@ template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const double *period, const CohesiveCracks &cracks,
                                 const CrackLists &lists, Index portion, bool changes) {
     const CrackPlace<T> at = place_of(group, all.pose, period, cracks);
-    const SwellingHalves<T> half = swelling_halves(at.facet, at.s, at.now.faces);
-    group.put_halves(lists.half.data, row_of(half.i), row_of(half.j));
+    const HalfRows<T> i = rows_of(swelling_half(at.facet.k, at.facet.part, at.now, at.now.share_i));
+    const HalfRows<T> j = rows_of(swelling_half(at.facet.k, T(1.0 - at.facet.part), at.now, at.now.share_j));
+    group.put_halves(lists.half, i.first, j.first);
+    group.put_halves(lists.half, i.second, j.second, 8);
     if (!changes) return;
-    const Mask<T> broken = at.s == T{}, slid = broken & turned_away(at.now, at.area, cracks.slide);
-    Mask<T> away = broken & turned_away(at.now, at.area, 1.0);
+    const CrackIntegrity<T> &left = at.now.left;
+    const Mask<T> gone = (left.s[0] == T{}) & (left.grip == T{});
+    const Mask<T> slid = gone & turned_away(at.now, at.area, cracks.slide);
+    Mask<T> away = gone & turned_away(at.now, at.area, 1.0);
     if (any(slid)) {
         T plane;
         group.resistances(cracks, &plane);
@@ -42,9 +46,9 @@ struct OneCell {
         const CrackLists &lists;
         Index half;
         Halves(const OneCell &cell, const CrackLists &lists) : lists(lists), half(lists.head(cell.p)) {}
-        BONDEM_INLINE bool next(Row<double> &row) {
+        BONDEM_INLINE bool next(SwellingHalf<double> &of) {
             if (half == 0) return false;
-            row = lists.half.row<Row<double>>(half);
+            of = half_at(lists, half);
             half = lists.node(half, 0);
             return true;
         }
@@ -73,17 +77,19 @@ struct CellGroup {
         Halves(const CellGroup &group, const CrackLists &lists) : lists(lists) {
             for (int n = 0; n < lanes; n++) half[n] = lists.head(group.cell[n]);
         }
-        BONDEM_INLINE bool next(Row<Lanes> &rows) {
-            const double *row[lanes];
+        BONDEM_INLINE bool next(SwellingHalf<Lanes> &of) {
+            const double *row[lanes], *second[lanes];
             Index more = 0;
             for (int n = 0; n < lanes; n++) {
-                row[n] = lists.half.data + 8 * half[n];
+                row[n] = lists.half.data + 16 * half[n];
+                second[n] = row[n] + 8;
                 more |= half[n];
                 half[n] = half[n] == 0 ? 0 : lists.node(half[n], 0);
-                prefetch(lists.half.data + 8 * half[n]);
+                prefetch(lists.half.data + 16 * half[n]);
+                prefetch(lists.half.data + 16 * half[n] + 8);
             }
             if (more == 0) return false;
-            rows = gather_rows(row);
+            of = half_of(HalfRows<Lanes>{gather_rows(row), gather_rows(second)});
             return true;
         }
     };
@@ -106,17 +112,15 @@ BONDEM_INLINE void relax(const Cells &at, const Moving &all, const CellDilatatio
     for (int step = 0; step < crack::most_steps; step++) {
         T swelling = base, softness = zero, up = none, down = -none;
         typename Cells::Halves halves(at, lists);
-        for (Row<T> row; halves.next(row);) {
-            const SwellingHalf<T> of = half_of(row);
-            const T press = of.closed + stress * of.pressed, turns = of.turns - stress;
-            const Mask<T> closed = press < zero;
-            up = select(turns > zero, least(up, turns), up);
-            down = select(turns <= zero, most(down, turns), down);
-            const T open = of.pulled + stress * of.square;
-            const T opening = select(closed, open - press * of.along, open);
-            const T square = select(closed, of.square - of.pressed * of.along, of.square);
-            swelling += of.swollen - of.loose * opening;
-            softness += of.loose * square;
+        for (SwellingHalf<T> of; halves.next(of);) {
+            for (int d = 0; d < 3; d++) {
+                const T turns = of.turns[d] - stress;
+                up = select(turns > zero, least(up, turns), up);
+                down = select(turns <= zero, most(down, turns), down);
+            }
+            const Swelling<T> sum = swelling_of(of, stress);
+            swelling += sum.swelling;
+            softness += sum.softness;
         }
         const T change = (weight * swelling - stress) / (1.0 + weight * softness);
         stress = select(moves, stress + change, stress);

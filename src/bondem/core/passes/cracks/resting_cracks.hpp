@@ -4,19 +4,23 @@
 
 namespace bondem {
 
+// The spring of friction is at rest where the faces are now. What they have slipped across the present normal stays.
+inline void rest_friction(CrackStateRow &state, const SingleCrack &one) {
+    const Vector across = one.now.across(), beside = minus(one.now.gap, dot(one.now.gap, across), across);
+    const Vector slipped = turned_by(one.ends.i, Vector{state.slip[0], state.slip[1], state.slip[2]});
+    const Vector slip = turned_by(inverse(one.ends.i), plus(beside, dot(slipped, across), across));
+    for (int d = 0; d < 3; d++) state.slip[d] = slip[d], state.rub[d] = 0.0;
+}
 // Treats a resting crack one by one, at a place of the list: its halves, and the slip as it is now.
 inline void begin_treating(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCracks &cracks,
                            const CrackLists &lists, Index k, Index e) {
     treat(facets, cracks, k, crack::active);
     lists.flag(e) = crack::unchanged;
-    const CrackFaces<double> &at = one.now.faces;
-    const SwellingHalves<double> half = swelling_halves(one.stiffness, one.s, at);
-    lists.half.row<Row<double>>(2 * e + 1) = row_of(half.i);
-    lists.half.row<Row<double>>(2 * e + 2) = row_of(half.j);
-    CrackStateRow &state = state_of(cracks, k);
-    state.before = crack::fresh;
-    const Vector slip = turned_by(inverse(one.ends.i), minus(at.gap, dot(at.gap, at.normal), at.normal));
-    for (int d = 0; d < 3; d++) state.slip[d] = slip[d];
+    put_halves_of(lists, e, one.stiffness, one.now);
+    state_of(cracks, k).fresh = 1.0;
+    CrackPastRow &past = past_of(cracks, k);
+    for (int d = 0; d < 4; d++) past.left[d] = frame_of(cracks, k).left[d], past.rate[d] = 0.0;
+    rest_friction(state_of(cracks, k), one);
 }
 // Faces of a crack at rest have parted.
 inline void part_resting(const ElasticFacets &facets, const CohesiveCracks &cracks, Index k) {
@@ -27,7 +31,10 @@ inline void part_resting(const ElasticFacets &facets, const CohesiveCracks &crac
 inline void end_treating(const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists, Index k,
                          Index e, int status) {
     treat(facets, cracks, k, status);
-    if (face_of(cracks, k).integrity == 0.0) shape_of(cracks, k).top = infinity;
+    // faces that were far apart touch as facets: along their own normal, not that of the crack
+    const double *const n = face_of(cracks, k).normal;
+    put_axes(cracks, k, {1.0, 0.0, 0.0, 0.0}, axes_along({n[0], n[1], n[2]}));
+    if (cracks.integrity(k) == 0.0) shape_of(cracks, k).top = infinity;
     CrackStateRow &state = state_of(cracks, k);
     for (int d = 0; d < 3; d++) state.slip[d] = state.rub[d] = 0.0;
     for (Index d = 0; d < 4; d++) cracks.pull(k, d) = 0.0;
@@ -45,9 +52,13 @@ inline double stiffness_without(const Moving &all, const CrackLists &lists, doub
     double softness = 0.0;
     for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
         if (gone(h)) continue;
-        const SwellingHalf<double> half = half_of(lists.half.row<Row<double>>(h));
-        const bool closed = h != without && half.closed + all.pose(p, stress_column) * half.pressed < 0.0;
-        softness += half.loose * (closed ? half.square - half.pressed * half.along : half.square);
+        SwellingHalf<double> half = half_at(lists, h);
+        if (h == without) {  // open along all directions, which have lost everything
+            const double *const g = half.along;
+            softness += half.loose[0] * half.inverse * (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+        } else {
+            softness += swelling_of(half, all.pose(p, stress_column)).softness;
+        }
     }
     return weight / (1.0 + weight * softness);
 }
@@ -61,15 +72,15 @@ inline double energy_of_parting(const SingleCrack &one, const ElasticFacets &fac
                                 const CrackLists &lists, Index at, Index e, Stiffness stiffness) {
     const double *const rub = state_of(cracks, at).rub;
     const double k = one.stiffness.k, w = one.stiffness.part;
-    const CrackHalves<double> half = crack_halves(one.stiffness, one.now.faces, one.stress);
+    const CrackHalves<double> half = crack_halves(one.stiffness, one.now, one.stress);
     double lost = friction_energy(k, 0.0, Vector{rub[0], rub[1], rub[2]});
     const auto add = [&](Short p, double part, double press, Index number) {
         if (!(press < 0.0)) return;
-        const double more = press / k * lists.half(number, 3);
+        const double more = press / k * half_at(lists, number).along[0];
         lost += 0.5 * (part * press * press / k - more * more * stiffness(p, number));
     };
-    add(facets.i(at), w, half.i.press, 2 * e + 1);
-    add(facets.j(at), 1.0 - w, half.j.press, 2 * e + 2);
+    add(facets.i(at), w, half.i.press(), 2 * e + 1);
+    add(facets.j(at), 1.0 - w, half.j.press(), 2 * e + 2);
     return lost;
 }
 

@@ -4,24 +4,43 @@
 
 namespace bondem {
 
+inline CrackIntegrity<double> left_of(const double *row) { return {{row[0], row[1], row[2]}, row[3]}; }
+inline Quaternion<double> quaternion_of(const double *row) { return {row[0], row[1], row[2], row[3]}; }
+
 // The crack of facet k in space, from the poses of its cells.
 struct SingleCrack {
     Ends<double> ends;
     OfCells<double> stress;
     FacetCompliance<double> stiffness;
-    double area, s;
-    FacedFaces<double> now;
+    double area;
+    bool alike;
+    CrackFaces<double> now;
 
     SingleCrack(const Array<double, 2> &pose, const ElasticFacets &facets, const CohesiveCracks &cracks, Index k)
         : ends(ends_of(pose.data, facets, k)),
           stress{pose(facets.i(k), stress_column), pose(facets.j(k), stress_column)} {
         const CrackFaceRow &face = face_of(cracks, k);
+        const CrackStateRow &state = state_of(cracks, k);
+        const CrackFrameRow &frame = frame_of(cracks, k);
         stiffness = {face.k, face.part};
         area = face.area;
-        s = face.integrity;
-        now = crack_faces(ends, facet_shape(cracks, k), {face.normal[0], face.normal[1], face.normal[2]});
+        alike = state.alike > 0.0;
+        const CrackIntegrity<double> left = left_of(frame.left);
+        now = crack_faces(ends, facet_shape(cracks, k), {face.normal[0], face.normal[1], face.normal[2]},
+                          quaternion_of(frame.axes), left, alike || left.grip == 0.0,
+                          {state.slip[0], state.slip[1], state.slip[2]});
     }
+    // Whether nothing is left but what presses along its normal.
+    bool is_gone() const { return now.left.s[0] == 0.0 && now.left.grip == 0.0; }
 };
+// Writes the axes of crack k down, which are given in space.
+inline void put_axes(const CohesiveCracks &cracks, Index k, Quaternion<double> cell, const CrackAxes<double> &axes) {
+    CrackAxes<double> own;
+    for (int d = 0; d < 3; d++) own.e[d] = turned_by(inverse(cell), axes.e[d]);
+    const Quaternion<double> q = stored_axes(own);
+    double *const to = frame_of(cracks, k).axes;
+    to[0] = q.w, to[1] = q.x, to[2] = q.y, to[3] = q.z;
+}
 
 // Largest slip of the faces of facet k that face each other, over √A.
 inline double slide_of(const CohesiveCracks &cracks, Index k) { return softening_of(cracks, k).plane > 0.0f ? cracks.slide : 1.0; }
@@ -43,9 +62,10 @@ inline void put_levers(const CohesiveCracks &cracks, const CrackLists &lists, In
 }
 // A half that adds nothing.
 inline void clear_half(const CrackLists &lists, Index number) {
-    for (Index c = 0; c < 7; c++) lists.half(number, c) = 0.0;
-    lists.half(number, 7) = infinity;
-    for (Index c = 0; c < 8; c++) lists.output(number, c) = 0.0;
+    SwellingHalf<double> &half = lists.half.row<SwellingHalf<double>>(number);
+    half = {};
+    half.turns[0] = half.turns[1] = half.turns[2] = infinity;
+    for (Index c = 0; c < 8; c++) lists.output(number, c) = lists.shear(number, c) = 0.0;
 }
 
 // Treats the crack of facet k one by one from now on, or as a facet of its integrity among the others, or not at all.
@@ -103,7 +123,6 @@ inline void write_constants(const ElasticFacets &facets, const FacetForces &kept
     shape.k = face.k = facets.k(k);
     face.part = strengths.part(k);
     face.area = strengths.area(k);
-    face.integrity = cracks.integrity(k);
     face.friction = strengths.friction(k);
     for (Index d = 0; d < 6; d++) softening.H[d] = facets.H(d, k);
     softening.plane = float(strengths.plane(k));
@@ -119,11 +138,17 @@ inline void write_constants(const ElasticFacets &facets, const FacetForces &kept
 // Facet k, which is marked, begins to crack.
 inline void begin_crack(const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
                         const CrackOnset &onset, const CohesiveCracks &cracks, Index k, Index step) {
+    const bool loose = onset.marked(k) != 1;
     state_of(cracks, k) = {};
-    state_of(cracks, k).before = crack::fresh;
+    state_of(cracks, k).fresh = 1.0;
+    state_of(cracks, k).alike = loose || strengths.plane(k) != 0.0 ? 1.0 : 0.0;
+    frame_of(cracks, k) = {};
+    past_of(cracks, k) = {};
+    for (int d = 0; d < 4; d++) frame_of(cracks, k).left[d] = past_of(cracks, k).left[d] = 1.0;
+    put_axes(cracks, k, {1.0, 0.0, 0.0, 0.0}, axes_along(normal_of(facets, k)));
     history_of(cracks, k) = {};
     history_of(cracks, k).began = history_of(cracks, k).onset_step = double(step);
-    softening_of(cracks, k).strength = onset.marked(k) == 1 ? strengths.strength(k) : 0.0;
+    softening_of(cracks, k).strength = loose ? 0.0 : strengths.strength(k);
     shape_of(cracks, k).top = 0.0;
     write_constants(facets, kept, strengths, cracks, k);
     for (Index d = 0; d < 3; d++) cracks.pull(k, d) = kept.force(d, k);

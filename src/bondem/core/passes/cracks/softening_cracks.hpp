@@ -1,14 +1,17 @@
 // Cracks that soften, and those at rest that wake: one crack, or as many as there are lanes.
 #pragma once
-#include "crack_trials.hpp"
+#include "resting_cracks.hpp"
 
 namespace bondem {
 
 namespace crack {
-// By how much the integrity of a facet that softens falls in a step at most, and below what it is none.
-constexpr double fastest = 0.1, nothing_left = 1e-9;
+// By how much the integrity of a facet falls in a step at most where its opening grows by a share `steady` at most, and
+// how much more by what it grows beyond; below what integrity it is none.
+constexpr double fastest = 0.1, follows = 5.0, steady = 0.2, nothing_left = 1e-9;
 // Shares of the traction that softens at which a crack goes to rest and wakes, and of its force across it.
 constexpr double asleep = 0.9, calm = 0.98, grazing = 0.1;
+// Openings over the last one between which a crack loses its grip on what acts along it.
+constexpr double lets_go = 2.0, has_let_go = 4.0;
 }  // namespace crack
 
 template <class Group, class T = typename Group::Number>
@@ -18,46 +21,38 @@ BONDEM_INLINE Symmetric3<T> mean_of_cells(const Group &group, const StressesOfCe
 
 // ---- rest
 
-// Wakes those of the cracks that would soften under their loads; `valid` names the cracks of a group of trials.
 template <class Group, class T = typename Group::Number>
-BONDEM_INLINE void wake_tried(const Group &group, Mask<T> valid, const CrackTrial<T> &of, const FacetStrengths &strengths,
-                              const StressesOfCells &stresses, const CrackLists &lists, Index portion) {
-    const PrincipalStress<T> directions = principal(mean_of_cells(group, stresses));
-    const T left = integrity_left(of.s, of.load, directions, of.by(), CurveShape{strengths.kink, strengths.steep});
-    group.flag(lists.waking, lists.woken, portion, valid & (left < of.s), crack::wakes);
-}
-template <class Group, class Trials, class T = typename Group::Number>
 BONDEM_INLINE void watch_each(const Group &group, const Moving &all, const double *period,
-                              const FacetStrengths &strengths, const StressesOfCells &stresses,
-                              const CohesiveCracks &cracks, const CrackLists &lists, Index portion, Trials &trials) {
+                              const FacetStrengths &strengths, const CohesiveCracks &cracks, const CrackLists &lists,
+                              Index portion) {
     group.prefetch(cracks.shape);
+    group.prefetch(cracks.frame);
     const T zero = {}, endless = bondem::all<T>(infinity);
     const Row<T> a = gather(all.pose.data, group.i), b = gather(all.pose.data, group.j);
     const Ends<T> ends = ends_of(a, b, period);
     const FacetShape<T> shape = group.shapes(cracks);
     const T k = group.number(cracks.shape, 6), top = group.number(cracks.shape, 7);
+    const Row<T> frame = group.lines(cracks.frame);
+    const T *const q = frame.column;
+    const Vector3<T> across = axes_of(ends.i, Quaternion<T>{q[0], q[1], q[2], q[3]}).e[0];
     const Vector3<T> one = turned_by(ends.i, shape.share_i), other = turned_by(ends.j, shape.share_j);
-    const Vector3<T> gap = opened(ends, shape).gap, across = one + other;
+    const Vector3<T> gap = opened(ends, shape).gap;
     const Vector3<T> f = plus(plus(k * gap, a.column[stress_column], one), b.column[stress_column], other);
     const T square = dot(f, f);
-    const Mask<T> open = dot(f, across) > crack::grazing * root(square * dot(across, across));
-    const Mask<T> may_soften = top < endless, wakes = opposite(open & (top > zero));
+    const Mask<T> open = dot(f, across) > crack::grazing * root(square);
+    const Mask<T> may_soften = top < endless;
+    Mask<T> wakes = opposite(open & (top > zero));
     if (any(may_soften)) {
         group.prefetch(cracks.face);
         const CrackJudgement<T> of = judgement_of(group, cracks);
-        const Row<T> face = group.lines(cracks.face);
-        const T area = face.column[4], s = face.column[5];
+        const T area = group.number(cracks.face, 4);
         const T bent = bending_traction(ends, of.bends, of.H), pull = area * bent;
         const Mask<T> loaded = may_soften & opposite(wakes) & (root(square + pull * pull) >= crack::calm * top);
         if (any(loaded)) {
             constexpr double near = 1.0 / crack::calm;
-            const Vector3<T> normal = {face.column[0], face.column[1], face.column[2]};
-            const CrackTrial<T> trial = {s, {(near / area) * f, turned_by(ends.i, normal), near * bent},
-                                         of.by.tension, of.by.plane, mask_number<T>(of.by.on_plane), of.fastest, zero};
-            const Mask<T> softens = loaded & opposite(never_softens(trial, strengths));
-            trials.add(group, softens, trial, [&](const auto &at, auto valid, const auto &tried) {
-                wake_tried(at, valid, tried, strengths, stresses, lists, portion);
-            });
+            const FacetTraction<T> load = {(near / area) * f, across, near * bent};
+            const T left = integrity_left(q[4], load, of.by, CurveShape{strengths.kink, strengths.steep});
+            wakes |= loaded & (left < q[4]);
         }
     }
     group.flag(lists.waking, lists.woken, portion, wakes, crack::wakes);
@@ -65,75 +60,158 @@ BONDEM_INLINE void watch_each(const Group &group, const Moving &all, const doubl
 
 // ---- softening
 
-// Softens those of the cracks that their loads make, and puts to rest those that are calm and open.
-template <class Group, class T = typename Group::Number>
-BONDEM_INLINE void soften_tried(const Group &group, Mask<T> valid, const CrackTrial<T> &of,
-                                const FacetStrengths &strengths, const StressesOfCells &stresses,
-                                const CohesiveCracks &cracks, const CrackLists &lists, Index portion) {
-    const CurveShape curve = {strengths.kink, strengths.steep};
-    const T zero = {}, s = of.s;
-    const CrackStrength<T> by = of.by();
-    const PrincipalStress<T> directions = principal(mean_of_cells(group, stresses));
-    const Mask<T> at_once = (by.tension.strength == zero) | (by.tension.brittleness == bondem::all<T>(infinity));
-    const T most_lost = select(at_once, of.fastest, bondem::all<T>(crack::fastest));
-    T left = most(integrity_left(s, of.load, directions, by, curve), s - most_lost);
-    left = select(left < crack::nothing_left + zero, zero, left);
-    const Mask<T> fell = valid & (left < s), kept = valid & (left == s);
-    if (any(fell)) {
-        group.where(fell, [&](Index k, Index e, int n) {
-            const double now = group.lane(left, n), loose = (1.0 - now) / face_of(cracks, k).k;
-            face_of(cracks, k).integrity = cracks.integrity(k) = now;
-            for (Index side = 1; side <= 2; side++) lists.half(2 * e + side, 6) = loose;
-        });
-        group.flag(lists.flag, lists.flagged, portion, fell, crack::fell);
-    }
-    if (any(kept)) {
-        constexpr double near = 1.0 / crack::asleep;
-        const FacetTraction<T> more = {bondem::all<T>(near) * of.load.t, of.load.normal, near * of.load.bent};
-        const Mask<T> calm = kept & (integrity_left(s, more, directions, by, curve) == s);
-        group.flag(lists.flag, lists.flagged, portion, calm & (of.open > zero), crack::calmed);
-    }
+// The largest loss of integrity in a step, from -∂U/∂s before and now, which go with the square of the opening.
+template <class T> BONDEM_INLINE T largest_loss(T rate_before, T rate) {
+    const T grows = 1.0 - root(positive(T(rate_before / most(rate, all<T>(1e-300)))));
+    return most(all<T>(crack::fastest), T(crack::follows * (grows - crack::steady)));
+}
+template <class T> BONDEM_INLINE T fallen(T s, T left, T loss) {
+    const T now = most(left, T(s - loss)), zero = {};
+    return select(now < all<T>(crack::nothing_left), zero, least(s, now));
 }
 
-template <class Group, class Trials, class T = typename Group::Number>
-BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const FacetStrengths &strengths,
+// What softening leaves of cracks: their axes, which turn before anything is lost along them, and integrities.
+template <class T> struct Softened {
+    CrackAxes<T> at;
+    CrackIntegrity<T> left;
+};
+// Directions 2 and 3, where nothing is lost along either, as the principal directions of the stress in their plane.
+template <class T> BONDEM_INLINE void turn_in_plane(CrackAxes<T> &at, const Symmetric3<T> &s, Mask<T> turns) {
+    const Vector3<T> a = at.e[1], b = at.e[2], sa = s * a;
+    const T ab = dot(b, sa), d = 0.5 * (dot(b, s * b) - dot(a, sa)), size = absolute(d) + root(d * d + ab * ab), zero = {};
+    const T t = select(turns & (size > zero), T(select(d >= zero, ab, T(-ab)) / size), zero);
+    const T c = 1.0 / root(t * t + 1.0), sine = t * c;
+    at.e[1] = minus(c * a, sine, b);
+    at.e[2] = plus(sine * a, c, b);
+}
+// Cracks of the material under a traction t as if they were whole. What they have slipped along themselves opens them
+// as much as what is across: `slid` is the traction for which the slip is the opening.
+template <class T>
+BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTraction<T> &load,
+                                       const Symmetric3<T> &mean, const CrackRates<T> &before, const CrackRates<T> &rate,
+                                       const Softening<T> &facet, T at_once, T slid, const CurveShape &curve, Mask<T> away) {
+    const T zero = {}, one = all<T>(1.0);
+    const Mask<T> brittle = facet.brittleness == all<T>(infinity);
+    Softened<T> found = {faces.at, faces.left};
+    T *const s = found.left.s;
+    turn_in_plane(found.at, mean, (s[1] == one) & (s[2] == one));
+    T slope[3], largest = {}, pressure = {};
+    for (int d = 0; d < 3; d++) {
+        Vector3<T> &e = found.at.e[d];
+        const T stress = dot(e, mean * e), leads = select(stress > zero, dot(load.t, e), dot(load.normal, e));
+        e = select<T>((s[d] == one) & (leads < zero), -e, e);
+        slope[d] = absolute(dot(load.normal, e));
+        largest = most(largest, slope[d]);
+        pressure = most(pressure, -stress);
+    }
+    const T bent = positive(T(load.bent - pressure)) / largest;
+    T opened = {};
+    for (int d = 0; d < 3; d++) {
+        T pull = positive(dot(load.t, found.at.e[d]));
+        if (d == 0) pull = select(s[0] < one, root(pull * pull + slid * slid), pull);
+        const LoadAlong<T> along = load_along(pull, T(bent * slope[d]), slope[d]);
+        const T left = select(away, zero, left_along(s[d], along, facet, curve));
+        s[d] = fallen(s[d], left, select(brittle, at_once, largest_loss(before.of[d], rate.of[d])));
+        if (d == 0) opened = along.traction * along.share * facet.brittleness;  // over the last opening
+    }
+    const T far = (opened - crack::lets_go) * (1.0 / (crack::has_let_go - crack::lets_go));
+    const T grip = select(away, zero, select(far > zero, positive(T(one - far)), one));
+    const T loss = select(brittle, at_once, largest_loss(before.of[0], rate.of[0]));
+    found.left.grip = select(s[0] == zero, fallen(found.left.grip, grip, loss), found.left.grip);
+    return found;
+}
+
+// Writes what softening has left of crack k, at place e of a list; the direction that has lost most is the first.
+inline void put_softened(const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
+                         const CrackLists &lists, Softened<double> found, Index k, Index e) {
+    CrackFrameRow &frame = frame_of(cracks, k);
+    CrackPastRow &past = past_of(cracks, k);
+    double *const s = found.left.s;
+    bool turned = false;
+    for (int d = 0; d < 3; d++) turned |= s[d] < 1.0 && frame.left[d] == 1.0;
+    for (int d = 1; d < 3; d++)
+        if (s[d] < s[0]) {
+            exchange(s[0], s[d]);
+            exchange(found.at.e[0], found.at.e[d]);
+            exchange(past.left[0], past.left[d]);
+            exchange(past.rate[0], past.rate[d]);
+            turned = true;
+        }
+    if (turned) put_axes(cracks, k, orientation(gather(all.pose.data, facets.i(k))), found.at);
+    const bool lets_go = found.left.grip == 0.0 && frame.left[3] > 0.0;
+    for (int d = 0; d < 3; d++) frame.left[d] = s[d];
+    frame.left[3] = found.left.grip;
+    cracks.integrity(k) = found.left.least_left();
+    const SingleCrack one(all.pose, facets, cracks, k);
+    // friction is by a spring of the crack from now on
+    if (lets_go && !one.alike) rest_friction(state_of(cracks, k), one);
+    put_halves_of(lists, e, one.stiffness, one.now);
+}
+
+template <class Group, class T = typename Group::Number>
+BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const ElasticFacets &facets,
+                               const FacetStrengths &strengths,
                                const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
-                               const double *period, Index portion, Trials &trials) {
-    group.prefetch(cracks.state);
+                               Index portion) {
     const T zero = {};
-    const CrackPlace<T> at = place_of(group, all.pose, period, cracks);
-    const CrackFaces<T> &faces = at.now.faces;
-    const T s = at.s, before = group.number(cracks.state, 6);
-    const Mask<T> fresh = before == bondem::all<T>(crack::fresh);
-    const Mask<T> known = opposite(group.flagged(lists.flag) | fresh), softens = known & (s > zero);
-    const Vector3<T> whole = whole_force(at.facet.k, faces, at.stress);
-    // open, and far from closing
-    const CrackHalves<T> half = crack_halves(at.facet, faces, at.stress);
-    const Mask<T> open = (half.i.press == zero) & (half.j.press == zero) &
-                         (dot(whole, faces.normal) > 2.0 * crack::grazing * root(dot(whole, whole)));
-    Mask<T> calm = known & (s == zero);
+    const CurveShape curve = {strengths.kink, strengths.steep};
+    const CrackPlace<T> at = place_of(group, all.pose, facets.period.data, cracks);
+    const CrackFaces<T> &now = at.now;
+    const Mask<T> fresh = at.state.column[6] > zero, treated = opposite(group.flagged(lists.flag));
+    const Mask<T> gone = (now.left.s[0] == zero) & (now.left.grip == zero);
+    const Vector3<T> whole = whole_force(at.facet.k, now, at.stress);
+    const CrackHalves<T> half = crack_halves(at.facet, now, at.stress);
+    // open, and far from closing, along the normals of the crack and of its facet
+    const T far = 2.0 * crack::grazing * root(dot(whole, whole));
+    const Mask<T> open = (half.i.press() == zero) & (half.j.press() == zero) & (dot(whole, now.across()) > far) &
+                         (dot(whole, now.normal) > far) & (dot(now.gap, now.normal) > zero);
+    Mask<T> calm = treated & opposite(fresh) & gone;
+    const Mask<T> softens = treated & opposite(gone);
     if (any(softens)) {
-        const CurveShape curve = {strengths.kink, strengths.steep};
         const CrackJudgement<T> of = judgement_of(group, cracks);
         const T bent = bending_traction(at.ends, of.bends, of.H), strength = of.by.tension.strength;
-        const FacetTraction<T> load = {(1.0 / at.area) * whole, faces.normal, bent};
-        const T opens = select(of.by.on_plane | (strength == zero), bent,
-                               opened_at_most(bent, mean_of_cells(group, stresses)));
-        const T least_traction = unsoftened_below(s, of.by, curve);
-        group.put(cracks.shape, 7, select(softens, T(at.area * least_traction), group.number(cracks.shape, 7)));
-        const CrackTrial<T> trial = {s, load, of.by.tension, of.by.plane, mask_number<T>(of.by.on_plane), of.fastest,
-                                     mask_number<T>(open)};
-        CrackTrial<T> more = trial;
-        constexpr double near = 1.0 / crack::asleep;
-        more.load = {bondem::all<T>(near) * load.t, load.normal, near * bent};
-        const Mask<T> weak = (root(dot(load.t, load.t) + opens * opens) < crack::asleep * least_traction) |
-                             never_softens(more, strengths);
-        calm |= softens & weak;
-        trials.add(group, softens & opposite(weak), trial, [&](const auto &tried, auto valid, const auto &loads) {
-            soften_tried(tried, valid, loads, strengths, stresses, cracks, lists, portion);
-        });
+        const Mask<T> at_once = (strength == zero) | (of.by.tension.brittleness == bondem::all<T>(infinity));
+        const FacetTraction<T> load = {(1.0 / at.area) * whole, now.normal, bent};
+        Softened<T> found = {now.at, now.left};
+        // those of the material, but for brittle ones in the step in which they begin
+        const Mask<T> bulk = softens & opposite(at.alike) & opposite(fresh & at_once);
+        if (any(bulk)) {
+            const Row<T> past = group.lines(cracks.past);
+            const CrackIntegrity<T> before = {{past.column[0], past.column[1], past.column[2]}, past.column[3]};
+            const CrackRates<T> rates = crack_rates(at.facet, now.left, half);
+            const CrackRates<T> was =
+                rates_before(at.facet, now, at.alike, half, pull_of(group, cracks), zero, before, past.column + 4);
+            const T *const c = at.state.column, slip = root(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
+            const T slid = at.facet.k * slip / (at.area * (1.0 - now.left.s[0]));
+            found = soften_along(now, load, mean_of_cells(group, stresses), was, rates, of.by.tension, of.fastest,
+                                 select(now.left.s[0] < bondem::all<T>(1.0), slid, zero), curve, turned_away(now, at.area, 1.0));
+        }
+        const Mask<T> plane = softens & at.alike & opposite(fresh);
+        if (any(plane)) {
+            const T s = now.left.s[0], least_traction = unsoftened_below(s, of.by);
+            const FacetTraction<T> own = {load.t, now.across(), bent};
+            const T loss = select(at_once, of.fastest, bondem::all<T>(crack::fastest));
+            const T left = fallen(s, integrity_left(s, own, of.by, curve), loss);
+            group.put(cracks.shape, 7, select(plane, T(at.area * least_traction), group.number(cracks.shape, 7)));
+            constexpr double near = 1.0 / crack::asleep;
+            const FacetTraction<T> more = {bondem::all<T>(near) * load.t, now.across(), near * bent};
+            calm |= plane & ((root(dot(load.t, load.t) + bent * bent) < crack::asleep * least_traction) |
+                             (integrity_left(s, more, of.by, curve) == s));
+            found.left.s[0] = select(plane, left, found.left.s[0]);
+            found.left.grip = select(plane, left, found.left.grip);
+        }
+        const auto fell = [&](T before, T left) { return left < before; };
+        Mask<T> falls = fell(now.left.grip, found.left.grip);
+        for (int d = 0; d < 3; d++) falls |= fell(now.left.s[d], found.left.s[d]);
+        falls &= bulk | plane;
+        if (any(falls)) {
+            group.where(falls, [&](Index k, Index e, int n) {
+                const Softened<double> of = {lane_of(group, found.at, n), lane_of(group, found.left, n)};
+                put_softened(all, facets, cracks, lists, of, k, e);
+            });
+            group.flag(lists.flag, lists.flagged, portion, falls, crack::fell);
+        }
     }
-    if (any(s != before)) group.put(cracks.state, 6, s);
     group.flag(lists.flag, lists.flagged, portion, calm & open, crack::calmed);
 }
 

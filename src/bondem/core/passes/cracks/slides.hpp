@@ -1,0 +1,85 @@
+// Slip of the faces of cracks: what an open crack bears along itself falls with its opening.
+//
+// A crack crosses a body by inclined facets. What is common to the shear of the cracked facets of a cell is sliding
+// along the crack; what alternates from facet to facet is the stress along the crack, which it has to keep. So a cell
+// has one slip for all its cracked facets. With e the normal of the crack of a facet, P = 1 - e⊗e, ω = 1 - r where r is
+// what the crack bears across over its strength, ± f the force of the facet on the cell, n its normal outwards, and σ
+// the stress of the cell, by which a uniform stress along the crack slides nothing,
+//
+//     R = Σ ω [± P f - A P σ P n]        K = Σ ω² k        what the crack bears: L = Σ ω (√((A |n·e| r f_t)² - ⟨f·e⟩²) + μ ⟨-f·e⟩)
+//     cell: where |R| > L and R·Σ ± ω P f > 0,  b = ½ (1 - L / |R|) R / K        facet: slip += ω P (b_i - b_j)
+//
+// Half of it each, as a facet has two cells: where all facets of a crack are alike it goes at once. Slip only takes
+// energy; its work is that of the mean of the forces before and after.
+#pragma once
+#include "single_cracks.hpp"
+
+namespace bondem {
+
+// What would slide of the cracks of a group, by half; 0 for those of which friction is a spring of their own. Returns the
+// share of friction in what they bear.
+template <class Group, class T = typename Group::Number>
+BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<T> f, Mask<T> treated,
+                              const FacetStrengths &strengths, const StressesOfCells &stresses,
+                              const CohesiveCracks &cracks, const CrackLists &lists) {
+    const T zero = {}, one = all<T>(1.0), s = at.now.left.s[0];
+    const Mask<T> slides = treated & opposite(at.now.rubs) & (s < one);
+    Row<T> i = {}, j = {};
+    T rubbed = {};
+    if (any(slides)) {
+        const Vector3<T> e = at.now.across(), n = at.now.normal;
+        const Softening<T> facet = {group.number(cracks.softening, 7), group.number(cracks.softening, 5)};
+        const T slope = absolute(dot(n, e)), steep = most(slope, all<T>(least_slope));
+        const T r = borne_of(s, steep, facet, CurveShape{strengths.kink, strengths.steep});
+        const T loose = select(slides, T(one - r), zero), along = dot(f, e);
+        const Vector3<T> shear = loose * minus(f, along, e), flat = minus(n, dot(n, e), e);
+        const auto of_stress = [&](const Row<T> &row) {
+            const T *const c = row.column;
+            const Vector3<T> t = Symmetric3<T>{c[0], c[1], c[2], c[3], c[4], c[5]} * flat;
+            return (loose * at.area) * minus(t, dot(t, e), e);
+        };
+        const Vector3<T> of_i = shear - of_stress(gather(stresses.tensor.data, group.i));
+        const Vector3<T> of_j = of_stress(gather(stresses.tensor.data, group.j)) - shear;
+        const T stiff = loose * loose * at.facet.k;
+        const T most_borne = at.area * slope * r * facet.strength, across = positive(along);
+        const T cohesion = root(positive(T(most_borne * most_borne - across * across)));
+        const T friction = at.friction * positive(-along), bears = loose * (cohesion + friction);
+        rubbed = select(friction > zero, friction / (cohesion + friction), zero);
+        i = {{of_i.x, of_i.y, of_i.z, stiff, shear.x, shear.y, shear.z, bears}};
+        j = {{of_j.x, of_j.y, of_j.z, stiff, -shear.x, -shear.y, -shear.z, bears}};
+    }
+    group.put_halves(lists.shear, i, j);
+    return rubbed;
+}
+
+// By how much the cracks of cell p slip.
+inline void slide_of_cell(const CrackLists &lists, Index p) {
+    double sum[8] = {};
+    for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
+        const double *const of = &lists.shear(h, 0);
+        for (int c = 0; c < 8; c++) sum[c] += of[c];
+    }
+    const Vector R = {sum[0], sum[1], sum[2]}, as_is = {sum[4], sum[5], sum[6]};
+    const double size = length(R), stiff = sum[3], bears = sum[7];
+    const bool slides = size > bears && dot(R, as_is) > 0.0;
+    const Vector b = slides ? (0.5 * (1.0 - bears / size) / stiff) * R : Vector{};
+    for (int d = 0; d < 3; d++) lists.slip(p, d) = b[d];
+}
+
+// The crack at place e of a list, that of facet k, slips with its cells.
+inline void slide_crack(const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
+                        const CrackLists &lists, Index k, Index e) {
+    const double stiff = lists.shear(2 * e + 1, 3);
+    if (stiff == 0.0) return;
+    const Short i = facets.i(k), j = facets.j(k);
+    const double *const a = &lists.slip(i, 0), *const b = &lists.slip(j, 0);
+    const Vector apart = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    const Quaternion<double> turn = orientation(gather(all.pose.data, i));
+    const Vector across = axes_of(turn, quaternion_of(frame_of(cracks, k).axes)).e[0];
+    const double loose = root(stiff / face_of(cracks, k).k);
+    const Vector came = turned_by(inverse(turn), loose * minus(apart, dot(apart, across), across));
+    CrackStateRow &state = state_of(cracks, k);
+    for (int d = 0; d < 3; d++) state.slip[d] += came[d], state.rub[d] = came[d];
+}
+
+}  // namespace bondem

@@ -1,0 +1,51 @@
+"""Rows of cracked facets in a state (`bondem.damage.crack_columns`)."""
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from bondem._types import ArrayLike, Floats, Ints, Mask
+from bondem.damage.crack_columns import ALIKE, AXES, BEFORE, CRACK_COLUMNS, FACET, LEFT, ONSET, ONSET_STEP
+
+
+def axes_along(normal: ArrayLike) -> Floats:
+    """Return axes whose first direction is given, (c, 3), and whose others are any, (c, 3, 3) by rows."""
+    e = np.asarray(normal, dtype=float)
+    other = np.where(np.abs(e[:, :1]) < 0.6, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
+    a = other - (other * e).sum(axis=1, keepdims=True) * e
+    a /= np.linalg.norm(a, axis=1, keepdims=True)
+    return np.stack([e, a, np.cross(e, a)], axis=1)
+
+
+def stored_axes(axes: Floats) -> Floats:
+    """Return the quaternions that store axes (c, 3, 3), given by rows: w is negative where e_3 = -e_1 × e_2, (c, 4)."""
+    side = np.where(np.linalg.det(axes) < 0.0, -1.0, 1.0)
+    turned = axes.transpose(0, 2, 1).copy()
+    turned[:, :, 2] *= side[:, None]
+    w = Rotation.from_matrix(turned).as_quat(scalar_first=True) if len(axes) else np.zeros((0, 4))
+    w[:, 0] += np.where(w[:, 0] == 0.0, 1e-200, 0.0)
+    return w * (side * np.sign(w[:, 0]))[:, None]
+
+
+def crack_rows(facet: Ints, strength: ArrayLike, axes: Floats, left: Floats, alike: Mask) -> Floats:
+    """Return rows of cracks that begin to be treated, with nothing slipped and nothing dissipated.
+
+    Args:
+        facet: internal numbers of the facets, (c,).
+        strength: strengths [Pa], (c,) or one for all.
+        axes: e_1, e_2, e_3 in the frame of cell i, by rows, (c, 3, 3).
+        left: s_1, s_2, s_3 and the grip, (c, 4).
+        alike: mask of cracks with one integrity for all directions, (c,).
+
+    Returns:
+        Shape (c, CRACK_COLUMNS).
+    """
+    rows = np.zeros((len(facet), CRACK_COLUMNS))
+    rows[:, FACET], rows[:, ONSET], rows[:, ALIKE], rows[:, ONSET_STEP] = facet, strength, alike, np.nan
+    rows[:, AXES : AXES + 4] = stored_axes(axes)
+    rows[:, LEFT : LEFT + 4] = rows[:, BEFORE : BEFORE + 4] = left
+    return rows
+
+
+def alike_left(s: Floats) -> Floats:
+    """Return s_1, s_2, s_3 and the grip of cracks with one integrity s for all directions, (c, 4)."""
+    return np.stack([s, np.ones_like(s), np.ones_like(s), s], axis=1)
