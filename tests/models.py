@@ -134,10 +134,11 @@ def follow(model: bd.Model, **given: Any) -> bd.QuasistaticResult:
     return bd.solve_quasistatic(model, bd.Face("x_max"), together=0.0, **given)
 
 
-def slowly_torn(failure: bd.Criterion, share: float = 0.9) -> tuple[bd.Model, float]:
-    """Bar of 250 cells of concrete pulled apart by 0.1 m/s, slowly enough for one crack; and a share of its step."""
+def slowly_torn(failure: bd.Criterion, share: float = 0.9, speed: float = 0.1) -> tuple[bd.Model, float]:
+    """Bar of 250 cells of concrete pulled apart, slowly enough for one crack; and a share of its step."""
     law = bd.CellBond(E=40e9, nu=0.2, facet_rotation="full")
-    model = bd.Model(bar(250), law, density=2500.0, failure=failure, boundary=PULL)
+    ends = PULL if speed == 0.1 else [PULL[0], bd.Drive(bd.Face("x_max"), vx=speed)]
+    model = bd.Model(bar(250), law, density=2500.0, failure=failure, boundary=ends)
     return model, time_step(model, share)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.damage.crack_columns import ACTIVE, FACET, PARTED, RESTING, STATUS, TOP
+from bondem.damage.crack_columns import FACET, PARTED, STATUS, TOP
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
@@ -135,8 +135,8 @@ def test_no_bit_depends_on_threads_where_cells_touch():
         state = model.state()
         state.set_motion(velocity=velocity)
         with threads(count):
-            loop = CoreLoop(model, Plan(duration=200 * dt, dt=dt, every=20), state, dt)
-            rows.append(np.concatenate([loop.look(), loop.run(200)[0]]))
+            loop = CoreLoop(model, Plan(duration=800 * dt, dt=dt, every=80), state, dt)
+            rows.append(np.concatenate([loop.look(), loop.run(800)[0]]))
         ends.append(state)
     assert (ends[0].cracks[:, STATUS] == PARTED).sum() > 5
     assert len(ends[0].cracks) > 2000

@@ -17,6 +17,9 @@ from tests.device_sides import (
 )
 from tests.recording import Record
 
+#: Cases in which cracks open so wide that they rest.
+RESTS = "brittle", "driven together and touching"
+
 pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
 
 
@@ -33,7 +36,8 @@ def test_a_device_agrees_with_the_cpu(case: str, record: Record) -> None:
         np.testing.assert_allclose(getattr(other, name), getattr(one, name), rtol=0.0, atol=1e-12 * size)
     np.testing.assert_allclose(other.released, one.released, rtol=1e-12)
     assert len(one.cracks) > 20
-    assert {ACTIVE, RESTING} <= set(one.cracks[:, STATUS])
+    assert ACTIVE in one.cracks[:, STATUS]
+    assert (case in RESTS) == (RESTING in one.cracks[:, STATUS])
     assert cpu.history.records[-1, RELEASED] > 0.0
 
 

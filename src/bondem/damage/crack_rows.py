@@ -4,7 +4,19 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from bondem._types import ArrayLike, Floats, Ints, Mask
-from bondem.damage.crack_columns import ALIKE, AXES, BEFORE, CRACK_COLUMNS, FACET, LEFT, ONSET, ONSET_STEP
+from bondem.damage.crack_columns import (
+    ALIKE,
+    AXES,
+    BEFORE,
+    CRACK_COLUMNS,
+    FACET,
+    KIND,
+    LEFT,
+    LET_GO,
+    OF_MATERIAL,
+    ONSET,
+    ONSET_STEP,
+)
 
 
 def axes_along(normal: ArrayLike) -> Floats:
@@ -17,7 +29,7 @@ def axes_along(normal: ArrayLike) -> Floats:
 
 
 def stored_axes(axes: Floats) -> Floats:
-    """Return the quaternions that store axes (c, 3, 3), given by rows: w is negative where e_3 = -e_1 × e_2, (c, 4)."""
+    """Return the quaternions of axes (c, 3, 3), given by rows: w is negative where e_3 = -e_1 × e_2, (c, 4)."""
     side = np.where(np.linalg.det(axes) < 0.0, -1.0, 1.0)
     turned = axes.transpose(0, 2, 1).copy()
     turned[:, :, 2] *= side[:, None]
@@ -40,7 +52,8 @@ def crack_rows(facet: Ints, strength: ArrayLike, axes: Floats, left: Floats, ali
         Shape (c, CRACK_COLUMNS).
     """
     rows = np.zeros((len(facet), CRACK_COLUMNS))
-    rows[:, FACET], rows[:, ONSET], rows[:, ALIKE], rows[:, ONSET_STEP] = facet, strength, alike, np.nan
+    rows[:, FACET], rows[:, ONSET], rows[:, ONSET_STEP] = facet, strength, np.nan
+    rows[:, KIND] = np.where(alike, ALIKE, np.where(left[:, 3] == 0.0, LET_GO, OF_MATERIAL))
     rows[:, AXES : AXES + 4] = stored_axes(axes)
     rows[:, LEFT : LEFT + 4] = rows[:, BEFORE : BEFORE + 4] = left
     return rows

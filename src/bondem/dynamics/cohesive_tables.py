@@ -8,13 +8,14 @@ from bondem._cache_lines import lines
 from bondem._types import Floats, Ints
 from bondem.damage.crack_columns import (
     ACTIVE,
-    ALIKE,
     AXES,
     BEFORE,
     CRACK_COLUMNS,
     FACET,
     FRESH,
     GAMMA,
+    KIND,
+    LEFT,
     ONSET,
     ONSET_STEP,
     RATE,
@@ -137,7 +138,7 @@ class CohesiveCracks(NamedTuple):
             (columns(LEFT, 4), self.frame, columns(4, 4)), (columns(RATE, 4), self.past, columns(4, 4)),
             (columns(BEFORE, 4), self.past, columns(0, 4)), (columns(SLIP, 3), self.state, columns(0, 3)),
             (columns(RUB, 3), self.state, columns(3, 3)), (STATUS, self.history, 0), (SPENT, self.history, 1),
-            (TOP, self.shape, 7), (FRESH, self.state, 6), (ALIKE, self.state, 7), (ONSET_STEP, self.history, 6),
+            (TOP, self.shape, 7), (FRESH, self.state, 6), (KIND, self.state, 7), (ONSET_STEP, self.history, 6),
         ]  # fmt: skip
 
     def keep(self, kept: FacetForces, state: State) -> None:

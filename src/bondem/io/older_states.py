@@ -3,7 +3,21 @@
 import numpy as np
 
 from bondem._types import Floats
-from bondem.damage.crack_columns import ACTIVE, CRACK_COLUMNS, FACET, LEFT, ONSET, RATE, RESTING, RUB, SLIP, SPENT, STATUS, TOP
+from bondem.damage.crack_columns import (
+    ACTIVE,
+    CRACK_COLUMNS,
+    FACET,
+    KIND,
+    OF_MATERIAL,
+    ONSET,
+    RATE,
+    RESTING,
+    RUB,
+    SLIP,
+    SPENT,
+    STATUS,
+    TOP,
+)
 from bondem.damage.crack_rows import alike_left, axes_along, crack_rows
 from bondem.damage.event_columns import BROKEN_PLACE
 from bondem.model.model import Model
@@ -46,7 +60,7 @@ def brought_up(model: Model, state: State, schema: int) -> None:
 
 
 def with_directions(model: Model, state: State) -> Floats:
-    """Return cracks of files whose facets had one integrity: along the normal of the facet, and alike in its plane."""
+    """Return cracks of files whose facets had one integrity: it goes for all directions of the facet."""
     older, cells = state.cracks, model.cells
     if cells is None:
         return np.zeros((0, CRACK_COLUMNS))
@@ -55,9 +69,10 @@ def with_directions(model: Model, state: State) -> Floats:
     alike = older[:, 1] == 0.0 if table is None else (older[:, 1] == 0.0) | table.plane[facet]
     rows = crack_rows(facet, older[:, 1], axes_along(cells.normal[facet]), alike_left(state.integrity[facet]), alike)
     rows[:, SLIP : SLIP + 3], rows[:, RUB : RUB + 3] = older[:, 2:5], older[:, 8:11]
-    rows[:, RATE], rows[:, STATUS], rows[:, SPENT], rows[:, TOP] = older[:, 5], older[:, 6], older[:, 11], older[:, 12]
+    for column, of_row in ((RATE, 5), (STATUS, 6), (SPENT, 11), (TOP, 12)):
+        rows[:, column] = older[:, of_row]
     # cracks of the material that are not gone are treated one by one
-    softens = ~alike & (rows[:, LEFT] > 0.0)
+    softens = rows[:, KIND] == OF_MATERIAL
     rows[softens & (rows[:, STATUS] == RESTING), STATUS] = ACTIVE
     rows[softens, SLIP : SLIP + 3] = rows[softens, RUB : RUB + 3] = 0.0
     return rows

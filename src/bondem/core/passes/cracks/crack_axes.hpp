@@ -39,7 +39,7 @@ inline void choose_axes(const Moving &all, const ElasticFacets &facets, const Ce
                         const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index k,
                         CrackOf crack_of) {
     const double *const left = frame_of(cracks, k).left;
-    if (state_of(cracks, k).alike > 0.0 || left[0] < 1.0 || left[1] < 1.0 || left[2] < 1.0) return;
+    if (state_of(cracks, k).kind > 0.0 || left[0] < 1.0 || left[1] < 1.0 || left[2] < 1.0) return;
     const Short cells[2] = {facets.i(k), facets.j(k)};
     Index leader = -1;
     double least_left = 1.0;
@@ -49,7 +49,7 @@ inline void choose_axes(const Moving &all, const ElasticFacets &facets, const Ce
         for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
             const Index other = crack_of(h);
             const double s = past_of(cracks, other).left[0];  // a step ago: that of others does not depend on their order
-            if (state_of(cracks, other).alike > 0.0 || !(s < least_left || (s == least_left && s < 1.0 && other < leader)))
+            if (state_of(cracks, other).kind > 0.0 || !(s < least_left || (s == least_left && s < 1.0 && other < leader)))
                 continue;
             leader = other;
             least_left = s;

@@ -28,10 +28,10 @@ BONDEM_INLINE CrackPlace<T> place_of(const Group &group, const Array<double, 2> 
     CrackPlace<T> at = {ends, {a.column[stress_column], b.column[stress_column]}, {}, {f[6], f[3]}, f[4], f[5], {},
                         group.lines(cracks.state)};
     const T *const s = at.state.column;
-    at.alike = s[7] > T{};
+    at.alike = s[7] == all<T>(double(crack::alike));
     const CrackIntegrity<T> left = {{q[4], q[5], q[6]}, q[7]};
     at.now = crack_faces(ends, group.shapes(cracks), {f[0], f[1], f[2]}, {q[0], q[1], q[2], q[3]}, left,
-                         at.alike | (left.grip == T{}), {s[0], s[1], s[2]});
+                         s[7] > T{}, {s[0], s[1], s[2]});
     return at;
 }
 

@@ -22,7 +22,7 @@ struct CrackStateRow {
     double slip[3];  // of the faces, or of the spring of friction, in the frame of cell i [m]
     double rub[3];  // friction force a step ago [N], or by how much the faces slip in this step, in that frame [m]
     double fresh;  // 1 for a crack that begins to be treated in this step
-    double alike;  // 1 where one integrity goes for all directions: a material plane, or a cell without cohesion
+    double kind;  // `crack::Kind`
 };
 struct CrackFrameRow {
     double axes[4];  // quaternion in the frame of cell i
@@ -59,6 +59,9 @@ inline CrackHistoryRow &history_of(const CohesiveCracks &cracks,
                                    Index c) { return cracks.history.row<CrackHistoryRow>(c); }
 
 namespace crack {
+// A crack of the material; one with one integrity for all directions, of a material plane or a cell without cohesion; and
+// one of the material that has let go of what acts along it, so that friction is by a spring of its own.
+enum Kind : int { of_material, alike, let_go };
 // How a crack is treated: one by one; as a facet of less stiffness; not at all, as its faces have parted.
 enum Status : int { active, resting, parted };
 // What becomes of a crack in a step, besides nothing.

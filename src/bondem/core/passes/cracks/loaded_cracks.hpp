@@ -42,18 +42,23 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
     if (changes) {
         const Vector3<T> pull = pull_of(group, cracks), stored = {state[3], state[4], state[5]};
         const Vector3<T> came = select<T>(at.now.rubs, now - slip, none), was_rub = select<T>(at.now.rubs, stored, none);
-        const CrackStep<T> step = {before, left, rates_before(at.facet, at.now, at.alike, half, pull, bending.energy, before, past.column + 4),
+        const CrackRates<T> was = rates_before(at.facet, at.now, at.alike, half, pull, bending.energy, before, past.column + 4);
+        const CrackStep<T> step = {before, left, was,
                                    rates, was_rub, rub, came};
         lost = crack_losses(at.facet.k, step);
         // work of the force against what the faces of a crack of the material have slipped
         const T slid = 0.5 * dot(pull + f, turned_by(at.ends.i, stored));
-        const T rubbed = shear_each(group, at, f, treated, strengths, stresses, cracks, lists);
-        lost.cracked = lost.cracked + select(at.now.rubs, zero, T((1.0 - rubbed) * slid));
-        lost = {kept(lost.cracked), kept(select(at.now.rubs, lost.rubbed, T(rubbed * slid)))};
-        const Vector3<T> own = select<T>(at.now.rubs, turned_by(inverse(at.ends.i), now), Vector3<T>{state[0], state[1], state[2]});
+        lost = {kept(lost.cracked), kept(select(at.now.rubs, lost.rubbed, slid))};
+        shear_each(group, at, f, treated, strengths, stresses, cracks, lists);
+        // the spring of friction of a crack that has let go is at rest where the faces are now
+        const Mask<T> lets_go = opposite(at.now.rubs) & (left.grip == zero);
+        const Vector3<T> e = at.now.across(), beside = plus(minus(at.now.gap, dot(at.now.gap, e), e), dot(slip, e), e);
+        const Vector3<T> end = select<T>(lets_go, beside, now), back = turned_by(inverse(at.ends.i), end);
+        const Vector3<T> own = select<T>(at.now.rubs | lets_go, back, Vector3<T>{state[0], state[1], state[2]});
+        const T kind = select(lets_go, bondem::all<T>(double(crack::let_go)), state[7]);
         const Vector3<T> own_kept = select<T>(treated, own, none), rub_kept = select<T>(treated & at.now.rubs, rub, none);
         group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, zero,
-                                  state[7]}});
+                                  kind}});
         group.put(cracks.past, {{left.s[0], left.s[1], left.s[2], left.grip, rates.of[0], rates.of[1], rates.of[2],
                                  rates.of[3]}});
         if (any(lost.cracked != zero))

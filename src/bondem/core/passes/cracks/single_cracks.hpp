@@ -24,10 +24,10 @@ struct SingleCrack {
         const CrackFrameRow &frame = frame_of(cracks, k);
         stiffness = {face.k, face.part};
         area = face.area;
-        alike = state.alike > 0.0;
+        alike = state.kind == crack::alike;
         const CrackIntegrity<double> left = left_of(frame.left);
         now = crack_faces(ends, facet_shape(cracks, k), {face.normal[0], face.normal[1], face.normal[2]},
-                          quaternion_of(frame.axes), left, alike || left.grip == 0.0,
+                          quaternion_of(frame.axes), left, state.kind > crack::of_material,
                           {state.slip[0], state.slip[1], state.slip[2]});
     }
     // Whether nothing is left but what presses along its normal.
@@ -141,7 +141,7 @@ inline void begin_crack(const ElasticFacets &facets, const FacetForces &kept, co
     const bool loose = onset.marked(k) != 1;
     state_of(cracks, k) = {};
     state_of(cracks, k).fresh = 1.0;
-    state_of(cracks, k).alike = loose || strengths.plane(k) != 0.0 ? 1.0 : 0.0;
+    state_of(cracks, k).kind = loose || strengths.plane(k) != 0.0 ? crack::alike : crack::of_material;
     frame_of(cracks, k) = {};
     past_of(cracks, k) = {};
     for (int d = 0; d < 4; d++) frame_of(cracks, k).left[d] = past_of(cracks, k).left[d] = 1.0;

@@ -16,16 +16,14 @@
 
 namespace bondem {
 
-// What would slide of the cracks of a group, by half; 0 for those of which friction is a spring of their own. Returns the
-// share of friction in what they bear.
+// What would slide of the cracks of a group, by half; 0 for those of which friction is a spring of their own.
 template <class Group, class T = typename Group::Number>
-BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<T> f, Mask<T> treated,
+BONDEM_INLINE void shear_each(const Group &group, const CrackPlace<T> &at, Vector3<T> f, Mask<T> treated,
                               const FacetStrengths &strengths, const StressesOfCells &stresses,
                               const CohesiveCracks &cracks, const CrackLists &lists) {
     const T zero = {}, one = all<T>(1.0), s = at.now.left.s[0];
     const Mask<T> slides = treated & opposite(at.now.rubs) & (s < one);
     Row<T> i = {}, j = {};
-    T rubbed = {};
     if (any(slides)) {
         const Vector3<T> e = at.now.across(), n = at.now.normal;
         const Softening<T> facet = {group.number(cracks.softening, 7), group.number(cracks.softening, 5)};
@@ -44,12 +42,10 @@ BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<
         const T most_borne = at.area * slope * r * facet.strength, across = positive(along);
         const T cohesion = root(positive(T(most_borne * most_borne - across * across)));
         const T friction = at.friction * positive(-along), bears = loose * (cohesion + friction);
-        rubbed = select(friction > zero, friction / (cohesion + friction), zero);
         i = {{of_i.x, of_i.y, of_i.z, stiff, shear.x, shear.y, shear.z, bears}};
         j = {{of_j.x, of_j.y, of_j.z, stiff, -shear.x, -shear.y, -shear.z, bears}};
     }
     group.put_halves(lists.shear, i, j);
-    return rubbed;
 }
 
 // By how much the cracks of cell p slip.

@@ -36,10 +36,11 @@ BONDEM_INLINE void watch_each(const Group &group, const Moving &all, const doubl
     const T *const q = frame.column;
     const Vector3<T> across = axes_of(ends.i, Quaternion<T>{q[0], q[1], q[2], q[3]}).e[0];
     const Vector3<T> one = turned_by(ends.i, shape.share_i), other = turned_by(ends.j, shape.share_j);
-    const Vector3<T> gap = opened(ends, shape).gap;
+    const Vector3<T> gap = opened(ends, shape).gap, middle = one + other;
     const Vector3<T> f = plus(plus(k * gap, a.column[stress_column], one), b.column[stress_column], other);
     const T square = dot(f, f);
-    const Mask<T> open = dot(f, across) > crack::grazing * root(square);
+    const Mask<T> open = (dot(f, across) > crack::grazing * root(square)) &
+                         (dot(f, middle) > crack::grazing * root(square * dot(middle, middle)));
     const Mask<T> may_soften = top < endless;
     Mask<T> wakes = opposite(open & (top > zero));
     if (any(may_soften)) {
@@ -138,13 +139,10 @@ inline void put_softened(const Moving &all, const ElasticFacets &facets, const C
             turned = true;
         }
     if (turned) put_axes(cracks, k, orientation(gather(all.pose.data, facets.i(k))), found.at);
-    const bool lets_go = found.left.grip == 0.0 && frame.left[3] > 0.0;
     for (int d = 0; d < 3; d++) frame.left[d] = s[d];
     frame.left[3] = found.left.grip;
     cracks.integrity(k) = found.left.least_left();
     const SingleCrack one(all.pose, facets, cracks, k);
-    // friction is by a spring of the crack from now on
-    if (lets_go && !one.alike) rest_friction(state_of(cracks, k), one);
     put_halves_of(lists, e, one.stiffness, one.now);
 }
 
@@ -198,6 +196,8 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
             calm |= plane & ((root(dot(load.t, load.t) + bent * bent) < crack::asleep * least_traction) |
                              (integrity_left(s, more, of.by, curve) == s));
             found.left.s[0] = select(plane, left, found.left.s[0]);
+            for (int d = 1; d < 3; d++) found.left.s[d] = select(plane, now.left.s[d], found.left.s[d]);
+            for (int d = 0; d < 3; d++) found.at.e[d] = select<T>(plane, now.at.e[d], found.at.e[d]);
             found.left.grip = select(plane, left, found.left.grip);
         }
         const auto fell = [&](T before, T left) { return left < before; };
