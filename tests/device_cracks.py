@@ -94,5 +94,5 @@ CASES: dict[str, Callable[[], Case]] = {
         free(RANKINE, contact=bd.LinearContact(E=40e9, friction=0.4)), thrown((-40.0, -12.0, -12.0), 10.0), 500,
         0.25 * STEP, {"every": 100},
     ),
-    "sliding on a joint": lambda: (sliding(), pushed, 500, 0.8 * STEP, {"every": 100}),
+    "sliding on a joint": lambda: (sliding(), pushed, 450, 0.8 * STEP, {"every": 100}),
 }  # fmt: skip

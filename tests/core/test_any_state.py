@@ -106,7 +106,7 @@ def test_anything_in_place_of_an_array_of_a_state_is_run_or_refused(kind):
 def test_numbers_of_elements_and_bonds_that_are_not_there_are_refused(name, column, number, words):
     model = MODELS["beams"]
     state = ran(model)
-    state.touching, state.stretch = np.array([[0, 35]]), np.zeros((1, 6))
+    state.touching, state.stretch = np.array([[0, 35]]), np.zeros((1, 9))
     state.broken = np.zeros((1, BROKEN_COLUMNS))
     getattr(state, name)[0, column] = number
     with pytest.raises(BondemError, match=words):

@@ -18,7 +18,7 @@ from tests.device_sides import (
 from tests.recording import Record
 
 #: Cases in which cracks open so wide that they rest.
-RESTS = "brittle", "driven together and touching"
+RESTS = "brittle", "driven together and touching", "sliding on a joint"
 
 pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
 

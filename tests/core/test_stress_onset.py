@@ -1,4 +1,4 @@
-"""Facets that begin to crack by a function of the stress: numbers of the former loop, and bits."""
+"""Facets that begin to crack by a function of the stress: bits."""
 
 import numpy as np
 import pytest
@@ -10,8 +10,7 @@ from bondem.dynamics.explicit import ExplicitResult, integrate
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
 from tests.bits import assert_same_bits
-from tests.core.former_loop import FormerLoop, with_former_law
-from tests.specimens import bar, crooked_cells
+from tests.specimens import bar
 
 
 def largest(stress, tension):
@@ -38,20 +37,6 @@ def torn(failure: bd.Criterion, lattice: bd.Lattice, *, steps: int = 110, every:
     model = bd.Model(lattice, law, density=2e3, failure=failure, boundary=pulled())
     dt = 0.9 * critical_step(model, bd.VelocityVerlet())
     return integrate(model, Plan(duration=steps * dt, dt=dt, every=every, gauges={}), loop_of=CoreLoop)
-
-
-@pytest.mark.parametrize("name", FAILURES)
-def test_cracks_are_those_of_the_former_loop(name, monkeypatch):
-    body = with_former_law(monkeypatch, crooked_cells((10, 5, 5), edge=2e-3), pulled())
-    result = torn(FAILURES[name], body)
-    state, former = result.state, FormerLoop("stress_onset", name)
-    assert len(state.cracks) > 100
-    cracks = state.cracks[np.argsort(state.cracks[:, 0])]
-    former.assert_same(cracked=cracks[:, 0])
-    former.assert_close(1e-8, strengths=cracks[:, 1])  # in the direction of cracks
-    former.assert_close(1e-8, displacement=state.displacement)  # cracks amplify rounding
-    former.assert_close(1e-10, position=state.position, released=state.released)
-    former.assert_records(1e-10, result.history.records[:-1])  # its runs did not record their end
 
 
 @pytest.mark.parametrize("name", ["cone", "function"])

@@ -31,10 +31,11 @@ def test_a_calm_cell_does_not_yield() -> None:
     strength = np.sqrt(2.01 * ((stress**2).sum(axis=0) + (stress[3:] ** 2).sum(axis=0)))
     same = np.ones(stress.shape[1])
     for sine in (0.0, 0.5, 0.95, 1.0):
-        bound, gamma = yielding(stress, np.array([strength, sine * same, 0.1 * same, same]), cone=False)[:2]
+        by = np.array([strength, sine * same, 0.1 * same, same, 0.0 * same])
+        bound, gamma = yielding(stress, by, cone=False)[:2]
         assert (bound <= 0.0).all()
         assert (gamma == 0.0).all()
-        on_cone = yielding(stress, np.array([strength, 0.3 * sine * same, 0.1 * same, same]), cone=True)
+        on_cone = yielding(stress, np.array([strength, 0.3 * sine * same, 0.1 * same, same, 0.0 * same]), cone=True)
         assert (on_cone[1] == 0.0).all()
         close = max(close, ((bound + strength) / strength).max())
     assert 0.85 < close <= 1.0  # of use; 1.26 of 1.42

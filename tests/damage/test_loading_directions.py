@@ -165,14 +165,14 @@ def test_equilibria_and_runs_judge_alike() -> None:
     traction[(traction * normal).sum(axis=1) < 0.0] *= -1.0
     full = mean[:, [[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
     opened = Opened.of(table, facets, normal, traction, np.zeros(20), full)
-    for s in (1.0,):
+    for s in (1.0,):  # a run keeps the directions of cracks, equilibria follow those of the stress
         for e, factor in enumerate(opened.reached(np.full(20, s))):
             k, n = facets[e], tuple(normal[e])
             for near, falls in ((1.0 - 1e-6, False), (1.0 + 1e-6, True)):
                 now = softening(
                     s, near * factor * traction[e], n, full[e], strength=table.strength[k], last=table.last[k],
                     plane=bool(table.plane[k]),
-                )[:3].min()  # fmt: skip
+                )[: 1 if table.plane[k] else 3].min()  # fmt: skip
                 assert (now < s) == falls
 
 
