@@ -25,7 +25,7 @@ def section() -> Section:
         title="Strength over volume",
         before=(
             "Strengths of bars scatter after Weibull by flaws that set the strength of all facets within 6 mm, two"
-            " cells (`bd.Weibull(correlation=)`, [decision 0050](../decisions/0050-weakest-link.md)). Mean strengths"
+            " cells (`bd.Weibull(correlation=)`, [decision 0050](decisions/0050-weakest-link.md)). Mean strengths"
             " are compared with Γ(1 + 1/m) s₀ (V₀/V)^(1/m), within 5 %."
         ),
         rows=tuple(_row(one) for one in bars),
