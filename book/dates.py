@@ -21,6 +21,7 @@ CHANGES = {
     "the compiled core": ("2026-11-26T13:24", "0029-core.md"),
     "softening along present directions": ("2026-11-26T10:54", "0028-softening-along-present-directions.md"),
     "the balanced shares": ("2026-11-27T22:20", "0036-balanced-shares.md"),
+    "cracks that keep directions": ("2026-11-28T05:24", "0045-cracks-that-keep-directions.md"),
 }
 
 #: Records of bodies of cells whose facets fail; of others a change of their softening is no change.
@@ -75,7 +76,7 @@ def older_results(chapters: Sequence[tuple[str, Sequence[Measurement]]]) -> dict
         The chapters and their older records in words, by change; changes that all results have are left out.
     """
     found = {}
-    for change in ("softening along present directions", "the balanced shares"):
+    for change in ("softening along present directions", "the balanced shares", "cracks that keep directions"):
         lines = []
         for link, records in chapters:
             names = [one.name for one in records if one.name in FAILING and is_older(one, change)]

@@ -10,7 +10,11 @@ from book.results import Measurement
 PATHS = Measurement(
     "loading_paths", "python benchmarks/loading_paths.py && python benchmarks/loading_paths.py --summary", "3 h"
 )
-MEASUREMENTS = (PATHS,)
+#: The same with the rule of cracks that equilibria have.
+BEFORE = Measurement(
+    "loading_paths_before", "python benchmarks/loading_paths.py --summary --name loading_paths_before", "3 h"
+)
+MEASUREMENTS = (PATHS, BEFORE)
 
 RATIO, FINE, COARSE, MPA = Form(style=".2f"), Form(style=".3f"), Form("%", 1e-2, ".0f"), Form("MPa", 1e6, ".1f")
 _CONCRETE = 4e6
@@ -18,7 +22,7 @@ _CONCRETE = 4e6
 
 def quoted() -> Sequence[Quoted]:
     """All quoted numbers of fracture."""
-    return [*_bars(), *_first_loads(), *_lateral(), *_solvers(), *_discs(), _bimetal()]
+    return [*_bars(), *_pressed(), *_solvers(), *_discs(), _bimetal()]
 
 
 def _rows(name: str, *, task: str = "") -> list[dict]:
@@ -62,41 +66,17 @@ def _bars() -> list[Quoted]:
 _ONE_CRACK = 1.05
 
 
-def _first_loads() -> list[Quoted]:
-    before = "Rankine, 80 mm, after 2 f_t/E along x: "
+def _pressed() -> list[Quoted]:
     found = []
-    for name, quantities, task in (
-        ("strength", ("strength along y", "strength along z"), "cross"),
-        ("stiffness", ("stiffness along y", "stiffness along z"), "cross"),
-        ("compression", ("modulus in compression along x",), "cross"),
-        ("shear", ("largest σ1 in shear",), "diagonal"),
-    ):  # fmt: skip
-        names = [before + one for one in quantities]
+    for pressure in (3, 6):
+        case = f"pressure {pressure} f_t held by platens: G_f"
+        rows = [row for one in BEFORE.at("cases") for row in one["rows"] if row["name"] == case]
         found.append(Quoted(
-            name=f"first.{name}", size=_size(names[0], task=task, what="cubes"), record=PATHS, form=RATIO,
-            says=f"cubes after 2 f_t/E along x: {' and '.join(quantities)}, over the same without the first load",
-            values=_measured(*names, task=task),
+            name=f"pressed.before{pressure}", says=f"dissipation of a crack beside a pressure of {pressure} f_t, "
+            "over G_f and the section, with the rule of equilibria in explicit runs", record=BEFORE, form=RATIO,
+            size=f"{rows[0]['count']} cells, {len(rows)} packings",
+            values=tuple(row["measured"] / row["expected"] for row in rows),
         ))  # fmt: skip
-    return found
-
-
-def _lateral() -> list[Quoted]:
-    found = []
-    for name, case, words in (
-        ("lateral.high", "dead stress 0.9 f_t across: G_f", "beside a dead lateral tension of 0.9 f_t"),
-        ("lateral.half", "dead stress 0.5 f_t across: G_f", "beside a dead lateral tension of 0.5 f_t"),
-        ("lateral.equal", "biaxial 1:1: G_f", "under equal tension along two axes"),
-    ):
-        found.append(Quoted(
-            name=name, says=f"dissipation of a crack {words}, over G_f and the section", record=PATHS, form=RATIO,
-            size=_size(case, what="bodies"), values=_measured(case),
-        ))  # fmt: skip
-    pressed = "dead stress -1 f_t across: G_f"
-    found.append(Quoted(
-        name="lateral.pressure", says="largest dissipation of a crack beside a dead pressure of f_t, over G_f and "
-        "the section", size=_size(pressed, what="bodies"), record=PATHS, form=RATIO,
-        values=(max(_measured(pressed)),),
-    ))  # fmt: skip
     return found
 
 
