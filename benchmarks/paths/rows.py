@@ -140,6 +140,10 @@ def table(found: Sequence[Verdict], rows: Sequence[Row], before: Sequence[Verdic
         own = [row for row in rows if row.case == case]
         seeds, counts = ({getattr(row, name) for row in own} for name in ("seed", "count"))
         lines.append(f"- {case}: packings {_listed(seeds)}; {_listed(counts)} cells")
+    now = {(one.case, one.name) for one in found}
+    gone = [f"{one.case}: {one.name}" for one in before if (one.case, one.name) not in now]
+    if gone:
+        lines.append(f"- only in the record before, not measured again: {'; '.join(gone)}")
     return "\n".join(lines) + "\n"
 
 

@@ -53,8 +53,9 @@ def test_where_nothing_is_expected_a_tolerance_is_in_the_unit_and_a_stated_numbe
     assert found[0].worst == pytest.approx(-0.06)
     assert found[0].mean == pytest.approx(-0.01)
     assert (found[1].mean, found[1].worst) == (None, None)
-    before = verdicts([Row("a", "left", 0.3, 0.0, 0.05, 1, 400)])
+    before = verdicts([Row("a", name, 0.3, 0.0, 0.05, 1, 400) for name in ("left", "slip")])
     text = table(found, [*left, *told], before)
+    assert text.endswith("not measured again: a: slip\n")
     assert "| a | left | 2 | -0.010 | -0.060 | 1 | 0.300 | 0.300 | 5 % | each | missed |" in text
     assert "| a | pressure | 2 | – | – | – | – | – | – | each | stated |" in text
     assert "0 of 1 quantities met" in text
