@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import bondem as bd
-from paths.driving import LAW, RHO, RISE, TENSION, TRAVERSES, E, Floats, edges, travel
+from paths.driving import LAW, RHO, RISE, TENSION, TRAVERSES, E, Floats, edges, speeds, travel
 
 _EVERY = 50
 
@@ -70,6 +70,8 @@ def sheared(
     begin = 0.0 if state is None else state.time
     whole = [point if len(point) == 3 else (*point, -LAW.nu * point[0]) for point in points]
     times, values = travel(whole, TENSION / E / until, RISE * until, begin)
+    # a later stage goes on from where facets are, which need not be exactly where they were at first
+    how, ways = ("", values) if state is None else ("v", speeds(times, values))
     boundary = []
     assert body.cells is not None
     free = body.cells.free
@@ -78,10 +80,9 @@ def sheared(
         for cell in np.unique(free.cell[facets]):
             own = facets[free.cell[facets] == cell]
             x, y, _ = np.average(free.centroid[own], axis=0, weights=free.area[own])
-            u = values[:, 0] * x + 0.5 * values[:, 1] * y, values[:, 2] * y + 0.5 * values[:, 1] * x
-            boundary.append(
-                bd.Drive(bd.Face(name) & bd.Index([int(cell)]), x=bd.Table(times, u[0]), y=bd.Table(times, u[1]))
-            )
+            way = ways[:, 0] * x + 0.5 * ways[:, 1] * y, ways[:, 2] * y + 0.5 * ways[:, 1] * x
+            moved = {f"{how}{axis}": bd.Table(times, one) for axis, one in zip("xy", way, strict=True)}
+            boundary.append(bd.Drive(bd.Face(name) & bd.Index([int(cell)]), **moved))
     boundary.append(bd.Fix(bd.Face("z_min"), translation="z", rotation=""))
     model = bd.Model(body, LAW, RHO, failure=failure, boundary=boundary)
     share = body.cells.volume / body.cells.volume.sum()
