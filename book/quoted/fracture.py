@@ -1,6 +1,7 @@
 """Strength and fracture energy: bars, loading paths, discs."""
 
 from collections.abc import Sequence
+from statistics import fmean
 
 from book.chapters.concrete import CONCRETE
 from book.forms import Form
@@ -22,7 +23,7 @@ _CONCRETE = 4e6
 
 def quoted() -> Sequence[Quoted]:
     """All quoted numbers of fracture."""
-    return [*_bars(), *_pressed(), *_solvers(), *_discs(), _bimetal()]
+    return [*_bars(), *_pressed(), *_compact(), *_sheared(), *_solvers(), *_discs(), _bimetal()]
 
 
 def _rows(name: str, *, task: str = "") -> list[dict]:
@@ -76,6 +77,39 @@ def _pressed() -> list[Quoted]:
             "over G_f and the section, with the rule of equilibria in explicit runs", record=BEFORE, form=RATIO,
             size=f"{rows[0]['count']} cells, {len(rows)} packings",
             values=tuple(row["measured"] / row["expected"] for row in rows),
+        ))  # fmt: skip
+    return found
+
+
+def _compact() -> list[Quoted]:
+    case = "compact tension: G_f"
+    found = []
+    for name, record, words, pick in (
+        ("work", PATHS, "mean", fmean), ("largest_work", PATHS, "largest of all", max),
+        ("former", BEFORE, "mean, with the rule of equilibria", fmean),
+    ):  # fmt: skip
+        rows = [row for one in record.at("cases") for row in one["rows"] if row["name"] == case]
+        rows = [row for row in rows if row["count"] == _COMPACT]
+        packings = len({row["seed"] for row in rows})
+        found.append(Quoted(
+            name=f"compact.{name}", says=f"work of compact-tension bodies over G_f and the ligament: {words}",
+            size=f"{_COMPACT} cells, {packings} packings, {len(rows)} bodies", record=record, form=RATIO,
+            values=(pick([row["measured"] for row in rows]),),
+        ))  # fmt: skip
+    return found
+
+
+#: Cells of the bodies in compact tension whose work is quoted.
+_COMPACT = 400
+
+
+def _sheared() -> list[Quoted]:
+    found = []
+    for name, reach in (("first.shear_soon", "1.02"), ("first.shear", "2")):
+        case = f"Rankine, 80 mm, after {reach} f_t/E along x: largest σ1 in shear"
+        found.append(Quoted(
+            name=name, says=f"cubes after {reach} f_t/E along x: largest σ1 in shear, over f_t", record=PATHS,
+            form=RATIO, size=_size(case, what="cubes"), values=_measured(case),
         ))  # fmt: skip
     return found
 
