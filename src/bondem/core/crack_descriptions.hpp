@@ -72,7 +72,7 @@ BONDEM_TABLE(CrackEnergies, F(dilatation, "element_portions"), F(heat, "element_
         S(serial, weigh_cracked_cells), S(serial, list_cracks), S(serial, carry_cracks),                      \
         S(of_elements, begin_bases), S(serial, measure_cracks), S(serial, relax_cracked_cells),               \
         S(serial, watch_resting_cracks), S(serial, wake_cracks), S(serial, soften_cracks),                    \
-        S(serial, choose_crack_axes), S(serial, slide_cracks),                                                \
+        S(serial, slide_cracks),                                                \
         S(serial, leave_cracks), S(serial, relax_stale_cells), S(serial, load_cracks), S(serial, log_cracks), \
         S(elements_of_blocks, add_crack_loads), S(of_elements, sum_stressed_dilatation),                      \
         S(of_elements, sum_heat), S(serial, sum_crack_energies), S(serial, add_crack_energies),                   \

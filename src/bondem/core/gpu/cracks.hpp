@@ -7,7 +7,6 @@
 #include "../passes/contacts/face_contacts.hpp"
 #include "../passes/contacts/handover.hpp"
 #include "../passes/cracks/carried.hpp"
-#include "../passes/cracks/crack_axes.hpp"
 #include "../passes/cracks/crack_loads.hpp"
 #include "../passes/cracks/loaded_cracks.hpp"
 #include "../passes/cracks/opening.hpp"
@@ -81,12 +80,13 @@ inline void begin_base(Index p, const DeviceSpan &span, const Moving &all, const
     begin_bases(turn_of(span, p), all, cells, lists);
 }
 inline void measure_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
-                          const CohesiveCracks &cracks, const CrackLists &lists, const LossesOfCracks &losses) {
+                          const CellSlack &slack, const StressesOfCells &stresses, const CohesiveCracks &cracks,
+                          const CrackLists &lists, const LossesOfCracks &losses) {
     if (k == 0) cracks.size(1) = 0;  // all halves are linked
     lists.flag(k) = lists.waking(k) = crack::unchanged;
     losses.lost(k) = 0.0;
     if (!is_treated(cracks, k)) return;
-    measure_each(OneCrack(facets, k), all, facets.period.data, cracks, lists, 0, takes_time(span));
+    measure_each(OneCrack(facets, k), all, facets, slack, stresses, cracks, lists, 0, takes_time(span));
 }
 inline void relax_cell(Index p, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
     if (lists.head(p) != 0) relax(OneCell{Short(p)}, all, cells, lists, false);
@@ -139,12 +139,6 @@ inline void take_woken(Index p, const DeviceSpan &span, const Moving &all, const
 
 // ---- softening
 
-inline void choose_crack_axis(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
-                              const CellSlack &slack, const StressesOfCells &stresses, const CohesiveCracks &cracks,
-                              const CrackLists &lists) {
-    if (!is_treated(cracks, k) || !takes_time(span)) return;
-    choose_axes(all, facets, slack, stresses, cracks, lists, k, [](Index half) { return (half - 1) >> 1; });
-}
 inline void soften_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                          const FacetStrengths &strengths, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                          const CrackLists &lists) {

@@ -191,7 +191,6 @@
     X(watch_resting_crack)              \
     X(wake_crack)                       \
     X(take_woken)                       \
-    X(choose_crack_axis)                \
     X(soften_crack)                     \
     X(slide_cell)                       \
     X(slide_crack_of)                   \

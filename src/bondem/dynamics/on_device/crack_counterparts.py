@@ -30,15 +30,15 @@ _weigh_cell = IndexPass("weigh_cell", CellDilatation, CellSlack, CohesiveCracks)
 _carry_cell = IndexPass("carry_cell", StressesOfCells, CohesiveCracks, CrackLists)
 _link_halves = IndexPass("link_halves", CohesiveCracks, CrackLists, BondsOfElements)
 _begin_base = IndexPass("begin_base", DeviceSpan, Moving, CellDilatation, CrackLists)
-_measure_crack = IndexPass("measure_crack", DeviceSpan, Moving, *_CRACKS, LossesOfCracks)
+_measure_crack = IndexPass(
+    "measure_crack", DeviceSpan, Moving, ElasticFacets, CellSlack, StressesOfCells, CohesiveCracks, CrackLists,
+    LossesOfCracks,
+)  # fmt: skip
 _relax_cell = IndexPass("relax_cell", Moving, CellDilatation, CrackLists)
 _relax_stale_cell = IndexPass("relax_stale_cell", Moving, CellDilatation, CrackLists)
 _JUDGED = DeviceSpan, Moving, ElasticFacets, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists
 _watch_resting_crack = IndexPass(
     "watch_resting_crack", DeviceSpan, Moving, ElasticFacets, FacetStrengths, CohesiveCracks, CrackLists
-)
-_choose_axis = IndexPass(
-    "choose_crack_axis", DeviceSpan, Moving, ElasticFacets, CellSlack, StressesOfCells, CohesiveCracks, CrackLists
 )
 _wake_crack = IndexPass("wake_crack", Moving, *_CRACKS)
 _CHANGED = DeviceSpan, Moving, ElasticFacets, CellDilatation, CellSlack, CohesiveCracks, CrackLists
@@ -127,9 +127,11 @@ def _list(run: Translation, _: ElasticFacets, cracks: CohesiveCracks, lists: Cra
 
 
 def _measure(
-    run: Translation, moving: Moving, facets: ElasticFacets, cracks: CohesiveCracks, lists: CrackLists
-) -> list[Launch]:
-    return [(_measure_crack, run.span.m, (run.span, moving, facets, cracks, lists, _losses(run, cracks)))]
+    run: Translation, moving: Moving, facets: ElasticFacets, slack: CellSlack, stresses: StressesOfCells,
+    cracks: CohesiveCracks, lists: CrackLists,
+) -> list[Launch]:  # fmt: skip
+    losses = _losses(run, cracks)
+    return [(_measure_crack, run.span.m, (run.span, moving, facets, slack, stresses, cracks, lists, losses))]
 
 
 def _wake(
@@ -200,7 +202,6 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "relax_stale_cells": over(_relax_stale_cell, elements, spans=False),
     "watch_resting_cracks": over(_watch_resting_crack, bonds),
     "wake_cracks": _wake,
-    "choose_crack_axes": over(_choose_axis, bonds),
     "soften_cracks": over(_soften_crack, bonds),
     "leave_cracks": _leave,
     "touch_parted_faces": _touch,

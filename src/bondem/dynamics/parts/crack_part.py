@@ -76,16 +76,15 @@ _list_cracks = StepPass("list_cracks", ElasticFacets, CohesiveCracks, CrackLists
 _carry_cracks = StepPass("carry_cracks", StressesOfCells, CohesiveCracks, CrackLists)
 _sum_moments = StepPass("sum_moments", Moving, ElasticFacets, FacetsOfCells, FacetForces)
 _begin_bases = StepPass("begin_bases", Moving, CellDilatation, CrackLists)
-_measure_cracks = StepPass("measure_cracks", Moving, ElasticFacets, CohesiveCracks, CrackLists)
+_measure_cracks = StepPass(
+    "measure_cracks", Moving, ElasticFacets, CellSlack, StressesOfCells, CohesiveCracks, CrackLists
+)  # fmt: skip
 _relax_cracked_cells = StepPass("relax_cracked_cells", Moving, CellDilatation, CrackLists)
 _relax_stale_cells = StepPass("relax_stale_cells", Moving, CellDilatation, CrackLists)
 _watch_resting_cracks = StepPass(
     "watch_resting_cracks", Moving, ElasticFacets, FacetStrengths, CohesiveCracks, CrackLists
 )  # fmt: skip
 _wake_cracks = StepPass("wake_cracks", Moving, ElasticFacets, CellDilatation, CellSlack, CohesiveCracks, CrackLists)
-_choose_crack_axes = StepPass(
-    "choose_crack_axes", Moving, ElasticFacets, CellSlack, StressesOfCells, CohesiveCracks, CrackLists
-)
 _soften_cracks = StepPass(
     "soften_cracks", Moving, ElasticFacets, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists
 )
@@ -224,12 +223,11 @@ class CrackingBody:
         crack: Passes = [
             (_list_cracks, body.facets, cracks, lists),
             (_begin_bases, moving, body.cells, lists),
-            (_measure_cracks, moving, body.facets, cracks, lists),
+            (_measure_cracks, moving, body.facets, self.slack, stresses, cracks, lists),
             (_relax_cracked_cells, moving, body.cells, lists),
             (_watch_resting_cracks, moving, body.facets, strengths, cracks, lists),
             (_wake_cracks, moving, body.facets, body.cells, self.slack, cracks, lists),
             again,
-            (_choose_crack_axes, moving, body.facets, self.slack, stresses, cracks, lists),
             (_soften_cracks, moving, body.facets, strengths, stresses, cracks, lists),
             (_leave_cracks, moving, body.facets, body.cells, self.slack, cracks, lists),
             again,

@@ -33,13 +33,10 @@ struct StressAround {
     }
 };
 
-// Chooses the axes of crack k; `crack_of(half)` is the facet that a half of a list belongs to.
-template <class CrackOf>
+// Chooses the axes of crack k of the material. Cracks of which it reads axes have lost some of their first direction, so
+// that these do not change in this pass.
 inline void choose_axes(const Moving &all, const ElasticFacets &facets, const CellSlack &of,
-                        const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index k,
-                        CrackOf crack_of) {
-    const double *const left = frame_of(cracks, k).left;
-    if (state_of(cracks, k).kind > 0.0 || left[0] < 1.0 || left[1] < 1.0 || left[2] < 1.0) return;
+                        const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists, Index k) {
     const Short cells[2] = {facets.i(k), facets.j(k)};
     Index leader = -1;
     double least_left = 1.0;
@@ -47,7 +44,7 @@ inline void choose_axes(const Moving &all, const ElasticFacets &facets, const Ce
     for (const Short p : cells) {
         around.add_around(facets, of, stresses, p);
         for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
-            const Index other = crack_of(h);
+            const Index other = lists.treated((h - 1) >> 1);
             const double s = past_of(cracks, other).left[0];  // a step ago: that of others does not depend on their order
             if (state_of(cracks, other).kind > 0.0 || !(s < least_left || (s == least_left && s < 1.0 && other < leader)))
                 continue;

@@ -90,6 +90,10 @@ template <class T> BONDEM_INLINE T opened_at_most(T bent, const Symmetric3<T> &m
 }
 
 // One of the cracks of a group.
+BONDEM_INLINE bool lane_of(bool mask, int) { return mask; }
+#if defined(BONDEM_LANES)
+BONDEM_INLINE bool lane_of(Mask<Lanes> mask, int n) { return mask[n] != 0; }
+#endif
 template <class Group, class T> Vector lane_of(const Group &group, const Vector3<T> &v, int n) {
     return {group.lane(v.x, n), group.lane(v.y, n), group.lane(v.z, n)};
 }

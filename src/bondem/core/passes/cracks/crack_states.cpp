@@ -5,7 +5,6 @@
 // closes. A broken crack whose faces no longer face each other parts: its cells touch like others from then on.
 #include "crack_states.hpp"
 
-#include "crack_axes.hpp"
 #include "crack_lists.hpp"
 #include "resting_cracks.hpp"
 #include "slides.hpp"
@@ -89,16 +88,6 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
         }
     }
     if (lists.size(0) > before) fill_treated(lists);
-}
-
-void choose_crack_axes(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
-                       const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
-    if (!(turn.clock.dt > 0.0)) return;
-    const auto crack_of = [&](Index half) { return lists.treated((half - 1) >> 1); };
-    over_places(turn, lists.size(0), [&](Index first, Index last, Index) {
-        for (Index e = first; e < last; e++)
-            choose_axes(all, facets, slack, stresses, cracks, lists, lists.treated(e), crack_of);
-    });
 }
 
 void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,

@@ -10,9 +10,6 @@ void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFace
                           const FacetStrengths &strengths, const CohesiveCracks &cracks, const CrackLists &lists);
 void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                  const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists);
-// Gives axes to cracks that have lost nothing yet.
-void choose_crack_axes(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
-                       const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists);
 // Lets integrities fall, and finds the cracks that go to rest.
 void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
                    const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists);

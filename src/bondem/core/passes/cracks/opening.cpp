@@ -32,8 +32,8 @@ void begin_bases(const Turn &turn, const Moving &all, const CellDilatation &cell
 
 #if defined(BONDEM_LANES)
 
-void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
-                    const CrackLists &lists) {
+void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
+                    const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     const bool changes = turn.clock.dt > 0.0;
     over_treated(turn, lists,
                  [&](Index first, Index last, Index portion) {
@@ -41,7 +41,7 @@ void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fa
                      for (Index e = first; e < last; e++) lists.flag(e) = crack::unchanged;
                  },
                  [&](const CrackGroup &group, Index portion) {
-                     measure_each(group, all, facets.period.data, cracks, lists, portion, changes);
+                     measure_each(group, all, facets, slack, stresses, cracks, lists, portion, changes);
                      put_levers(cracks, lists, group.e, group.e + group.known);
                  });
 }

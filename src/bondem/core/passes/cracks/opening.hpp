@@ -7,9 +7,9 @@ namespace bondem {
 
 // Takes over V θ of cells without their cracks.
 void begin_bases(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists);
-// Finds faces and halves of the cracks that are treated one by one.
-void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
-                    const CrackLists &lists);
+// Finds faces and halves of the cracks that are treated one by one, and axes of those that have lost nothing yet.
+void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
+                    const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists);
 // Finds the stresses of their cells, of all of them or of those that are stale.
 void relax_cracked_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists);
 void relax_stale_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists);

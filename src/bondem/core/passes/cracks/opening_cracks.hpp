@@ -3,21 +3,25 @@
 // V θ = Σ g·δ - g·L / k of the halves of a cell (`laws/crack.hpp`), and σ = weight · V θ. Newton's method on
 // this piecewise linear, rising function: a step is exact where no half closes or opens on the way.
 #pragma once
-#include "single_cracks.hpp"
+#include "crack_axes.hpp"
 
 namespace bondem {
 
-// Halves of the cracks of a group, and which of these part.
+// Halves of the cracks of a group, and which of these part; axes of those that have lost nothing yet.
 template <class Group, class T = typename Group::Number>
-BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const double *period, const CohesiveCracks &cracks,
-                                const CrackLists &lists, Index portion, bool changes) {
-    const CrackPlace<T> at = place_of(group, all.pose, period, cracks);
+BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
+                                const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
+                                Index portion, bool changes) {
+    const CrackPlace<T> at = place_of(group, all.pose, facets.period.data, cracks);
     const HalfRows<T> i = rows_of(swelling_half(at.facet.k, at.facet.part, at.now, at.now.share_i));
     const HalfRows<T> j = rows_of(swelling_half(at.facet.k, T(1.0 - at.facet.part), at.now, at.now.share_j));
     group.put_halves(lists.half, i.first, j.first);
     group.put_halves(lists.half, i.second, j.second, 8);
     if (!changes) return;
     const CrackIntegrity<T> &left = at.now.left;
+    const Mask<T> whole = opposite(at.alike) & (left.s[0] == bondem::all<T>(1.0));
+    if (any(whole))
+        group.where(whole, [&](Index k, Index, int) { choose_axes(all, facets, slack, stresses, cracks, lists, k); });
     const Mask<T> gone = (left.s[0] == T{}) & (left.grip == T{});
     const Mask<T> slid = gone & turned_away(at.now, at.area, cracks.slide);
     Mask<T> away = gone & turned_away(at.now, at.area, 1.0);

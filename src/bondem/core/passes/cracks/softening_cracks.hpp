@@ -122,28 +122,49 @@ BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTr
     return found;
 }
 
-// Writes what softening has left of crack k, at place e of a list; the direction that has lost most is the first.
-inline void put_softened(const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
-                         const CrackLists &lists, Softened<double> found, Index k, Index e) {
+// Writes axes of crack k that have turned; the direction that has lost most is the first.
+inline void put_turned(const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
+                       const CrackLists &lists, Softened<double> found, Index k, Index e) {
     CrackFrameRow &frame = frame_of(cracks, k);
     CrackPastRow &past = past_of(cracks, k);
     double *const s = found.left.s;
-    bool turned = false;
-    for (int d = 0; d < 3; d++) turned |= s[d] < 1.0 && frame.left[d] == 1.0;
     for (int d = 1; d < 3; d++)
         if (s[d] < s[0]) {
             exchange(s[0], s[d]);
             exchange(found.at.e[0], found.at.e[d]);
             exchange(past.left[0], past.left[d]);
             exchange(past.rate[0], past.rate[d]);
-            turned = true;
         }
-    if (turned) put_axes(cracks, k, orientation(gather(all.pose.data, facets.i(k))), found.at);
+    put_axes(cracks, k, orientation(gather(all.pose.data, facets.i(k))), found.at);
     for (int d = 0; d < 3; d++) frame.left[d] = s[d];
-    frame.left[3] = found.left.grip;
-    cracks.integrity(k) = found.left.least_left();
     const SingleCrack one(all.pose, facets, cracks, k);
     put_halves_of(lists, e, one.stiffness, one.now);
+}
+// Writes what softening has left of the cracks of a group.
+template <class Group, class T = typename Group::Number>
+BONDEM_INLINE void put_softened(const Group &group, const Moving &all, const ElasticFacets &facets,
+                                const CohesiveCracks &cracks, const CrackLists &lists, const FacetCompliance<T> &facet,
+                                CrackFaces<T> now, const Softened<T> &found, Mask<T> falls) {
+    const T one = bondem::all<T>(1.0);
+    Mask<T> turned = (now.left.s[0] == one) & (found.left.s[0] < one);
+    for (int d = 1; d < 3; d++)
+        turned |= ((now.left.s[d] == one) & (found.left.s[d] < one)) | (found.left.s[d] < found.left.s[0]);
+    for (int d = 0; d < 3; d++) {
+        now.left.s[d] = select(falls, found.left.s[d], now.left.s[d]);
+        group.put(cracks.frame, 4 + d, now.left.s[d]);
+    }
+    now.left.grip = select(falls, found.left.grip, now.left.grip);
+    group.put(cracks.frame, 7, now.left.grip);
+    const HalfRows<T> i = rows_of(swelling_half(facet.k, facet.part, now, now.share_i));
+    const HalfRows<T> j = rows_of(swelling_half(facet.k, T(one - facet.part), now, now.share_j));
+    group.put_halves(lists.half, i.first, j.first);
+    group.put_halves(lists.half, i.second, j.second, 8);
+    const T least_left = now.left.least_left();
+    group.where(falls, [&](Index k, Index e, int n) {
+        cracks.integrity(k) = group.lane(least_left, n);
+        if (lane_of(turned, n))
+            put_turned(all, facets, cracks, lists, {lane_of(group, found.at, n), lane_of(group, found.left, n)}, k, e);
+    });
 }
 
 template <class Group, class T = typename Group::Number>
@@ -205,10 +226,7 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
         for (int d = 0; d < 3; d++) falls |= fell(now.left.s[d], found.left.s[d]);
         falls &= bulk | plane;
         if (any(falls)) {
-            group.where(falls, [&](Index k, Index e, int n) {
-                const Softened<double> of = {lane_of(group, found.at, n), lane_of(group, found.left, n)};
-                put_softened(all, facets, cracks, lists, of, k, e);
-            });
+            put_softened(group, all, facets, cracks, lists, at.facet, now, found, falls);
             group.flag(lists.flag, lists.flagged, portion, falls, crack::fell);
         }
     }
