@@ -130,6 +130,15 @@ def _discs() -> list[Quoted]:
             name=f"discs.energy{energy}", says=f"Brazilian strength of a concrete disc over f_t, G_f = {energy} J/m²",
             size=_size(case, what="discs"), record=PATHS, form=RATIO, values=_measured(case),
         ))  # fmt: skip
+    near = ("E G_f / f_t² = 0.25 D: strength over f_t", "E G_f / f_t² = 1 D: strength over f_t")
+    tough = "E G_f / f_t² = 4 D: strength over f_t"
+    found += [
+        Quoted(name="discs.elements", says="strength of discs of E G_f/f_t² = D/4 and D over that of finite elements",
+               size=_size(near[0], what="discs of each"), record=PATHS, form=RATIO,
+               values=tuple(row["measured"] / row["expected"] for name in near for row in _rows(name))),
+        Quoted(name="discs.tough", says="strength of discs of E G_f/f_t² = 4 D over f_t",
+               size=_size(tough, what="discs"), record=PATHS, form=RATIO, values=_measured(tough)),
+    ]  # fmt: skip
     discs = [one for one in CONCRETE.at("cases") if (one["kind"], one["count"]) == ("brazilian", 2000)]
     found.append(Quoted(
         name="discs.concrete", says=f"Brazilian strength of concrete with a measured strength of {_CONCRETE / 1e6:g} "
