@@ -56,7 +56,7 @@ CASES: dict[str, Callable[[], Case]] = {
     ),
     "planes": lambda: (free(halves(WEAK)), thrown((1.0, 0.8, 0.6), 0.3), 240, STEP, {"every": 20}),
     "planes that shear": lambda: (
-        free(halves(WEAK, COULOMB)), thrown((-1.5, 0.8, 0.6), 0.3), 160, STEP,
+        free(halves(WEAK, COULOMB)), thrown((-1.5, 0.8, 0.6), 0.3), 240, STEP,
         {"every": 20, "damping": bd.BondDamping(eta=0.1)},
     ),
     "warming and cracking": lambda: (

@@ -157,11 +157,15 @@ BONDEM_INLINE void put_softened(const Group &group, const Moving &all, const Ela
     group.put(cracks.frame, 7, now.left.grip);
     const HalfRows<T> i = rows_of(swelling_half(facet.k, facet.part, now, now.share_i));
     const HalfRows<T> j = rows_of(swelling_half(facet.k, T(one - facet.part), now, now.share_j));
-    group.put_halves(lists.half, i.first, j.first);
-    group.put_halves(lists.half, i.second, j.second, 8);
     const T least_left = now.left.least_left();
     group.where(falls, [&](Index k, Index e, int n) {
         cracks.integrity(k) = group.lane(least_left, n);
+        for (int c = 0; c < 8; c++) {
+            lists.half(2 * e + 1, c) = group.lane(i.first.column[c], n);
+            lists.half(2 * e + 1, 8 + c) = group.lane(i.second.column[c], n);
+            lists.half(2 * e + 2, c) = group.lane(j.first.column[c], n);
+            lists.half(2 * e + 2, 8 + c) = group.lane(j.second.column[c], n);
+        }
         if (lane_of(turned, n))
             put_turned(all, facets, cracks, lists, {lane_of(group, found.at, n), lane_of(group, found.left, n)}, k, e);
     });
