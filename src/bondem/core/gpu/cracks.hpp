@@ -225,8 +225,8 @@ inline void load_crack(Index k, const DeviceSpan &span, const Moving &all, const
     if (treated) losses.lost(k) = lost;
     if (lists.flag(k) == crack::fell) losses.fallen(count_up(losses.number(0))) = k;
 }
-inline void slide_cell(Index p, const DeviceSpan &span, const CrackLists &lists) {
-    if (lists.head(p) != 0 && takes_time(span)) slide_of_cell(lists, p);
+inline void slide_cell(Index p, const DeviceSpan &span, const CohesiveCracks &cracks, const CrackLists &lists) {
+    if (lists.head(p) != 0 && takes_time(span)) slide_of_cell(cracks, lists, p);
 }
 inline void slide_crack_of(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                            const CohesiveCracks &cracks, const CrackLists &lists) {

@@ -92,7 +92,8 @@ struct CrackLists {
     Array<Byte, 1> stale;  // 1 for cells whose stress is to be found again, (n,)
     Array<double, 1> base;  // V θ without cracks that are treated one by one [m³], (n,)
     Array<double, 2> half;  // `SwellingHalf` by number of the half, (halves, 16)
-    Array<double, 2> output;  // force, energy rubbed away, torque, 0 on the cell of a half, (halves, 8)
+    // force, energy rubbed away and torque on the cell of a half, and N of `slides.hpp`, (halves, 8)
+    Array<double, 2> output;
     Array<double, 2> shear;  // what would slide, K, Σ of it as it is, what it bears (`slides.hpp`), (halves, 8)
     Array<double, 2> slip;  // by how much the cracks of a cell slip in this step [m], (n, 4)
     Array<double, 2> lost;  // energy of portions dissipated, and that of cracks that part [J], (portions, 2)

@@ -51,7 +51,7 @@ _touch_parted_face = IndexPass(
     "touch_parted_face", Moving, ContactPairs, CohesiveCracks, CrackLists, PartedReach
 )  # fmt: skip
 _load_crack = IndexPass("load_crack", *_JUDGED, LossesOfCracks)
-_slide_cell = IndexPass("slide_cell", DeviceSpan, CrackLists)
+_slide_cell = IndexPass("slide_cell", DeviceSpan, CohesiveCracks, CrackLists)
 _slide_crack = IndexPass("slide_crack_of", DeviceSpan, Moving, *_CRACKS)
 _add_crack_load = IndexPass(
     "add_crack_load", DeviceSpan, Moving, StressesOfCells, CohesiveCracks, CrackLists, StepCut
@@ -174,7 +174,7 @@ def _slide(
     run: Translation, moving: Moving, facets: ElasticFacets, cracks: CohesiveCracks, lists: CrackLists
 ) -> list[Launch]:
     return [
-        (_slide_cell, run.span.n, (run.span, lists)),
+        (_slide_cell, run.span.n, (run.span, cracks, lists)),
         (_slide_crack, run.span.m, (run.span, moving, facets, cracks, lists)),
     ]
 

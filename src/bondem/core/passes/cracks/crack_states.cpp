@@ -105,7 +105,7 @@ void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
                   const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
     over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
-        for (Index q = first; q < last; q++) slide_of_cell(lists, lists.cell(q));
+        for (Index q = first; q < last; q++) slide_of_cell(cracks, lists, lists.cell(q));
     });
     over_places(turn, lists.size(0), [&](Index first, Index last, Index) {
         for (Index e = first; e < last; e++) slide_crack(all, facets, cracks, lists, lists.treated(e), e);

@@ -39,6 +39,7 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
     const Vector3<T> rub = loads.friction.force;
     const Vector3<T> now = plus(loads.friction.slip, dot(slip, at.now.across()), at.now.across());
     CrackLosses<T> lost = {zero, zero};
+    T across = {};  // what pulls across the cracks of a cell that may slip
     if (changes) {
         const Vector3<T> pull = pull_of(group, cracks), stored = {state[3], state[4], state[5]};
         const Vector3<T> came = select<T>(at.now.rubs, now - slip, none), was_rub = select<T>(at.now.rubs, stored, none);
@@ -49,7 +50,7 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
         // work of the force against what the faces of a crack of the material have slipped
         const T slid = 0.5 * dot(pull + f, turned_by(at.ends.i, stored));
         lost = {kept(lost.cracked), kept(select(at.now.rubs, lost.rubbed, slid))};
-        shear_each(group, at, f, treated, strengths, stresses, cracks, lists);
+        across = shear_each(group, at, f, treated, strengths, stresses, cracks, lists);
         // the spring of friction of a crack that has let go is at rest where the faces are now
         const Mask<T> lets_go = opposite(at.now.rubs) & (left.grip == zero);
         const Vector3<T> e = at.now.across(), beside = plus(minus(at.now.gap, dot(at.now.gap, e), e), dot(slip, e), e);
@@ -72,8 +73,8 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
     });
     const Vector3<T> p = loads.on_i, q = loads.on_j;
     group.put_halves(lists.output,
-                     {{kept(f.x), kept(f.y), kept(f.z), lost.rubbed, kept(p.x), kept(p.y), kept(p.z), zero}},
-                     {{kept(-f.x), kept(-f.y), kept(-f.z), zero, kept(q.x), kept(q.y), kept(q.z), zero}});
+                     {{kept(f.x), kept(f.y), kept(f.z), lost.rubbed, kept(p.x), kept(p.y), kept(p.z), across}},
+                     {{kept(-f.x), kept(-f.y), kept(-f.z), zero, kept(q.x), kept(q.y), kept(q.z), across}});
     group.add(lost.cracked, total);
 }
 

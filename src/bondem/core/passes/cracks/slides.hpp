@@ -6,7 +6,8 @@
 // what the crack bears across over its strength, ± f the force of the facet on the cell, n its normal outwards, and σ
 // the stress of the cell, by which a uniform stress along the crack slides nothing,
 //
-//     R = Σ ω [± P f - A P σ P n]        K = Σ ω² k        what the crack bears: L = Σ ω (√((A |n·e| r f_t)² - ⟨f·e⟩²) + μ ⟨-f·e⟩)
+//     R = Σ ω [± P f - A P σ P n]        K = Σ ω² k        C = Σ ω A |n·e| r f_t        N = Σ ω f·e
+//     what the crack bears: L = √(C² - ⟨N⟩²) + μ ⟨-N⟩ with the friction μ of one of its facets
 //     cell: where |R| > L and R·Σ ± ω P f > 0,  b = ½ (1 - L / |R|) R / K        facet: slip += ω P (b_i - b_j)
 //
 // Half of it each, as a facet has two cells: where all facets of a crack are alike it goes at once. Slip only takes
@@ -16,14 +17,16 @@
 
 namespace bondem {
 
-// What would slide of the cracks of a group, by half; 0 for those of which friction is a spring of their own.
+// What would slide of the cracks of a group, by half; 0 for those of which friction is a spring of their own. Returns their
+// part of N.
 template <class Group, class T = typename Group::Number>
-BONDEM_INLINE void shear_each(const Group &group, const CrackPlace<T> &at, Vector3<T> f, Mask<T> treated,
+BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<T> f, Mask<T> treated,
                               const FacetStrengths &strengths, const StressesOfCells &stresses,
                               const CohesiveCracks &cracks, const CrackLists &lists) {
     const T zero = {}, one = all<T>(1.0), s = at.now.left.s[0];
     const Mask<T> slides = treated & opposite(at.now.rubs) & (s < one);
     Row<T> i = {}, j = {};
+    T across = {};
     if (any(slides)) {
         const Vector3<T> e = at.now.across(), n = at.now.normal;
         const Softening<T> facet = {group.number(cracks.softening, 7), group.number(cracks.softening, 5)};
@@ -39,24 +42,27 @@ BONDEM_INLINE void shear_each(const Group &group, const CrackPlace<T> &at, Vecto
         const Vector3<T> of_i = shear - of_stress(gather(stresses.tensor.data, group.i));
         const Vector3<T> of_j = of_stress(gather(stresses.tensor.data, group.j)) - shear;
         const T stiff = loose * loose * at.facet.k;
-        const T most_borne = at.area * slope * r * facet.strength, across = positive(along);
-        const T cohesion = root(positive(T(most_borne * most_borne - across * across)));
-        const T friction = at.friction * positive(-along), bears = loose * (cohesion + friction);
+        const T bears = loose * at.area * slope * r * facet.strength;
+        across = loose * along;
         i = {{of_i.x, of_i.y, of_i.z, stiff, shear.x, shear.y, shear.z, bears}};
         j = {{of_j.x, of_j.y, of_j.z, stiff, -shear.x, -shear.y, -shear.z, bears}};
     }
     group.put_halves(lists.shear, i, j);
+    return across;
 }
 
 // By how much the cracks of cell p slip.
-inline void slide_of_cell(const CrackLists &lists, Index p) {
-    double sum[8] = {};
+inline void slide_of_cell(const CohesiveCracks &cracks, const CrackLists &lists, Index p) {
+    double sum[8] = {}, across = 0.0;
     for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
         const double *const of = &lists.shear(h, 0);
         for (int c = 0; c < 8; c++) sum[c] += of[c];
+        across += lists.output(h, 7);
     }
     const Vector R = {sum[0], sum[1], sum[2]}, as_is = {sum[4], sum[5], sum[6]};
-    const double size = length(R), stiff = sum[3], bears = sum[7];
+    const double size = length(R), stiff = sum[3], cohesion = sum[7], pull = positive(across);
+    const double friction = across < 0.0 ? face_of(cracks, lists.treated((lists.head(p) - 1) >> 1)).friction : 0.0;
+    const double bears = root(positive(cohesion * cohesion - pull * pull)) - friction * least(across, 0.0);
     const bool slides = size > bears && dot(R, as_is) > 0.0;
     const Vector b = slides ? (0.5 * (1.0 - bears / size) / stiff) * R : Vector{};
     for (int d = 0; d < 3; d++) lists.slip(p, d) = b[d];
