@@ -96,19 +96,24 @@ BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTr
     Softened<T> found = {faces.at, faces.left};
     T *const s = found.left.s;
     turn_in_plane(found.at, mean, (s[1] == one) & (s[2] == one));
-    T slope[3], largest = {}, pressure = {};
+    T slope[3], pulls[3], largest = {}, pressure = {};
     for (int d = 0; d < 3; d++) {
         Vector3<T> &e = found.at.e[d];
-        const T stress = dot(e, mean * e), leads = select(stress > zero, dot(load.t, e), dot(load.normal, e));
-        e = select<T>((s[d] == one) & (leads < zero), -e, e);
-        slope[d] = absolute(dot(load.normal, e));
+        const Vector3<T> on = mean * e;
+        const T stress = dot(e, on), along = dot(load.normal, e);
+        // without the shear of the stress in these axes, which pulls at facets beside a crack of this direction
+        const T pull = dot(load.t, e) - (dot(load.normal, on) - along * stress);
+        const Mask<T> flips = (s[d] == one) & (select(stress > zero, pull, along) < zero);
+        e = select<T>(flips, -e, e);
+        pulls[d] = positive(select(flips, -pull, pull));
+        slope[d] = absolute(along);
         largest = most(largest, slope[d]);
         pressure = most(pressure, -stress);
     }
     const T bent = positive(T(load.bent - pressure)) / largest;
     T opened = {};
     for (int d = 0; d < 3; d++) {
-        T pull = positive(dot(load.t, found.at.e[d]));
+        T pull = pulls[d];
         if (d == 0) pull = select(s[0] < one, root(pull * pull + slid * slid), pull);
         const LoadAlong<T> along = load_along(pull, T(bent * slope[d]), slope[d]);
         const T left = select(away, zero, left_along(s[d], along, facet, curve));
