@@ -31,6 +31,7 @@ struct OneCrack {
         table.row<Row<double>>(crack) = all;
     }
     BONDEM_INLINE double number(const Array<double, 2> &table, int column) const { return table(crack, column); }
+    BONDEM_INLINE double number(const Array<const double, 1> &column) const { return column(crack); }
     BONDEM_INLINE void put(const Array<double, 2> &table, int column, double value) const {
         table(crack, column) = value;
     }
@@ -145,6 +146,11 @@ struct CrackGroup {
     BONDEM_INLINE Lanes number(const Array<double, 2> &table, int column) const {
         Lanes all;
         for (int n = 0; n < lanes; n++) all[n] = table.data[8 * crack[n] + column];
+        return all;
+    }
+    BONDEM_INLINE Lanes number(const Array<const double, 1> &column) const {
+        Lanes all;
+        for (int n = 0; n < lanes; n++) all[n] = column.data[crack[n]];
         return all;
     }
     // A component of the force on their cell i.

@@ -49,7 +49,7 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
         lost = crack_losses(at.facet.k, step);
         // work of the force against what the faces of a crack of the material have slipped
         const T slid = 0.5 * dot(pull + f, turned_by(at.ends.i, stored));
-        lost = {kept(lost.cracked), kept(select(at.now.rubs, lost.rubbed, slid))};
+        lost = {kept(select(at.now.rubs, lost.cracked, T(lost.cracked + slid))), kept(select(at.now.rubs, lost.rubbed, zero))};
         across = shear_each(group, at, f, treated, strengths, stresses, cracks, lists);
         // the spring of friction of a crack that has let go is at rest where the faces are now
         const Mask<T> lets_go = opposite(at.now.rubs) & (left.grip == zero);
@@ -57,7 +57,8 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
         const Vector3<T> end = select<T>(lets_go, beside, now), back = turned_by(inverse(at.ends.i), end);
         const Vector3<T> own = select<T>(at.now.rubs | lets_go, back, Vector3<T>{state[0], state[1], state[2]});
         const T kind = select(lets_go, bondem::all<T>(double(crack::let_go)), state[7]);
-        const Vector3<T> own_kept = select<T>(treated, own, none), rub_kept = select<T>(treated & at.now.rubs, rub, none);
+        const Vector3<T> own_kept = select<T>(treated, own, none), went = select<T>(at.now.rubs, rub, stored);
+        const Vector3<T> rub_kept = select<T>(treated & opposite(lets_go), went, none);
         group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, zero,
                                   kind}});
         group.put(cracks.past, {{left.s[0], left.s[1], left.s[2], left.grip, rates.of[0], rates.of[1], rates.of[2],
