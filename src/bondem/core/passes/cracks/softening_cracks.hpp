@@ -10,8 +10,9 @@ namespace crack {
 constexpr double fastest = 0.1, follows = 5.0, steady = 0.2, nothing_left = 1e-9;
 // Shares of the traction that softens at which a crack goes to rest and wakes, and of its force across it.
 constexpr double asleep = 0.9, calm = 0.98, grazing = 0.1;
-// Openings over √A between which a crack loses its grip on what acts along it: its facets come apart.
-constexpr double lets_go = 0.05, has_let_go = 0.1;
+// Openings over the last one between which a facet loses its grip on what acts along the crack, where it is open along its
+// own normal too.
+constexpr double lets_go = 2.0, has_let_go = 4.0;
 }  // namespace crack
 
 template <class Group, class T = typename Group::Number>
@@ -90,7 +91,7 @@ template <class T> BONDEM_INLINE void turn_in_plane(CrackAxes<T> &at, const Symm
 template <class T>
 BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTraction<T> &load,
                                        const Symmetric3<T> &mean, const CrackRates<T> &before, const CrackRates<T> &rate,
-                                       const Softening<T> &facet, T at_once, T slid, T area, const CurveShape &curve, Mask<T> away) {
+                                       const Softening<T> &facet, T at_once, T slid, const CurveShape &curve, Mask<T> away) {
     const T zero = {}, one = all<T>(1.0);
     const Mask<T> brittle = facet.brittleness == all<T>(infinity);
     Softened<T> found = {faces.at, faces.left};
@@ -111,18 +112,20 @@ BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTr
         pressure = most(pressure, -stress);
     }
     const T bent = positive(T(load.bent - pressure)) / largest;
-    const T opened = dot(faces.strained, faces.across()) / root(area);
+    T opened = {};
     for (int d = 0; d < 3; d++) {
         T pull = pulls[d];
         if (d == 0) pull = select(s[0] < one, root(pull * pull + slid * slid), pull);
         const LoadAlong<T> along = load_along(pull, T(bent * slope[d]), slope[d]);
+        if (d == 0) opened = along.traction * along.share * facet.brittleness;  // over the last opening
         const T left = select(away, zero, left_along(s[d], along, facet, curve));
         s[d] = fallen(s[d], left, select(brittle, at_once, largest_loss(before.of[d], rate.of[d])));
     }
     const T far = (opened - crack::lets_go) * (1.0 / (crack::has_let_go - crack::lets_go));
     const T grip = select(away, zero, select(far > zero, positive(T(one - far)), one));
     const T loss = select(brittle, at_once, largest_loss(before.of[0], rate.of[0]));
-    found.left.grip = select(s[0] == zero, fallen(found.left.grip, grip, loss), found.left.grip);
+    const Mask<T> apart = (s[0] == zero) & ((dot(load.t, load.normal) > zero) | away);
+    found.left.grip = select(apart, fallen(found.left.grip, grip, loss), found.left.grip);
     return found;
 }
 
@@ -211,7 +214,7 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
             const T *const c = at.state.column, slip = root(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
             const T slid = at.facet.k * slip / (at.area * (1.0 - now.left.s[0]));
             found = soften_along(now, load, mean_of_cells(group, stresses), was, rates, of.by.tension, of.fastest,
-                                 select(now.left.s[0] < bondem::all<T>(1.0), slid, zero), at.area, curve, turned_away(now, at.area, 1.0));
+                                 select(now.left.s[0] < bondem::all<T>(1.0), slid, zero), curve, turned_away(now, at.area, 1.0));
         }
         const Mask<T> plane = softens & at.alike & opposite(fresh);
         if (any(plane)) {
