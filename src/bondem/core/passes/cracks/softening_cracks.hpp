@@ -102,9 +102,10 @@ BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTr
         Vector3<T> &e = found.at.e[d];
         const Vector3<T> on = mean * e;
         const T stress = dot(e, on), along = dot(load.normal, e);
-        // without the shear of the stress in these axes, which pulls at facets beside a crack of this direction
-        const T pull = dot(load.t, e) - (dot(load.normal, on) - along * stress);
-        const Mask<T> flips = (s[d] == one) & (select(stress > zero, pull, along) < zero);
+        // a direction begins without the shear of the stress in these axes, which pulls at facets beside its crack
+        const Mask<T> whole = s[d] == one;
+        const T pull = dot(load.t, e) - select(whole, T(dot(load.normal, on) - along * stress), zero);
+        const Mask<T> flips = whole & (select(stress > zero, pull, along) < zero);
         e = select<T>(flips, -e, e);
         pulls[d] = positive(select(flips, -pull, pull));
         slope[d] = absolute(along);
