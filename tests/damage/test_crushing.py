@@ -12,7 +12,7 @@ from bondem.damage.criteria.criterion import MODES
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.observables.fracture_energy import fracture_energies
 from tests.bits import most_threads, threads
-from tests.models import slowly_torn
+from tests.models import slowly_torn, time_step
 from tests.specimens import ball, row, two_cubes
 
 G_F, F_T, RADIUS, CELLS = 20.0, 4e6, 25e-3, 120
@@ -48,7 +48,8 @@ def test_an_impact_crushes_and_fractures(failure: bd.Criterion, one_thread: None
     area = state.model.lattice.facets.area[state.layout.bond_order]
     rows = state.cracks
     facet, spent = rows[:, FACET].astype(int), rows[:, SPENT]
-    held = np.where(rows[:, ONSET] > 0.0, np.minimum(spent, G_F * area[facet]), 0.0)
+    # friction may give back a little of what a facet has released
+    held = np.minimum(spent, np.where(rows[:, ONSET] > 0.0, G_F * area[facet], 0.0))
     assert (failure is ROCK) == (rows[:, ONSET] == 0.0).any()
     assert energy["fracture"][-1] == pytest.approx(held.sum(), rel=1e-9)
     assert energy["crushing"][-1] == pytest.approx((spent - held).sum(), rel=1e-12)
@@ -98,12 +99,12 @@ def test_a_bar_that_is_torn_slowly_is_not_crushed(one_thread: None) -> None:
 def test_a_second_run_counts_from_its_own_start(one_thread: None) -> None:
     """Bonds keep what they have dissipated; neither kind of loss begins with it."""
     model, state = thrown(SOFT, 30.0)
-    options = {"every": 20, "state": state}
+    options = {"every": 20, "state": state, "dt": time_step(model, 0.4)}
     first = bd.solve_explicit(model, duration=2e-5, **options)
     assert first.history.energy["crushing"][-1] > 0.0
     second = bd.solve_explicit(model, duration=2e-5, **options | {"state": first.state}).history.energy
     assert second["fracture"][0] == second["crushing"][0] == 0.0
-    whole = bd.solve_explicit(model, duration=4e-5, every=20, state=thrown(SOFT, 30.0)[1])
+    whole = bd.solve_explicit(model, duration=4e-5, **options | {"state": thrown(SOFT, 30.0)[1]})
     for kind in ("fracture", "crushing"):
         both = first.history.energy[kind][-1] + second[kind][-1]
         assert both == pytest.approx(whole.history.energy[kind][-1], rel=0.01)
