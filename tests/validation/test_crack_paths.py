@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from bondem.errors import InputError
+from validation.cases import split_cube
 from validation.cases.arrea_ingraffea import ARREA_INGRAFFEA, INNER, LENGTH
 from validation.cases.hole_arrest import HOLE_ARREST, RADIUS, blunt
 from validation.cases.interface_crack import INTERFACES
@@ -47,6 +48,9 @@ def test_a_split_plate_is_that_of_elasticity_until_it_cracks():
     assert brittle.elastic <= brittle.peak < 1.03 * brittle.elastic
     assert tough.peak > brittle.peak
     assert split_plate(0.5, 0.16, 0.2, 50).peak == pytest.approx(tough.peak, rel=0.01)
+    length = split_cube.E * split_cube.ENERGY / split_cube.TENSION**2 / split_cube.EDGE
+    peak = split_plate(length, split_cube.STRIP / split_cube.EDGE, split_cube.NU).peak
+    assert pytest.approx(peak, rel=1e-6) == split_cube._EXPECTED
     assert split_plate(0.02, 0.02, 0.2, 50).elastic == pytest.approx(1.0, abs=0.06)
 
 

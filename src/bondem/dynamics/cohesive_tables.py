@@ -118,8 +118,8 @@ class CohesiveCracks(NamedTuple):
         """Return the cracks of a state; memory is taken as facets crack."""
         m, count = len(state.integrity), len(state.cracks)
         cracks = cls(
-            *(lines(m) for _ in range(7)), np.zeros((m, 4)), np.zeros(3), np.zeros(m, np.int64),
-            listed, state.integrity, np.array([count, 1], dtype=np.int64), slide,
+            lines(m), lines(m), lines(m), lines(m), lines(m), lines(m), lines(m), np.zeros((m, 4)), np.zeros(3),
+            np.zeros(m, np.int64), listed, state.integrity, np.array([count, 1], dtype=np.int64), slide,
         )  # fmt: skip
         facet = state.cracks[:, FACET].astype(np.int64)
         cracks.order[:count] = facet

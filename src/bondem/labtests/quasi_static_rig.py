@@ -243,7 +243,7 @@ def run_to_failure(
     model = Model(body, law, rho, failure=failure, boundary=rig.boundary(speed, begin))
     duration = rig.reach / abs(speed) + 0.5 * begin
     damping = MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / rig.size)
-    dt = choose_step(model, VelocityVerlet(), None, safety=0.9, damping=damping).dt
+    dt = choose_step(model, VelocityVerlet(), None, safety=0.75, damping=damping).dt
     every = max(1, round(duration / _RECORDS / dt))
     G = softening_of(test, failure, "a criterion with its fracture_energy").fracture_energy
     found = run_test(

@@ -52,7 +52,9 @@ def run_test(
         RunInterrupted: Ctrl-C was pressed; the exception contains the result of the curve so far.
     """
     if dt is None:
-        dt = choose_step(model, VelocityVerlet(), None, safety=0.9).dt
+        # cracks that open fast and slip: half a step leaves a quarter of what the ledger misses
+        safety = 0.9 if model.softening is None else 0.45
+        dt = choose_step(model, VelocityVerlet(), None, safety=safety).dt
     if out is not None:
         between = every * math.ceil(max(duration / dt / _SAVES, _STEPS) / every)
         options |= {"out": out, "resume": True, "save_every": between, "snapshot_every": between}
