@@ -188,6 +188,7 @@ class CrackLists(NamedTuple):
     half: Floats
     output: Floats
     shear: Floats
+    sum: Floats
     slip: Floats
     lost: Floats
 
@@ -203,8 +204,8 @@ class CrackLists(NamedTuple):
             numbers.copy(),
             np.zeros(n + _BEHIND, np.uint32), np.zeros(n, np.int32), np.zeros((halves, 4), np.int32), flags,
             flags.copy(), np.zeros(portions, np.int64), np.zeros(portions, np.int64), np.zeros(n, np.uint8),
-            np.zeros(n), lines(2 * halves).reshape(halves, 16), lines(halves), lines(halves), np.zeros((n, 4)),
-            np.zeros((portions, 2)),
+            np.zeros(n), lines(2 * halves).reshape(halves, 16), lines(halves), lines(halves), lines(n),
+            np.zeros((n, 4)), np.zeros((portions, 2)),
         )  # fmt: skip
 
 

@@ -225,16 +225,17 @@ inline void load_crack(Index k, const DeviceSpan &span, const Moving &all, const
     if (treated) losses.lost(k) = lost;
     if (lists.flag(k) == crack::fell) losses.fallen(count_up(losses.number(0))) = k;
 }
-inline void slide_cell(Index p, const DeviceSpan &span, const CohesiveCracks &cracks, const CrackLists &lists) {
-    if (lists.head(p) != 0 && takes_time(span)) slide_of_cell(cracks, lists, p);
+inline void sum_cracks_of_cell(Index p, const StressesOfCells &stresses, const CohesiveCracks &cracks,
+                               const CrackLists &lists) {
+    if (lists.head(p) != 0) sum_cracks_of(stresses, cracks, lists, p);
 }
 inline void slide_crack_of(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                            const CohesiveCracks &cracks, const CrackLists &lists) {
     if (is_treated(cracks, k) && takes_time(span)) slide_crack(all, facets, cracks, lists, k, k);
 }
-inline void add_crack_load(Index e, const DeviceSpan &span, const Moving &all, const StressesOfCells &stresses,
-                           const CohesiveCracks &cracks, const CrackLists &lists, const StepCut &cut) {
-    add_crack_loads(turn_of(span, cut, e), all, stresses, cracks, lists, cut);
+inline void add_crack_load(Index e, const DeviceSpan &span, const Moving &all, const CrackLists &lists,
+                           const StepCut &cut) {
+    add_crack_loads(turn_of(span, cut, e), all, lists, cut);
 }
 
 constexpr Index cracks_of_portion = 256, portions_of_losses = 64;

@@ -192,7 +192,7 @@
     X(wake_crack)                       \
     X(take_woken)                       \
     X(soften_crack)                     \
-    X(slide_cell)                       \
+    X(sum_cracks_of_cell)               \
     X(slide_crack_of)                   \
     X(part_crack)                       \
     X(leave_crack)                      \

@@ -95,6 +95,7 @@ struct CrackLists {
     // force, energy rubbed away and torque on the cell of a half, and N of `slides.hpp`, (halves, 8)
     Array<double, 2> output;
     Array<double, 2> shear;  // what would slide, K, Σ of it as it is, what it bears (`slides.hpp`), (halves, 8)
+    Array<double, 2> sum;  // of `output` over the halves of a cell, (n, 8)
     Array<double, 2> slip;  // by how much the cracks of a cell slip in this step [m], (n, 4)
     Array<double, 2> lost;  // energy of portions dissipated, and that of cracks that part [J], (portions, 2)
 };

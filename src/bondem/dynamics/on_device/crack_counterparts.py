@@ -51,11 +51,9 @@ _touch_parted_face = IndexPass(
     "touch_parted_face", Moving, ContactPairs, CohesiveCracks, CrackLists, PartedReach
 )  # fmt: skip
 _load_crack = IndexPass("load_crack", *_JUDGED, LossesOfCracks)
-_slide_cell = IndexPass("slide_cell", DeviceSpan, CohesiveCracks, CrackLists)
+_sum_cell = IndexPass("sum_cracks_of_cell", StressesOfCells, CohesiveCracks, CrackLists)
 _slide_crack = IndexPass("slide_crack_of", DeviceSpan, Moving, *_CRACKS)
-_add_crack_load = IndexPass(
-    "add_crack_load", DeviceSpan, Moving, StressesOfCells, CohesiveCracks, CrackLists, StepCut
-)
+_add_crack_load = IndexPass("add_crack_load", DeviceSpan, Moving, CrackLists, StepCut)
 _sum_portion = IndexPass("sum_portion_of_losses", DeviceSpan, LossesOfCracks)
 _sum_group = IndexPass("sum_group_of_losses", LossesOfCracks)
 _log_cracks = IndexPass("log_all_cracks", DeviceSpan, Moving, ElasticFacets, CohesiveCracks, EventLog, LossesOfCracks)
@@ -90,7 +88,8 @@ def _link(
     cracks.listed[facet] = 1 + cracks.history[facet, 0].astype(np.uint8)
     cracks.history[facet, BEGAN] = np.arange(-count, 0)
     lists.treated[:m] = np.arange(m)
-    run.scratch += [lists.half, lists.output, lists.shear, lists.slip, lists.node, lists.flag, lists.waking]
+    run.scratch += [lists.half, lists.output, lists.shear, lists.sum, lists.slip]
+    run.scratch += [lists.node, lists.flag, lists.waking]
 
     def order() -> None:
         """Write the order in which cracks began."""
@@ -171,10 +170,11 @@ def _load(
 
 
 def _slide(
-    run: Translation, moving: Moving, facets: ElasticFacets, cracks: CohesiveCracks, lists: CrackLists
-) -> list[Launch]:
+    run: Translation, moving: Moving, facets: ElasticFacets, stresses: StressesOfCells, cracks: CohesiveCracks,
+    lists: CrackLists,
+) -> list[Launch]:  # fmt: skip
     return [
-        (_slide_cell, run.span.n, (run.span, cracks, lists)),
+        (_sum_cell, run.span.n, (stresses, cracks, lists)),
         (_slide_crack, run.span.m, (run.span, moving, facets, cracks, lists)),
     ]
 

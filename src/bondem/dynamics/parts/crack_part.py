@@ -92,9 +92,9 @@ _leave_cracks = StepPass("leave_cracks", Moving, ElasticFacets, CellDilatation, 
 _load_cracks = StepPass(
     "load_cracks", Moving, ElasticFacets, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists
 )  # fmt: skip
-_slide_cracks = StepPass("slide_cracks", Moving, ElasticFacets, CohesiveCracks, CrackLists)
+_slide_cracks = StepPass("slide_cracks", Moving, ElasticFacets, StressesOfCells, CohesiveCracks, CrackLists)
 _log_cracks = StepPass("log_cracks", Moving, ElasticFacets, CohesiveCracks, CrackLists, EventLog)
-_add_crack_loads = StepPass("add_crack_loads", Moving, StressesOfCells, CohesiveCracks, CrackLists, StepCut)
+_add_crack_loads = StepPass("add_crack_loads", Moving, CrackLists, StepCut)
 _sum_stressed_dilatation = StepPass("sum_stressed_dilatation", Moving, CellDilatation, CrackEnergies)
 _sum_heat = StepPass("sum_heat", StressesOfCells, YieldingCells, CrackEnergies)
 _sum_crack_energies = StepPass("sum_crack_energies", Moving, ElasticFacets, CohesiveCracks, CrackEnergies)
@@ -232,7 +232,7 @@ class CrackingBody:
             (_leave_cracks, moving, body.facets, body.cells, self.slack, cracks, lists),
             again,
             (_load_cracks, moving, body.facets, strengths, stresses, cracks, lists),
-            (_slide_cracks, moving, body.facets, cracks, lists),
+            (_slide_cracks, moving, body.facets, stresses, cracks, lists),
             (_log_cracks, moving, body.facets, cracks, lists, self.log),
             *powers,
         ]
@@ -247,7 +247,7 @@ class CrackingBody:
                 "begin": self._begin(),
                 "present": [] if body.strains is None else [(_follow_levers, body.strains, body.facets, cracks)],
                 "prepare": crack,
-                "add": [(_add_crack_loads, moving, stresses, cracks, lists, self.shared.cut)],
+                "add": [(_add_crack_loads, moving, lists, self.shared.cut)],
                 "settle": still,
             },
             record=self._record,

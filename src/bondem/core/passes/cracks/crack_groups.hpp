@@ -18,6 +18,12 @@ BONDEM_INLINE FacetShape<double> facet_shape(const CohesiveCracks &cracks, Index
     return {lever(of.lever_i), lever(of.lever_j), share(of.share_i), share(of.share_j)};
 }
 
+// How cracks soften: resistance to bending, and what `CrackSofteningRow` has.
+template <class T> struct CrackSoftening {
+    Symmetric3<T> H;
+    T plane, bends, brittleness, fastest, strength;
+};
+
 // The crack of facet k, whose place in a list is that of its facet.
 struct OneCrack {
     using Number = double;
@@ -35,14 +41,19 @@ struct OneCrack {
     BONDEM_INLINE void put(const Array<double, 2> &table, int column, double value) const {
         table(crack, column) = value;
     }
-    BONDEM_INLINE double pull(const CohesiveCracks &cracks, int d) const { return cracks.pull(crack, d); }
+    BONDEM_INLINE Vector pull(const CohesiveCracks &cracks) const {
+        return {cracks.pull(crack, 0), cracks.pull(crack, 1), cracks.pull(crack, 2)};
+    }
+    BONDEM_INLINE void put_pull(const CohesiveCracks &cracks, Vector f, bool where) const {
+        if (where) cracks.pull(crack, 0) = f.x, cracks.pull(crack, 1) = f.y, cracks.pull(crack, 2) = f.z;
+    }
     BONDEM_INLINE void prefetch(const Array<double, 2> &) const {}
     BONDEM_INLINE void prefetch_pull(const CohesiveCracks &) const {}
     BONDEM_INLINE FacetShape<double> shapes(const CohesiveCracks &cracks) const { return facet_shape(cracks, crack); }
-    BONDEM_INLINE Symmetric3<double> resistances(const CohesiveCracks &cracks, double *plane) const {
+    BONDEM_INLINE CrackSoftening<double> softening(const CohesiveCracks &cracks) const {
         const CrackSofteningRow &of = softening_of(cracks, crack);
-        *plane = of.plane;
-        return {of.H[0], of.H[1], of.H[2], of.H[3], of.H[4], of.H[5]};
+        return {{of.H[0], of.H[1], of.H[2], of.H[3], of.H[4], of.H[5]}, of.plane, of.bends, of.brittleness, of.fastest,
+                of.strength};
     }
     BONDEM_INLINE bool flagged(const Array<Byte, 1> &flag) const { return flag(e) != 0; }
     BONDEM_INLINE void flag(const Array<Byte, 1> &to, const Array<Index, 1> &, Index, bool where, Byte value,
@@ -91,29 +102,19 @@ BONDEM_INLINE void scatter_rows(double *const *row, Row<Lanes> all) {
 #endif
 }
 
-// Four columns of rows.
-struct FourColumns {
-    Lanes column[4];
-};
-// Of numbers of four bytes that `widen` makes numbers of eight of.
-template <class Widen> BONDEM_INLINE FourColumns gather_four(const char *const *row, Widen widen) {
-    FourColumns all;
-    for (int half = 0; half < lanes; half += 4) {
-        Four r[4];
-        for (int n = 0; n < 4; n++) r[n] = widen(row[half + n]);
-        transpose_four(r);
-        for (int c = 0; c < 4; c++)
-            for (int n = 0; n < 4; n++) all.column[c][half + n] = r[c][n];
-    }
-    return all;
+// Columns whose lanes are two numbers of four bytes.
+typedef uint64_t TwoInLanes __attribute__((vector_size(lanes * 8)));
+typedef uint32_t OneInLanes __attribute__((vector_size(lanes * 4)));
+typedef int32_t WholeLanes __attribute__((vector_size(lanes * 4)));
+typedef float SingleLanes __attribute__((vector_size(lanes * 4)));
+BONDEM_INLINE OneInLanes one_of(Lanes column, int which) {
+    return __builtin_convertvector(which == 0 ? (TwoInLanes)column : (TwoInLanes)column >> 32, OneInLanes);
 }
-typedef int32_t FourWhole __attribute__((vector_size(16), aligned(4)));
-typedef float FourSingle __attribute__((vector_size(16), aligned(4)));
-BONDEM_INLINE Four widened_whole(const char *from) {
-    return __builtin_convertvector(*reinterpret_cast<const FourWhole *>(from), Four);
+BONDEM_INLINE Lanes whole_of(const Row<Lanes> &row, int number) {
+    return __builtin_convertvector((WholeLanes)one_of(row.column[number / 2], number % 2), Lanes);
 }
-BONDEM_INLINE Four widened_single(const char *from) {
-    return __builtin_convertvector(*reinterpret_cast<const FourSingle *>(from), Four);
+BONDEM_INLINE Lanes single_of(const Row<Lanes> &row, int number) {
+    return __builtin_convertvector((SingleLanes)one_of(row.column[number / 2], number % 2), Lanes);
 }
 
 // ---- a group of cracks
@@ -153,11 +154,28 @@ struct CrackGroup {
         for (int n = 0; n < lanes; n++) all[n] = column.data[crack[n]];
         return all;
     }
-    // A component of the force on their cell i.
-    BONDEM_INLINE Lanes pull(const CohesiveCracks &cracks, int d) const {
-        Lanes all;
-        for (int n = 0; n < lanes; n++) all[n] = cracks.pull.data[4 * crack[n] + d];
-        return all;
+    // The force on their cell i.
+    BONDEM_INLINE Vector3<Lanes> pull(const CohesiveCracks &cracks) const {
+        Lanes f[3];
+        for (int part = 0; part < lanes; part += 4) {
+            Four r[4];
+            for (int n = 0; n < 4; n++)
+                r[n] = *reinterpret_cast<const FourInMemory *>(cracks.pull.data + 4 * crack[part + n]);
+            transpose_four(r);
+            for (int d = 0; d < 3; d++)
+                for (int n = 0; n < 4; n++) f[d][part + n] = r[d][n];
+        }
+        return {f[0], f[1], f[2]};
+    }
+    BONDEM_INLINE void put_pull(const CohesiveCracks &cracks, Vector3<Lanes> f, Mask<Lanes> where) const {
+        for (int part = 0; part < lanes; part += 4) {
+            Four r[4] = {};
+            for (int n = 0; n < 4; n++) r[0][n] = f.x[part + n], r[1][n] = f.y[part + n], r[2][n] = f.z[part + n];
+            transpose_four(r);
+            for (int n = 0; n < 4; n++)
+                if (part + n < known && where[part + n] != 0)
+                    *reinterpret_cast<FourInMemory *>(cracks.pull.data + 4 * crack[part + n]) = r[n];
+        }
     }
     BONDEM_INLINE void put(const Array<double, 2> &table, int column, Lanes all) const {
         for (int n = 0; n < known; n++) table.data[8 * crack[n] + column] = all[n];
@@ -174,25 +192,21 @@ struct CrackGroup {
     }
     // The shape of their facets.
     BONDEM_INLINE FacetShape<Lanes> shapes(const CohesiveCracks &cracks) const {
-        const char *row[lanes];
-        for (int n = 0; n < lanes; n++) row[n] = reinterpret_cast<const char *>(cracks.shape.data + 8 * crack[n]);
-        const FourColumns first = gather_four(row, widened_whole);
-        const FourColumns middle = gather_four(row, [](const char *from) {
-            return __builtin_shufflevector(widened_whole(from + 16), widened_single(from + 16), 0, 1, 6, 7);
-        });
-        const FourColumns last = gather_four(row, [](const char *from) { return widened_single(from + 32); });
+        const Row<Lanes> of = lines(cracks.shape);
         const double *const pitch = cracks.pitch.data;
-        const Lanes *const a = first.column, *const b = middle.column, *const c = last.column;
-        return {{pitch[0] * a[0], pitch[1] * a[1], pitch[2] * a[2]},
-                {pitch[0] * a[3], pitch[1] * b[0], pitch[2] * b[1]}, {b[2], b[3], c[0]}, {c[1], c[2], c[3]}};
+        const auto lever = [&](int c) {
+            return Vector3<Lanes>{pitch[0] * whole_of(of, c), pitch[1] * whole_of(of, c + 1), pitch[2] * whole_of(of, c + 2)};
+        };
+        const auto share = [&](int c) {
+            return Vector3<Lanes>{single_of(of, c), single_of(of, c + 1), single_of(of, c + 2)};
+        };
+        return {lever(0), lever(3), share(6), share(9)};
     }
-    BONDEM_INLINE Symmetric3<Lanes> resistances(const CohesiveCracks &cracks, Lanes *plane) const {
-        const char *row[lanes];
-        for (int n = 0; n < lanes; n++) row[n] = reinterpret_cast<const char *>(cracks.softening.data + 8 * crack[n]);
-        const FourColumns h = gather_four(row, widened_single);
-        const FourColumns k = gather_four(row, [](const char *from) { return widened_single(from + 16); });
-        *plane = k.column[2];
-        return {h.column[0], h.column[1], h.column[2], h.column[3], k.column[0], k.column[1]};
+    BONDEM_INLINE CrackSoftening<Lanes> softening(const CohesiveCracks &cracks) const {
+        const Row<Lanes> of = lines(cracks.softening);
+        const auto h = [&](int c) { return single_of(of, c); };
+        const Lanes *const c = of.column;
+        return {{h(0), h(1), h(2), h(3), h(4), h(5)}, h(6), c[4], c[5], c[6], c[7]};
     }
     // Which of them have a flag.
     BONDEM_INLINE Mask<Lanes> flagged(const Array<Byte, 1> &flag) const {

@@ -3,7 +3,6 @@
 
 #include "../cells/walls.hpp"
 #include "../record/columns.hpp"
-#include "carried.hpp"
 #include "loaded_cracks.hpp"
 
 namespace bondem {
@@ -39,33 +38,14 @@ void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets
     log.released(0) += lost;
 }
 
-void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells &stresses,
-                     const CohesiveCracks &cracks,
-                     const CrackLists &lists, const StepCut &cut) {
+void add_crack_loads(const Turn &turn, const Moving &all, const CrackLists &lists, const StepCut &cut) {
     for (Index at = turn.first; at < turn.last; at++) {
         const Short p = turn.element[at];
-        // halves of the cells to come, one more of each cell the sooner its turn is
-        for (Index ahead = 2, links = 2; ahead <= 8; ahead += 3, links--) {
-            Index h = lists.head(turn.element[least(at + ahead, turn.last - 1)]);
-            for (Index n = 0; n < links; n++) h = lists.node(h, 0);
-            prefetch(lists.node.data + 4 * h);
-            prefetch(lists.output.data + 8 * h);
-        }
         if (lists.head(p) == 0) continue;
-        double sum[8] = {};
-        Carried carried = {};
-        for (Index h = lists.head(p); h > 0;) {
-            const double *const of = &lists.output(h, 0);
-            const int32_t *const node = &lists.node(h, 0);
-            h = node[0];
-            prefetch(lists.output.data + 8 * h);
-            for (int d = 0; d < 8; d++) sum[d] += of[d];
-            carried.add(node + 1, of);
-        }
+        const double *const sum = &lists.sum(p, 0);
         all.loss(p, rubbed_loss) += sum[3];
         double *const to = &cut.sums(turn.row[at], 0);
         for (int d = 0; d < 3; d++) to[d] += sum[d], to[4 + d] += sum[4 + d];
-        carried.put(stresses, cracks.pitch.data, p);
     }
 }
 

@@ -13,9 +13,7 @@ void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
 void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                 const CrackLists &lists, const EventLog &log);
 // Adds their forces to the sums of their cells.
-void add_crack_loads(const Turn &turn, const Moving &all, const StressesOfCells &stresses,
-                     const CohesiveCracks &cracks,
-                     const CrackLists &lists, const StepCut &cut);
+void add_crack_loads(const Turn &turn, const Moving &all, const CrackLists &lists, const StepCut &cut);
 // Energies of cracks and of the dilatation of cells with cracks.
 void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDilatation &cells,
                              const CrackEnergies &found);

@@ -10,7 +10,7 @@ template <class T> struct CrackPlace {
     OfCells<T> stress;  // of both cells [Pa]
     CrackFaces<T> now;
     FacetCompliance<T> facet;
-    T area, friction;
+    T area, friction, slips;
     Mask<T> alike;  // one integrity goes for all directions
     Row<T> state;
 };
@@ -25,7 +25,7 @@ BONDEM_INLINE CrackPlace<T> place_of(const Group &group, const Array<double, 2> 
     const Ends<T> ends = ends_of(a, b, period);
     const Row<T> face = group.lines(cracks.face), frame = group.lines(cracks.frame);
     const T *const f = face.column, *const q = frame.column;
-    CrackPlace<T> at = {ends, {a.column[stress_column], b.column[stress_column]}, {}, {f[6], f[3]}, f[4], f[5], {},
+    CrackPlace<T> at = {ends, {a.column[stress_column], b.column[stress_column]}, {}, {f[6], f[3]}, f[4], f[5], f[7], {},
                         group.lines(cracks.state)};
     const T *const s = at.state.column;
     at.alike = s[7] == all<T>(double(crack::alike));
@@ -52,11 +52,6 @@ BONDEM_INLINE CrackRates<T> rates_before(const FacetCompliance<T> &facet, const 
     }
     return found;
 }
-template <class Group, class T = typename Group::Number>
-BONDEM_INLINE Vector3<T> pull_of(const Group &group, const CohesiveCracks &cracks) {
-    return {group.pull(cracks, 0), group.pull(cracks, 1), group.pull(cracks, 2)};
-}
-
 
 // How the cracks of a group soften.
 template <class T> struct CrackJudgement {
@@ -67,16 +62,14 @@ template <class T> struct CrackJudgement {
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE CrackJudgement<T> judgement_of(const Group &group, const CohesiveCracks &cracks) {
     group.prefetch(cracks.softening);
-    T plane;
-    const Symmetric3<T> H = group.resistances(cracks, &plane);
-    const auto column = [&](int c) { return group.number(cracks.softening, c); };
-    const Mask<T> on_plane = plane > all<T>(0.5);
+    const CrackSoftening<T> of = group.softening(cracks);
+    const Mask<T> on_plane = of.plane > all<T>(0.5);
     PlaneStrength<T> more = {all<T>(infinity), T{}, T{}};
     if (any(on_plane)) {
         const Row<T> rows = group.lines(cracks.history);
         more = {rows.column[2], rows.column[3], rows.column[4]};
     }
-    return {H, column(4), column(6), {{column(7), column(5)}, more, on_plane}};
+    return {of.H, of.bends, of.fastest, {{of.strength, of.brittleness}, more, on_plane}};
 }
 
 // The mean stress of two cells, from rows of their stresses.

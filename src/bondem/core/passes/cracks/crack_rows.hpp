@@ -16,7 +16,8 @@ struct CrackShapeRow {
 };
 struct CrackFaceRow {
     double normal[3];  // in the reference [-]
-    double part, area, friction, k, unused;
+    double part, area, friction, k;
+    double slips;  // 1 while it may slip
 };
 struct CrackStateRow {
     double slip[3];  // of the faces, or of the spring of friction, in the frame of cell i [m]

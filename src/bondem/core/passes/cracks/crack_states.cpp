@@ -101,12 +101,22 @@ void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fac
     });
 }
 
-void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
-                  const CrackLists &lists) {
-    if (!(turn.clock.dt > 0.0)) return;
+void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const StressesOfCells &stresses,
+                  const CohesiveCracks &cracks, const CrackLists &lists) {
     over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
-        for (Index q = first; q < last; q++) slide_of_cell(cracks, lists, lists.cell(q));
+        for (Index q = first; q < last; q++) {
+            // halves of the cells to come, as many as they may have
+            for (Index ahead = 2, links = 2; ahead <= 8; ahead += 3, links--) {
+                Index h = lists.head(lists.cell(least(q + ahead, last - 1)));
+                for (Index n = 0; n < links; n++) h = lists.node(h, 0);
+                prefetch(lists.node.data + 4 * h);
+                prefetch(lists.shear.data + 8 * h);
+                prefetch(lists.output.data + 8 * h);
+            }
+            sum_cracks_of(stresses, cracks, lists, lists.cell(q));
+        }
     });
+    if (!(turn.clock.dt > 0.0)) return;
     over_places(turn, lists.size(0), [&](Index first, Index last, Index) {
         for (Index e = first; e < last; e++) slide_crack(all, facets, cracks, lists, lists.treated(e), e);
     });

@@ -16,8 +16,8 @@ void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fac
 // Lets the cracks rest or part that are to.
 void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                   const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists);
-// Lets the faces of cracks slip, by the forces of this step.
-void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
-                  const CrackLists &lists);
+// Sums the forces of the cracks of each cell, and lets their faces slip by them.
+void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const StressesOfCells &stresses,
+                  const CohesiveCracks &cracks, const CrackLists &lists);
 
 }  // namespace bondem

@@ -27,8 +27,7 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
     const Mask<T> bound = (s > zero) | (before.least_left() > zero);
     FacetBending<T> bending = {};
     if (any(bound)) {
-        T plane;
-        bending = facet_bending(at.ends, group.resistances(cracks, &plane));
+        bending = facet_bending(at.ends, group.softening(cracks).H);
         loads.on_i = plus(loads.on_i, s, bending.torque);
         loads.on_j = minus(loads.on_j, s, bending.torque);
         rates.of[0] = select(bound, rates.of[0] + bending.energy, rates.of[0]);
@@ -41,12 +40,15 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
     CrackLosses<T> lost = {zero, zero};
     T across = {};  // what pulls across the cracks of a cell that may slip
     if (changes) {
-        const Vector3<T> pull = pull_of(group, cracks), stored = {state[3], state[4], state[5]};
+        const Vector3<T> pull = group.pull(cracks), stored = {state[3], state[4], state[5]};
         const Vector3<T> came = select<T>(at.now.rubs, now - slip, none), was_rub = select<T>(at.now.rubs, stored, none);
-        const CrackRates<T> was = rates_before(at.facet, at.now, at.alike, half, pull, bending.energy, before, past.column + 4);
-        const CrackStep<T> step = {before, left, was,
-                                   rates, was_rub, rub, came};
-        lost = crack_losses(at.facet.k, step);
+        Mask<T> falls = left.grip < before.grip;
+        for (int d = 0; d < 3; d++) falls |= left.s[d] < before.s[d];
+        if (any(falls | at.now.rubs)) {
+            const CrackRates<T> was =
+                rates_before(at.facet, at.now, at.alike, half, pull, bending.energy, before, past.column + 4);
+            lost = crack_losses(at.facet.k, CrackStep<T>{before, left, was, rates, was_rub, rub, came});
+        }
         // work of the force against what the faces of a crack of the material have slipped
         const T slid = 0.5 * dot(pull + f, turned_by(at.ends.i, stored));
         lost = {kept(select(at.now.rubs, lost.cracked, T(lost.cracked + slid))), kept(select(at.now.rubs, lost.rubbed, zero))};
@@ -59,19 +61,20 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
         const T kind = select(lets_go, bondem::all<T>(double(crack::let_go)), state[7]);
         const Vector3<T> own_kept = select<T>(treated, own, none), went = select<T>(at.now.rubs, rub, stored);
         const Vector3<T> rub_kept = select<T>(treated & opposite(lets_go), went, none);
-        group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, zero,
-                                  kind}});
+        if (any(at.now.rubs | lets_go | (state[6] > zero) | opposite(treated)))
+            group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, zero,
+                                      kind}});
         group.put(cracks.past, {{left.s[0], left.s[1], left.s[2], left.grip, rates.of[0], rates.of[1], rates.of[2],
                                  rates.of[3]}});
-        if (any(lost.cracked != zero))
-            group.put(cracks.history, 1, group.number(cracks.history, 1) + lost.cracked);
+        if (any(lost.cracked != zero)) {
+            const T spent = group.number(cracks.history, 1) + lost.cracked, one = bondem::all<T>(1.0);
+            group.put(cracks.history, 1, spent);
+            group.put(cracks.face, 7, select(may_slip(spent, group.number(strengths.absorbed)), one, zero));
+        }
         const Mask<T> breaks = treated & (s == zero) & (before.least_left() > zero);
         group.flag(lists.flag, lists.flagged, portion, breaks, crack::fell, 2);
     }
-    group.where(treated, [&](Index k, Index, int n) {
-        double *const pull = &cracks.pull(k, 0);
-        pull[0] = group.lane(f.x, n), pull[1] = group.lane(f.y, n), pull[2] = group.lane(f.z, n);
-    });
+    group.put_pull(cracks, f, treated);
     const Vector3<T> p = loads.on_i, q = loads.on_j;
     group.put_halves(lists.output,
                      {{kept(f.x), kept(f.y), kept(f.z), lost.rubbed, kept(p.x), kept(p.y), kept(p.z), across}},

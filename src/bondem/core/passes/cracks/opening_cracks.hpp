@@ -25,11 +25,7 @@ BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const Ela
     const Mask<T> gone = (left.s[0] == T{}) & (left.grip == T{});
     const Mask<T> slid = gone & turned_away(at.now, at.area, cracks.slide);
     Mask<T> away = gone & turned_away(at.now, at.area, 1.0);
-    if (any(slid)) {
-        T plane;
-        group.resistances(cracks, &plane);
-        away = away | (slid & (plane > T{}));
-    }
+    if (any(slid)) away = away | (slid & (group.softening(cracks).plane > T{}));
     group.flag(lists.flag, lists.flagged, portion, away, crack::parts);
 }
 

@@ -108,6 +108,9 @@ inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &crac
     put_shared(cracks.size(1), Index(1));  // lists have levers too
 }
 
+// Whether a crack that has dissipated so much may slip: it takes one fracture energy for opening and one for slip.
+template <class T> BONDEM_INLINE Mask<T> may_slip(T spent, T absorbed) { return spent < 2.0 * absorbed; }
+
 // Writes down what is constant of a facet as it becomes a crack.
 inline void write_constants(const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
                             const CohesiveCracks &cracks, Index k) {
@@ -130,6 +133,7 @@ inline void write_constants(const ElasticFacets &facets, const FacetForces &kept
     softening.brittleness = strengths.brittleness(k);
     softening.fastest = strengths.fastest(k);
     CrackHistoryRow &history = history_of(cracks, k);
+    face.slips = may_slip(history.spent, strengths.absorbed(k)) ? 1.0 : 0.0;
     history.cohesion = strengths.cohesion(k);
     history.slip_brittleness = strengths.slip_brittleness(k);
     history.friction = strengths.friction(k);

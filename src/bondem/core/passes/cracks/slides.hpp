@@ -15,7 +15,7 @@
 // Half of it each, as a facet has two cells: where all facets of a crack are alike it goes at once. Slip only takes
 // energy; its work is that of the mean of the forces before and after.
 #pragma once
-#include "single_cracks.hpp"
+#include "carried.hpp"
 
 namespace bondem {
 
@@ -29,8 +29,7 @@ BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<
                               const FacetStrengths &strengths, const StressesOfCells &stresses,
                               const CohesiveCracks &cracks, const CrackLists &lists) {
     const T zero = {}, one = all<T>(1.0), s = at.now.left.s[0];
-    // it takes no more than one fracture energy for opening and one for slip
-    const Mask<T> able = group.number(cracks.history, 1) < 2.0 * group.number(strengths.absorbed);
+    const Mask<T> able = at.slips > zero;
     const Mask<T> slides = treated & opposite(at.now.rubs) & (s < one) & able;
     Row<T> i = {}, j = {};
     T across = {};
@@ -58,14 +57,23 @@ BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<
     return across;
 }
 
-// By how much the cracks of cell p slip.
-inline void slide_of_cell(const CohesiveCracks &cracks, const CrackLists &lists, Index p) {
-    double sum[8] = {}, across = 0.0;
-    for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
-        const double *const of = &lists.shear(h, 0);
-        for (int c = 0; c < 8; c++) sum[c] += of[c];
-        across += lists.output(h, 7);
+// Sums what the cracks of cell p do to it, and finds by how much they slip.
+inline void sum_cracks_of(const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
+                          Index p) {
+    double sum[8] = {}, output[8] = {};
+    Carried carried = {};
+    for (Index h = lists.head(p); h > 0;) {
+        const double *const of = &lists.shear(h, 0), *const out = &lists.output(h, 0);
+        const int32_t *const node = &lists.node(h, 0);
+        h = node[0];
+        prefetch(lists.shear.data + 8 * h);
+        prefetch(lists.output.data + 8 * h);
+        for (int c = 0; c < 8; c++) sum[c] += of[c], output[c] += out[c];
+        carried.add(node + 1, out);
     }
+    for (int c = 0; c < 8; c++) lists.sum(p, c) = output[c];
+    carried.put(stresses, cracks.pitch.data, p);
+    const double across = output[7];
     const Vector R = {sum[0], sum[1], sum[2]}, as_is = {sum[4], sum[5], sum[6]};
     const double size = length(R), stiff = sum[3], cohesion = sum[7], pull = positive(across);
     const double friction = across < 0.0 ? face_of(cracks, lists.treated((lists.head(p) - 1) >> 1)).friction : 0.0;
@@ -80,13 +88,12 @@ inline void slide_crack(const Moving &all, const ElasticFacets &facets, const Co
                         const CrackLists &lists, Index k, Index e) {
     CrackStateRow &state = state_of(cracks, k);
     if (state.kind != crack::of_material) return;
-    const double stiff = lists.shear(2 * e + 1, 3);
-    const Vector before = {state.rub[0], state.rub[1], state.rub[2]};
-    state.rub[0] = state.rub[1] = state.rub[2] = 0.0;
-    if (stiff == 0.0) return;
     const Short i = facets.i(k), j = facets.j(k);
     const double *const a = &lists.slip(i, 0), *const b = &lists.slip(j, 0);
-    const Vector apart = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    const Vector apart = {a[0] - b[0], a[1] - b[1], a[2] - b[2]}, before = {state.rub[0], state.rub[1], state.rub[2]};
+    state.rub[0] = state.rub[1] = state.rub[2] = 0.0;
+    const double stiff = lists.shear(2 * e + 1, 3);
+    if (stiff == 0.0 || dot(apart, apart) == 0.0) return;
     const Quaternion<double> turn = orientation(gather(all.pose.data, i));
     const Vector across = axes_of(turn, quaternion_of(frame_of(cracks, k).axes)).e[0];
     const double loose = root(stiff / face_of(cracks, k).k);

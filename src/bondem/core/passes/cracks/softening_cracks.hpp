@@ -87,13 +87,13 @@ template <class T> BONDEM_INLINE void turn_in_plane(CrackAxes<T> &at, const Symm
     at.e[2] = plus(sine * a, c, b);
 }
 // Cracks of the material under a traction t as if they were whole. What they have slipped along themselves opens them
-// as much as what is across: `slid` is the traction for which the slip is the opening.
-template <class T>
+// as much as what is across: `slid` is the traction for which the slip is the opening. `losses()` are the largest ones
+// in a step of each direction; most cracks soften in few steps, and need none.
+template <class T, class Losses>
 BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTraction<T> &load,
-                                       const Symmetric3<T> &mean, const CrackRates<T> &before, const CrackRates<T> &rate,
-                                       const Softening<T> &facet, T at_once, T slid, const CurveShape &curve, Mask<T> away) {
+                                       const Symmetric3<T> &mean, Losses losses, const Softening<T> &facet, T slid,
+                                       const CurveShape &curve, Mask<T> away) {
     const T zero = {}, one = all<T>(1.0);
-    const Mask<T> brittle = facet.brittleness == all<T>(infinity);
     Softened<T> found = {faces.at, faces.left};
     T *const s = found.left.s;
     turn_in_plane(found.at, mean, (s[1] == one) & (s[2] == one));
@@ -113,20 +113,24 @@ BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTr
         pressure = most(pressure, -stress);
     }
     const T bent = positive(T(load.bent - pressure)) / largest;
-    T opened = {};
+    T opened = {}, left[3];
+    Mask<T> falls = zero > one;
     for (int d = 0; d < 3; d++) {
         T pull = pulls[d];
         if (d == 0) pull = select(s[0] < one, root(pull * pull + slid * slid), pull);
         const LoadAlong<T> along = load_along(pull, T(bent * slope[d]), slope[d]);
         if (d == 0) opened = along.traction * along.share * facet.brittleness;  // over the last opening
-        const T left = select(away, zero, left_along(s[d], along, facet, curve));
-        s[d] = fallen(s[d], left, select(brittle, at_once, largest_loss(before.of[d], rate.of[d])));
+        left[d] = select(away, zero, left_along(s[d], along, facet, curve));
+        falls |= left[d] < s[d];
     }
     const T far = (opened - crack::lets_go) * (1.0 / (crack::has_let_go - crack::lets_go));
     const T grip = select(away, zero, select(far > zero, positive(T(one - far)), one));
-    const T loss = select(brittle, at_once, largest_loss(before.of[0], rate.of[0]));
-    const Mask<T> apart = (s[0] == zero) & ((dot(load.t, load.normal) > zero) | away);
-    found.left.grip = select(apart, fallen(found.left.grip, grip, loss), found.left.grip);
+    const Mask<T> open = (dot(load.t, load.normal) > zero) | away;
+    if (!any(falls | ((s[0] == zero) & open & (grip < found.left.grip)))) return found;
+    const Vector3<T> most_lost = losses();
+    const T loss[3] = {most_lost.x, most_lost.y, most_lost.z};
+    for (int d = 0; d < 3; d++) s[d] = fallen(s[d], left[d], loss[d]);
+    found.left.grip = select((s[0] == zero) & open, fallen(found.left.grip, grip, loss[0]), found.left.grip);
     return found;
 }
 
@@ -207,14 +211,19 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
         // those of the material, but for brittle ones in the step in which they begin
         const Mask<T> bulk = softens & opposite(at.alike) & opposite(fresh & at_once);
         if (any(bulk)) {
-            const Row<T> past = group.lines(cracks.past);
-            const CrackIntegrity<T> before = {{past.column[0], past.column[1], past.column[2]}, past.column[3]};
-            const CrackRates<T> rates = crack_rates(at.facet, now.left, half);
-            const CrackRates<T> was =
-                rates_before(at.facet, now, at.alike, half, pull_of(group, cracks), zero, before, past.column + 4);
+            const auto losses = [&]() {
+                const Row<T> past = group.lines(cracks.past);
+                const CrackIntegrity<T> before = {{past.column[0], past.column[1], past.column[2]}, past.column[3]};
+                const CrackRates<T> rate = crack_rates(at.facet, now.left, half);
+                const CrackRates<T> was =
+                    rates_before(at.facet, now, at.alike, half, group.pull(cracks), zero, before, past.column + 4);
+                const Mask<T> brittle = of.by.tension.brittleness == bondem::all<T>(infinity);
+                const auto loss = [&](int d) { return select(brittle, of.fastest, largest_loss(was.of[d], rate.of[d])); };
+                return Vector3<T>{loss(0), loss(1), loss(2)};
+            };
             const T *const c = at.state.column, slip = root(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
             const T slid = at.facet.k * slip / (at.area * (1.0 - now.left.s[0]));
-            found = soften_along(now, load, mean_of_cells(group, stresses), was, rates, of.by.tension, of.fastest,
+            found = soften_along(now, load, mean_of_cells(group, stresses), losses, of.by.tension,
                                  select(now.left.s[0] < bondem::all<T>(1.0), slid, zero), curve, turned_away(now, at.area, 1.0));
         }
         const Mask<T> plane = softens & at.alike & opposite(fresh);
