@@ -227,7 +227,7 @@ inline void load_crack(Index k, const DeviceSpan &span, const Moving &all, const
 }
 inline void sum_cracks_of_cell(Index p, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                                const CrackLists &lists) {
-    if (lists.head(p) != 0) sum_cracks_of(stresses, cracks, lists, p);
+    if (lists.head(p) != 0) sum_cracks_of(stresses, cracks, lists, p, [] {});
 }
 inline void slide_crack_of(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                            const CohesiveCracks &cracks, const CrackLists &lists) {

@@ -40,6 +40,26 @@ void insert_half(const CrackLists &lists, Short p, Index number, Index k, const 
     (before == 0 ? lists.head(p) : lists.node(before, 0)) = int32_t(number);
 }
 
+// Asks for the rows of halves, in the order in which those of the cells first … last - 1 of a list are read, some ahead.
+struct HalvesAhead {
+    const CrackLists &lists;
+    Index q, last, half = 0;
+
+    HalvesAhead(const CrackLists &lists, Index first, Index last) : lists(lists), q(first), last(last) {
+        constexpr int ahead = 12;
+        for (int n = 0; n < ahead; n++) ask();
+    }
+    BONDEM_INLINE void ask() {
+        if (half == 0) {
+            if (q == last) return;
+            half = lists.head(lists.cell(q++));
+        }
+        prefetch(lists.shear.data + 8 * half);
+        prefetch(lists.output.data + 8 * half);
+        half = lists.node(half, 0);
+    }
+};
+
 // Treats a resting crack one by one: at the end of the list in this step, in order in the next.
 void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists,
           Index k) {
@@ -104,21 +124,17 @@ void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fac
 void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const StressesOfCells &stresses,
                   const CohesiveCracks &cracks, const CrackLists &lists) {
     over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
-        for (Index q = first; q < last; q++) {
-            // halves of the cells to come, as many as they may have
-            for (Index ahead = 2, links = 2; ahead <= 8; ahead += 3, links--) {
-                Index h = lists.head(lists.cell(least(q + ahead, last - 1)));
-                for (Index n = 0; n < links; n++) h = lists.node(h, 0);
-                prefetch(lists.node.data + 4 * h);
-                prefetch(lists.shear.data + 8 * h);
-                prefetch(lists.output.data + 8 * h);
-            }
-            sum_cracks_of(stresses, cracks, lists, lists.cell(q));
-        }
+        HalvesAhead ahead(lists, first, last);
+        for (Index q = first; q < last; q++)
+            sum_cracks_of(stresses, cracks, lists, lists.cell(q), [&]() __attribute__((always_inline)) { ahead.ask(); });
     });
     if (!(turn.clock.dt > 0.0)) return;
     over_places(turn, lists.size(0), [&](Index first, Index last, Index) {
-        for (Index e = first; e < last; e++) slide_crack(all, facets, cracks, lists, lists.treated(e), e);
+        constexpr Index ahead = 16;
+        for (Index e = first; e < last; e++) {
+            prefetch(&state_of(cracks, lists.treated(least(e + ahead, last - 1))));
+            slide_crack(all, facets, cracks, lists, lists.treated(e), e);
+        }
     });
 }
 

@@ -13,7 +13,13 @@ void relax_all(const Turn &turn, const Moving &all, const CellDilatation &cells,
     over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
         for (Index q = first; q < last; q += lanes) {
             const Short *const cell = lists.cell.data + q;
-            for (int n = 0; n < lanes; n++) prefetch(lists.half.data + 16 * lists.head(cell[2 * lanes + n]));
+            for (int n = 0; n < lanes; n++) {
+                Index h = lists.head(cell[2 * lanes + n]);
+                for (int links = 0; links < 2; links++, h = lists.node(h, 0)) {
+                    prefetch(lists.half.data + 16 * h);
+                    prefetch(lists.half.data + 16 * h + 8);
+                }
+            }
             relax(CellGroup{cell}, all, cells, lists, only_stale);
         }
     });

@@ -57,17 +57,17 @@ BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<
     return across;
 }
 
-// Sums what the cracks of cell p do to it, and finds by how much they slip.
+// Sums what the cracks of cell p do to it, and finds by how much they slip. `on_half()` is called once for each half.
+template <class OnHalf>
 inline void sum_cracks_of(const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
-                          Index p) {
+                          Index p, OnHalf on_half) {
     double sum[8] = {}, output[8] = {};
     Carried carried = {};
     for (Index h = lists.head(p); h > 0;) {
         const double *const of = &lists.shear(h, 0), *const out = &lists.output(h, 0);
         const int32_t *const node = &lists.node(h, 0);
         h = node[0];
-        prefetch(lists.shear.data + 8 * h);
-        prefetch(lists.output.data + 8 * h);
+        on_half();
         for (int c = 0; c < 8; c++) sum[c] += of[c], output[c] += out[c];
         carried.add(node + 1, out);
     }
@@ -92,8 +92,9 @@ inline void slide_crack(const Moving &all, const ElasticFacets &facets, const Co
     const double *const a = &lists.slip(i, 0), *const b = &lists.slip(j, 0);
     const Vector apart = {a[0] - b[0], a[1] - b[1], a[2] - b[2]}, before = {state.rub[0], state.rub[1], state.rub[2]};
     state.rub[0] = state.rub[1] = state.rub[2] = 0.0;
+    if (dot(apart, apart) == 0.0) return;
     const double stiff = lists.shear(2 * e + 1, 3);
-    if (stiff == 0.0 || dot(apart, apart) == 0.0) return;
+    if (stiff == 0.0) return;
     const Quaternion<double> turn = orientation(gather(all.pose.data, i));
     const Vector across = axes_of(turn, quaternion_of(frame_of(cracks, k).axes)).e[0];
     const double loose = root(stiff / face_of(cracks, k).k);

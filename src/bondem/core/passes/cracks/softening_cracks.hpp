@@ -195,11 +195,6 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
     const Mask<T> fresh = at.state.column[6] > zero, treated = opposite(group.flagged(lists.flag));
     const Mask<T> gone = (now.left.s[0] == zero) & (now.left.grip == zero);
     const Vector3<T> whole = whole_force(at.facet.k, now, at.stress);
-    const CrackHalves<T> half = crack_halves(at.facet, now, at.stress);
-    // open, and far from closing, along the normals of the crack and of its facet
-    const T far = 2.0 * crack::grazing * root(dot(whole, whole));
-    const Mask<T> open = (half.i.press() == zero) & (half.j.press() == zero) & (dot(whole, now.across()) > far) &
-                         (dot(whole, now.normal) > far) & (dot(now.gap, now.normal) > zero);
     Mask<T> calm = treated & opposite(fresh) & gone;
     const Mask<T> softens = treated & opposite(gone);
     if (any(softens)) {
@@ -214,6 +209,7 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
             const auto losses = [&]() {
                 const Row<T> past = group.lines(cracks.past);
                 const CrackIntegrity<T> before = {{past.column[0], past.column[1], past.column[2]}, past.column[3]};
+                const CrackHalves<T> half = crack_halves(at.facet, now, at.stress);
                 const CrackRates<T> rate = crack_rates(at.facet, now.left, half);
                 const CrackRates<T> was =
                     rates_before(at.facet, now, at.alike, half, group.pull(cracks), zero, before, past.column + 4);
@@ -251,6 +247,12 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
             group.flag(lists.flag, lists.flagged, portion, falls, crack::fell);
         }
     }
+    if (!any(calm)) return;
+    // open, and far from closing, along the normals of the crack and of its facet
+    const CrackHalves<T> half = crack_halves(at.facet, now, at.stress);
+    const T far = 2.0 * crack::grazing * root(dot(whole, whole));
+    const Mask<T> open = (half.i.press() == zero) & (half.j.press() == zero) & (dot(whole, now.across()) > far) &
+                         (dot(whole, now.normal) > far) & (dot(now.gap, now.normal) > zero);
     group.flag(lists.flag, lists.flagged, portion, calm & open, crack::calmed);
 }
 
