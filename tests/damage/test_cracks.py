@@ -14,7 +14,7 @@ from bondem.dynamics.core_loop import CoreLoop
 from bondem.errors import InputError
 from tests.bits import assert_same_fracture, most_threads, threads
 from tests.models import slowly_torn, torn_then_pressed
-from tests.specimens import bar, cubes, spheres, two_cubes
+from tests.specimens import bar, cube, cubes, spheres, two_cubes
 
 E, RHO = 40e9, 2500.0
 STRENGTH, ENERGY = 4e6, 50.0
@@ -320,3 +320,26 @@ def test_softening_is_for_bodies_of_cells() -> None:
     lattice = spheres(bd.Box((4e-3, 4e-3, 4e-3)), 300)
     with pytest.raises(InputError, match=r"use bd\.CellBond"):
         bd.Model(lattice, bd.EulerBernoulli(E=1e9, nu=0.3, radius_ratio=0.7), density=RHO, failure=SOFT)
+
+
+def test_a_closed_crack_slides_under_friction_as_far_as_it_is_driven() -> None:
+    """A cube torn, pressed by f_t and slid by two last openings: it bears μ p, and that is friction, no fracture."""
+    edge, last, friction = 16e-3, 2.0 * ENERGY / STRENGTH, 0.5
+    press, time = STRENGTH / E * edge, np.array([0.0, 2.0, 4.0, 10.0]) * 1e-4
+    x = bd.Table(time, np.array([0.0, 1.2 * last, -press, -press]))
+    y = bd.Table(time, np.array([0.0, 0.0, 0.0, 2.0 * last]))
+    ends = [bd.Fix(bd.Face("x_min"), translation="xy"), bd.Drive(bd.Face("x_max"), x=x, y=y)]
+    failure = bd.Rankine(tension=STRENGTH, fracture_energy=ENERGY, friction=friction)
+    model = bd.Model(cube(60, edge), bd.CellBond(E=E, nu=0.2), density=RHO, failure=failure, boundary=ends)
+    run = bd.solve_explicit(
+        model, duration=time[-1], damping=bd.MassDamping(alpha=1e5), every=10,
+        gauges={"far": bd.Gauge(bd.Face("x_max"), "force")},
+    )  # fmt: skip
+    record = run.history
+    late = record.time > 8e-4  # after a slide of 4/3 of the last opening
+    normal, shear = record["far"][late, 0].mean(), record["far"][late, 1].mean()
+    assert shear == pytest.approx(-friction * normal, rel=0.1)
+    rubbed = np.diff(record.energy["friction"][late][[0, -1]])
+    assert rubbed == pytest.approx(shear * 2.0 / 3.0 * last, rel=0.1)
+    spent = record.energy["fracture"] + record.energy["crushing"]
+    assert np.diff(spent[late][[0, -1]]) < 0.1 * rubbed

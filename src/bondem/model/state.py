@@ -65,7 +65,7 @@ class State:
     - `broken`: breakages in order of time (`bondem.damage.event_columns`), shape (e, 10).
     - `released`: energy that breaking bonds have released since the start [J], shape (1,).
     - `crushed`: energy that they had released before it beyond their fracture energy [J], shape (1,).
-    - `cracks`: facets that have begun to crack, in order of time (`bondem.damage.crack_columns`), shape (c, 14).
+    - `cracks`: facets that have begun to crack, in order of time (`bondem.damage.crack_columns`), shape (c, 30).
     - `plastic`, `held_slip`: of cells that yield (`bondem.damage.crack_columns`), shapes (n, 17) and (n,).
     - `softened`: beams that have begun to soften, in order of time (`bondem.damage.event_columns`), shape (c, 7).
     - `grips`: initial places of walls that hold facets of cells (`bondem.boundary.wall_constraints`), shape (g, 7).

@@ -50,8 +50,11 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
             lost = crack_losses(at.facet.k, CrackStep<T>{before, left, was, rates, was_rub, rub, came});
         }
         // work of the force against what the faces of a crack of the material have slipped
-        const T slid = 0.5 * dot(pull + f, turned_by(at.ends.i, stored));
-        lost = {kept(select(at.now.rubs, lost.cracked, T(lost.cracked + slid))), kept(select(at.now.rubs, lost.rubbed, zero))};
+        const Vector3<T> both = pull + f;
+        const T slid = select(at.now.rubs, zero, T(0.5 * dot(both, turned_by(at.ends.i, stored))));
+        const Mask<T> grinds = (slid != zero) & (at.friction > zero);
+        const T rubbed = any(grinds) ? T(friction_share(group, at, both, strengths, cracks) * slid) : zero;
+        lost = {kept(lost.cracked + (slid - rubbed)), kept(select(at.now.rubs, lost.rubbed, rubbed))};
         across = shear_each(group, at, f, treated, strengths, stresses, cracks, lists);
         // the spring of friction of a crack that has let go is at rest where the faces are now
         const Mask<T> lets_go = opposite(at.now.rubs) & (left.grip == zero);

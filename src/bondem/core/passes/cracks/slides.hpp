@@ -22,6 +22,19 @@ namespace bondem {
 // Share of the slip of the step before that goes on in the next one: steady slip lags by a fifth of what it would else.
 constexpr double kept_slip = 0.8;
 
+// Share of friction in the work of slip of a crack: μ times its pressure over that and its cohesion; `both` is the sum of its
+// forces before and after.
+template <class Group, class T = typename Group::Number>
+BONDEM_INLINE T friction_share(const Group &group, const CrackPlace<T> &at, Vector3<T> both, const FacetStrengths &strengths,
+                               const CohesiveCracks &cracks) {
+    const Vector3<T> e = at.now.across();
+    const Softening<T> facet = {group.number(cracks.softening, 7), group.number(cracks.softening, 5)};
+    const T slope = absolute(dot(at.now.normal, e)), steep = most(slope, all<T>(least_slope)), zero = {};
+    const T r = borne_of(at.now.left.s[0], steep, facet, CurveShape{strengths.kink, strengths.steep});
+    const T rubs = at.friction * positive(T(-0.5 * dot(both, e)));
+    return select(rubs > zero, T(rubs / (rubs + at.area * slope * r * facet.strength)), zero);
+}
+
 // What would slide of the cracks of a group, by half; 0 for those of which friction is a spring of their own. Returns their
 // part of N.
 template <class Group, class T = typename Group::Number>
