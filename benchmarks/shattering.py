@@ -3,7 +3,7 @@
 12 000 brittle cells, E = 70 GPa, ν = 0.22, 2500 kg/m³, 60 MPa in tension, c = 200 MPa, φ = 35°; radius 20 mm, 30 m/s.
 
 Run: python benchmarks/shattering.py DIR [--count 12000] [--speed 30] [--duration 2.5e-4]
-     bondem render DIR/ball.h5 --field fragment --out docs/figures/shattering.png
+     bondem render DIR/ball.h5 --field fragment --no-axes --no-walls --size 940 940 --out docs/figures/shattering.png
 """
 
 import argparse
