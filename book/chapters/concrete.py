@@ -47,9 +47,9 @@ def chapter() -> Chapter:
         ),
         misses=(
             "The Brazilian strength is too low, because a disc of this Mohr–Coulomb material yields at its centre "
-            "before the tension reaches f_t. With a criterion whose line passes above f_t a disc of 2000 cells is "
-            "too strong on one packing. The notched beam dissipates too much with the former, wide band of "
-            "softening steps."
+            "before the tension reaches f_t. With a criterion whose line passes above f_t discs of 2000 cells, whose "
+            "process zone is 2.5 diameters long, are too strong. The notched beam dissipates too much with the "
+            "former, wide band of softening steps."
         ),
         sections=(_compression(), _tension(), _brazilian(), _bending(), _work(), _shear(), _mesoscale()),
     )
