@@ -50,8 +50,8 @@ def section() -> Section:
             "Nooru-Mohamed 4c: with f_t = 3.0 MPa a shear force of 27.5 kN bends a section 10 mm below the upper edge"
             " by 3.9 MPa. Nothing may fail within 25 mm of the upper and the lower edge, and one crack follows it"
             " below, while none leaves the left notch. The distance between cracks counts that crack and is no"
-            " agreement: the pattern of 4c is not that of the test. 4a and 4b have one crack from each notch, as the"
-            " tests, but 5 and 0.3 mm farther apart than the corridor."
+            " agreement: the pattern of 4c is not that of the test. In 4a the cracks of both notches meet; 4b has one"
+            " crack from each notch, as the test."
         ),
         figures=tuple(
             Figure(f"paths_{one['name']}.png", f"{one['title']}: load curve, and the crack") for one in cases
