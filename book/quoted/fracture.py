@@ -1,9 +1,10 @@
-"""Strength and fracture energy: bars, loading paths, discs."""
+"""Strength and fracture energy: bars, loading paths, discs, a crack that runs."""
 
 from collections.abc import Sequence
 from statistics import fmean
 
 from book.chapters.concrete import CONCRETE
+from book.chapters.rapid_fracture import BRANCHING
 from book.forms import Form
 from book.quoting import Quoted
 from book.results import Measurement
@@ -23,7 +24,7 @@ _CONCRETE = 4e6
 
 def quoted() -> Sequence[Quoted]:
     """All quoted numbers of fracture."""
-    return [*_bars(), *_pressed(), *_compact(), *_sheared(), *_solvers(), *_discs(), _bimetal()]
+    return [*_bars(), *_pressed(), *_compact(), *_sheared(), *_solvers(), *_discs(), *_running(), _bimetal()]
 
 
 def _rows(name: str, *, task: str = "") -> list[dict]:
@@ -146,6 +147,20 @@ def _discs() -> list[Quoted]:
         values=(sum(one["peak"] for one in discs) / len(discs),),
     ))  # fmt: skip
     return found
+
+
+def _running() -> list[Quoted]:
+    plates = [one for one in BRANCHING.at("runs") if one["case"] == "A"]
+    counts = sorted(one["count"] for one in plates)
+    size = f"{counts[0]} to {counts[-1]} cells, {len(plates)} plates"
+    return [
+        Quoted(name="branching.plates", says="plates A whose crack may branch", size=size, record=BRANCHING,
+               values=(len(plates),)),
+        Quoted(name="branching.branched", says="plates A whose crack branches", size=size, record=BRANCHING,
+               values=(sum(one["branched"] is not None for one in plates),)),
+        Quoted(name="branching.fastest", says="fastest 10 µs of a crack in plates A over the celerity of Rayleigh",
+               size=size, record=BRANCHING, form=RATIO, values=tuple(one["over"] for one in plates)),
+    ]  # fmt: skip
 
 
 def _bimetal() -> Quoted:
