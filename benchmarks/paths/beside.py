@@ -19,6 +19,8 @@ DEAD = (-10.0, -6.0, -3.0, -1.0, -0.5, 0.5, 0.9)
 PEAK, WORK, LEFT = 0.02, 0.08, 0.05
 #: Pressure of the cube that is only pressed, over f_t, its Poisson's ratio, limits of stress and dissipation [-].
 PRESSED, SQUEEZED, STIFFNESS, NOTHING = 40.0, 0.4, 0.01, 0.01
+#: Dead stresses over f_t beside cracks that open further, and how far over the last opening.
+WIDE, OPENED = (-10.0, -3.0, 0.9), 5.0
 _STRETCH = TENSION / E * SIDE
 
 
@@ -53,20 +55,34 @@ def beside(seed: int, count: int) -> list[Row]:
 
 def dead(seed: int, count: int) -> list[Row]:
     """Tension along x under a constant stress along y, which is there first."""
+    return [
+        row
+        for share in DEAD
+        for row in _rows(f"dead stress {share:g} f_t across", _torn(seed, count, share, torn()), seed, count)
+    ]
+
+
+def wide(seed: int, count: int) -> list[Row]:
+    """The same with cracks that open further: what acts along them has to stay while their faces are near."""
     rows = []
-    for share in DEAD:
-
-        def sides(begin: float, rise: float, share: float = share) -> list[bd.BoundaryCondition]:
-            grows = bd.Ramp(0.0, 1.0, 2.0 * rise, begin=begin)
-            return [
-                bd.Fix(bd.Face("z_min"), translation="z", rotation=""),
-                *(bd.Pressure(bd.Face(name), -share * TENSION, schedule=grows) for name in ("y_min", "y_max")),
-            ]
-
-        apart = torn() + NU * max(0.0, -share) * _STRETCH  # what the pressure takes from the tension at first
-        found = course(cube(seed, count), RANKINE, {"x": (0.0, 0.0, apart)}, others=sides)
-        rows += _rows(f"dead stress {share:g} f_t across", found, seed, count)
+    for share in WIDE:
+        found = _torn(seed, count, share, OPENED * 2.0 * ENERGY / TENSION)
+        rows += _rows(f"dead stress {share:g} f_t across, opened by {OPENED:g}", found, seed, count)[1:]
     return rows
+
+
+def _torn(seed: int, count: int, share: float, way: float) -> Course:
+    """Tension along x as far as a way [m], under a constant stress along y, over f_t, which is there first."""
+
+    def sides(begin: float, rise: float) -> list[bd.BoundaryCondition]:
+        grows = bd.Ramp(0.0, 1.0, 2.0 * rise, begin=begin)
+        return [
+            bd.Fix(bd.Face("z_min"), translation="z", rotation=""),
+            *(bd.Pressure(bd.Face(name), -share * TENSION, schedule=grows) for name in ("y_min", "y_max")),
+        ]
+
+    apart = way + NU * max(0.0, -share) * _STRETCH  # what the pressure takes from the tension at first
+    return course(cube(seed, count), RANKINE, {"x": (0.0, 0.0, apart)}, others=sides)
 
 
 def pressed(seed: int, count: int) -> list[Row]:

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+import bondem as bd
 from paths.driving import ENERGY, RANKINE, SIDE, TENSION, E, course, cube, torn
 from paths.rows import Row
 
@@ -15,27 +16,37 @@ PEAK, WORK = 0.03, 0.08
 OPENED, TIMES, STIFFNESS = 0.3, 3, 0.03
 #: Dissipation that may be taken back in a step between records, over G_f [-].
 TAKEN = 1e-6
-_STRETCH, LAST = TENSION / E * SIDE, 2.0 * ENERGY / TENSION
+LAST = 2.0 * ENERGY / TENSION
+#: Length of the flat block along x [m].
+FLAT = 10e-3
 
 
-def _opening(share: float) -> float:
-    """Displacement at which a crack is open by a share of its last opening [m]."""
-    return share * LAST + max(0.0, 1.0 - share) * _STRETCH
+def _opening(share: float, length: float = SIDE) -> float:
+    """Displacement at which a crack of a body of this length is open by a share of its last opening [m]."""
+    return share * LAST + max(0.0, 1.0 - share) * TENSION / E * length
 
 
 def slide(seed: int, count: int) -> list[Row]:
     """A crack across x is opened, held open, and slid along y: shear along it and stress across it."""
+    return _slide(cube(seed, count), SIDE, "", seed, count)
+
+
+def flat(seed: int, count: int) -> list[Row]:
+    """The same in a block that is too flat for its halves to turn, as those of a cube do by cracks near its faces."""
+    block = bd.pack(bd.Box((FLAT, SIDE, SIDE)), count=2 * count, method="even", seed=seed)
+    return _slide(bd.connect(block, method="laguerre"), FLAT, "flat, ", seed, count)
+
+
+def _slide(body: bd.Lattice, length: float, told_before: str, seed: int, count: int) -> list[Row]:
     rows: list[Row] = []
     for opening, slides in SLIDES.items():
-        reach = _opening(opening)
-        found = course(
-            cube(seed, count), RANKINE, {"x": (0.0, reach, reach, reach)}, slide=(0.0, 0.0, 0.0, slides[-1] * LAST)
-        )
+        reach = _opening(opening, length)
+        found = course(body, RANKINE, {"x": (0.0, reach, reach, reach)}, slide=(0.0, 0.0, 0.0, slides[-1] * LAST))
         sliding = int(np.argmax(found.moved["slide"] > 0.0))
         way = found.moved["slide"][sliding:] / LAST
         shear, across = (found.stress[axis][sliding:] / TENSION for axis in ("slide", "x"))
         spent = found.run.history.released / found.section["x"] / ENERGY
-        told = f"opened by {opening:g}"
+        told = f"{told_before}opened by {opening:g}"
         at = {one: min(int(np.searchsorted(way, one * (1.0 - 1e-9))), len(way) - 1) for one in slides}
         note = f"{found.note}, largest shear {np.abs(shear).max():.3f} f_t, dissipated {spent[sliding]:.3f} before"
 
@@ -74,7 +85,7 @@ def crossing(seed: int, count: int) -> list[Row]:
 
 def closing(seed: int, count: int) -> list[Row]:
     """A cube that is opened and pressed to half of f_t in turn, and then torn: it closes with all its stiffness."""
-    body, half = cube(seed, count), -0.5 * _STRETCH
+    body, half = cube(seed, count), -0.5 * TENSION / E * SIDE
     whole = course(body, RANKINE, {"x": (0.0, half)})
     reach = _opening(OPENED)
     knots = [0.0, reach, half] * TIMES
