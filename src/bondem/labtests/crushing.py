@@ -161,7 +161,8 @@ def sphere_crushing(
     model = Model(ball, law, rho, failure=failure, contact=specimen.contact(contact), walls=plates)
     duration = _REACH * rise + 0.5 * begin
     damping = MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / specimen.diameter)
-    dt = choose_step(model, VelocityVerlet(), None, safety=0.9, damping=damping).dt
+    # cracks that open fast and slip: half a step leaves a quarter of what the ledger misses
+    dt = choose_step(model, VelocityVerlet(), None, safety=0.45, damping=damping).dt
     dropped = LoadDrop({"far": (0.5, 0.0, 0.0), "near": (-0.5, 0.0, 0.0)}, share, _SURE * expected)
     return run_test(
         "sphere_crushing", model, lambda run: _read(run, specimen, speed, begin, fine), duration=duration, dt=dt,
