@@ -19,14 +19,12 @@ from bondem.dynamics.damping import MassDamping
 from bondem.dynamics.events import LoadDrop
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import ExplicitResult
-from bondem.dynamics.schemes import VelocityVerlet
-from bondem.dynamics.timestep import choose_step
 from bondem.errors import InputError
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.labtests.arguments import check
 from bondem.labtests.cracking import CRACKED, Cracking, dissipated_in
-from bondem.labtests.recorded_run import run_test
+from bondem.labtests.recorded_run import run_test, step_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
@@ -243,7 +241,7 @@ def run_to_failure(
     model = Model(body, law, rho, failure=failure, boundary=rig.boundary(speed, begin))
     duration = rig.reach / abs(speed) + 0.5 * begin
     damping = MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / rig.size)
-    dt = choose_step(model, VelocityVerlet(), None, safety=0.75, damping=damping).dt
+    dt = step_of(model, damping=damping, softening=0.75)
     every = max(1, round(duration / _RECORDS / dt))
     G = softening_of(test, failure, "a criterion with its fracture_energy").fracture_energy
     found = run_test(

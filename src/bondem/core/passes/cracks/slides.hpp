@@ -22,17 +22,27 @@ namespace bondem {
 // Share of the slip of the step before that goes on in the next one: steady slip lags by a fifth of what it would else.
 constexpr double kept_slip = 0.8;
 
-// Share of friction in the work of slip of a crack: μ times its pressure over that and its cohesion; `both` is the sum of its
-// forces before and after.
+// What the cracks of a group carry along themselves without friction: over their strength [-], and as a force [N].
+template <class T> struct Cohesion {
+    T share, force;
+};
+template <class Group, class T = typename Group::Number>
+BONDEM_INLINE Cohesion<T> cohesion_of(const Group &group, const CrackPlace<T> &at, const FacetStrengths &strengths,
+                                      const CohesiveCracks &cracks) {
+    const Softening<T> facet = {group.number(cracks.softening, 7), group.number(cracks.softening, 5)};
+    const T slope = absolute(dot(at.now.normal, at.now.across()));
+    const T share = borne_of(at.now.left.s[0], most(slope, all<T>(least_slope)), facet,
+                             CurveShape{strengths.kink, strengths.steep});
+    return {share, at.area * slope * share * facet.strength};
+}
+
+// Share of friction in the work of slip of a crack [-]: μ times its pressure over that and its cohesion; `both` is the sum
+// of its forces before and after [N].
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE T friction_share(const Group &group, const CrackPlace<T> &at, Vector3<T> both, const FacetStrengths &strengths,
                                const CohesiveCracks &cracks) {
-    const Vector3<T> e = at.now.across();
-    const Softening<T> facet = {group.number(cracks.softening, 7), group.number(cracks.softening, 5)};
-    const T slope = absolute(dot(at.now.normal, e)), steep = most(slope, all<T>(least_slope)), zero = {};
-    const T r = borne_of(at.now.left.s[0], steep, facet, CurveShape{strengths.kink, strengths.steep});
-    const T rubs = at.friction * positive(T(-0.5 * dot(both, e)));
-    return select(rubs > zero, T(rubs / (rubs + at.area * slope * r * facet.strength)), zero);
+    const T rubs = at.friction * positive(T(-0.5 * dot(both, at.now.across()))), zero = {};
+    return select(rubs > zero, T(rubs / (rubs + cohesion_of(group, at, strengths, cracks).force)), zero);
 }
 
 // What would slide of the cracks of a group, by half; 0 for those of which friction is a spring of their own. Returns their
@@ -42,16 +52,13 @@ BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<
                               const FacetStrengths &strengths, const StressesOfCells &stresses,
                               const CohesiveCracks &cracks, const CrackLists &lists) {
     const T zero = {}, one = all<T>(1.0), s = at.now.left.s[0];
-    const Mask<T> able = at.slips > zero;
-    const Mask<T> slides = treated & opposite(at.now.rubs) & (s < one) & able;
+    const Mask<T> slides = treated & opposite(at.now.rubs) & (s < one) & (at.slips > zero);
     Row<T> i = {}, j = {};
     T across = {};
     if (any(slides)) {
         const Vector3<T> e = at.now.across(), n = at.now.normal;
-        const Softening<T> facet = {group.number(cracks.softening, 7), group.number(cracks.softening, 5)};
-        const T slope = absolute(dot(n, e)), steep = most(slope, all<T>(least_slope));
-        const T r = borne_of(s, steep, facet, CurveShape{strengths.kink, strengths.steep});
-        const T loose = select(slides, T(one - r), zero), along = dot(f, e);
+        const Cohesion<T> cohesion = cohesion_of(group, at, strengths, cracks);
+        const T loose = select(slides, T(one - cohesion.share), zero), along = dot(f, e);
         const Vector3<T> shear = loose * minus(f, along, e), flat = minus(n, dot(n, e), e);
         const auto of_stress = [&](const Row<T> &row) {
             const T *const c = row.column;
@@ -60,8 +67,7 @@ BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<
         };
         const Vector3<T> of_i = shear - of_stress(gather(stresses.tensor.data, group.i));
         const Vector3<T> of_j = of_stress(gather(stresses.tensor.data, group.j)) - shear;
-        const T stiff = loose * loose * at.facet.k;
-        const T bears = loose * at.area * slope * r * facet.strength;
+        const T stiff = loose * loose * at.facet.k, bears = loose * cohesion.force;
         across = loose * along;
         i = {{of_i.x, of_i.y, of_i.z, stiff, shear.x, shear.y, shear.z, bears}};
         j = {{of_j.x, of_j.y, of_j.z, stiff, -shear.x, -shear.y, -shear.z, bears}};
