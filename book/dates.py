@@ -21,7 +21,7 @@ CHANGES = {
     "the compiled core": ("2026-11-26T13:24", "0029-core.md"),
     "softening along present directions": ("2026-11-26T10:54", "0028-softening-along-present-directions.md"),
     "the balanced shares": ("2026-11-27T22:20", "0036-balanced-shares.md"),
-    "cracks that keep directions": ("2026-11-28T05:24", "0045-cracks-that-keep-directions.md"),
+    "cracks that keep directions": ("2026-11-28T10:14", "0045-cracks-that-keep-directions.md"),
 }
 
 #: Records of bodies of cells whose facets fail; of others a change of their softening is no change.

@@ -24,7 +24,9 @@ _CONCRETE = 4e6
 
 def quoted() -> Sequence[Quoted]:
     """All quoted numbers of fracture."""
-    return [*_bars(), *_pressed(), *_compact(), *_sheared(), *_solvers(), *_discs(), *_running(), _bimetal()]
+    return [
+        *_bars(), *_pressed(), *_compact(), *_sheared(), *_slid(), *_solvers(), *_discs(), *_running(), _bimetal(),
+    ]  # fmt: skip
 
 
 def _rows(name: str, *, task: str = "") -> list[dict]:
@@ -111,6 +113,17 @@ def _sheared() -> list[Quoted]:
         found.append(Quoted(
             name=name, says=f"cubes after {reach} f_t/E along x: largest σ1 in shear, over f_t", record=PATHS,
             form=RATIO, size=_size(case, what="cubes"), values=_measured(case),
+        ))  # fmt: skip
+    return found
+
+
+def _slid() -> list[Quoted]:
+    found = []
+    for name, words in (("work", "dissipated over G_f"), ("shear", "shear over f_t")):
+        case = f"flat, opened by 0.3, slid by 1.5: {words}"
+        found.append(Quoted(
+            name=f"flat.{name}", says=f"flat blocks, opened by 0.3 and slid by 1.5 last openings: {words}",
+            record=PATHS, form=RATIO, size=_size(case, what="blocks"), values=_measured(case),
         ))  # fmt: skip
     return found
 

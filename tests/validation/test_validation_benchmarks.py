@@ -153,7 +153,7 @@ def test_beams_have_the_proportions_of_the_standard():
 def test_small_specimens_break_near_their_strength(test, least, most, tmp_path):
     """The disc has a diameter of 1.15 E G_f / f_t²: it redistributes stress before it splits."""
     row = GraniteRun(Granite(), test, 300, 1).measured(tmp_path)
-    assert least < row["peak"] / Granite().tension < most
+    assert least < first_peak(row["curve"]["stress"]) / Granite().tension < most  # its halves carry more later
     assert row["broken"] > 0
     assert max(row["curve"]["stress"]) == pytest.approx(row["peak"], rel=1e-3)
 

@@ -10,9 +10,10 @@ namespace crack {
 constexpr double fastest = 0.1, follows = 5.0, steady = 0.2, nothing_left = 1e-9;
 // Shares of the traction that softens at which a crack goes to rest and wakes, and of its force across it.
 constexpr double asleep = 0.9, calm = 0.98, grazing = 0.1;
-// Openings over the last one between which a facet loses its grip on what acts along the crack, where it is open along its
-// own normal too.
-constexpr double lets_go = 2.0, has_let_go = 4.0;
+// A facet that is open along its own normal too loses its grip on what acts along the crack while its faces move apart
+// from the first to the second of these shares of the distance of its cells. Where the other directions have lost
+// `rubble` of their integrity, it is while they open from the first to the second of these multiples of the last one.
+constexpr double apart = 0.05, far_apart = 0.1, lets_go = 2.0, has_let_go = 4.0, rubble = 0.5;
 }  // namespace crack
 
 template <class Group, class T = typename Group::Number>
@@ -86,13 +87,19 @@ template <class T> BONDEM_INLINE void turn_in_plane(CrackAxes<T> &at, const Symm
     at.e[1] = minus(c * a, sine, b);
     at.e[2] = plus(sine * a, c, b);
 }
+// What the faces of a crack have done: their slip, as the traction of a whole facet [Pa], and how far they are apart
+// over the distance of their cells [-].
+template <class T> struct FacesMoved {
+    Vector3<T> slip;
+    T apart;
+};
 // Cracks of the material under a traction t as if they were whole. What they have slipped along themselves opens them
-// as much as what is across: `slid` is the traction for which the slip is the opening. `losses()` are the largest ones
-// in a step of each direction; most cracks soften in few steps, and need none.
+// as much as what is across, and along a direction that has begun to soften as what pulls along it. `losses()` are the
+// largest ones in a step of each direction; most cracks soften in few steps, and need none.
 template <class T, class Losses>
 BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTraction<T> &load,
-                                       const Symmetric3<T> &mean, Losses losses, const Softening<T> &facet, T slid,
-                                       const CurveShape &curve, Mask<T> away) {
+                                       const Symmetric3<T> &mean, Losses losses, const Softening<T> &facet,
+                                       const FacesMoved<T> &moved, const CurveShape &curve, Mask<T> away) {
     const T zero = {}, one = all<T>(1.0);
     Softened<T> found = {faces.at, faces.left};
     T *const s = found.left.s;
@@ -107,7 +114,8 @@ BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTr
         const T pull = dot(load.t, e) - select(whole, T(dot(load.normal, on) - along * stress), zero);
         const Mask<T> flips = whole & (select(stress > zero, pull, along) < zero);
         e = select<T>(flips, -e, e);
-        pulls[d] = positive(select(flips, -pull, pull));
+        const T slid = d == 0 ? zero : select(whole, zero, dot(moved.slip, e));
+        pulls[d] = positive(T(select(flips, -pull, pull) + slid));
         slope[d] = absolute(along);
         largest = most(largest, slope[d]);
         pressure = most(pressure, -stress);
@@ -117,13 +125,20 @@ BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTr
     Mask<T> falls = zero > one;
     for (int d = 0; d < 3; d++) {
         T pull = pulls[d];
-        if (d == 0) pull = select(s[0] < one, root(pull * pull + slid * slid), pull);
+        if (d == 0) {
+            const T lost = one - s[0];
+            pull = select(lost > zero, root(pull * pull + dot(moved.slip, moved.slip) / (lost * lost)), pull);
+        }
         const LoadAlong<T> along = load_along(pull, T(bent * slope[d]), slope[d]);
         if (d == 0) opened = along.traction * along.share * facet.brittleness;  // over the last opening
         left[d] = select(away, zero, left_along(s[d], along, facet, curve));
         falls |= left[d] < s[d];
     }
-    const T far = (opened - crack::lets_go) * (1.0 / (crack::has_let_go - crack::lets_go));
+    const T by_size = (moved.apart - crack::apart) * (1.0 / (crack::far_apart - crack::apart));
+    const T by_opening = (opened - crack::lets_go) * (1.0 / (crack::has_let_go - crack::lets_go));
+    const Mask<T> at_once = facet.brittleness == all<T>(infinity);
+    const Mask<T> broken_up = most(s[1], s[2]) <= all<T>(1.0 - crack::rubble);
+    const T far = select(at_once | broken_up, by_opening, by_size);
     const T grip = select(away, zero, select(far > zero, positive(T(one - far)), one));
     const Mask<T> open = (dot(load.t, load.normal) > zero) | away;
     if (!any(falls | ((s[0] == zero) & open & (grip < found.left.grip)))) return found;
@@ -217,10 +232,11 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
                 const auto loss = [&](int d) { return select(brittle, of.fastest, largest_loss(was.of[d], rate.of[d])); };
                 return Vector3<T>{loss(0), loss(1), loss(2)};
             };
-            const T *const c = at.state.column, slip = root(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
-            const T slid = at.facet.k * slip / (at.area * (1.0 - now.left.s[0]));
-            found = soften_along(now, load, mean_of_cells(group, stresses), losses, of.by.tension,
-                                 select(now.left.s[0] < bondem::all<T>(1.0), slid, zero), curve, turned_away(now, at.area, 1.0));
+            const T *const c = at.state.column;
+            const FacesMoved<T> moved = {(at.facet.k / at.area) * turned_by(at.ends.i, Vector3<T>{c[0], c[1], c[2]}),
+                                         dot(now.gap, now.across()) / length(now.arm_i - now.arm_j)};
+            found = soften_along(now, load, mean_of_cells(group, stresses), losses, of.by.tension, moved, curve,
+                                 turned_away(now, at.area, 1.0));
         }
         const Mask<T> plane = softens & at.alike & opposite(fresh);
         if (any(plane)) {
