@@ -164,6 +164,10 @@ class ContactSearch:
             faces: faces by which pairs touch, (c,), or None where none do.
         """
         state, at_wall = self._state, walls.touch == TOUCHING
+        bonded = pairs.bond >= 0
+        # that of faces which have parted since the list was made is less, as it is in a list made later
+        whole = whole.copy()
+        whole[bonded] = np.minimum(whole[bonded], self._apart[pairs.bond[bonded]])
         late = (pairs.reach < whole) & ((pairs.touch == LATE) | (pairs.touch == JUST_PARTED))
         kept = late | (pairs.touch == TOUCHING) | (pairs.touch == FACING)
         memory, spheres, less = pairs.memory[kept], pairs.touch[kept] != FACING, (pairs.reach < whole)[kept]
