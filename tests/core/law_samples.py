@@ -83,7 +83,7 @@ def softening(
     axes = np.linalg.eigh(np.asarray(stress, dtype=float))[1][:, ::-1].T
     others = [
         strength, 1.0 / last, cohesion, 1.0 / last_slip, friction, float(plane), *axes.ravel(), s, 1.0, 1.0,
-        s if plane else 1.0,
+        s if plane else 1.0, 0.0, 0.0, 0.0, 0.0,
     ]  # fmt: skip
     columns = [loads, *([np.full(m, float(one))] for one in normal), [np.full(m, 0.0) + bent]]
     columns += [[np.full(m, float(one))] for one in (*np.asarray(stress)[ROW, COLUMN], *others)]

@@ -56,7 +56,9 @@ def softening_samples(kind: str, curve: str) -> SofteningSamples:
     bent = np.where(rng.random(COUNT) < 0.5, 0.0, rng.uniform(0.0, 4e6, COUNT))
     axes = rotations(unit(rng, 4)).as_matrix().transpose(2, 1, 0).reshape(9, COUNT)
     kink, steep = CURVES[curve]
-    given = np.vstack([traction, normal, bent, stress, strength, axes, integrity, np.ones(COUNT)])
+    slip = np.where(rng.random(COUNT) < 0.5, 0.0, 2e6 * rng.standard_normal((3, COUNT)))
+    moved = [slip, rng.uniform(0.0, 0.15, COUNT)]
+    given = np.vstack([traction, normal, bent, stress, strength, axes, integrity, np.ones(COUNT), *moved])
     return SofteningSamples(np.ascontiguousarray(given), kink, steep, False, np.empty((5, COUNT)))
 
 
@@ -83,13 +85,16 @@ def test_what_is_left_along_each_direction_follows_the_curve():
     traction, normal, bent = samples.given[:3], samples.given[3:6], samples.given[6]
     strength, last = samples.given[13], 1.0 / samples.given[14]
     axes, integrity = samples.given[19:28].reshape(3, 3, COUNT), samples.given[28:31]
-    stress = samples.given[7:13][[[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
+    slip, stress = samples.given[32:35], samples.given[7:13][[[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
     pressure = -np.einsum("dak,abk,dbk->dk", axes, stress, axes).min(axis=0)
     slope = np.abs(np.einsum("dak,ak->dk", axes, normal))
     opens = np.maximum(bent - np.maximum(pressure, 0.0), 0.0) / slope.max(axis=0)
     begun = (integrity < 1.0).all(axis=0)  # axes that are whole turn first
     for d in range(3):
-        pull, bend = np.maximum(np.einsum("ak,ak->k", axes[d], traction), 0.0), opens * slope[d]
+        slid = np.zeros(COUNT) if d == 0 else np.einsum("ak,ak->k", axes[d], slip)
+        pull, bend = np.maximum(np.einsum("ak,ak->k", axes[d], traction) + slid, 0.0), opens * slope[d]
+        if d == 0:
+            pull = np.hypot(pull, np.linalg.norm(slip, axis=0) / (1.0 - np.where(begun, integrity[0], 0.0)))
         T, both = np.hypot(pull, bend), pull + bend
         with np.errstate(divide="ignore", invalid="ignore"):
             r = T / both
@@ -98,6 +103,25 @@ def test_what_is_left_along_each_direction_follows_the_curve():
         expected = np.where(onset < T, curve, integrity[d])[begun]
         np.testing.assert_allclose(samples.left[d, begun], np.where(expected < 1e-9, 0.0, expected), atol=2e-9)
     assert begun.mean() > 0.3
+
+
+def test_grip_goes_with_the_distance_of_the_faces_and_in_rubble_with_the_opening():
+    """Both where nothing is left along e_1, and the facet is open along its own normal."""
+    normal = np.array([1.0, 0.0, 0.0])
+    stress, last = np.diag([3e6, 0.0, -1e6]), 1e7
+    opened, apart = np.array([1.5, 3.0, 3.0, 5.0, 5.0, 5.0, 3.0]), np.array([0.0, 0.0, 0.075, 0.0, 0.2, 0.0, 0.0])
+    rubble = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.4, 0.5])  # what e_2 and e_3 have of their integrity, 0 for all
+    m = len(opened)
+    others = np.where(rubble > 0.0, rubble, 1.0)
+    rows = [
+        np.outer(normal, opened * last), np.outer(normal, np.ones(m)), np.zeros((1, m)),
+        np.outer([stress[0, 0], stress[1, 1], stress[2, 2], 0.0, 0.0, 0.0], np.ones(m)),
+        np.outer([3e6, 1.0 / last, math.inf, 0.0, 0.0, 0.0], np.ones(m)), np.outer(np.eye(3).ravel(), np.ones(m)),
+        [np.zeros(m), others, others, np.ones(m)], np.zeros((3, m)), [apart],
+    ]  # fmt: skip
+    samples = SofteningSamples(np.ascontiguousarray(np.vstack(rows)), 0.0, 1.0, False, np.empty((5, m)))
+    evaluate_softening(samples)
+    np.testing.assert_allclose(samples.left[3], [1.0, 1.0, 0.5, 1.0, 0.0, 0.0, 0.5], atol=1e-9)
 
 
 # ---- cracks

@@ -16,7 +16,7 @@ namespace bondem {
 
 #define F BONDEM_FIELD
 
-BONDEM_TABLE(SofteningSamples, F(given, "32 m"), F(kink, ""), F(steep, ""), F(wide, ""), F(left, "5 m"))
+BONDEM_TABLE(SofteningSamples, F(given, "36 m"), F(kink, ""), F(steep, ""), F(wide, ""), F(left, "5 m"))
 BONDEM_TABLE(CrackSamples, F(given, "60 m"), F(wide, ""), F(found, "29 m"))
 BONDEM_TABLE(YieldSamples, F(stress, "6 m"), F(strength, "5 m"), F(cone, ""), F(wide, ""), F(found, "12 m"))
 BONDEM_TABLE(StressBoundSamples, F(stress, "6 m"), F(bent, "m"), F(wide, ""), F(found, "5 m"))

@@ -8,7 +8,8 @@ namespace bondem {
 // Facets that follow the softening curve (`laws/softening.hpp`).
 struct SofteningSamples {
     // traction [Pa], normal, T_b [Pa], mean stress of both cells xx, yy, zz, xy, xz, yz [Pa]; f_t, 1 / T_l, c, 1 / T_l of
-    // slip [Pa, 1/Pa], tan φ, 1 where one integrity goes for all directions; axes e_1, e_2, e_3; s_1, s_2, s_3, grip: (32, m)
+    // slip [Pa, 1/Pa], tan φ, 1 where one integrity goes for all directions; axes e_1, e_2, e_3; s_1, s_2, s_3, grip;
+    // slip as a traction [Pa], distance of the faces over that of the cells [-]: (36, m)
     Array<const double, 2> given;
     double kink, steep;  // of the softening curve
     Index wide;  // whether lanes are used

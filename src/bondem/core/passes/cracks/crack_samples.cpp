@@ -74,10 +74,11 @@ template <class T> void soften(const SofteningSamples &samples, Index e) {
     CrackFaces<T> at = {};
     at.at = {{given.vector(), given.vector(), given.vector()}};
     at.left = {{given.number(), given.number(), given.number()}, given.number()};
+    const FacesMoved<T> moved = {given.vector(), given.number()};
     const CurveShape curve = {samples.kink, samples.steep};
     const auto all_at_once = [] { return Vector3<T>{all<T>(1.0), all<T>(1.0), all<T>(1.0)}; };
     const CrackStrength<T> by = {tension, plane, alike};
-    Softened<T> found = soften_along(at, load, mean, all_at_once, tension, FacesMoved<T>{}, curve, all<T>(1.0) < T{});
+    Softened<T> found = soften_along(at, load, mean, all_at_once, tension, moved, curve, all<T>(1.0) < T{});
     const T one = integrity_left(at.left.s[0], load, by, curve);
     WriteColumns<T> left(samples.left, e);
     left(select(alike, one, found.left.s[0])), left(found.left.s[1]), left(found.left.s[2]);
