@@ -33,12 +33,14 @@ _PUBLIC = {
     "bondem.geometry.smooth_patches": ("Patch",),
     "bondem.geometry.surface": ("Surface",),
     "bondem.specimen.particles": ("Particles",),
+    "bondem.specimen.bodies": ("Bodies",),
+    "bondem.specimen.joining": ("join", "replicate"),
     "bondem.specimen.lattice": ("Lattice", "carve"),
     "bondem.specimen.aggregates": ("Aggregates",),
     "bondem.specimen.bonding": ("connect",),
     "bondem.specimen.tessellation.facets": ("Cells", "Facets", "FreeFacets"),
     "bondem.specimen.tessellation.polyhedra": ("Polyhedra", "polyhedra"),
-    "bondem.specimen.regions": ("Everything", "Face", "Index", "Plane", "Region", "Within"),
+    "bondem.specimen.regions": ("Body", "Everything", "Face", "Index", "Plane", "Region", "Within"),
     "bondem.specimen.fabric": ("Fabric", "fabric"),
     "bondem.specimen.strata": ("Strata",),
     "bondem.specimen.layering": ("Layering", "wall_layering"),
@@ -82,7 +84,7 @@ _PUBLIC = {
     "bondem.damage.failure_assignment": ("FailureAssignment",),
     "bondem.boundary.schedules": ("Constant", "Ramp", "Schedule", "Table"),
     "bondem.boundary.conditions": ("BoundaryCondition", "Drive", "Fix", "Load"),
-    "bondem.boundary.loads": ("Absorbing", "BodyForce", "Eigenstrain", "Pressure"),
+    "bondem.boundary.loads": ("Absorbing", "BodyForce", "Eigenstrain", "Gravity", "Pressure"),
     "bondem.boundary.gauges": ("AnyGauge", "Gauge", "StrainGauge", "WallGauge"),
     "bondem.damage.implied_fracture": ("ImpliedFracture",),
     "bondem.model.model": ("Model",),
@@ -138,7 +140,7 @@ _INSTEAD = {
     "load": "bd.read_run or bd.load_particles", "read": "bd.read_run or bd.read_particles",
     "Simulation": "bd.Model and bd.solve_explicit", "Solver": "bd.Model and bd.solve_explicit",
     "voronoi": "bd.connect(particles, method='laguerre')", "Mesh": "bd.Surface", "Force": "bd.Load",
-    "Displacement": "bd.Drive", "Velocity": "bd.Drive", "Support": "bd.Fix", "Gravity": "bd.BodyForce",
+    "Displacement": "bd.Drive", "Velocity": "bd.Drive", "Support": "bd.Fix",
 }  # fmt: skip
 
 

@@ -13,6 +13,7 @@ from bondem.boundary.gauges import WallGauge as WallGauge
 from bondem.boundary.loads import Absorbing as Absorbing
 from bondem.boundary.loads import BodyForce as BodyForce
 from bondem.boundary.loads import Eigenstrain as Eigenstrain
+from bondem.boundary.loads import Gravity as Gravity
 from bondem.boundary.loads import Pressure as Pressure
 from bondem.boundary.schedules import Constant as Constant
 from bondem.boundary.schedules import Ramp as Ramp
@@ -149,9 +150,12 @@ from bondem.run import solve_relaxed as solve_relaxed
 from bondem.run import solve_static as solve_static
 from bondem.specimen import materials as materials
 from bondem.specimen.aggregates import Aggregates as Aggregates
+from bondem.specimen.bodies import Bodies as Bodies
 from bondem.specimen.bonding import connect as connect
 from bondem.specimen.fabric import Fabric as Fabric
 from bondem.specimen.fabric import fabric as fabric
+from bondem.specimen.joining import join as join
+from bondem.specimen.joining import replicate as replicate
 from bondem.specimen.lattice import Lattice as Lattice
 from bondem.specimen.lattice import carve as carve
 from bondem.specimen.layering import Layering as Layering
@@ -160,6 +164,7 @@ from bondem.specimen.material import Material as Material
 from bondem.specimen.particles import Particles as Particles
 from bondem.specimen.radial_distribution import RadialDistribution as RadialDistribution
 from bondem.specimen.radial_distribution import radial_distribution as radial_distribution
+from bondem.specimen.regions import Body as Body
 from bondem.specimen.regions import Everything as Everything
 from bondem.specimen.regions import Face as Face
 from bondem.specimen.regions import Index as Index

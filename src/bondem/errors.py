@@ -24,6 +24,10 @@ class DisconnectedError(InputError):
     """Error for a bonded specimen that consists of more than one large piece."""
 
 
+class FloatingBodyError(InputError):
+    """A body of a scene that nothing holds, in a static problem."""
+
+
 class PackingError(BondemError):
     """Error for a packing that did not reach its target."""
 

@@ -89,6 +89,28 @@ def _accelerations(given: object) -> tuple[float, float, float] | tuple[tuple[fl
     return tuple((x, y, z) for x, y, z in values.tolist())
 
 
+def Gravity(
+    g: float = 9.81, direction: Triple = (0.0, 0.0, -1.0), region: Region | None = None
+) -> BodyForce:
+    """Return the weight of elements, a `BodyForce`.
+
+    Args:
+        g: acceleration [m/s²].
+        direction: vector of any length along which it acts, (3,).
+        region: elements that have weight; None for all.
+
+    Raises:
+        InputError: g is not finite, or the direction has no length.
+    """
+    size = number("Gravity", "g", g, unit="m/s²")
+    x, y, z = vector("Gravity", "direction", direction)
+    length = math.hypot(x, y, z)
+    if not length > 0.0:
+        raise InputError(f"Gravity: direction = {shown(direction)} has no length; give a vector such as (0, 0, -1)")
+    down = size / length
+    return BodyForce((down * x, down * y, down * z), Everything() if region is None else region)
+
+
 @dataclass(frozen=True)
 class Pressure:
     """A pressure on a face, against its outward normal: the force is -∫ p n dA.
@@ -303,7 +325,7 @@ def facet_numbers(region: Region, body: Lattice) -> Ints:
     chosen = np.zeros(len(body.particles), dtype=bool)
     chosen[region.select(body)] = True
     assert body.cells is not None
-    found = body.on_face(face.name)
+    found = body.on_face(face.name, face.body)
     return found[chosen[body.cells.free.cell[found]]]
 
 
@@ -339,7 +361,7 @@ def _shared(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, F
     if lattice.cells is not None:
         return facets_on(region, lattice)
     whole, chosen = face.select(lattice), region.select(lattice)
-    centre, area = face_patches(particles.envelope, face.name, _PATCH * particles.mean_radius)
+    centre, area = face_patches(lattice.envelope(face.body), face.name, _PATCH * particles.mean_radius)
     nearest = whole[KDTree(particles.position[whole]).query(centre)[1]]
     place = np.full(len(particles), -1)
     place[chosen] = np.arange(len(chosen))

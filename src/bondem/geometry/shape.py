@@ -26,13 +26,13 @@ class Shape(Walled):
     def moved(self, by: Triple) -> "Shape":
         """Return the shape moved by the vector `by` [m], (3,)."""
         x, y, z = vector(type(self).__name__, "by", by, unit="m")
-        return _place(self, np.eye(3), np.array([x, y, z]))
+        return place_shape(self, np.eye(3), np.array([x, y, z]))
 
     def rotated(self, axis: Axis, angle: float) -> "Shape":
         """Return the shape rotated right-handed by `angle` [rad] about "x", "y" or "z" through the origin."""
         choice(f"{type(self).__name__}.rotated", "axis", axis, Axis)
         angle = number(f"{type(self).__name__}.rotated", "angle", angle, unit="rad")
-        return _place(self, turn_about(axis, angle), np.zeros(3))
+        return place_shape(self, turn_about(axis, angle), np.zeros(3))
 
     def cut(self, tool: "Shape", *, name: str = "cut") -> "Shape":
         """Return the shape without `tool`, for example with a notch or a hole. The new walls form the face `name`."""
@@ -52,7 +52,8 @@ class Shape(Walled):
 
 
 
-def _place(shape: Shape, turn: Floats, by: Vector) -> "Placed":
+def place_shape(shape: Shape, turn: Floats, by: Vector) -> "Placed":
+    """Return a shape rotated by a matrix (3, 3) about the origin and then moved by (3,) [m]."""
     if isinstance(shape, Placed):
         shape, turn, by = shape.shape, turn @ np.array(shape.turn), turn @ np.array(shape.by) + by
     first, second, third = turn

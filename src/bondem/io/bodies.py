@@ -2,15 +2,19 @@
 cells.
 
 `/facets` holds the arrays of `Facets`, `/cells` those of `Cells`, `/cells/free` those of `FreeFacets`, by name.
+A scene of several bodies has `/bodies/label`, with names and shapes as JSON in the attributes of that group.
 """
 
+import json
 from dataclasses import fields
 
 import h5py
 import numpy as np
 
+from bondem.io.codec import decode, encode
 from bondem.io.hdf5 import array_at
 from bondem.io.older_bodies import LACKING, balanced_body
+from bondem.specimen.bodies import Bodies
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.tessellation.facets import Cells, Facets, FreeFacets
@@ -19,6 +23,10 @@ from bondem.specimen.tessellation.facets import Cells, Facets, FreeFacets
 def write_bonds(file: h5py.File, lattice: Lattice) -> None:
     """Write the pairs, and the facets and cells of a body."""
     file["bonds/pairs"] = lattice.pairs
+    if len(lattice.names) > 1:
+        file["bodies/label"] = lattice.body
+        for name in ("names", "shapes"):
+            file["bodies"].attrs[name] = json.dumps(encode(getattr(lattice.bodies, name)))
     complete_body(file, lattice)
 
 
@@ -42,9 +50,15 @@ def read_bonds(file: h5py.File, particles: Particles) -> Lattice:
         KeyError: an array is missing.
         ValueError: an array has the wrong length.
     """
-    pairs = array_at(file, "bonds/pairs")
+    pairs, bodies = array_at(file, "bonds/pairs"), None
+    if "bodies" in file:
+        label = freeze(array_at(file, "bodies/label"))
+        names, shapes = (decode(json.loads(file["bodies"].attrs[name])) for name in ("names", "shapes"))
+        if label.shape != (len(particles),) or not 0 <= label.min() <= label.max() < len(names) == len(shapes):
+            raise ValueError(f"bodies/label does not number {len(names)} bodies of {len(particles)} elements")
+        bodies = Bodies(label, names, shapes)
     if "facets" not in file:
-        return Lattice(particles, pairs)
+        return Lattice(particles, pairs, bodies=bodies)
     n, m = len(particles), len(pairs)
     older = "facets/share_i" not in file
     free = _table(file, "cells/free", FreeFacets, len(array_at(file, "cells/free/cell")), older)
@@ -54,7 +68,8 @@ def read_bonds(file: h5py.File, particles: Particles) -> Lattice:
     facets, cells = _table(file, "facets", Facets, m, older), _table(file, "cells", Cells, n, older)
     if older:
         return balanced_body(particles, pairs, facets, cells, free)
-    return Lattice(particles, pairs, facets=Facets(**facets), cells=Cells(**cells, free=FreeFacets(**free)))
+    made = Cells(**cells, free=FreeFacets(**free))
+    return Lattice(particles, pairs, facets=Facets(**facets), cells=made, bodies=bodies)
 
 
 def _table(file: h5py.File, place: str, kind: type, count: int, older: bool) -> dict[str, np.ndarray]:

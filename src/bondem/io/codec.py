@@ -33,7 +33,7 @@ from bondem.interactions.contact.hertz_mindlin import HertzMindlin
 from bondem.interactions.law_catalogue import CELL_LAWS, LAWS
 from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.specimen.aggregates import Aggregates
-from bondem.specimen.regions import Difference, Everything, Face, Index, Intersection, Plane, Union, Within
+from bondem.specimen.regions import Body, Difference, Everything, Face, Index, Intersection, Plane, Union, Within
 
 _TYPES: dict[str, type] = {
     cls.__name__: cls
@@ -45,7 +45,7 @@ _TYPES: dict[str, type] = {
         Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge,
         StrainGauge, Constant, Ramp, Table,
         Ball, BoundingBox, Box, Cell, Cylinder, Surface, Placed, Overlap, Joined, Cut,
-        Aggregates, Difference, Everything, Face, Index, Intersection, Plane, Union, Within,
+        Aggregates, Body, Difference, Everything, Face, Index, Intersection, Plane, Union, Within,
     )
 }  # fmt: skip
 

@@ -42,6 +42,8 @@ def identity_of(model: Model, plan: Plan, begun: State) -> str:
         ("density", model.density), ("pairs", lattice.pairs), ("time", begun.time),
     ]  # fmt: skip
     items += [(name, getattr(begun, name)) for name in State.ARRAYS]
+    if len(lattice.names) > 1:
+        items += [("body", lattice.body), ("bodies", json.dumps([lattice.names, encode(lattice.bodies.shapes)]))]
     if lattice.facets is not None and lattice.cells is not None:
         tables = lattice.facets, lattice.cells, lattice.cells.free
         named = [(table, item.name) for table in tables for item in fields(table) if item.name != "free"]

@@ -7,7 +7,7 @@ import numpy as np
 from bondem._cache_lines import lines
 from bondem._checks import array, instance, shown
 from bondem._names import meant
-from bondem._types import ArrayLike, Floats, Pairs, PerBond, PerElement, PerElement3
+from bondem._types import ArrayLike, Floats, Pairs, PerBond, PerElement
 from bondem.boundary.loads import Eigenstrain
 from bondem.boundary.wall_columns import WALL_COLUMNS, WALL_FORCE, WALL_WORK
 from bondem.boundary.wall_constraints import reference_base
@@ -19,6 +19,7 @@ from bondem.errors import InputError
 from bondem.interactions.contact.contact_columns import CONTACT_COLUMNS, in_contact
 from bondem.interactions.non_local.non_local_constants import NON_LOCAL_ROWS, NON_LOCAL_WORK
 from bondem.model.state_compatibility import Origin, difference
+from bondem.model.state_motion import StateMotion
 from bondem.model.state_walls import known_walls, rows_of_walls, set_off
 from bondem.specimen.local_origin import local_origin, local_rest
 from bondem.specimen.particles import freeze
@@ -27,7 +28,7 @@ _INTERNAL = "ARRAYS", "GROWING", "layout", "local_position", "origin", "rest", "
 _SETTABLE = "position", "displacement", "orientation", "velocity", "angular_velocity", "bond_eigenstrain"
 
 
-class State:
+class State(StateMotion):
     """Positions, velocities and damage of all elements and bonds; see docs/decisions/0001-state.md.
 
     `model.state()` makes a state at rest. Assignment changes it, and one value is given to all elements:
@@ -214,82 +215,6 @@ class State:
             self.walls, self.wall_touching, self.wall_stretch = found
         return [None if before < 0 else self.model.walls[before] for before in came]
 
-    def _by_user(self, internal: np.ndarray) -> np.ndarray:
-        return freeze(internal[self.layout.rank])
-
-    def _rows(self, name: str, given: ArrayLike, columns: int, *, broadcast: bool = True) -> Floats:
-        """Rows of all elements [internal order] from one row, or from one row per element in user's order.
-
-        Raises:
-            InputError: a wrong shape, or values that are not finite.
-        """
-        shape = len(self.pose), columns
-        one = f"({columns},) for all elements, or " if broadcast else ""
-        wanted = f"finite numbers of shape {one}{shape} in the user's order"
-        values = array("State", name, given, wanted=wanted)
-        alike = broadcast and (values.shape == (columns,) or (columns == 3 and values.ndim == 0 and values == 0.0))
-        if not (alike or values.shape == shape) or not np.isfinite(values).all():
-            raise InputError(f"State: {name} has shape {values.shape} or is not finite; give {wanted}")
-        return np.broadcast_to(values, shape)[self.layout.order]
-
-    @property
-    def position(self) -> PerElement3:
-        """Centres [m], shape (n, 3); settable."""
-        return freeze(self.local_position + self.origin)
-
-    @position.setter
-    def position(self, given: ArrayLike) -> None:
-        self.pose[:, :3] = self._rows("position", given, 3, broadcast=False) - self.origin
-        self.stale = True
-
-    @property
-    def local_position(self) -> PerElement3:
-        """Centres relative to `origin` [m], shape (n, 3), for accurate differences."""
-        return self._by_user(self.pose[:, :3])
-
-    @property
-    def displacement(self) -> PerElement3:
-        """Displacements from the reference configuration [m], shape (n, 3); settable, also one vector for all."""
-        return self._by_user(self.pose[:, :3] - self.rest)
-
-    @displacement.setter
-    def displacement(self, given: ArrayLike) -> None:
-        self.pose[:, :3] = self.rest + self._rows("displacement", given, 3)
-        self.stale = True
-
-    @property
-    def orientation(self) -> np.ndarray:
-        """Orientations as unit quaternions (w, x, y, z), shape (n, 4); settable, also one for all."""
-        return self._by_user(self.pose[:, 4:])
-
-    @orientation.setter
-    def orientation(self, given: ArrayLike) -> None:
-        rows = self._rows("orientation", given, 4)
-        if np.abs((rows**2).sum(axis=1) - 1.0).max() > 1e-6:
-            raise InputError("orientations are not unit quaternions (w, x, y, z); divide each by its length")
-        self.pose[:, 4:8] = rows
-        self.stale = True
-
-    @property
-    def velocity(self) -> PerElement3:
-        """Velocities of the centres [m/s], shape (n, 3); settable, also one vector for all."""
-        return self._by_user(self.motion[:, :3])
-
-    @velocity.setter
-    def velocity(self, given: ArrayLike) -> None:
-        self.motion[:, 0:3] = self._rows("velocity", given, 3)
-        self.stale = True
-
-    @property
-    def angular_velocity(self) -> PerElement3:
-        """Angular velocities [rad/s], shape (n, 3); settable, also one vector for all."""
-        return self._by_user(self.motion[:, 4:7])
-
-    @angular_velocity.setter
-    def angular_velocity(self, given: ArrayLike) -> None:
-        self.motion[:, 4:7] = self._rows("angular_velocity", given, 3)
-        self.stale = True
-
     @property
     def bond_integrity(self) -> PerBond:
         """Integrity of each bond, 1 intact … 0 broken, in the user's order, shape (m,)."""
@@ -352,18 +277,6 @@ class State:
         """Force of the elements on each wall [N], shape (w, 3)."""
         return freeze(self.walls[:, WALL_FORCE : WALL_FORCE + 3].copy())
 
-    def set_motion(
-        self, *, velocity: np.ndarray | None = None, angular_velocity: np.ndarray | None = None
-    ) -> None:
-        """Set velocities [m/s] or angular velocities [rad/s] of the elements, user's order, shape (n, 3).
-
-        Raises:
-            InputError: An array has the wrong shape or a value that is not finite.
-        """
-        for name, value in (("velocity", velocity), ("angular_velocity", angular_velocity)):
-            if value is not None:
-                setattr(self, name, value)
-
     def set_eigenstrain(self, strain: float | np.ndarray) -> None:
         """Set a stress-free strain ε* of the bonds [-] (heat, shrinkage, initial stress), user's order, (m,).
 
@@ -388,13 +301,3 @@ class State:
                 part = condition.parts(self.model.lattice)[self.layout.bond_order]
                 strain = (strain if strain.size else 0.0) + condition.schedule.at(self.time) * part
         return strain
-
-    def set_pose(self, *, position: np.ndarray | None = None, orientation: np.ndarray | None = None) -> None:
-        """Move the elements to centres [m] (n, 3) and unit quaternions (n, 4), user's order.
-
-        Raises:
-            InputError: An array has the wrong shape, a value is not finite, or a quaternion has not unit length.
-        """
-        for name, value in (("position", position), ("orientation", orientation)):
-            if value is not None:
-                setattr(self, name, value)

@@ -9,13 +9,29 @@ from typing import Any
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
+from scipy.spatial.transform import Rotation
 
-from bondem._checks import instance, shown
+from bondem._checks import choice, instance, number, shown, vector
 from bondem._drawing import draw
 from bondem._names import users_line
-from bondem._types import ArrayLike, Ints, Mask, Pairs, PerBond, PerBond3, PerElement3
+from bondem._types import (
+    ArrayLike,
+    Axis,
+    Floats,
+    Ints,
+    Mask,
+    Pairs,
+    PerBond,
+    PerBond3,
+    PerElement,
+    PerElement3,
+    Triple,
+)
 from bondem.errors import DisconnectedError, FaceWarning, InputError
 from bondem.geometry.elementary_shapes import Shape
+from bondem.geometry.planes import turn_about
+from bondem.geometry.shape import place_shape
+from bondem.specimen.bodies import Bodies, Which
 from bondem.specimen.particles import Particles, filled, freeze
 from bondem.specimen.tessellation.cutting import tessellate
 from bondem.specimen.tessellation.facets import Cells, Facets
@@ -28,29 +44,33 @@ _COVERED = 0.02
 class Lattice:
     """Elements and bonds, both in the user's order.
 
-    Small pieces are rattlers: those with fewer than max(10, 0.1 % of n) elements beside the largest piece. Rattlers
-    stay in `particles` but are left out of matrices, loads, faces and fits.
+    Small pieces of a body are rattlers: those with fewer than max(10, 0.1 % of n) elements beside its largest piece.
+    Rattlers stay in `particles` but are left out of matrices, loads, faces and fits. Several bodies in one lattice
+    come from `bd.join` or `bd.replicate`; the elements of a body without bonds are no rattlers.
 
     Attributes:
         particles: the elements.
         pairs: elements i, j of each bond, shape (m, 2).
         facets: facets of a body cut into cells, one per bond; None for other lattices.
         cells: cells of such a body; None for other lattices.
+        bodies: labels, names and shapes of the bodies.
 
     Raises:
         InputError: An index is out of range, a bond joins an element to itself, a bond is given twice, or bonded
             centres coincide.
-        DisconnectedError: The lattice has a second large piece.
+        DisconnectedError: A body has a second large piece.
     """
 
     particles: Particles
     pairs: Pairs
     facets: Facets | None
     cells: Cells | None
+    bodies: Bodies
 
     def __init__(
-        self, particles: Particles, pairs: ArrayLike, *, facets: Facets | None = None, cells: Cells | None = None
-    ) -> None:
+        self, particles: Particles, pairs: ArrayLike, *, facets: Facets | None = None, cells: Cells | None = None,
+        bodies: Bodies | None = None,
+    ) -> None:  # fmt: skip
         instance("Lattice", "particles", particles, Particles, "bd.Particles")
         bonds = _whole(pairs)
         if bonds.ndim != 2 or bonds.shape[1] != 2:
@@ -60,6 +80,9 @@ class Lattice:
         object.__setattr__(self, "pairs", freeze(bonds))
         object.__setattr__(self, "facets", facets)
         object.__setattr__(self, "cells", cells)
+        if bodies is None:
+            bodies = Bodies(freeze(np.zeros(len(particles), dtype=np.int64)), ("body",), (particles.shape,))
+        object.__setattr__(self, "bodies", bodies)
         if (self.length <= 0.0).any():
             k = int(np.argmin(self.length))
             raise InputError(f"bond {k} joins coincident centres {tuple(bonds[k])}; remove one of the elements")
@@ -105,15 +128,110 @@ class Lattice:
 
     @cached_property
     def connected(self) -> Mask:
-        """Mask of the connected elements, shape (n,): True for the specimen, False for rattlers."""
-        size = np.bincount(self.pieces)
-        least = max(10.0, 0.001 * len(self.particles))
-        if len(size) > 1 and size[1] >= least:
-            raise DisconnectedError(
-                f"the bonded specimen consists of pieces of {size[0]} and {size[1]} elements;"
-                " bond over larger gaps (tolerance=, reach=) or model the pieces one by one"
-            )
-        return freeze(self.pieces == 0)
+        """Mask of the connected elements, shape (n,): True for the bodies, False for rattlers."""
+        label, several = self.bodies.label, len(self.bodies.names) > 1
+        # parts: what a piece has in a body, in the order of bodies, the largest first
+        pieces = int(self.pieces.max()) + 1
+        part, of_element, size = np.unique(label * pieces + self.pieces, return_inverse=True, return_counts=True)
+        of_body = part // pieces
+        order = np.lexsort((-size, of_body))
+        body = of_body[order]
+        first = np.searchsorted(body, np.arange(len(self.bodies.names)))
+        bonded = np.zeros(len(self.bodies.names), dtype=bool)
+        bonded[label[self.pairs.ravel()]] = True
+        kept = np.zeros(len(part), dtype=bool)
+        kept[order[first]] = True
+        kept |= several & ~bonded[of_body]
+        second = first + 1
+        second = second[(second < len(part)) & (np.append(body, -1)[second] == body[first])]
+        for k in second[bonded[body[second]]]:
+            least = max(10.0, 0.001 * self.bodies.count[body[k]])
+            if size[order[k]] >= least:
+                what = f"body {self.bodies.names[body[k]]!r}" if several else "the bonded specimen"
+                raise DisconnectedError(
+                    f"{what} consists of pieces of {size[order[k - 1]]} and {size[order[k]]} elements;"
+                    " bond over larger gaps (tolerance=, reach=), or make bodies of them with bd.join"
+                )
+        return freeze(kept[of_element])
+
+    @property
+    def body(self) -> Ints:
+        """Number of the body of each element, 0 if there is one, shape (n,)."""
+        return self.bodies.label
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the bodies."""
+        return self.bodies.names
+
+    def envelope(self, body: Which | None = None) -> Shape:
+        """Return the shape of a body, or the bounding box of its spheres; of the only body unless named.
+
+        Raises:
+            InputError: There is no such body, or there are several and none is named.
+        """
+        return self._body("envelope", body)[1]
+
+    def _body(self, what: str, body: Which | None) -> tuple[int, Shape]:
+        if len(self.names) == 1 and body is None:
+            return 0, self.particles.envelope
+        if body is None:
+            first = self.names[0]
+            raise InputError(f"{what}: the scene has {len(self.names)} bodies; name one, such as body={first!r}")
+        return self.bodies.envelope(what, body, self.particles.position, self.particles.radius)
+
+    @property
+    def element_volume(self) -> PerElement:
+        """Volumes of the spheres, or of the cells of a body [m³], shape (n,)."""
+        return self.particles.volume if self.cells is None else self.cells.volume
+
+    def moved(self, by: Triple) -> "Lattice":
+        """Return the lattice in a reference moved by a vector [m], (3,); its shapes move along."""
+        return self.placed(np.eye(3), np.array(vector("Lattice.moved", "by", by, unit="m")))
+
+    def rotated(self, axis: Axis | Triple, angle: float, about: Triple | None = None) -> "Lattice":
+        """Return the lattice in a reference rotated right-handed; its shapes rotate along.
+
+        Args:
+            axis: "x", "y", "z", or a vector of any length, (3,).
+            angle: [rad].
+            about: point of the axis [m], (3,); the centre of mass of all elements unless given.
+
+        Raises:
+            InputError: The axis has no length, or the lattice is periodic.
+        """
+        owner = "Lattice.rotated"
+        angle = number(owner, "angle", angle, unit="rad")
+        if isinstance(axis, str):
+            choice(owner, "axis", axis, Axis)
+            turn = turn_about(axis, angle)
+        else:
+            line = np.array(vector(owner, "axis", axis))
+            if not np.linalg.norm(line) > 0.0:
+                raise InputError(f"{owner}: axis = {shown(axis)} has no length; give a vector along the axis")
+            turn = Rotation.from_rotvec(angle * line / np.linalg.norm(line)).as_matrix()
+        if about is None:
+            centre = np.average(self.centre, axis=0, weights=self.element_volume)
+        else:
+            centre = np.array(vector(owner, "about", about, unit="m"))
+        return self.placed(turn, centre - turn @ centre)
+
+    def placed(self, turn: Floats, by: Floats) -> "Lattice":
+        """Return the lattice in a reference rotated by a matrix (3, 3) about the origin, then moved by (3,) [m].
+
+        Raises:
+            InputError: The lattice is periodic.
+        """
+        if self.particles.period is not None:
+            raise InputError("a periodic lattice fills its cell and cannot be moved; pack a Box of the same size")
+        shapes = tuple(None if one is None else place_shape(one, turn, by) for one in self.bodies.shapes)
+        shape = None if self.particles.shape is None else shapes[0]
+        return Lattice(
+            filled(Particles(self.particles.position @ turn.T + by, self.particles.radius), shape), self.pairs,
+            facets=None if self.facets is None else self.facets.placed(turn, by),
+            cells=None if self.cells is None else self.cells.placed(turn, by),
+            bodies=Bodies(self.bodies.label, self.names, shapes),
+        )  # fmt: skip
 
     def plot(
         self, path: str | Path | None = None, *, values: ArrayLike | None = None, label: str = "",
@@ -135,23 +253,25 @@ class Lattice:
         """
         return draw("draw_lattice", self, path, values=values, label=label, view=view)
 
-    def on_face(self, name: str) -> Ints:
+    def on_face(self, name: str, body: Which | None = None) -> Ints:
         """Return the free facets of a body on a face or patch of its shape, as ascending indices into `cells.free`.
 
         Raises:
-            InputError: The shape has no such face, or the lattice has no cells.
+            InputError: The shape has no such face, the lattice has no cells, or it has several bodies and none is
+                named.
 
         Warns:
             FaceWarning: A patch ends within a plane, and its facets cover another area than it has.
         """
         if self.cells is None:
             raise InputError("the lattice is not cut into cells; connect its particles with method='laguerre'")
-        envelope = self.particles.envelope
+        number_of, envelope = self._body(f"face {name!r}", body)
         envelope.face_centre(name)  # refuses an unknown name
         free = self.cells.free
+        own = self.body[free.cell] == number_of
         if name in envelope.faces:
-            return np.flatnonzero(free.face == envelope.faces.index(name))
-        found = np.flatnonzero(envelope.on_patch(name, free.centroid, free.normal))
+            return np.flatnonzero(own & (free.face == envelope.faces.index(name)))
+        found = np.flatnonzero(own & envelope.on_patch(name, free.centroid, free.normal))
         covered, whole = float(free.area[found].sum()), envelope.patch_area(name)
         if abs(covered - whole) > _COVERED * whole:
             warnings.warn(

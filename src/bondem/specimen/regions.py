@@ -10,7 +10,8 @@ from bondem._checks import count, instance, number, shown, vector
 from bondem._names import users_line
 from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement3, Triple, Vector
 from bondem.errors import EmptyRegionError, FaceWarning, InputError
-from bondem.geometry.elementary_shapes import Shape
+from bondem.geometry.elementary_shapes import BoundingBox, Shape
+from bondem.specimen.bodies import Which
 from bondem.specimen.lattice import Lattice
 
 # Without a shape a face is the plane of the outermost sphere. A warning is given if it has less than this share
@@ -76,10 +77,12 @@ class Face(Region):
     Attributes:
         name: name of the face, such as "x_min", "x_max" or "side".
         depth: largest distance of the surface of an element from the face, in mean radii [-]; ignored for cells.
+        body: name or number of the body in a scene of several bodies; None where there is one.
     """
 
     name: str
     depth: float = 0.02
+    body: Which | None = None
 
     def __post_init__(self) -> None:
         instance("Face", "name", self.name, str, 'the name of a face, such as "x_min" or "side"')
@@ -89,13 +92,15 @@ class Face(Region):
     def mask(self, lattice: Lattice) -> Mask:
         if lattice.cells is not None:
             chosen = np.zeros(len(lattice.particles), dtype=bool)
-            chosen[lattice.cells.free.cell[lattice.on_face(self.name)]] = True
+            chosen[lattice.cells.free.cell[lattice.on_face(self.name, self.body)]] = True
             return chosen
-        particles = lattice.particles
-        gap = particles.envelope.face_depth(self.name, particles.position) - particles.radius
+        particles, shape = lattice.particles, lattice.envelope(self.body)
+        gap = shape.face_depth(self.name, particles.position) - particles.radius
+        if self.body is not None:
+            gap[~lattice.bodies.mask("Face", self.body)] = np.inf
         chosen = gap <= self.depth * particles.mean_radius
         layer = int((gap <= particles.mean_radius).sum())
-        if particles.shape is None and layer >= _LAYER and chosen.sum() < _SPARSE * layer:
+        if isinstance(shape, BoundingBox) and layer >= _LAYER and chosen.sum() < _SPARSE * layer:
             warnings.warn(
                 f"{shown(self)} selects {chosen.sum()} of the {layer} elements within R̄ of the bounding box, as the"
                 " particles have no shape; give bd.Particles shape=, or the face depth=1.0",
@@ -107,9 +112,27 @@ class Face(Region):
     def anchor(self, lattice: Lattice) -> Vector:
         """Return the centroid of the face [m], (3,); on a body of cells, the centroid of the facets on the face."""
         if lattice.cells is None:
-            return lattice.particles.envelope.face_centre(self.name)
-        free, on = lattice.cells.free, lattice.on_face(self.name)
+            return lattice.envelope(self.body).face_centre(self.name)
+        free, on = lattice.cells.free, lattice.on_face(self.name, self.body)
         return np.average(free.centroid[on], axis=0, weights=free.area[on])
+
+
+@dataclass(frozen=True)
+class Body(Region):
+    """Elements of a body of a scene, or of a group of bodies.
+
+    Attributes:
+        which: number of the body, its name, or the name of a group: "grains" is "grains/0", "grains/1", …
+    """
+
+    which: Which
+
+    def __post_init__(self) -> None:
+        if isinstance(self.which, bool) or not isinstance(self.which, str | int | np.integer):
+            raise InputError(f"Body: which = {shown(self.which)}; give the name or the number of a body")
+
+    def mask(self, lattice: Lattice) -> Mask:
+        return lattice.bodies.mask("Body", self.which)
 
 
 @dataclass(frozen=True)

@@ -1,12 +1,42 @@
 """Tables of a tessellation: facets between cells, free facets on the walls, and the cells themselves."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
+from typing import Any, TypeVar
 
 import numpy as np
 
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3
 from bondem.specimen.particles import freeze
+
+T = TypeVar("T", "Facets", "FreeFacets", "Cells")
+
+#: How the columns of the tables turn with their body; the others do not.
+_POINTS, _VECTORS, _TENSORS = {"centroid"}, {"normal", "share", "share_i", "share_j"}, {"moment", "inertia"}
+
+
+def _placed(table: T, turn: Floats, by: Floats) -> T:
+    """Return a table of a body that was rotated by a matrix (3, 3) about the origin and then moved by (3,) [m]."""
+    new: dict[str, Any] = {}
+    for item in fields(table):
+        old = getattr(table, item.name)
+        if item.name in _POINTS:
+            new[item.name] = freeze(old @ turn.T + by)
+        elif item.name in _VECTORS:
+            new[item.name] = freeze(old @ turn.T)
+        elif item.name in _TENSORS:
+            new[item.name] = freeze(turn @ old @ turn.T)
+    return replace(table, **new)
+
+
+def _stacked(kind: type[T], tables: Sequence[T], **given: Any) -> T:
+    """Return the tables of several bodies as one, but for the columns that are given."""
+    rows: dict[str, Any] = {
+        item.name: freeze(np.concatenate([getattr(table, item.name) for table in tables]))
+        for item in fields(kind) if item.name not in given
+    }  # fmt: skip
+    return kind(**rows, **given)
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +66,15 @@ class Facets:
     def span(self) -> PerBond:
         """Distance of the two centres along the normal, L = d_i + d_j [m], shape (m,)."""
         return self.depth_i + self.depth_j
+
+    def placed(self, turn: Floats, by: Floats) -> "Facets":
+        """Return the facets of the body rotated by a matrix (3, 3) about the origin, then moved by (3,) [m]."""
+        return _placed(self, turn, by)
+
+    @classmethod
+    def of_all(cls, bodies: Sequence["Facets"]) -> "Facets":
+        """Return the facets of several bodies, one body after the other."""
+        return _stacked(cls, bodies)
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,3 +131,14 @@ class Cells:
     def free_area(self) -> PerElement:
         """Wall area of each cell [m²], shape (n,)."""
         return freeze(np.bincount(self.free.cell, weights=self.free.area, minlength=len(self.volume)))
+
+    def placed(self, turn: Floats, by: Floats) -> "Cells":
+        """Return the cells of the body rotated by a matrix (3, 3) about the origin, then moved by (3,) [m]."""
+        return replace(_placed(self, turn, by), free=_placed(self.free, turn, by))
+
+    @classmethod
+    def of_all(cls, bodies: Sequence["Cells"]) -> "Cells":
+        """Return the cells of several bodies, one body after the other."""
+        first = np.cumsum([0, *(len(one.volume) for one in bodies)])
+        cell = freeze(np.concatenate([one.free.cell + k for one, k in zip(bodies, first, strict=False)]))
+        return _stacked(cls, bodies, free=_stacked(FreeFacets, [one.free for one in bodies], cell=cell))

@@ -7,8 +7,9 @@ import numpy as np
 from bondem._checks import instance
 from bondem._types import Floats, Ints
 from bondem.errors import InputError
+from bondem.specimen.joining import parts
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.particles import freeze
+from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.tessellation.cutting import tessellation
 from bondem.specimen.tessellation.solids import ranges
 
@@ -47,7 +48,27 @@ def polyhedra(lattice: Lattice) -> Polyhedra:
     instance("polyhedra", "lattice", lattice, Lattice, 'a body, from bd.connect(..., method="laguerre")')
     if lattice.cells is None:
         raise InputError('polyhedra: the lattice has no cells; make it with bd.connect(..., method="laguerre")')
-    made = tessellation(lattice.particles, outlines=True)
+    made = [_moved_on(_of_body(particles), own) for own, particles in parts(lattice)]
+    if len(made) == 1:
+        return made[0]
+    start = np.concatenate([[0], *(np.diff(one.start) for one in made)]).cumsum()
+    cell = np.concatenate([one.cell for one in made])
+    order = np.argsort(cell, kind="stable")
+    rows, begin = ranges(start, order)
+    vertex, neighbour = (np.concatenate([getattr(one, name) for one in made]) for name in ("vertex", "neighbour"))
+    return Polyhedra(freeze(vertex[rows]), freeze(begin), freeze(cell[order]), freeze(neighbour[order]))
+
+
+def _moved_on(solid: Polyhedra, own: Ints) -> Polyhedra:
+    """Return polyhedra of a body with the numbers `own` that its elements have in the scene."""
+    if len(own) == 0 or own[-1] == len(own) - 1:
+        return solid
+    neighbour = np.where(solid.neighbour >= 0, own[np.maximum(solid.neighbour, 0)], -1)
+    return Polyhedra(solid.vertex, solid.start, freeze(own[solid.cell]), freeze(neighbour))
+
+
+def _of_body(particles: Particles) -> Polyhedra:
+    made = tessellation(particles, outlines=True)
     position, plain = made.centres.position, made.outlines
     found, owner = made.cut.found, made.cut.owner
     own = plain.cell[plain.of_face]

@@ -1,0 +1,69 @@
+"""Bodies: which elements of a lattice belong together, what they are called, and the shape that each fills."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from bondem._names import meant
+from bondem._types import Ints, Mask, PerElement, PerElement3
+from bondem.errors import InputError
+from bondem.geometry.elementary_shapes import BoundingBox, Shape
+from bondem.specimen.particles import freeze
+
+#: A body by its name or its number.
+Which = str | int
+
+
+@dataclass(frozen=True, eq=False)
+class Bodies:
+    """The bodies of a lattice, b of them.
+
+    Attributes:
+        label: number of the body of each element, 0 … b - 1, shape (n,).
+        names: name of each body; "grains/3" belongs to the group "grains".
+        shapes: shape that each body fills; None for one without.
+    """
+
+    label: Ints
+    names: tuple[str, ...]
+    shapes: tuple[Shape | None, ...]
+
+    @cached_property
+    def count(self) -> Ints:
+        """Number of elements of each body, shape (b,)."""
+        return freeze(np.bincount(self.label, minlength=len(self.names)))
+
+    def numbers(self, owner: str, which: Which) -> Ints:
+        """Return the numbers of the bodies of a name, of a group of names, or of a number, ascending.
+
+        Raises:
+            InputError: There is no such body.
+        """
+        if isinstance(which, str):
+            found = [k for k, name in enumerate(self.names) if name == which or name.startswith(f"{which}/")]
+            if found:
+                return np.array(found)
+            raise InputError(f"{owner}: no body is called {which!r}{meant(which, self.names)}")
+        if not -len(self.names) <= which < len(self.names):
+            raise InputError(f"{owner}: body {which} does not exist; give a number from 0 to {len(self.names) - 1}")
+        return np.array([which % len(self.names)])
+
+    def mask(self, owner: str, which: Which) -> Mask:
+        """Return a mask of the elements of the bodies that `numbers` finds, shape (n,)."""
+        return np.isin(self.label, self.numbers(owner, which))
+
+    def envelope(self, owner: str, which: Which, position: PerElement3, radius: PerElement) -> tuple[int, Shape]:
+        """Return the number of one body and its shape, or the bounding box of its spheres.
+
+        Raises:
+            InputError: There is no such body, or there are several.
+        """
+        found = self.numbers(owner, which)
+        if len(found) > 1:
+            one = self.names[found[0]]
+            raise InputError(f"{owner}: {len(found)} bodies are called {which!r}; name one, such as {one!r}")
+        one = int(found[0])
+        own = self.label == one
+        shape = self.shapes[one]
+        return one, BoundingBox.of(position[own], radius[own]) if shape is None else shape
