@@ -35,6 +35,7 @@ _PUBLIC = {
     "bondem.specimen.particles": ("Particles",),
     "bondem.specimen.bodies": ("Bodies",),
     "bondem.specimen.joining": ("join", "replicate"),
+    "bondem.specimen.strewing": ("strew",),
     "bondem.specimen.lattice": ("Lattice", "carve"),
     "bondem.specimen.aggregates": ("Aggregates",),
     "bondem.specimen.bonding": ("connect",),

@@ -172,6 +172,7 @@ from bondem.specimen.regions import Plane as Plane
 from bondem.specimen.regions import Region as Region
 from bondem.specimen.regions import Within as Within
 from bondem.specimen.strata import Strata as Strata
+from bondem.specimen.strewing import strew as strew
 from bondem.specimen.tessellation.facets import Cells as Cells
 from bondem.specimen.tessellation.facets import Facets as Facets
 from bondem.specimen.tessellation.facets import FreeFacets as FreeFacets

@@ -192,6 +192,8 @@ USUAL: dict[str, dict[str, Any]] = {
     "radial_distribution": {"particles": Later(lambda: BAR.made().particles), "reach": 2.0, "bins": 10},
     "replicate": {"body": LATTICE, "positions": [[0.0, 0.0, 0.0], [0.0, 0.0, 99.0]], "rotations": None,
                   "name": "body", "seed": 0},
+    "strew": {"body": LATTICE, "shape": bd.Box((99.0, 99.0, 99.0)), "count": 2, "seed": 0, "gap": 0.0,
+              "attempts": 10, "name": "body"},
     "solve_explicit": {"model": MODEL, "duration": 1e-4, "dt": 1e-5, "scheme": None, "damping": None, "gauges": None,
                        "every": 5, "save_every": 0, "until": (), "safety": 0.9, "state": None, "device": "cpu"},
     "solve_modes": {"model": MODEL, "count": 2, "prestress": False},

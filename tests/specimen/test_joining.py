@@ -1,5 +1,6 @@
 """Scenes of several bodies: joined, moved, rotated and copied lattices, and what statics and runs make of them."""
 
+import h5py
 import numpy as np
 import pytest
 
@@ -115,6 +116,21 @@ def test_a_velocity_of_a_region_is_that_of_a_rigid_body():
     assert not state.velocity[~own].any()
 
 
+def test_files_and_fragments_tell_bodies_apart(tmp_path):
+    scene = bd.replicate(ROCK, [(0.0, 0.0, 0.0), (0.0, 0.0, 20e-3)])
+    model = bd.Model(scene, LAW, 2500.0, failure=bd.PeripheralStress(tension=1e6, shear=1e9))
+    state = model.state()
+    state.velocity = np.where(scene.body[:, None] == 1, 2e3 * (state.position - [0.0, 0.0, 20e-3]), 0.0)
+    run = bd.solve_explicit(model, duration=2e-6, state=state, out=tmp_path / "run.h5", snapshot_every=5)
+    found = bd.fragments(scene, run.state)
+    assert len(found) > 50
+    assert (found.body[found.label] == scene.body).all()
+    bd.write_vtkhdf(tmp_path / "scene.vtkhdf", scene, state=run.state)
+    for name, place in (("run.h5", "VTKHDF/elements/PointData/body"), ("scene.vtkhdf", "VTKHDF/PointData/body")):
+        with h5py.File(tmp_path / name) as file:
+            assert (file[place][:] == scene.body).all()
+
+
 def test_loose_grains_are_a_body_with_weight():
     grains = bd.Particles([(0.0, 0.0, 9e-3), (3e-3, 0.0, 9e-3)], 1e-3)
     scene = bd.join(ROCK, grains, names=("rock", "grains"))
@@ -156,6 +172,44 @@ def test_bad_scenes_are_refused_in_one_line(make, words):
     with pytest.raises(InputError, match=words) as error:
         make()
     assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("make", [
+    lambda scene: bd.fabric(scene),
+    lambda scene: bd.carve(scene, bd.Ball(radius=1.0)),
+    lambda scene: bd.replicate(scene, [(0.0, 0.0, 0.0)]),
+    lambda scene: bd.calibrate(scene, bd.materials.granite),
+    lambda scene: bd.Response(scene, LAW),
+    lambda scene: bd.labtests.static_tension(scene, LAW),
+])  # fmt: skip
+def test_what_takes_one_body_refuses_a_scene_in_one_line(make):
+    with pytest.raises(InputError, match="takes one body, not a scene of 2; give the body before") as error:
+        make(bd.join(ROCK, ROCK.moved((0.0, 0.0, 0.02))))
+    assert "\n" not in str(error.value)
+
+
+def test_bricks_stand_face_to_face_without_force():
+    scene = bd.join(BRICK, BRICK.moved((0.0, 0.0, 6e-3)))
+    model = bd.Model(scene, CELLS, 2500.0, contact=bd.LinearContact(E=1e9))
+    run = bd.solve_explicit(model, duration=1e-5)
+    assert largest(run.state.displacement) < 1e-15
+
+
+def test_laws_and_stresses_of_a_body_are_those_of_the_body_alone():
+    half = bd.Particles(0.5 * ROCK.particles.position, 0.5 * ROCK.particles.radius, shape=bd.Ball(radius=2.5e-3))
+    small = bd.connect(half, tolerance=0.01)
+    scene = bd.join(ROCK, small.moved((0.0, 0.0, 9e-3)), names=("large", "small"))
+    own = scene.body == 0
+    whole, alone = (bd.Model(lattice, LAW, 2500.0) for lattice in (scene, ROCK))
+    np.testing.assert_array_equal(whole.stiffness.kn[own[scene.pairs[:, 0]]], alone.stiffness.kn)  # bonds of R̄
+    assert np.allclose(whole.stiffness.kn[~own[scene.pairs[:, 0]]], 0.5 * alone.stiffness.kn, rtol=1e-12)
+    stresses = []
+    for model in (whole, alone):
+        state = model.state()
+        state.displacement = np.where(own[: len(state.position), None], 1e-3 * state.position, 0.0)
+        stresses.append(bd.element_stress(model, state).stress[: len(ROCK.particles)])
+    assert largest(stresses[0] - stresses[1]) < 1e-12 * largest(stresses[1])
+    assert scene.volume == pytest.approx(1.125 * ROCK.volume, rel=1e-12)
 
 
 def test_statics_name_the_body_that_floats():

@@ -17,6 +17,7 @@ from bondem.errors import InputError
 from bondem.geometry.face_patches import face_patches
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material, of_material
+from bondem.specimen.mean_radii import mean_radii
 from bondem.specimen.regions import Difference, Everything, Face, Intersection, Region, as_region
 
 # Size of the patches of a face, over the mean radius.
@@ -361,7 +362,7 @@ def _shared(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, F
     if lattice.cells is not None:
         return facets_on(region, lattice)
     whole, chosen = face.select(lattice), region.select(lattice)
-    centre, area = face_patches(lattice.envelope(face.body), face.name, _PATCH * particles.mean_radius)
+    centre, area = face_patches(lattice.envelope(face.body), face.name, _PATCH * mean_radii(lattice)[chosen[0]])
     nearest = whole[KDTree(particles.position[whole]).query(centre)[1]]
     place = np.full(len(particles), -1)
     place[chosen] = np.arange(len(chosen))

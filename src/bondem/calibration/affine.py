@@ -68,8 +68,9 @@ def affine_estimate(lattice: Lattice, law: BondAssignment, *, bar: bool | None =
         bar: True to treat the lattice as a bar; None to use `is_bar`.
 
     Raises:
-        InputError: bonds that do not resist every strain, such as those of a plane lattice.
+        InputError: bonds that do not resist every strain, such as those of a plane lattice, or several bodies.
     """
+    lattice.bodies.require_one("affine_estimate")
     k, _ = bond_stiffness(lattice, law)
     shape, particles = lattice.particles.envelope, lattice.particles
     bar = is_bar(lattice) if bar is None else bar

@@ -23,7 +23,12 @@ def element_density(lattices: Sequence[Lattice], rho: float) -> float:
     Args:
         lattices: the specimens.
         rho: density of the material [kg/m³].
+
+    Raises:
+        InputError: a scene of several bodies.
     """
+    for one in lattices:
+        one.bodies.require_one("element_density")
     particles = [lattice.particles for lattice in lattices]
     solid = sum(p.volume[lattice.connected].sum() for p, lattice in zip(particles, lattices, strict=True))
     return float(rho * sum(p.envelope.volume for p in particles) / solid)

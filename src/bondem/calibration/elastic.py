@@ -218,13 +218,14 @@ def calibrate(
 
     Raises:
         UnreachableTargetError: the law cannot give this ν on this lattice; the message states its range.
-        InputError: no lattice, a specimen too short for a tension test along x or without ends to pull, an unknown
-            parameter, or a parameter that calibration sets.
+        InputError: no lattice, one of several bodies, a specimen too short for a tension test along x or without
+            ends to pull, an unknown parameter, or a parameter that calibration sets.
     """
     lattices = several("calibrate", "lattice", lattice, Lattice, "a lattice, from bd.connect, or several")
     if not lattices:
         raise InputError("calibrate: lattice is empty; give at least one lattice, such as bd.connect(particles)")
     for one in lattices:
+        one.bodies.require_one("calibrate")
         _require_slender(one)
     instance("calibrate", "material", material, Material, "a bd.Material, or one of bd.materials")
     number("calibrate", "tolerance", tolerance, above=0.0, advice="a tolerance on ν above zero")

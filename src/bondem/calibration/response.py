@@ -57,6 +57,7 @@ class Response:
 
     def __init__(self, lattice: Lattice, law: BondLaw, *, guess: "Response | None" = None) -> None:
         self.lattice = instance("Response", "lattice", lattice, Lattice, "a lattice, from bd.connect")
+        lattice.bodies.require_one("Response")
         self.law = instance("Response", "law", law, BondLaw, "a bond law with its parameters")
         if guess is not None:
             instance("Response", "guess", guess, Response, "the Response of the same lattice to similar bonds")

@@ -121,7 +121,7 @@ class SurfaceModel:
         # two lengths that have this mean and this standard deviation stand for all
         length = mean_radius * (self.length[0] + self.length[1] * np.array([-1.0, 1.0]))
         half = 0.5 * length
-        k = law.stiffness(BondGeometry(length, half, half, mean_radius))
+        k = law.stiffness(BondGeometry(length, half, half, np.full(2, mean_radius)))
         volume = len(length) * mean_radius**3 / self.number
         return self._isotropic(k, length, volume)
 

@@ -83,8 +83,8 @@ def implied_fracture(
     """
     if not len(lattice.pairs):
         return None
-    volume = lattice.particles.envelope.volume
-    lower, upper = lattice.particles.envelope.bounds
+    shapes = [lattice.envelope(k) for k in range(len(lattice.names))]
+    volume = sum(shape.volume for shape in shapes)
     if cells is not None and lattice.facets is not None:
         area, length, place = lattice.facets.area, lattice.facets.span, lattice.facets.centroid
         E = float(np.median(cells.G * (3.0 * cells.lame + 2.0 * cells.G) / (cells.lame + cells.G)))
@@ -117,7 +117,7 @@ def implied_fracture(
     return ImpliedFracture(
         softens=softens, strength=strength, weakest=weakest, E=E, density=float(mass.sum()) / volume, length=L,
         bond_energy=float(np.median(stored / area)), fracture_energy=energy,
-        extent=float(np.max(np.subtract(upper, lower))),
+        extent=max(float(np.max(np.subtract(upper, lower))) for lower, upper in (shape.bounds for shape in shapes)),
     )  # fmt: skip
 
 

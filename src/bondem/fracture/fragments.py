@@ -22,6 +22,7 @@ class Fragments:
     Attributes:
         label: piece of each element, user's order, shape (n,).
         size: number of elements of each piece, shape (f,).
+        body: number of the body of each piece, that of most of its mass where bonds join bodies, shape (f,).
         mass: mass [kg], shape (f,).
         position: centre of mass [m], shape (f, 3).
         velocity: velocity of the centre of mass [m/s], shape (f, 3).
@@ -31,6 +32,7 @@ class Fragments:
 
     label: Ints
     size: Ints
+    body: Ints
     mass: Floats
     position: Floats
     velocity: Floats
@@ -78,8 +80,10 @@ def fragments(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Frag
     spin = np.asarray(np.linalg.solve(tensor, momentum[:, :, None])[:, :, 0], dtype=float)
     if lattice.particles.period is not None:
         spin = np.full_like(spin, np.nan)
+    parts = coo_array((mass, (label, lattice.body)), shape=(len(order), len(lattice.names))).tocsr()
+    body = np.asarray(parts.argmax(axis=1)).ravel().astype(np.int64)
     return Fragments(
-        label=label, size=np.bincount(label), mass=total, position=position, velocity=velocity, spin=spin
+        label=label, size=np.bincount(label), body=body, mass=total, position=position, velocity=velocity, spin=spin
     )
 
 

@@ -1,7 +1,8 @@
 """Snapshots of a run in its file for ParaView: elements, bonds or cells, and cracks, over time.
 
     /VTKHDF/elements   points that move: radius, displacement, velocity, angular_velocity, orientation (w, x, y, z);
-                       under the cell law and the non-local law the stress (xx, yy, zz, xy, yz, xz)
+                       under the cell law and the non-local law the stress (xx, yy, zz, xy, yz, xz); body, the number
+                       of the body of each, in a scene of several
     /VTKHDF/bonds      lines between elements: length, integrity, normal_force (tension positive), shear_force,
                        bending_moment (of the end that has more of it), twisting_moment
     /VTKHDF/cells      of a body instead of bonds: polyhedra where they are, which have turned with their elements;
@@ -21,7 +22,7 @@ import numpy as np
 
 from bondem._types import Floats, Ints
 from bondem.boundary.wall_outlines import WallOutlines, wall_outlines
-from bondem.io.vtk_cells import Corners
+from bondem.io.vtk_cells import Corners, fields_of_bodies
 from bondem.io.vtkhdf_series import Piece, begin_collection, static_lines, static_polyhedra
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -71,7 +72,11 @@ class Snapshots:
         lattice, n, drawn, corners = model.lattice, len(model.lattice.particles), _drawn(model), None
         pieces = {"elements": Piece.begin(root, "elements", "PolyData")}
         vertices = {"NumberOfPoints": np.array([n])} | static_lines(np.arange(n)[:, None])
-        pieces["elements"].set_static(vertices | {"PointData/radius": _single(lattice.particles.radius)})
+        of_body = {name: np.asarray(values) for name, values in fields_of_bodies(lattice).items()}
+        pieces["elements"].set_static(
+            vertices | {"PointData/radius": _single(lattice.particles.radius)}
+            | {f"PointData/{name}": values for name, values in of_body.items()}
+        )  # fmt: skip
         if lattice.cells is None:
             pieces["bonds"] = Piece.begin(root, "bonds", "PolyData")
             static = {"NumberOfPoints": np.array([n])} | static_lines(lattice.pairs[drawn])
@@ -80,7 +85,10 @@ class Snapshots:
             pieces["cells"] = Piece.begin(root, "cells", "UnstructuredGrid")
             c = Corners(lattice)
             static = static_polyhedra(c.cell, c.number, c.start, c.polygon_cell, n)
-            pieces["cells"].set_static(static | {"CellData/volume": _single(lattice.cells.volume)})
+            pieces["cells"].set_static(
+                static | {"CellData/volume": _single(lattice.cells.volume)}
+                | {f"CellData/{name}": values for name, values in of_body.items()}
+            )  # fmt: skip
             corners = c
         if cracks is not None:
             pieces["cracks"] = Piece.begin(root, "cracks", "PolyData")
@@ -113,9 +121,9 @@ class Snapshots:
         stress = _stress(model, state)
         if stress is not None:
             own["stress"] = stress
-        place = state.position
+        place, still = state.position, dict.fromkeys(fields_of_bodies(model.lattice))
         self.pieces["elements"].add_step(
-            state.time, points=place, point_data={"radius": None} | own, cell_data={}
+            state.time, points=place, point_data={"radius": None} | still | own, cell_data={}
         )
         if "bonds" in self.pieces:
             fields = {name: values[self.drawn] for name, values in _of_bonds(model, state).items()}
@@ -129,7 +137,9 @@ class Snapshots:
             else:
                 points = self.corners.moved(model.lattice, state)
             same = {name: self.pieces["elements"].last(name, rows) for name, rows in own.items()}
-            self.pieces["cells"].add_step(state.time, points=points, point_data={}, cell_data={"volume": None} | same)
+            self.pieces["cells"].add_step(
+                state.time, points=points, point_data={}, cell_data={"volume": None} | still | same
+            )
         if self.cracks is not None:
             found = self.cracks(state)
             self.pieces["cracks"].add_step(

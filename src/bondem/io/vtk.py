@@ -12,7 +12,7 @@ from bondem.errors import InputError
 from bondem.io.atomic import require_writable
 from bondem.io.field_names import check_names
 from bondem.io.hdf5 import put, writing
-from bondem.io.vtk_cells import fields_of_cells, fields_of_motion, write_cells
+from bondem.io.vtk_cells import fields_of_bodies, fields_of_cells, fields_of_motion, write_cells
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 from bondem.statics.static import StaticResult
@@ -72,6 +72,7 @@ def write_vtkhdf(
     points = particles.position if state is None else particles.position + state.displacement
     of_elements: dict[str, ArrayLike] = {"radius": particles.radius, "connected": lattice.connected.astype(np.int8)}
     of_bonds: dict[str, ArrayLike] = {"length": lattice.length}
+    of_elements |= fields_of_bodies(lattice)
     of_elements |= fields_of_motion(state)
     if isinstance(state, State):
         of_bonds["integrity"] = state.bond_integrity

@@ -41,11 +41,16 @@ def fields_of_motion(state: State | StaticResult | None) -> dict[str, ArrayLike]
     }  # fmt: skip
 
 
+def fields_of_bodies(lattice: Lattice) -> dict[str, ArrayLike]:
+    """Field of the elements of a scene of several bodies: the number of the body of each."""
+    return {"body": lattice.body} if len(lattice.names) > 1 else {}
+
+
 def fields_of_cells(body: Lattice, state: State | StaticResult | None) -> dict[str, ArrayLike]:
     """Fields of the cells in every file, with motion and stress for a given state or static solution."""
     assert body.cells is not None
     fields: dict[str, ArrayLike] = {"volume": body.cells.volume, "free_area": body.cells.free_area}
-    fields |= fields_of_motion(state)
+    fields |= fields_of_bodies(body) | fields_of_motion(state)
     if not isinstance(state, State):
         return fields
     model = state.model

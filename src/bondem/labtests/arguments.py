@@ -27,7 +27,7 @@ _RULES: dict[str, dict[str, Any]] = {
 
 
 def check(test: str, lattice: object, **given: object) -> None:
-    """Check that a lattice has bonds and that numbers are in range.
+    """Check that a lattice is one bonded body and that numbers are in range.
 
     Args:
         test: name of the calling function.
@@ -40,6 +40,7 @@ def check(test: str, lattice: object, **given: object) -> None:
     specimen = instance(f"labtests.{test}", "lattice", lattice, Lattice, "a lattice, from bd.connect")
     if not len(specimen.pairs):
         raise InputError(f"labtests.{test}: the lattice has no bonds; connect it with bd.connect")
+    specimen.bodies.require_one(f"labtests.{test}")
     for name, value in given.items():
         if name == "density" and isinstance(value, np.ndarray) and value.ndim:
             _each(test, value, len(specimen.particles))

@@ -110,8 +110,12 @@ def element_stress(model: Model, result: SmallMotion | State) -> ElementStress:
 
 
 def _volumes(lattice: Lattice) -> PerElement:
-    """Return the share of each element in the volume of the shape [m³], (n,)."""
+    """Return the share of each element in the volume of the shape of its body [m³], (n,)."""
     if lattice.cells is not None:
         return lattice.cells.volume
     spheres = lattice.particles.volume
-    return spheres * (lattice.particles.envelope.volume / spheres.sum())
+    shares = np.empty(len(spheres))
+    for k in range(len(lattice.names)):
+        own = lattice.body == k
+        shares[own] = spheres[own] * (lattice.envelope(k).volume / spheres[own].sum())
+    return shares

@@ -75,26 +75,34 @@ def draw_lattice(
     lattice: Lattice, path: Any, *, values: ArrayLike | None, label: str, view: tuple[float, float]
 ) -> Drawing:  # fmt: skip
     """Draw a lattice for `Lattice.plot`."""
-    eye, sides = _view("Lattice.plot", view), _bounds(lattice)
-    if values is None:
-        cells = lattice.cells
-        shown_as = lattice.particles.radius / lattice.particles.mean_radius
-        if cells is not None:
-            shown_as = np.cbrt(cells.volume / cells.volume.mean())
-        label = "size over mean size [-]"
-    else:
-        shown_as = array("Lattice.plot", "values", values, wanted="one number per element")
-        if shown_as.shape != (len(lattice.particles),):
-            raise InputError(f"Lattice.plot: values has shape {shown_as.shape}; give ({len(lattice.particles)},)")
+    eye, sides, bodies = _view("Lattice.plot", view), _bounds(lattice), len(lattice.names)
     with _figure("Lattice.plot", path, 1) as (figure, (ax,)):
-        scale = Normalize(float(np.nanmin(shown_as)), float(np.nanmax(shown_as)))
-        _body(ax, lattice, colormaps[SEQUENTIAL](scale(shown_as))[:, :3], eye)
+        if values is None and bodies > 1:
+            _body(ax, lattice, piece_palette(bodies)[lattice.body], eye)
+        else:
+            shown_as = _sizes(lattice) if values is None else _given(lattice, values)
+            scale = Normalize(float(np.nanmin(shown_as)), float(np.nanmax(shown_as)))
+            _body(ax, lattice, colormaps[SEQUENTIAL](scale(shown_as))[:, :3], eye)
+            _bar(figure, ax, scale, "size over mean size [-]" if values is None else label)
         draw_box(ax, *sides, eye)
-        _bar(figure, ax, scale, label)
         cell = "elements" if lattice.cells is None else "cells"
         bonds = "bonds" if lattice.cells is None else "facets"
-        ax.set_title(f"{len(lattice.particles)} {cell}, {len(lattice.pairs)} {bonds}")
+        scene = f", {bodies} bodies" if bodies > 1 else ""
+        ax.set_title(f"{len(lattice.particles)} {cell}, {len(lattice.pairs)} {bonds}{scene}")
     return figure
+
+
+def _sizes(lattice: Lattice) -> Floats:
+    if lattice.cells is not None:
+        return np.cbrt(lattice.cells.volume / lattice.cells.volume.mean())
+    return lattice.particles.radius / lattice.particles.mean_radius
+
+
+def _given(lattice: Lattice, values: ArrayLike) -> Floats:
+    found = array("Lattice.plot", "values", values, wanted="one number per element")
+    if found.shape != (len(lattice.particles),):
+        raise InputError(f"Lattice.plot: values has shape {found.shape}; give ({len(lattice.particles)},)")
+    return found
 
 
 def draw_surface(surface: Surface, path: Any, *, view: tuple[float, float]) -> Drawing:

@@ -34,6 +34,16 @@ class Bodies:
         """Number of elements of each body, shape (b,)."""
         return freeze(np.bincount(self.label, minlength=len(self.names)))
 
+    def require_one(self, owner: str) -> None:
+        """Refuse a scene of several bodies.
+
+        Raises:
+            InputError: There are several bodies.
+        """
+        if len(self.names) > 1:
+            several = len(self.names)
+            raise InputError(f"{owner} takes one body, not a scene of {several}; give the body before bd.join")
+
     def numbers(self, owner: str, which: Which) -> Ints:
         """Return the numbers of the bodies of a name, of a group of names, or of a number, ascending.
 

@@ -115,13 +115,14 @@ def fabric(lattice: Lattice) -> Fabric:
         Measures and a verdict. The verdict rests on effect sizes, which do not depend on the number of elements.
 
     Raises:
-        InputError: The lattice has no bonds.
+        InputError: The lattice has no bonds, or several bodies.
     """
     instance("fabric", "lattice", lattice, Lattice, "a lattice, from bd.connect or bd.Lattice")
     if not len(lattice.pairs):
         raise InputError(
             f"fabric: the lattice of {len(lattice.particles)} elements has no bonds; bond it with bd.connect"
         )
+    lattice.bodies.require_one("fabric")
     particles = lattice.particles
     n, m = len(particles), len(lattice.pairs)
     direction = lattice.branch / lattice.length[:, None]

@@ -37,7 +37,8 @@ def join(
 
     Raises:
         InputError: Fewer than two arguments, two names alike, a periodic body, cells beside bonded or loose spheres,
-            bonds between cells, or spheres of two bodies that overlap by more than 0.001 of the smaller radius.
+            bonds between cells, or spheres of two bodies that overlap by more than 0.001 of the smaller radius. Of
+            cells the largest spheres inside them are compared, so that bodies may stand face to face.
     """
     for one in bodies:
         instance("join", "bodies", one, (Lattice, Particles), "lattices, or bd.Particles for loose grains")
@@ -64,7 +65,7 @@ def join(
     label = np.concatenate([one.body + k for one, k in zip(lattices, before, strict=False)])
     position = np.concatenate([one.particles.position for one in lattices])
     radius = np.concatenate([one.particles.radius for one in lattices])
-    _refuse_overlap(position, radius, label, found, across)
+    _refuse_overlap(position, np.concatenate([_inner_radii(one) for one in lattices]), label, found, across)
     shapes = tuple(shape for one in lattices for shape in one.bodies.shapes)
     inner = [one.pairs + k for one, k in zip(lattices, first, strict=False)]
     bonds: Pairs = np.concatenate([*inner, across])
@@ -94,8 +95,7 @@ def replicate(
         InputError: A body that `join` refuses, several bodies, or an array of another shape.
     """
     instance("replicate", "body", body, Lattice, "a lattice, from bd.connect")
-    if len(body.names) > 1:
-        raise InputError(f"replicate: a scene of {len(body.names)} bodies; give one body")
+    body.bodies.require_one("replicate")
     place = array("replicate", "positions", positions, wanted="centres of mass, shape (k, 3) [m]")
     if place.ndim != 2 or place.shape[1] != 3 or not np.isfinite(place).all() or len(place) == 0:
         raise InputError(f"replicate: positions of shape {place.shape}; give centres of mass, finite, (k, 3) [m]")
@@ -125,16 +125,6 @@ def turns_of(owner: str, rotations: ArrayLike | str | None, number: int, seed: i
     if q.shape != (number, 4) or not (np.abs((q**2).sum(axis=1) - 1.0) < 1e-6).all():
         raise InputError(f"{owner}: rotations = {shown(rotations)}; give {number} unit quaternions (w, x, y, z)")
     return np.asarray(Rotation.from_quat(q[:, [1, 2, 3, 0]]).as_matrix())
-
-
-def one_body(owner: str, lattice: Lattice) -> None:
-    """Refuse a scene of several bodies.
-
-    Raises:
-        InputError: The lattice has several bodies.
-    """
-    if len(lattice.names) > 1:
-        raise InputError(f"{owner} takes one body, not a scene of {len(lattice.names)}; give the body before bd.join")
 
 
 def parts(lattice: Lattice) -> list[tuple[Ints, Particles]]:
@@ -187,6 +177,17 @@ def _inner(name: str, scene: Lattice) -> tuple[str, ...]:
     """Return names of the bodies of a scene that has a name: its own without their group, if these differ."""
     short = [own.rpartition("/")[2] for own in scene.names]
     return tuple(f"{name}/{own}" for own in (short if len(set(short)) == len(short) else scene.names))
+
+
+def _inner_radii(lattice: Lattice) -> PerElement:
+    """Return radii of the spheres; of cells of the largest spheres about their centres that lie within them [m]."""
+    if lattice.cells is None or lattice.facets is None:
+        return lattice.particles.radius
+    radius, facets, free = np.full(len(lattice.particles), np.inf), lattice.facets, lattice.cells.free
+    for cell, depth in zip(lattice.pairs.T, (facets.depth_i, facets.depth_j), strict=True):
+        np.minimum.at(radius, cell, depth)
+    np.minimum.at(radius, free.cell, free.depth)
+    return radius
 
 
 def _refuse_overlap(

@@ -100,8 +100,10 @@ class Lattice:
 
     @property
     def volume(self) -> float:
-        """Volume of the shape, or of the cells of a body [m³], voids between spheres included."""
-        return self.particles.envelope.volume if self.cells is None else float(self.cells.volume.sum())
+        """Volume of the shapes of the bodies, or of their cells [m³], voids between spheres included."""
+        if self.cells is not None:
+            return float(self.cells.volume.sum())
+        return sum(self.envelope(k).volume for k in range(len(self.names)))
 
     @cached_property
     def branch(self) -> PerBond3:
@@ -241,7 +243,7 @@ class Lattice:
 
         Args:
             path: PNG, PDF or SVG to write; nothing is written when None.
-            values: numbers that colour the elements, shape (n,); their sizes unless given.
+            values: numbers that colour the elements, shape (n,); sizes, or the bodies of a scene, unless given.
             label: name and unit of the values, for the scale.
             view: azimuth and elevation of the camera [degree].
 
@@ -334,11 +336,12 @@ def carve(lattice: Lattice, shape: Shape) -> Lattice:
         facets and cells.
 
     Raises:
-        InputError: No element lies inside the shape.
+        InputError: No element lies inside the shape, or the lattice has several bodies.
         DisconnectedError: The part consists of two large pieces.
     """
     instance("carve", "lattice", lattice, Lattice, "a lattice, from bd.connect")
     instance("carve", "shape", shape, Shape, "a shape such as bd.Box(...)")
+    lattice.bodies.require_one("carve")
     keep = shape.contains(lattice.particles.position)
     if not keep.any():
         raise InputError(f"no element lies inside {shown(shape)}; check its size and position (metres)")

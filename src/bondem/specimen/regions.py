@@ -13,6 +13,7 @@ from bondem.errors import EmptyRegionError, FaceWarning, InputError
 from bondem.geometry.elementary_shapes import BoundingBox, Shape
 from bondem.specimen.bodies import Which
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.mean_radii import mean_radii
 
 # Without a shape a face is the plane of the outermost sphere. A warning is given if it has less than this share
 # of the elements within one mean radius of it, and if there are at least so many of them.
@@ -98,8 +99,9 @@ class Face(Region):
         gap = shape.face_depth(self.name, particles.position) - particles.radius
         if self.body is not None:
             gap[~lattice.bodies.mask("Face", self.body)] = np.inf
-        chosen = gap <= self.depth * particles.mean_radius
-        layer = int((gap <= particles.mean_radius).sum())
+        mean = mean_radii(lattice)
+        chosen = gap <= self.depth * mean
+        layer = int((gap <= mean).sum())
         if isinstance(shape, BoundingBox) and layer >= _LAYER and chosen.sum() < _SPARSE * layer:
             warnings.warn(
                 f"{shown(self)} selects {chosen.sum()} of the {layer} elements within R̄ of the bounding box, as the"

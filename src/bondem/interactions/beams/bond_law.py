@@ -29,18 +29,18 @@ class BondGeometry:
     Attributes:
         length: distance of the centres [m], shape (m,).
         radius_i, radius_j: element radii at the two ends [m], shape (m,).
-        mean_radius: R̄ of the lattice [m].
+        mean_radius: R̄ of the body of each bond [m], shape (m,).
     """
 
     length: PerBond
     radius_i: PerBond
     radius_j: PerBond
-    mean_radius: float
+    mean_radius: PerBond
 
     def take(self, chosen: np.ndarray) -> "BondGeometry":
         """Return the geometry of the bonds `chosen`, by indices or by a mask."""
         return BondGeometry(
-            self.length[chosen], self.radius_i[chosen], self.radius_j[chosen], self.mean_radius
+            self.length[chosen], self.radius_i[chosen], self.radius_j[chosen], self.mean_radius[chosen]
         )
 
 
@@ -157,7 +157,7 @@ class BondLaw(ABC):
             return np.full_like(bonds.length, self.radius)
         assert self.radius_ratio is not None
         if self.radius_rule == "mean":
-            base = np.full_like(bonds.length, bonds.mean_radius)
+            base = bonds.mean_radius
         elif self.radius_rule == "pair_min":
             base = np.minimum(bonds.radius_i, bonds.radius_j)
         else:
