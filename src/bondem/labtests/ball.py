@@ -9,15 +9,14 @@ from bondem._drawing import Plotted
 from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.fracture.fragments import Fragments, fragments
-from bondem.interactions.contact.contact_law import ContactLaw, LinearContact
+from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.labtests.fragment_contact import fragment_contact
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 
 # How far the extents of a ball may differ, and its volume from that of a sphere [-].
 _ROUND, _FULL = 1e-6, 0.01
-# Friction between pieces, where no law of contact is given [-].
-_FRICTION = 0.4
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,9 +124,7 @@ class BallSpecimen:
 
     def contact(self, given: ContactLaw | None) -> ContactLaw:
         """Given contact law, or one whose wall contacts are as stiff as the median bond, with a friction of 0.4."""
-        if given is not None:
-            return given
-        return LinearContact(E=self.stiffness / (math.pi * float(np.median(self.radius))), friction=_FRICTION)
+        return fragment_contact(self.stiffness, self.radius) if given is None else given
 
     def broken(self, state: State, fine: float) -> BrokenBall:
         """Fragments of the ball in a state; `fine` is the size limit of fines as a share of the diameter [-]."""

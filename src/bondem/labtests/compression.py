@@ -7,7 +7,10 @@ from bondem._checks import number
 from bondem._progress import staged
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
-from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.labtests.arguments import AnyLaw
+from bondem.labtests.bonded_compression import compress_bonded
+from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
 from bondem.labtests.loading import Loading, load_to_failure
 from bondem.labtests.quasi_static_rig import Moduli, StrengthTest, softenings_of
 from bondem.specimen.lattice import Lattice
@@ -17,33 +20,41 @@ from bondem.specimen.material import Material, constant
 @staged("uniaxial compression")
 def uniaxial_compression(
     body: Lattice,
-    law: CellAssignment,
+    law: AnyLaw,
     failure: FailureAssignment,
     *,
     pressure: float = 0.0,
     platen_friction: float = 0.0,
     density: float | Material | None = None,
-    traverses: float = 100.0,
-    reach: float = 2.0,
+    contact: ContactLaw | None = None,
+    traverses: float | None = None,
+    reach: float | None = None,
     out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> StrengthTest:
-    """Compress a body of cells along x between platens, until the stress has dropped to half of the peak.
+    """Compress a specimen along x between platens, until the stress has dropped to half of the peak.
 
     Smooth platens leave the stress uniform, so that the peak is a strength of the material. Rough platens restrain
     the ends of the body: squat bodies are then stronger than slender ones.
 
+    Platens of bonded spheres are planes that the outermost spheres touch, and confining walls are a smooth cylinder
+    or smooth planes with a servo. E is that of the strain in the middle half of the length.
+
     Args:
-        body: specimen of cells.
-        law: cell law, or cell laws by region; their moduli and the weakest criterion set the loading rate.
-        failure: `bd.MohrCoulomb` or `bd.DruckerPrager` with a fracture energy, or criteria by region.
-        pressure: confining pressure on the sides, of a membrane that rotates with the cells [Pa]; 0 for uniaxial
-            compression.
+        body: specimen of cells, of bonded spheres, or of the non-local law.
+        law: cell law, bond law, or laws by region, or the non-local law.
+        failure: for cells `bd.MohrCoulomb` or `bd.DruckerPrager` with a fracture energy; for bonded spheres a
+            criterion of bonds such as `bd.PeripheralStress`; or criteria by region.
+        pressure: confining pressure on the sides [Pa], of cells that of a membrane that rotates with them; 0 for
+            uniaxial compression.
         platen_friction: coefficient of friction between platens and body [-]; 0 for smooth platens, as with grease or
             brushes, which leave the ends free to expand.
         density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
-        traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower.
-        reach: limit of the strain, over the strain at the expected peak [-].
+        contact: contact law of fragments and platens, for bonded spheres; None for the stiffness of the median bond
+            and a friction of 0.4 between fragments.
+        traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower. None for
+            100; bonded spheres have 50, and 100 or 200 if the forces of both platens do not balance.
+        reach: limit of the strain, over the strain at the expected peak [-]; None for 2, or 4 for bonded spheres.
         out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
             killed or interrupted, and evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
@@ -53,24 +64,57 @@ def uniaxial_compression(
         mechanics.
 
     Raises:
-        InputError: a lattice without cells, or a criterion without yielding of cells.
+        InputError: a criterion without yielding of cells, no criterion, or a shape without flat ends.
         UnstableRunError: the run became unstable.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+
+    Warns:
+        NotQuasistaticWarning: the forces on both platens do not balance:
+            `StrengthTest.unbalance` is above 0.02.
     """
+    return compressed(
+        "uniaxial_compression", body, law, failure, pressure=pressure, platen_friction=platen_friction,
+        density=density, contact=contact, traverses=traverses, reach=reach, out=out, progress=progress,
+    )  # fmt: skip
+
+
+def compressed(
+    test: str,
+    body: Lattice,
+    law: AnyLaw,
+    failure: FailureAssignment,
+    *,
+    pressure: float,
+    platen_friction: float,
+    density: float | Material | None,
+    contact: ContactLaw | None,
+    traverses: float | None,
+    reach: float | None,
+    out: str | Path | None,
+    progress: Callable[[float], None] | None,
+) -> StrengthTest:
+    """Compress a specimen in the test of a given name; see `uniaxial_compression`."""
+    owner = f"labtests.{test}"
     density = constant("density", density)
-    number("labtests.uniaxial_compression", "pressure", pressure, unit="Pa", least=0.0)
-    number("labtests.uniaxial_compression", "reach", reach, above=0.0)
-    rough = number("labtests.uniaxial_compression", "platen_friction", platen_friction, least=0.0)
-    moduli = Moduli.of("uniaxial_compression", body, law, density)
+    number(owner, "pressure", pressure, unit="Pa", least=0.0)
+    rough = number(owner, "platen_friction", platen_friction, least=0.0)
+    for name, given in (("traverses", traverses), ("reach", reach)):
+        if given is not None:
+            number(owner, name, given, above=0.0)
+    if not is_cells(body, law):
+        specimen = BondedSpecimen.of(test, body, law, failure, density=density, contact=contact)
+        return compress_bonded(
+            specimen, pressure=pressure, friction=rough, traverses=traverses, reach=reach, out=out, progress=progress
+        )
+    law = as_cells(test, law, contact)
+    moduli = Moduli.of(test, body, law, density)
     wanted = "bd.MohrCoulomb or bd.DruckerPrager with a fracture_energy"
-    found = [one.slip for one in softenings_of("uniaxial_compression", body, failure, wanted)]
+    found = [one.slip for one in softenings_of(test, body, failure, wanted)]
     strengths = [slip.compressive(pressure) for slip in found if slip is not None]
     if not strengths:
-        raise InputError(f"labtests.uniaxial_compression: the criterion has no shear strength; give {wanted}")
+        raise InputError(f"{owner}: the criterion has no shear strength; give {wanted}")
     loading = Loading(
-        sign=-1.0, expected=min(strengths), reach=reach * strengths[0] / moduli.soft, opening=0.0, ending=0.5,
-        pressure=pressure, traverses=traverses, friction=rough,
+        sign=-1.0, expected=min(strengths), reach=(reach or 2.0) * strengths[0] / moduli.soft, opening=0.0,
+        ending=0.5, pressure=pressure, traverses=traverses or 100.0, friction=rough,
     )  # fmt: skip
-    return load_to_failure(
-        "uniaxial_compression", body, law, failure, loading, density=density, out=out, progress=progress
-    )
+    return load_to_failure(test, body, law, failure, loading, density=density, out=out, progress=progress)

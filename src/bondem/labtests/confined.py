@@ -9,8 +9,9 @@ from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.damage.failure_assignment import FailureAssignment
-from bondem.interactions.cells.cell_constants import CellAssignment
-from bondem.labtests.compression import uniaxial_compression
+from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.labtests.arguments import AnyLaw
+from bondem.labtests.compression import compressed
 from bondem.labtests.cracking import Cracking
 from bondem.labtests.quasi_static_rig import StrengthTest
 from bondem.model.state import State
@@ -74,46 +75,58 @@ class TriaxialTest(Plotted):
 @staged("triaxial")
 def triaxial(
     body: Lattice,
-    law: CellAssignment,
+    law: AnyLaw,
     failure: FailureAssignment,
     *,
     pressure: float,
     platen_friction: float = 0.0,
     density: float | Material | None = None,
-    traverses: float = 100.0,
-    reach: float = 2.0,
+    contact: ContactLaw | None = None,
+    traverses: float | None = None,
+    reach: float | None = None,
     out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> TriaxialTest:
-    """Compress a body of cells along x between platens, under the confining pressure of a membrane.
+    """Compress a specimen along x between platens, under a confining pressure.
+
+    Cells have a membrane that rotates with them. Bonded spheres have smooth walls with a servo: a cylinder around a
+    `bd.Cylinder`, planes around a `bd.Box`.
 
     The pressure rises while the platens accelerate, in the first fifth of the time to the expected peak, and is
     constant afterwards. Call the function once for each confining pressure.
 
     Args:
-        body: specimen of cells.
-        law: cell law, or cell laws by region; their moduli and the weakest criterion set the loading rate.
-        failure: `bd.MohrCoulomb` or `bd.DruckerPrager` with a fracture energy, or criteria by region.
-        pressure: confining pressure on the sides, positive [Pa]; the membrane rotates with the cells.
+        body: specimen of cells, of bonded spheres, or of the non-local law.
+        law: cell law, bond law, or laws by region, or the non-local law.
+        failure: for cells `bd.MohrCoulomb` or `bd.DruckerPrager` with a fracture energy; for bonded spheres a
+            criterion of bonds such as `bd.PeripheralStress`; or criteria by region.
+        pressure: confining pressure on the sides, positive [Pa].
         platen_friction: coefficient of friction between platens and body [-]; 0 for smooth platens, as with grease or
             brushes, which leave the ends free to expand.
         density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
-        traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower.
-        reach: limit of the strain, over the strain at the expected peak [-].
+        contact: contact law of fragments and walls, for bonded spheres; None for the stiffness of the median bond and
+            a friction of 0.4 between fragments.
+        traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower. None as
+            in `uniaxial_compression`.
+        reach: limit of the strain, over the strain at the expected peak [-]; None for 2, or 4 for bonded spheres.
         out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
             killed or interrupted, and evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: a pressure that is not positive, a lattice without cells, or a criterion without yielding of
-            cells.
+        InputError: a pressure that is not positive, a criterion without yielding of cells, no criterion, or a shape
+            that walls cannot confine.
         UnstableRunError: the run became unstable.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+
+    Warns:
+        NotQuasistaticWarning: the forces on both platens do not balance:
+            `StrengthTest.unbalance` is above 0.02.
     """
     advice = "a positive pressure; without one it is labtests.uniaxial_compression"
     around = number("labtests.triaxial", "pressure", pressure, unit="Pa", above=0.0, advice=advice)
-    test = uniaxial_compression(
-        body, law, failure, pressure=around, platen_friction=platen_friction, density=density, traverses=traverses,
-        reach=reach, out=out, progress=progress,
+    test = compressed(
+        "triaxial", body, law, failure, pressure=around, platen_friction=platen_friction, density=density,
+        contact=contact, traverses=traverses, reach=reach, out=out, progress=progress,
     )  # fmt: skip
     return TriaxialTest(test, around)

@@ -69,6 +69,11 @@ class Cracking:
         return fragments(self.body, self.state, integrity=self.integrity)
 
     @property
+    def broken(self) -> int:
+        """Number of cracked facets or broken bonds, microcracks of bonded spheres."""
+        return len(self.found)
+
+    @property
     def count(self) -> int:
         """Number of cracks: connected surfaces of at least ten facets; cracks that meet are one."""
         return int((self.found.surfaces.count >= FEW).sum())
@@ -167,6 +172,7 @@ class Cracking:
         """Collect all numbers for `results.json`, in SI; without a section those that need it are NaN."""
         return {
             "mode": self.mode, "pieces": self.pieces, "crumbs": self.crumbs, "cracks": self.count,
+            "broken_bonds": self.broken,
             "crack_area": self.surface, "crack_area_on_section": self.projected, "section": self.section,
             "fracture_energy": self.fracture_energy, "dissipated": self.dissipated,
             "crushed": self.crushed, "slipped": self.slipped,

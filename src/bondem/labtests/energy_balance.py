@@ -7,6 +7,7 @@ from bondem.labtests.confined import TriaxialTest
 from bondem.labtests.flexure import BendingTest
 from bondem.labtests.quasi_static_rig import StrengthTest
 from bondem.labtests.splitting import BrazilianTest
+from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult
 
 AnyTest = StrengthTest | BrazilianTest | TriaxialTest | BendingTest
 #: Parts of the energy balance, in the order of their areas in figures.
@@ -17,11 +18,15 @@ def energy_ledger(test: AnyTest) -> dict[str, Floats]:
     """Compute the energies at each point of the curve of a test [J], (k,) each.
 
     The keys are those of `PARTS`, "work" of the load and "balance", the sum of the parts less the work, which should
-    vanish. A bending test has no inertia: "fracture" is the dissipation of its events, and "kinetic", "crushing",
-    "plastic", "friction" and "damping" are zero. Its "work" and "elastic" are computed with the motion of the loaded
-    cells, whose mean position is not quite the line of the load. The difference is 1.5 % of the work in 200 cells.
+    vanish. A bending test of cells has no inertia: "fracture" is the dissipation of its events, and "kinetic",
+    "crushing", "plastic", "friction" and "damping" are zero. Its "work" and "elastic" are computed with the motion of
+    the loaded cells, whose mean position is not quite the line of the load. The difference is 1.5 % of the work in
+    200 cells.
     """
-    found = _of_path(test) if isinstance(test, BendingTest) else _of_run(test)
+    if isinstance(test, BendingTest):
+        found = _of_path(test.path) if isinstance(test.path, QuasistaticResult) else test.path.history.parts
+    else:
+        found = _of_run(test)
     balance = np.sum([found[name] for name in PARTS], axis=0) - found["work"]
     return found | {"balance": balance - balance[:1]}
 
@@ -31,9 +36,8 @@ def _of_run(test: StrengthTest | BrazilianTest | TriaxialTest) -> dict[str, Floa
     return run.history.parts
 
 
-def _of_path(test: BendingTest) -> dict[str, Floats]:
+def _of_path(path: QuasistaticResult) -> dict[str, Floats]:
     """Energies of all three rollers; events occur at constant load, and paths between events are proportional."""
-    path = test.path
     load, moved = path.load, -0.5 * (path.gauge["left"] + path.gauge["right"])[:, 1]
     compliance = moved / load
     first = 0.5 * load[:1] * moved[:1]

@@ -1,7 +1,8 @@
 """Three-point bending: flexural strength and work of fracture of a plain or notched beam."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 
@@ -13,16 +14,21 @@ from bondem.boundary.conditions import Load
 from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.criteria.rankine import Rankine
 from bondem.damage.failure_assignment import FailureAssignment
+from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import InputError, RunInterrupted
 from bondem.geometry.elementary_shapes import Box
 from bondem.geometry.shape_boundary import BOX_FACES
-from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.labtests.arguments import AnyLaw
+from bondem.labtests.bonded_bending import bend_bonded
+from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
 from bondem.labtests.cracking import CRACKED, Cracking
-from bondem.labtests.line_probe import walls_along
-from bondem.labtests.quasi_static_rig import DENSITY, require_cells, softening_of
+from bondem.labtests.line_probe import ligament_of
+from bondem.labtests.quasi_static_rig import DENSITY, check_traverses, require_cells, softening_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 from bondem.specimen.regions import Face, Index, Region, Within
 from bondem.statics.quasistatic.load_response import MeasuringPoints
 from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult, solve_quasistatic
@@ -47,8 +53,8 @@ class BendingTest(Plotted):
         work: work of the rollers per area b h of the ligament [J/m²]: dissipated energy and final elastic energy.
         span: distance L of the supports [m].
         ligament: height h of the ligament [m].
-        path: quasi-static path, with loads [N] and the displacement between the rollers as gauges "left" and "right"
-            [m]; `path.gauge` contains the requested gauges too.
+        path: quasi-static path of cells, with loads [N] and the displacement between the rollers as gauges "left" and
+            "right" [m]; `path.gauge` contains the requested gauges too. For bonded spheres the explicit run.
         load: load P at each row of the curve [N], shape (k,).
         deflection: deflection at each row of the curve [m], shape (k,).
         cracking: cracks and pieces, and the energy that they took; `cracking.single` is True where the work is that
@@ -63,7 +69,7 @@ class BendingTest(Plotted):
     work: float
     span: float
     ligament: float
-    path: QuasistaticResult
+    path: QuasistaticResult | ExplicitResult
     load: Floats
     deflection: Floats
     cracking: Cracking
@@ -87,7 +93,7 @@ class BendingTest(Plotted):
 @staged("three point bending")
 def three_point_bending(
     body: Lattice,
-    law: CellAssignment,
+    law: AnyLaw,
     failure: FailureAssignment,
     *,
     span: float | None = None,
@@ -97,6 +103,11 @@ def three_point_bending(
     until: float = 0.05,
     most: int = 100_000,
     gauges: Mapping[str, tuple[Region, Region]] | None = None,
+    roller_friction: float = 0.0,
+    density: float | Material | None = None,
+    contact: ContactLaw | None = None,
+    traverses: float | None = None,
+    out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> BendingTest:
     """Bend a beam in three-point bending until it has failed.
@@ -114,16 +125,23 @@ def three_point_bending(
     ((L/D)³/4 + (0.6 + 0.375 ν) L/D - 0.21) (Timoshenko and Goodier §40). The last terms are the shear of beam theory
     less the local effect of the roller, 4 % of the total at L = 3 D.
 
+    Bonded spheres are bent in time, by rigid rods along z that the outermost spheres touch; the one above mid-span
+    moves. Their E has the ν of the law. They have no `cmod`.
+
     Args:
-        body: cells of a box along x, plain or with a notch from below at mid-span, `shape.cut(..., name="notch")`.
-        law: cell law, or cell laws by region; the first one is the matrix and sets the ν of E.
-        failure: `bd.Rankine`, or `bd.MohrCoulomb` with a fracture energy, or criteria by region.
+        body: cells or bonded spheres of a box along x, plain or with a notch from below at mid-span,
+            `shape.cut(..., name="notch")`.
+        law: cell law, bond law, or laws by region, or the non-local law; the first one sets the ν of E.
+        failure: for cells `bd.Rankine`, or `bd.MohrCoulomb` with a fracture energy; for bonded spheres a criterion of
+            bonds such as `bd.PeripheralStress`; or criteria by region.
         span: distance of the supports, symmetric about the middle [m]; None for the length less the depth.
-        strip: width of the loaded strips [m]; None for a tenth of the depth, at least one and a half cells.
+        strip: width of the loaded strips of cells [m]; None for a tenth of the depth, at least one and a half cells.
         ripple, together, until, most: options of `bd.solve_quasistatic`; `until` is the share of the peak at the end
-            [-].
-        gauges: pairs of regions whose relative displacement is recorded in `path.gauge`, by name, such as
+            [-], also for bonded spheres.
+        gauges: for cells pairs of regions whose relative displacement is recorded in `path.gauge`, by name, such as
             {"CTOD": (bd.Within(left), bd.Within(right))}; `cmod`, the opening of the notch mouth, needs none.
+        roller_friction: coefficient of friction of the rollers on bonded spheres [-]; 0 for smooth ones.
+        density, contact, traverses, out: options of the run of bonded spheres, as in `uniaxial_compression`.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
@@ -131,6 +149,23 @@ def three_point_bending(
             gauge used twice.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
     """
+    if not is_cells(body, law):
+        if strip is not None or gauges:
+            raise InputError(
+                "labtests.three_point_bending: strip and gauges are options of cells; leave them out for bonded"
+                " spheres"
+            )
+        rho = constant("density", density)
+        return _bend_bonded(
+            BondedSpecimen.of("three_point_bending", body, law, failure, density=rho, contact=contact, faces=()),
+            span=span, friction=roller_friction, until=until, traverses=traverses, out=out, progress=progress,
+        )  # fmt: skip
+    if traverses is not None or out is not None or roller_friction:
+        raise InputError(
+            "labtests.three_point_bending: traverses, out and roller_friction are options of bonded spheres; leave"
+            " them out for cells, which follow a path of equilibria under smooth strips"
+        )
+    law = as_cells("three_point_bending", law, contact)
     matrix = require_cells("three_point_bending", body, law, None)
     tensile = _tensile(failure)
     beam = _Beam.of(body, span, strip)
@@ -174,6 +209,38 @@ def three_point_bending(
         ))  # fmt: skip
     except RunInterrupted as stop:
         raise RunInterrupted(str(stop), read(stop.result) if len(stop.result.factor) else None) from None
+
+
+def _bend_bonded(
+    specimen: BondedSpecimen,
+    *,
+    span: float | None,
+    friction: float,
+    until: float,
+    traverses: float | None,
+    out: str | Path | None,
+    progress: Callable[[float], None] | None,
+) -> BendingTest:
+    """Bend bonded spheres between rods."""
+    owner = "labtests.three_point_bending"
+    number(owner, "roller_friction", friction, least=0.0)
+    number(owner, "until", until, above=0.0, below=1.0)
+    if traverses is not None:
+        check_traverses("three_point_bending", traverses)
+    beam = _Beam.of(specimen.lattice, span, None)
+    found = bend_bonded(
+        specimen, span=beam.span, ligament=beam.ligament, friction=friction, ending=until, traverses=traverses,
+        out=out, progress=progress,
+    )  # fmt: skip
+    test, law = found.test, specimen.law
+    matrix = next(iter(law.values())) if isinstance(law, Mapping) else law
+    curve = np.column_stack([found.deflection / beam.span, test.curve[:, 1]])
+    section = beam.width * beam.ligament
+    return BendingTest(
+        peak=test.peak, E=found.stiffness * beam.compliance(matrix.nu), curve=curve, work=test.work, span=beam.span,
+        ligament=beam.ligament, path=test.run, load=found.load, deflection=found.deflection,
+        cracking=replace(test.cracking, section=section), cmod=None,
+    )  # fmt: skip
 
 
 def _tensile(failure: FailureAssignment) -> FailureAssignment:
@@ -226,8 +293,8 @@ class _Beam:
             raise InputError(f"{owner}: {type(shape).__name__} is not a beam; use a bd.Box along x, plain or notched")
         lower, upper = shape.bounds
         length, depth, _ = (float(extent) for extent in upper - lower)
-        assert body.cells is not None
-        edge = float(np.mean(body.cells.volume)) ** (1.0 / 3.0)
+        cells = body.cells
+        edge = 2.0 * body.particles.mean_radius if cells is None else float(np.mean(cells.volume)) ** (1.0 / 3.0)
         usual = max(_STRIP * depth, _CELLS * edge)
         wide = usual if strip is None else number(owner, "strip", strip, unit="m", above=0.0)
         between = length - depth if span is None else number(owner, "span", span, unit="m", above=0.0)
@@ -236,7 +303,7 @@ class _Beam:
                 f"{owner}: span = {between:.4g} m with strips of {wide:.4g} m does not suit a beam {length:.4g} m"
                 f" long and {depth:.4g} m deep; give at least the depth, and leave half a strip beyond each support"
             )
-        return cls(body, lower, upper, between, wide, _ligament(body, lower, upper))
+        return cls(body, lower, upper, between, wide, ligament_of(body.particles.envelope))
 
     @property
     def width(self) -> float:
@@ -325,16 +392,3 @@ class _Beam:
         size = (self.strip, self.strip, 2.0 * self.width)
         corner = (x - 0.5 * self.strip, y - 0.5 * self.strip, float(self.lower[2]) - 0.5 * self.width)
         return Within(Box(size).moved(corner))
-
-
-def _ligament(body: Lattice, lower: Floats, upper: Floats) -> float:
-    """Height of the uncut section at mid-span, above a notch from below [m]."""
-    start = 0.5 * (lower + upper)
-    end, tiny = start.copy(), 1e-9 * float(upper[1] - lower[1])
-    start[1], end[1] = upper[1] - tiny, lower[1] + tiny
-    inside, walls = walls_along(body.particles.envelope, start, end)
-    if not inside or len(walls) > 1:
-        raise InputError(
-            "labtests.three_point_bending: the section at mid-span has holes; cut a single notch from below"
-        )
-    return float(walls[0]) if len(walls) else float(upper[1] - lower[1])

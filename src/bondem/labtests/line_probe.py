@@ -3,6 +3,7 @@
 import numpy as np
 
 from bondem._types import Floats
+from bondem.errors import InputError
 from bondem.geometry.shape import Shape
 
 # Points in which a line is first looked at, and how often the stretch between two is then halved.
@@ -33,3 +34,21 @@ def walls_along(shape: Shape, start: Floats, end: Floats) -> tuple[bool, Floats]
             same = inside(middle) == first
             low, high = np.where(same, middle, low), np.where(same, high, middle)
     return bool(found[0]), 0.5 * (low + high) * float(np.linalg.norm(end - start))
+
+
+def ligament_of(shape: Shape) -> float:
+    """Height of the uncut section of a beam at mid-span, above a notch from below [m].
+
+    Raises:
+        InputError: the section has holes.
+    """
+    lower, upper = shape.bounds
+    start = 0.5 * (lower + upper)
+    end, tiny = start.copy(), 1e-9 * float(upper[1] - lower[1])
+    start[1], end[1] = upper[1] - tiny, lower[1] + tiny
+    inside, walls = walls_along(shape, start, end)
+    if not inside or len(walls) > 1:
+        raise InputError(
+            "labtests.three_point_bending: the section at mid-span has holes; cut a single notch from below"
+        )
+    return float(walls[0]) if len(walls) else float(upper[1] - lower[1])

@@ -5,11 +5,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
+from bondem.boundary.gauges import Gauge
 from bondem.boundary.loads import Pressure
 from bondem.boundary.schedules import Ramp
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.interactions.cells.cell_constants import CellAssignment
-from bondem.labtests.quasi_static_rig import Moduli, Rig, StrengthTest, check_traverses, run_to_failure
+from bondem.labtests.quasi_static_rig import DENSITY, Moduli, Rig, StrengthTest, check_traverses, run_to_failure
+from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 
@@ -62,14 +64,16 @@ def load_to_failure(
     length = float(upper[0] - lower[0])
     section = body.particles.envelope.section()
 
-    def platens(speed: float, begin: float) -> list[BoundaryCondition]:
-        return _platens(body, loading, speed, begin)
+    def pressed(speed: float, begin: float) -> Model:
+        platens = _platens(body, loading, speed, begin)
+        return Model(body, law, DENSITY if density is None else density, failure=failure, boundary=platens)
 
+    near, far = (Gauge(Face(name), "force") for name in ("x_min", "x_max"))
     rig = Rig(
-        axis=0, sign=loading.sign, near=Face("x_min"), far=Face("x_max"), section=section, torn=section,
+        axis=0, sign=loading.sign, near=(near,), far=(far,), section=section, torn=section,
         length=length, size=length, expected=loading.expected, way=loading.expected / moduli.stiff * length,
         reach=loading.reach * length + loading.opening, ending=loading.ending, traverses=loading.traverses,
-        boundary=platens,
+        model=pressed,
     )  # fmt: skip
     return run_to_failure(test, body, law, failure, rig, density=density, out=out, progress=progress)
 

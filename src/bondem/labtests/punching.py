@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,8 @@ import numpy as np
 from bondem._checks import number
 from bondem._progress import staged
 from bondem._types import Floats, Ints
-from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
+from bondem.boundary.conditions import Drive, Fix
+from bondem.boundary.gauges import Gauge
 from bondem.boundary.schedules import Ramp
 from bondem.damage.cohesive_softening import Softening
 from bondem.damage.failure_assignment import FailureAssignment
@@ -18,6 +20,9 @@ from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Cylinder
 from bondem.geometry.shape import Cut, Shape
 from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.labtests.arguments import AnyLaw
+from bondem.labtests.bonded_platens import LEAST, REACH, RECORDS, BondedSpecimen, Side, as_cells, is_cells
 from bondem.labtests.line_probe import walls_along
 from bondem.labtests.quasi_static_rig import (
     DENSITY,
@@ -82,11 +87,12 @@ def punch_specimen(
 @staged("shear")
 def shear(
     body: Lattice,
-    law: CellAssignment,
+    law: AnyLaw,
     failure: FailureAssignment,
     *,
     density: float | Material | None = None,
-    traverses: float = 60.0,
+    contact: ContactLaw | None = None,
+    traverses: float | None = None,
     ending: float = 0.5,
     out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
@@ -97,64 +103,115 @@ def shear(
     boring. The stress is the mean shear stress P / (π D h) on the cylinder of height h and mean diameter D between
     both borings. The strain is the motion of the piston over h. Cracks follow the stresses, so that the peak is a
     limit load of the specimen without a closed form, and not a strength of the material. E is the Young's modulus
-    with which an elastic model of these cells has the slope of the curve.
+    with which an elastic model of these cells has the slope of the curve. Bonded spheres have no E in this
+    test (NaN).
 
     Args:
-        body: cells of a `punch_specimen`.
-        law: cell law, or cell laws by region; the first one is the matrix and sets the loading rate.
-        failure: `bd.MohrCoulomb` with a fracture energy, another criterion with a tensile strength, or criteria by
-            region.
+        body: cells or bonded spheres of a `punch_specimen`.
+        law: cell law, bond law, or laws by region, or the non-local law; of cells the first one is the matrix.
+        failure: for cells `bd.MohrCoulomb` with a fracture energy, or another criterion with a tensile strength; for
+            bonded spheres a criterion of bonds such as `bd.PeripheralStress`; or criteria by region.
         density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
-        traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
+        contact: contact law of fragments, piston and plate, for bonded spheres; None for the stiffness of the median
+            bond and a friction of 0.4 between fragments.
+        traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower. None for
+            60; bonded spheres have 50, and 100 or 200 if the forces of piston and plate do not balance.
         ending: share of the peak load at which the test ends [-].
         out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
             killed or interrupted, and evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: a body without such borings, a lattice without cells, or a criterion without strength.
+        InputError: a body without such borings, no criterion, or a criterion without strength.
         UnstableRunError: the run became unstable.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+
+    Warns:
+        NotQuasistaticWarning: the forces of piston and plate on bonded spheres do not balance:
+            `StrengthTest.unbalance` is above 0.02.
     """
     density = constant("density", density)
     owner = "labtests.shear"
-    check_traverses("shear", traverses)
+    if traverses is not None:
+        check_traverses("shear", traverses)
     share = number(owner, "ending", ending, least=0.0, below=1.0)
+    if not is_cells(body, law):
+        specimen = BondedSpecimen.of("shear", body, law, failure, density=density, contact=contact, faces=())
+        return _shear_bonded(specimen, ending=share, traverses=traverses, out=out, progress=progress)
+    law = as_cells("shear", law, contact)
     matrix = require_cells("shear", body, law, density)
     found = softenings_of("shear", body, failure, "bd.MohrCoulomb with a fracture_energy")
     core = _Core.of(body)
-    plate, piston = core.plate, core.piston
+    plate, piston = core.loaded(body)
     lower, upper = body.particles.envelope.bounds
     section = math.pi * core.ring * core.height
     compliance = _compliance(body, law, plate, piston) * section
     strengths = [_expected(one) for one in found]
     expected = min(strengths)
 
-    def sides(speed: float, begin: float) -> list[BoundaryCondition]:
-        return [Fix(plate, translation="x", rotation=""), Drive(piston, vx=Ramp(0.0, speed, begin))]
+    def pushed(speed: float, begin: float) -> Model:
+        sides = [Fix(plate, translation="x", rotation=""), Drive(piston, vx=Ramp(0.0, speed, begin))]
+        return Model(body, law, DENSITY if density is None else density, failure=failure, boundary=sides)
 
     rig = Rig(
-        axis=0, sign=-1.0, near=plate, far=piston, section=section, torn=section, length=core.height,
-        size=float(upper[1] - lower[1]),
-        expected=expected, way=compliance * expected, reach=_REACH * compliance * strengths[0], ending=share,
-        traverses=traverses, boundary=sides,
+        axis=0, sign=-1.0, near=(Gauge(plate, "force"),), far=(Gauge(piston, "force"),),
+        section=section, torn=section, length=core.height, size=float(upper[1] - lower[1]), expected=expected,
+        way=compliance * expected, reach=_REACH * compliance * strengths[0], ending=share,
+        traverses=traverses or 60.0, model=pushed,
     )  # fmt: skip
     test = run_to_failure("shear", body, law, failure, rig, density=density, out=out, progress=progress)
     return replace(test, E=test.E * matrix.E * compliance / core.height)
 
 
+def _shear_bonded(
+    specimen: BondedSpecimen,
+    *,
+    ending: float,
+    traverses: float | None,
+    out: str | Path | None,
+    progress: Callable[[float], None] | None,
+) -> StrengthTest:
+    """Push the core of bonded spheres out of its ring by a disc, against a plate with a hole."""
+    core = _Core.of(specimen.lattice)
+    lower, upper = specimen.bounds
+    distance = np.hypot(*(specimen.lattice.centre - 0.5 * (lower + upper))[:, 1:].T)
+    under, above = distance < core.inside, distance > core.outside
+    hole, disc = (
+        partial(specimen.platen, 0, -1.0, 0.0, where=above, inner=core.outside),
+        partial(specimen.platen, 0, 1.0, 0.0, where=under, outer=core.inside),
+    )
+    plate, piston = specimen.layer(0, -1.0, where=above), specimen.layer(0, 1.0, where=under)
+    section = math.pi * core.ring * core.height
+    compliance, force = specimen.response(0, plate, piston, section, 1.0, -1.0)
+    near, far, model = specimen.sides(0, (Side(plate, 0.0, hole),), (Side(piston, 1.0, disc),))
+    rig = Rig(
+        axis=0, sign=-1.0, near=near, far=far, section=section, torn=section,
+        length=core.height, size=float(upper[1] - lower[1]), expected=force / section,
+        way=compliance * force, reach=REACH * compliance * force, ending=ending, traverses=math.nan, model=model,
+        least=LEAST, records=RECORDS,
+    )  # fmt: skip
+    return replace(specimen.load(rig, traverses=traverses, out=out, progress=progress), E=math.nan)
+
+
 @dataclass(frozen=True, eq=False)
 class _Core:
-    """Loaded parts: the cells under the piston and on the plate, and the surface between both borings."""
+    """Core between both borings.
 
-    piston: Region
-    plate: Region
+    Attributes:
+        inside: radius of the core at x_max, under the piston [m].
+        outside: outer radius of the boring at x_min, beyond which the plate is [m].
+        ring: mean diameter of the borings [m].
+        height: height between both borings [m].
+    """
+
+    inside: float
+    outside: float
     ring: float
     height: float
 
     @classmethod
     def of(cls, body: Lattice) -> "_Core":
-        """Loaded parts of a body.
+        """Core of a body.
 
         Raises:
             InputError: an end has no ring boring.
@@ -166,15 +223,23 @@ class _Core:
         below, above = (_boring(shape, lower, upper, end) for end in (lower[0], upper[0]))
         if abs(below[0] - above[0]) + abs(below[1] - above[1]) > 1e-6 * float(upper[1] - lower[1]):
             raise InputError("labtests.shear: the ring borings of both ends differ; give both the same radii")
+        height = float(upper[0] - lower[0]) - below[2] - above[2]
+        return cls(above[0], below[1], below[0] + below[1], height)
+
+    def loaded(self, body: Lattice) -> tuple[Region, Region]:
+        """Cells on the plate and under the piston.
+
+        Raises:
+            InputError: there are none.
+        """
         regions = []
-        for name, keep_core, radius in (("x_max", True, above[0]), ("x_min", False, below[1])):
+        for name, keep_core, radius in (("x_min", False, self.outside), ("x_max", True, self.inside)):
             cells, distance = _on_face(body, name)
             chosen = cells[(distance < radius) == keep_core]
             if not len(chosen):
                 raise _no_borings()
             regions.append(Face(name) & Index(chosen))
-        height = float(upper[0] - lower[0]) - below[2] - above[2]
-        return cls(regions[0], regions[1], below[0] + below[1], height)
+        return regions[0], regions[1]
 
 
 def _boring(shape: Shape, lower: Floats, upper: Floats, end: float) -> tuple[float, float, float]:

@@ -1,21 +1,20 @@
-"""Slow loading of a body of cells between two sides to failure: common parts of all tests to failure."""
+"""Slow loading of a specimen between two sides to failure: common parts of all tests to failure."""
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
 from bondem._checks import instance, number
 from bondem._drawing import Plotted
-from bondem._types import Floats
-from bondem.boundary.conditions import BoundaryCondition
-from bondem.boundary.gauges import AnyGauge, Gauge, StrainGauge
+from bondem._types import Floats, Ints
+from bondem.boundary.gauges import AnyGauge, StrainGauge, WallGauge
 from bondem.damage.cohesive_softening import Softening
 from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.failure_assignment import FailureAssignment, failure_parts
-from bondem.dynamics.damping import MassDamping
+from bondem.dynamics.damping import AnyDamping, MassDamping
 from bondem.dynamics.events import LoadDrop
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import ExplicitResult
@@ -28,7 +27,6 @@ from bondem.labtests.recorded_run import run_test, step_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Region
 
 # Share of critical damping of the first axial vibration; brings broken parts to rest.
 _DAMPING = 0.05
@@ -51,7 +49,9 @@ class StrengthTest(Plotted):
         E: slope of the curve between a tenth and half of the peak [Pa], or the modulus that the test derives from it.
         curve: strain [-] and stress [Pa] of each record, positive along the load, shape (k, 2).
         work: work of the platens until the end, per area of the broken section [J/m²].
-        asymmetry: largest difference of the forces on both platens over the peak [-], 0 for quasi-static loading.
+        asymmetry: largest difference of the forces on both platens until the peak, over the peak [-].
+        unbalance: root mean square of that difference until the peak, over the peak [-], near 0 for quasi-static
+            loading. Single breaks of brittle bonds raise `asymmetry` at any speed, but hardly this.
         kinetic: largest kinetic energy up to the peak over the elastic energy at the peak [-].
         residual: error of the energy balance over its largest term [-].
         cracking: cracks and pieces, and the energy that they took; `cracking.single` is True where the work is that
@@ -64,6 +64,7 @@ class StrengthTest(Plotted):
     curve: Floats
     work: float
     asymmetry: float
+    unbalance: float
     kinetic: float
     residual: float
     cracking: Cracking
@@ -87,7 +88,8 @@ class Rig:
     Attributes:
         axis: axis of the load, 0, 1 or 2.
         sign: 1 if the sides move apart, -1 if they approach.
-        near, far: both sides; the far one moves along the axis relative to the near one.
+        near, far: gauges of the forces on both sides, whose sums are the loads; the far side moves along the axis
+            relative to the near one.
         section: area over which the force is a stress [m²].
         torn: area of the broken section, for the work [m²].
         length: length over which the motion is a strain [m].
@@ -97,16 +99,18 @@ class Rig:
         reach: limit of the motion [m].
         ending: share of the peak at which the test ends [-].
         traverses: number of passes of sound before the expected peak [-].
-        boundary: function of the signed speed of the far side [m/s] and its rise time [s] that returns the
-            conditions.
+        model: function of the signed speed of the far side [m/s] and its rise time [s] that returns the model.
         gauge: strain gauge whose strains give that for the slope E, by `strain`; None for the motion over `length`.
         strain: function of normal strains (k, 3) that returns the strain for the slope E [-], (k,).
+        more: further gauges, by name.
+        least: share of the expected stress that a peak must exceed [-].
+        records: number of records until the limit of the motion.
     """
 
     axis: int
     sign: float
-    near: Region
-    far: Region
+    near: tuple[AnyGauge, ...]
+    far: tuple[AnyGauge, ...]
     section: float
     torn: float
     length: float
@@ -116,26 +120,46 @@ class Rig:
     reach: float
     ending: float
     traverses: float
-    boundary: Callable[[float, float], list[BoundaryCondition]]
+    model: Callable[[float, float], Model]
     gauge: StrainGauge | None = None
     strain: Callable[[Floats], Floats] = lambda strains: strains[:, 0]
+    more: Mapping[str, AnyGauge] = field(default_factory=dict)
+    least: float = 0.5
+    records: int = _RECORDS
+
+    @property
+    def _sides(self) -> dict[str, tuple[AnyGauge, float]]:
+        """Gauges of the forces on both sides, with the sign by which each is a force of supports on the specimen."""
+        found: dict[str, tuple[AnyGauge, float]] = {}
+        for side, gauges in (("near", self.near), ("far", self.far)):
+            for k, gauge in enumerate(gauges):
+                # a gauge of a wall records the force of the elements on it
+                found[side if not k else f"{side} {k + 1}"] = gauge, -1.0 if isinstance(gauge, WallGauge) else 1.0
+        return found
 
     @property
     def gauges(self) -> dict[str, AnyGauge]:
-        """Gauges of the forces on both sides, and of the strain where there is one."""
-        found: dict[str, AnyGauge] = {"near": Gauge(self.near, "force"), "far": Gauge(self.far, "force")}
-        return found if self.gauge is None else found | {"strain": self.gauge}
+        """Gauges of the forces on both sides, of the strain where there is one, and further ones."""
+        found = {name: gauge for name, (gauge, _) in self._sides.items()}
+        return (found if self.gauge is None else found | {"strain": self.gauge}) | dict(self.more)
 
     @property
     def end(self) -> LoadDrop:
         """End of the test: the load has dropped to a share of its peak."""
-        x, y, z = (0.5 * self.sign * np.eye(3)[self.axis]).tolist()
-        half = {"far": (x, y, z), "near": (-x, -y, -z)}
-        return LoadDrop(half, self.ending, 0.5 * self.expected * self.section)
+        load = {}
+        for name, (_, taken) in self._sides.items():
+            half = 0.5 if name.startswith("far") else -0.5
+            x, y, z = (half * taken * self.sign * np.eye(3)[self.axis]).tolist()
+            load[name] = x, y, z
+        return LoadDrop(load, self.ending, self.least * self.expected * self.section)
 
-    def stress(self, history: History) -> Floats:
-        """Mean stress of both sides, positive in tension [Pa]."""
-        return 0.5 * (history["far"][:, self.axis] - history["near"][:, self.axis]) / self.section
+    def forces(self, history: History) -> tuple[Floats, Floats]:
+        """Forces of the near and of the far side on the specimen along the axis [N], (k,) each."""
+        near, far = np.zeros((2, len(history)))
+        for name, (_, taken) in self._sides.items():
+            side = far if name.startswith("far") else near
+            side += taken * history[name][:, self.axis]
+        return near, far
 
 
 def softening_of(test: str, failure: object, wanted: str) -> Softening:
@@ -232,18 +256,42 @@ def run_to_failure(
     out: str | Path | None,
     progress: Callable[[float], None] | None,
 ) -> StrengthTest:
-    """Load a specimen slowly until it has failed; `run_test` lists the errors."""
-    rho = DENSITY if density is None else density
-    sound = math.sqrt(Moduli.of(test, body, law, density).sound / rho)
+    """Load a body of cells slowly until it has failed; `run_test` lists the errors."""
+    sound = math.sqrt(Moduli.of(test, body, law, density).sound / (DENSITY if density is None else density))
+    damping = MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / rig.size)
+    G = softening_of(test, failure, "a criterion with its fracture_energy").fracture_energy
+    return load_rig(test, body, rig, sound=sound, damping=damping, G=G, out=out, progress=progress)
+
+
+def load_rig(
+    test: str,
+    body: Lattice,
+    rig: Rig,
+    *,
+    sound: float,
+    damping: AnyDamping,
+    G: float,
+    out: str | Path | None,
+    progress: Callable[[float], None] | None,
+) -> StrengthTest:
+    """Load a specimen in a rig until it has failed; `run_test` lists the errors.
+
+    Args:
+        test: name of the calling function.
+        body: the specimen.
+        rig: loading and evaluation.
+        sound: speed of sound [m/s].
+        damping: damping of the run.
+        G: fracture energy G_f of the material [J/m²]; NaN for brittle bonds, which have none.
+        out, progress: options of the test.
+    """
     rise = rig.traverses * rig.size / sound  # time until the expected peak
     speed = rig.sign * rig.way / rise
     begin = _BEGIN * rise
-    model = Model(body, law, rho, failure=failure, boundary=rig.boundary(speed, begin))
+    model = rig.model(speed, begin)
     duration = rig.reach / abs(speed) + 0.5 * begin
-    damping = MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / rig.size)
     dt = step_of(model, damping=damping, softening=0.75)
-    every = max(1, round(duration / _RECORDS / dt))
-    G = softening_of(test, failure, "a criterion with its fracture_energy").fracture_energy
+    every = max(1, round(duration / rig.records / dt))
     found = run_test(
         test, model, lambda run: _read(run, body, rig, speed, begin, G), duration=duration, dt=dt, every=every,
         out=out, damping=damping, until=rig.end, gauges=rig.gauges, progress=progress,
@@ -252,23 +300,28 @@ def run_to_failure(
     return found
 
 
+def straight_part(load: Floats) -> Ints:
+    """Return the records before the peak in which a load is between a tenth and half of it, (k,)."""
+    top = int(np.argmax(load))
+    low, high = (share * load[top] for share in _STRAIGHT)
+    return np.flatnonzero((np.arange(len(load)) < top) & (load > low) & (load < high))
+
+
 def _read(run: ExplicitResult, body: Lattice, rig: Rig, speed: float, begin: float, G: float) -> StrengthTest:
     history = run.history
     t = history.time
     moved = np.where(t < begin, 0.5 * t**2 / begin, t - 0.5 * begin) * abs(speed)
-    stress = rig.sign * rig.stress(history)
+    near, far = rig.forces(history)
+    stress = rig.sign * (0.5 * (far - near) / rig.section)
     top = int(np.argmax(stress))
     peak = float(stress[top])
-    low, high = (share * peak for share in _STRAIGHT)
-    rising = np.arange(len(stress)) < top
-    straight = rising & (stress > low) & (stress < high)
     strain = moved / rig.length if rig.gauge is None else rig.strain(history["strain"])
-    straight = np.flatnonzero(straight)
+    straight = straight_part(stress)
     E = np.polyfit(strain[straight], stress[straight], 1)[0] if len(straight) > 2 else math.nan
     energy = history.energy
     kinetic = energy["translation"] + energy["rotation"]
-    elastic = energy["normal"] + energy["shear"] + energy["bending"] + energy["twisting"]
-    both = np.abs(history["far"][:, rig.axis] + history["near"][:, rig.axis])[: top + 1] / rig.section
+    elastic = np.sum([energy[name] for name in ("normal", "shear", "bending", "twisting", "contact")], axis=0)
+    both = np.abs(far + near)[: top + 1] / rig.section
     dissipated, slipped, crushed = dissipated_in(history)
     cracking = Cracking(
         body=body, state=run.state, integrity=CRACKED, dissipated=dissipated, slipped=slipped, crushed=crushed,
@@ -278,5 +331,6 @@ def _read(run: ExplicitResult, body: Lattice, rig: Rig, speed: float, begin: flo
     return StrengthTest(
         peak=peak, E=float(E), curve=np.column_stack([moved / rig.length, stress]),
         work=float(energy["work"][-1]) / rig.torn, asymmetry=float(both.max() / peak),
+        unbalance=float(np.sqrt(np.mean(both**2)) / peak),
         kinetic=float(kinetic[: top + 1].max() / elastic[top]), residual=run.residual, cracking=cracking, run=run,
     )  # fmt: skip

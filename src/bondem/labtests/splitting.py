@@ -11,14 +11,19 @@ from bondem._checks import number
 from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
-from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
-from bondem.boundary.gauges import StrainGauge
+from bondem.boundary.conditions import Drive, Fix
+from bondem.boundary.gauges import Gauge, StrainGauge
 from bondem.boundary.schedules import Ramp
 from bondem.damage.cohesive_softening import Softening
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
 from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.labtests.arguments import AnyLaw
+from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
+from bondem.labtests.bonded_splitting import split_bonded
 from bondem.labtests.cracking import Cracking
+from bondem.labtests.disc import WIDEST, Disc, centre_stress, flattened, middle_of_disc, require_disc, stamped
 from bondem.labtests.quasi_static_rig import (
     DENSITY,
     Rig,
@@ -38,9 +43,6 @@ from bondem.statics.static import solve_static
 
 # Half the angle of the strips of a plain cylinder [rad], and at least so many mean edges of cells for half of one.
 _STRIP, _CELLS = math.radians(5.0), 0.75
-_WIDEST = math.radians(20.0)
-# Stress and strain at the centre are read within these shares of the radius.
-_CENTRE, _GAUGE = 0.25, 0.5
 # The motion at which a test ends at the latest, over that of the expected peak.
 _REACH = 4.0
 
@@ -53,7 +55,7 @@ class BrazilianTest(Plotted):
         test: result of the test to failure. Its curve is 2 P / (π D t) over the approach of the platens over D, and
             its work is that of the platens per area D t.
         centre: elastic stress across the loaded diameter at the centre over 2 P / (π D t) [-], to compare with
-            `factor`.
+            `factor`; NaN for the non-local law.
         factor: theoretical value of `centre`, for platens that press on flats or strips [-].
         half_angle: half the angle of the flats or strips seen from the axis [rad].
     """
@@ -107,14 +109,15 @@ class BrazilianTest(Plotted):
 @staged("brazilian")
 def brazilian(
     body: Lattice,
-    law: CellAssignment,
+    law: AnyLaw,
     failure: FailureAssignment,
     *,
     half_angle: float | None = None,
     platen_friction: float = 0.0,
     density: float | Material | None = None,
-    traverses: float = 100.0,
-    ending: float = 0.9,
+    contact: ContactLaw | None = None,
+    traverses: float | None = None,
+    ending: float | None = None,
     out: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> BrazilianTest:
@@ -127,36 +130,60 @@ def brazilian(
     For a disc whose shape has flats "top" and "bottom", the platens constrain the flats, and the factor is that of
     Wang et al. (2004), 0.960 at 10°.
 
+    Of bonded spheres the strips are as deep as a mean radius. Planes press the flats of a disc; flats of 15° or more
+    split a disc whose narrower flats lose single spheres first.
+
     `.peak` is 2 P / (π D t) without the factor, `.tension` includes it. E follows from Hooke's law and the strains
-    within half the radius, where the mean of σ_yy + σ_zz equals its value at the centre, -4 P / (π D t).
+    within half the radius, where the mean of σ_yy + σ_zz equals its value at the centre, -4 P / (π D t). With the ν
+    of a cell law it holds for discs of any thickness. E of bonded spheres is -4 P / (π D t) over ε_yy + ε_zz - ε_xx,
+    that of a disc without axial stress; in the middle of a long cylinder it is up to 1/((1 + ν)(1 - 2ν)) times E.
 
     Args:
-        body: cells of a cylinder along x, or of one with flats "top" and "bottom" across y.
-        law: cell law, or cell laws by region; the first one is the matrix and sets the loading rate.
-        failure: criterion with a tensile strength, `bd.MohrCoulomb` with a fracture energy, or criteria by region.
-        half_angle: half angle α of the strips [rad]; None for 5°, or for three quarters of a cell if larger.
+        body: cells or bonded spheres of a cylinder along x, or of one with flats "top" and "bottom" across y.
+        law: cell law, bond law, or laws by region, or the non-local law; of cells the first one is the matrix.
+        failure: for cells a criterion with a tensile strength, or `bd.MohrCoulomb` with a fracture energy; for
+            bonded spheres a criterion of bonds such as `bd.PeripheralStress`; or criteria by region.
+        half_angle: half angle α of the strips [rad]; None for 5°, or for three quarters of a cell if larger. Bonded
+            spheres have 10°, or one and a half mean radii if larger.
         platen_friction: coefficient of friction between platens and disc [-]; 0 for smooth platens, for which the
-            factor holds.
+            factor holds. Strips of bonded spheres are smooth.
         density: density of the material [kg/m³], or a `bd.Material`; results do not depend on it.
-        traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower.
+        contact: contact law of fragments and platens, for bonded spheres; None for the stiffness of the median bond
+            and a friction of 0.4 between fragments.
+        traverses: number of passes of sound along the diameter before the expected peak [-]; more is slower. None for
+            100; bonded spheres have 50, and 100 or 200 if the forces of both platens do not balance.
         ending: share of the peak load at which the test ends [-]: the disc has split. With a lower share, `peak` may
-            be that of the two halves, which can carry a higher load afterwards.
+            be that of the two halves, which can carry a higher load afterwards. None for 0.9, or 0.7 for bonded
+            spheres, of which single ones break off at the platens before.
         out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
             killed or interrupted, and evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
 
     Raises:
-        InputError: another shape, a lattice without cells, or a criterion that this stress never reaches.
+        InputError: another shape, no criterion, or a criterion that this stress never reaches.
         UnstableRunError: the run became unstable.
         RunInterrupted: Ctrl-C was pressed; its `.result` is that of the curve so far.
+
+    Warns:
+        NotQuasistaticWarning: the forces on both platens of bonded spheres do not balance:
+            `StrengthTest.unbalance` is above 0.02.
 
     Reference: ISRM, Int. J. Rock Mech. Min. Sci. 15 (1978) 99–103; Wang et al., ibid. 41 (2004) 245–253.
     """
     density = constant("density", density)
     owner = "labtests.brazilian"
-    check_traverses("brazilian", traverses)
-    share = number(owner, "ending", ending, least=0.0, below=1.0)
+    if traverses is not None:
+        check_traverses("brazilian", traverses)
+    share = None if ending is None else number(owner, "ending", ending, least=0.0, below=1.0)
     rough = number(owner, "platen_friction", platen_friction, least=0.0) or None
+    if not is_cells(body, law):
+        specimen = BondedSpecimen.of("brazilian", body, law, failure, density=density, contact=contact, faces=())
+        test, centre, factor, angle = split_bonded(
+            specimen, half_angle=half_angle, friction=rough or 0.0, traverses=traverses, ending=share, out=out,
+            progress=progress,
+        )  # fmt: skip
+        return BrazilianTest(test=test, centre=centre, factor=factor, half_angle=angle)
+    law = as_cells("brazilian", law, contact)
     matrix = require_cells("brazilian", body, law, density)
     found = softenings_of("brazilian", body, failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
     strengths = [strength for strength in map(splitting_strength, found) if math.isfinite(strength)]
@@ -166,19 +193,22 @@ def brazilian(
             f"{owner}: failure = {failure}: no load reaches it; give a criterion with a tensile strength"
         )
     jaws = _Jaws.of(body, half_angle)
+    disc = jaws.disc
     way, centre = _elastic(body, law, jaws)
     reach = _REACH * way * strengths[0]
     way *= expected
 
-    def platens(speed: float, begin: float) -> list[BoundaryCondition]:
+    def pressed(speed: float, begin: float) -> Model:
         pairs = (jaws.top, 0.5 * speed), (jaws.bottom, -0.5 * speed)
-        return [Drive(jaw, vy=Ramp(0.0, each, begin), friction=rough) for jaw, each in pairs]
+        platens = [Drive(jaw, vy=Ramp(0.0, each, begin), friction=rough) for jaw, each in pairs]
+        return Model(body, law, DENSITY if density is None else density, failure=failure, boundary=platens)
 
+    near, far = (Gauge(jaw, "force") for jaw in (jaws.bottom, jaws.top))
     rig = Rig(
-        axis=1, sign=-1.0, near=jaws.bottom, far=jaws.top, section=0.5 * math.pi * jaws.diameter * jaws.thickness,
-        torn=jaws.diameter * jaws.thickness, length=jaws.diameter, size=jaws.diameter, expected=expected, way=way,
-        reach=reach, ending=share, traverses=traverses, boundary=platens, gauge=StrainGauge(_middle(body, jaws)),
-        strain=_strained(matrix.nu),
+        axis=1, sign=-1.0, near=(near,), far=(far,), section=0.5 * math.pi * disc.diameter * disc.thickness,
+        torn=disc.diameter * disc.thickness, length=disc.diameter, size=disc.diameter, expected=expected, way=way,
+        reach=reach, ending=0.9 if share is None else share, traverses=traverses or 100.0, model=pressed,
+        gauge=StrainGauge(middle_of_disc(body, disc)), strain=_strained(matrix.nu),
     )  # fmt: skip
     test = run_to_failure("brazilian", body, law, failure, rig, density=density, out=out, progress=progress)
     return BrazilianTest(test=test, centre=centre, factor=jaws.factor, half_angle=jaws.half_angle)
@@ -201,28 +231,13 @@ def splitting_strength(softening: Softening) -> float:
     return found
 
 
-def stamped(half_angle: float) -> float:
-    """Stress at the centre over 2 P / (π D t) [-] under smooth rigid stamps on strips of half angle α [rad]."""
-    angle = math.pi * (np.arange(64) + 0.5) / 64
-    sine = math.sin(half_angle) * np.cos(angle)
-    return float((np.sqrt(1.0 - sine**2) * (1.0 - 4.0 * sine**2)).mean())
-
-
-def flattened(half_angle: float) -> float:
-    """Stress at the centre over 2 P / (π D t) [-] for flats of half angle α [rad], after Wang et al. (2004)."""
-    c, s = math.cos(half_angle), math.sin(half_angle) / half_angle
-    return (2.0 * c**3 + c + s) ** 2 / (8.0 * (c + s)) / s
-
-
 @dataclass(frozen=True, eq=False)
 class _Jaws:
     """Areas on which the platens press."""
 
     top: Region
     bottom: Region
-    diameter: float
-    thickness: float
-    middle: Floats
+    disc: Disc
     half_angle: float
     factor: float
 
@@ -233,38 +248,22 @@ class _Jaws:
         Raises:
             InputError: neither exists, or an angle is out of range.
         """
-        shape = body.particles.envelope
-        lower, upper = shape.bounds
-        length, height, diameter = (float(extent) for extent in upper - lower)
-        middle, radius = 0.5 * (lower + upper), 0.5 * diameter
+        disc = require_disc(body)
         assert body.cells is not None
-        if not shape.contains(middle).all():
-            raise InputError(
-                "labtests.brazilian: the disc has a hole at its centre, where its strength and strains are evaluated;"
-                " use a solid disc, or drive a bd.Model of this one with bd.solve_explicit"
-            )
-        if {"top", "bottom"} <= set(shape.faces):
+        if disc.flat is not None:
             if half_angle is not None:
                 raise InputError(
                     "labtests.brazilian: half_angle is an option of plain cylinders; leave it out for a disc with"
                     " flats"
                 )
-            on = body.on_face("top")
-            flat = float(np.average(body.cells.free.centroid[on, 1], weights=body.cells.free.area[on])) - middle[1]
-            angle = math.acos(min(flat / radius, 1.0 - 1e-6))
-            return cls(Face("top"), Face("bottom"), diameter, length, middle, angle, flattened(angle))
-        if not {"side", "x_min", "x_max"} <= set(shape.faces) or abs(height - diameter) > 1e-6 * diameter:
-            raise InputError(
-                f"labtests.brazilian: {type(shape).__name__} is not a cylinder along x; use bd.Cylinder, or one whose"
-                ' flats across y are the faces "top" and "bottom"'
-            )
+            return cls(Face("top"), Face("bottom"), disc, disc.flat, flattened(disc.flat))
         edge = float(np.mean(body.cells.volume)) ** (1.0 / 3.0)
         if half_angle is None:
-            half_angle = max(_STRIP, math.asin(min(_CELLS * edge / radius, 1.0)))
-        advice = f"half an angle in (0, {_WIDEST:.3g}) rad; finer cells allow for narrow strips"
-        angle = number("labtests.brazilian", "half_angle", half_angle, above=0.0, below=_WIDEST, advice=advice)
-        top, bottom = (_strip(body, middle, sign, angle) for sign in (1.0, -1.0))
-        return cls(top, bottom, diameter, length, middle, angle, stamped(angle))
+            half_angle = max(_STRIP, math.asin(min(_CELLS * edge / (0.5 * disc.diameter), 1.0)))
+        advice = f"half an angle in (0, {WIDEST:.3g}) rad; finer cells allow for narrow strips"
+        angle = number("labtests.brazilian", "half_angle", half_angle, above=0.0, below=WIDEST, advice=advice)
+        top, bottom = (_strip(body, disc.middle, sign, angle) for sign in (1.0, -1.0))
+        return cls(top, bottom, disc, angle, stamped(angle))
 
 
 def _strip(body: Lattice, middle: Floats, sign: float, half_angle: float) -> Region:
@@ -287,8 +286,8 @@ def _strip(body: Lattice, middle: Floats, sign: float, half_angle: float) -> Reg
 
 def _elastic(body: Lattice, law: CellAssignment, jaws: _Jaws) -> tuple[float, float]:
     """Approach of the platens over 2 P / (π D t) [m/Pa], and the stress at the centre over 2 P / (π D t) [-]."""
-    closing = 1e-6 * jaws.diameter
-    position = body.particles.position - jaws.middle
+    closing = 1e-6 * jaws.disc.diameter
+    position = body.particles.position - jaws.disc.middle
     # the platens leave motion along x and z and turning about y free, and nothing resists where that is held
     inmost = Index([int(np.argmin(np.linalg.norm(position, axis=1)))])
     boundary = [
@@ -298,21 +297,10 @@ def _elastic(body: Lattice, law: CellAssignment, jaws: _Jaws) -> tuple[float, fl
     model = Model(body, law, DENSITY, boundary=boundary)
     static = solve_static(model)
     pressed = [float(static.reaction[jaw.select(body), 1].sum()) for jaw in (jaws.bottom, jaws.top)]
-    stress = (pressed[0] - pressed[1]) / (math.pi * jaws.diameter * jaws.thickness)
-    near = np.hypot(position[:, 1], position[:, 2]) < _CENTRE * 0.5 * jaws.diameter
+    stress = (pressed[0] - pressed[1]) / (math.pi * jaws.disc.diameter * jaws.disc.thickness)
     assert body.cells is not None
-    weight = np.sqrt(body.cells.volume[near])[:, None]
-    y, z = position[near, 1], position[near, 2]
-    across = cell_stress(model, static)[near, 2, 2]
-    columns = np.column_stack([np.ones(len(y)), y**2, z**2])
-    centre = np.linalg.lstsq(weight * columns, weight[:, 0] * across, rcond=None)[0][0]
-    return closing / stress, float(centre) / stress
-
-
-def _middle(body: Lattice, jaws: _Jaws) -> Region:
-    """Cells within half the radius."""
-    position = body.centre - jaws.middle
-    return Index(np.flatnonzero(np.hypot(position[:, 1], position[:, 2]) < _GAUGE * 0.5 * jaws.diameter))
+    across = cell_stress(model, static)[:, 2, 2]
+    return closing / stress, centre_stress(position, body.cells.volume, across, jaws.disc) / stress
 
 
 def _strained(nu: float) -> Callable[[Floats], Floats]:

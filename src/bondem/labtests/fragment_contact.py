@@ -1,0 +1,21 @@
+"""Contact law of fragments and platens in laboratory tests of bonded spheres and of balls."""
+
+import math
+
+import numpy as np
+
+from bondem._types import Floats
+from bondem.interactions.contact.contact_law import ContactLaw, LinearContact
+
+# Friction between pieces, where no contact law is given [-].
+_FRICTION = 0.4
+
+
+def fragment_contact(stiffness: float, radius: Floats) -> ContactLaw:
+    """Return a contact law with walls as stiff as the median bond, and a friction of 0.4.
+
+    Args:
+        stiffness: k_n of the median bond or facet [N/m].
+        radius: contact radii of the elements [m], (n,).
+    """
+    return LinearContact(E=stiffness / (math.pi * float(np.median(radius))), friction=_FRICTION)
