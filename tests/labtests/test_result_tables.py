@@ -36,7 +36,7 @@ def strength() -> bd.labtests.StrengthTest:
     curve = np.column_stack([np.linspace(0.0, 1e-3, k), np.linspace(0.0, 4e6, k)])
     state = run().state
     cracking = Cracking(state.model.lattice, state, 0.5, 0.0, 0.0, 1.0, 100.0)
-    return bd.labtests.StrengthTest(4e6, 4e9, curve, 1.0, 0.0, 0.0, 0.0, cracking, run())
+    return bd.labtests.StrengthTest(4e6, 4e9, curve, 1.0, 0.0, 0.0, 0.0, 0.0, cracking, run())
 
 
 @cache

@@ -69,8 +69,9 @@ def test_runs_and_tests_are_drawn() -> None:
     curve = np.column_stack([np.linspace(0.0, 1e-3, 5), np.linspace(0.0, 4e6, 5)])
     cracking = Cracking(run.state.model.lattice, run.state, 0.0, 0.0, 0.0, 1.0, 100.0)
     test = bd.labtests.StrengthTest(
-        peak=4e6, E=4e9, curve=curve, work=1.0, asymmetry=0.0, kinetic=0.0, residual=0.0, cracking=cracking, run=run
-    )
+        peak=4e6, E=4e9, curve=curve, work=1.0, asymmetry=0.0, unbalance=0.0, kinetic=0.0, residual=0.0,
+        cracking=cracking, run=run,
+    )  # fmt: skip
     figure = test.plot(reach=1.0, view=(0.0, 0.0))
     assert "stress [MPa]" in words(figure)
     (line,) = figure.axes[0].get_lines()

@@ -7,6 +7,7 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.errors import InputError
+from bondem.labtests.line_probe import walls_along
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Index, Region
 
@@ -50,7 +51,8 @@ def require_disc(body: Lattice) -> Disc:
         )
     if {"top", "bottom"} <= set(shape.faces):
         if body.cells is None:
-            flat = float(shape.face_centre("top")[1]) - middle[1]
+            _, walls = walls_along(shape, middle, middle + np.array([0.0, 0.501 * diameter, 0.0]))
+            flat = float(walls[0])
         else:
             on = body.on_face("top")
             flat = float(np.average(body.cells.free.centroid[on, 1], weights=body.cells.free.area[on])) - middle[1]
