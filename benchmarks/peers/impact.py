@@ -23,14 +23,13 @@ import sys
 import tempfile
 from pathlib import Path
 from time import perf_counter
-from typing import ClassVar
 
 import numpy as np
-from scipy.spatial import KDTree
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
+from alike import Alike
+
 import bondem as bd
-from bondem.interactions.beams.bond_law import BondGeometry, BondLaw, BondStiffness
 from kept import RESULTS, keep, origin
 
 SEEDS = (134598738, 1)  # the first is that of the example
@@ -47,22 +46,6 @@ VARIANTS = {
     # rolling dashpots act with half the length of a bond there, twisting ones by half
     "matched": {"smooth": "no", "roll": 0.0036, "twist": 0.004},
 }  # fmt: skip
-
-
-@dataclasses.dataclass(frozen=True, kw_only=True)
-class Alike(BondLaw):
-    """Bonds of the same four stiffnesses, however long, with their contact point in the middle."""
-
-    title: ClassVar[str] = "alike"
-    moments_at_contact: ClassVar[bool] = True
-
-    def stiffness(self, bonds: BondGeometry) -> BondStiffness:
-        def all_of(value: float) -> np.ndarray:
-            return np.full_like(bonds.length, value)
-
-        return BondStiffness(
-            kn=all_of(KN), ks=all_of(KS), kb=all_of(KB), kt=all_of(KT), lever=0.5 * bonds.length, radius=all_of(0.5)
-        )
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -189,22 +172,19 @@ def lammps(seed: int, variant: str, folder: Path) -> dict:
 def bondem(specimen: Specimen) -> dict:
     """The same of bondem; `missed` is what its ledger of energies misses."""
     particles = Crowded(specimen.position, 0.5)
-    # a lattice is one piece: a bond between the bodies, broken from the start, joins them
-    ball, plate = (np.unique(specimen.pairs[specimen.kind == kind]) for kind in (2, 1))
-    apart, near = KDTree(specimen.position[plate]).query(specimen.position[ball])
-    joint = plate[near[apart.argmin()]], ball[apart.argmin()]
-    lattice = bd.Lattice(particles, np.vstack([specimen.pairs, joint]))
+    label = np.zeros(len(specimen.position), dtype=int)
+    label[np.unique(specimen.pairs[specimen.kind == 2])] = 1
+    lattice = bd.Lattice(particles, specimen.pairs, bodies=bd.Bodies(label, ("plate", "ball"), (None, None)))
     mass = np.pi / 6.0
     # kn = E π R² / 2R = 1; ks = 2/7; the dashpot is γ m̄ u' with γ = 0.5
     contact = bd.LinearContact(
         E=4.0 / np.pi * KN, kappa=3.5, friction=0.1, damping=0.25 * np.sqrt(0.5 * mass / KN), stress_free=False
     )
-    failure = TwoBodies(**STRENGTH, stronger=np.append(np.where(specimen.kind == 2, STRONGER, 1.0), 1.0))
-    law = Alike(E=1.0, nu=0.0, radius=0.5)
+    failure = TwoBodies(**STRENGTH, stronger=np.where(specimen.kind == 2, STRONGER, 1.0))
+    law = Alike(E=1.0, nu=0.0, radius=0.5, kn=KN, ks=KS, kb=KB, kt=KT)
     model = bd.Model(lattice, law, density=1.0, contact=contact, failure=failure)
     state = model.state()
     state.set_motion(velocity=specimen.velocity)
-    state.integrity[model.layout.bond_order == len(specimen.pairs)] = 0.0
     began = perf_counter()
     run = bd.solve_explicit(
         model, duration=STEPS * DT, dt=DT, every=EVERY, damping=bd.BondDamping(beta=0.1), state=state

@@ -6,7 +6,7 @@ import trimesh
 
 import bondem as bd
 from bondem.errors import InputError, PackingError
-from bondem.geometry.neighbours import neighbours
+from bondem.geometry.neighbours import neighbours, sphere_grid
 from bondem.packing import targets
 from bondem.packing.quench import _just_above_jamming
 from bondem.packing.soft_spheres import SoftSpheres
@@ -174,6 +174,23 @@ def test_neighbour_list_is_that_of_all_pairs(edges, periodic):
     d = sphere[None, :, :3] - sphere[:, None, :3]
     d -= period * np.rint(d / edges)
     near = np.linalg.norm(d, axis=2) <= sphere[:, None, 3] + sphere[None, :, 3] + 0.06
+    np.fill_diagonal(near, val=False)
+    for i in range(300):
+        assert sorted(neighbour[start[i] : start[i + 1]]) == np.flatnonzero(near[i]).tolist()
+
+
+@pytest.mark.parametrize("spread", [(1.0, 1.0, 1.0), (1e3, 1e3, 1e3), (1.0, 1.0, 1e6), (1e-3, 1e3, 1e3)])
+def test_a_grid_of_spheres_that_fly_apart_stays_small(spread):
+    random = np.random.default_rng(2)
+    place = np.array(spread) * random.random((300, 3))
+    place[1::2] = place[::2] + 0.1  # pairs that touch
+    sphere = np.column_stack([place, random.uniform(0.1, 0.15, 300)])
+    lower, upper = sphere[:, :3].min(axis=0), sphere[:, :3].max(axis=0)
+    grid = sphere_grid(sphere, lower, upper, np.zeros(3), 0.01)
+    assert grid.cells.prod() <= 8 * 300
+    assert grid.edge * grid.cells == pytest.approx(upper - lower)
+    start, neighbour = neighbours(sphere, lower, upper, np.zeros(3), 0.01)
+    near = np.linalg.norm(place[:, None] - place, axis=2) <= sphere[:, None, 3] + sphere[None, :, 3] + 0.01
     np.fill_diagonal(near, val=False)
     for i in range(300):
         assert sorted(neighbour[start[i] : start[i + 1]]) == np.flatnonzero(near[i]).tolist()

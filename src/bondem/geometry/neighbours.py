@@ -7,8 +7,8 @@ import numpy as np
 from bondem._core import Pass
 from bondem._types import Floats, Ints, Vector
 
-# More cells along an axis would cost memory only.
-_MOST_CELLS = 1024
+# More cells along an axis would cost memory only; so would more cells a sphere, where spheres fly apart.
+_MOST_CELLS, _EACH = 1024, 8
 
 
 class SphereGrid(NamedTuple):
@@ -68,11 +68,22 @@ def sphere_grid(sphere: Floats, lower: Vector, upper: Vector, period: Vector, sk
     return grid
 
 
+def _no_more(cells: Vector, most: int) -> Vector:
+    """Return whole numbers of cells along the axes, (3,), with a product of at most `most`, the short axes first."""
+    cells = np.array(cells)
+    for left, axis in zip((3, 2, 1), np.argsort(cells), strict=True):
+        share = max(most, 1) ** (1.0 / left) + 1e-9
+        cells[axis] = np.floor(max(1.0, min(cells[axis], share)))
+        most = int(most // cells[axis])
+    return cells
+
+
 def _unsorted(sphere: Floats, lower: Vector, upper: Vector, period: Vector, skin: float) -> SphereGrid:
     n = len(sphere)
     reach = 2.0 * float(sphere[:, 3].max(initial=0.0)) + skin
     extent = np.asarray(upper, dtype=float) - lower
-    cells = np.clip(extent / reach, 1, max(1, min(n, _MOST_CELLS))).astype(np.int64)  # clipped first: it may overflow
+    wanted = np.clip(extent / reach, 1.0, max(1, min(n, _MOST_CELLS)))
+    cells = _no_more(wanted, _EACH * n).astype(np.int64)
     return SphereGrid(
         sphere, np.array(lower, dtype=float), extent / cells, np.array(period, dtype=float), cells, float(skin),
         np.empty(n, np.int64), np.empty(int(cells.prod()) + 1, np.int64), np.empty(n, np.uint32),
