@@ -21,7 +21,8 @@ from tests.core.former_loop import former_columns
 
 # Cases are fast and soft, so that much happens in few steps.
 pytestmark = pytest.mark.filterwarnings("ignore::bondem.errors.ContactWarning")
-#: Last records and places of the cases by the former loop, as those in `former_loop` state.
+#: Last records and places of the cases by the former loop, without those of spheres by Hertz and Mindlin, whose
+#: tangential spring had another rule, as those in `former_loop` state.
 NUMBERS = json.loads((Path(__file__).parent / "contact_numbers.json").read_text())
 
 

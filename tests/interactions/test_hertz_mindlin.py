@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import bondem as bd
 from bondem.dynamics.explicit import integrate
@@ -94,7 +95,10 @@ def test_restitution_without_the_cut_is_that_of_antypov_and_elliott() -> None:
 
 
 def test_a_held_sphere_yields_as_mindlin_says(one_thread: None) -> None:
-    """Pressed by P, then pulled by Q < μ P, a sphere that cannot turn moves by Q / ks, ks = 8 G* √(R* u)."""
+    """Pressed by P, then pulled by Q < μ P, a sphere that cannot turn moves by Q / ks, ks = 8 G* √(R* u).
+
+    The overlap u is that of F(u) + Q² / 4 ks u = P.
+    """
     press, pull = 1e3, 200.0
     law = bd.HertzMindlin(E=E, nu=NU, friction=0.5, restitution=0.3)
     boundary = [
@@ -104,9 +108,97 @@ def test_a_held_sphere_yields_as_mindlin_says(one_thread: None) -> None:
     ]
     model = grains([[0, 0, 1.0]], [1.0], law=law, walls=[FLOOR], boundary=boundary)
     run = bd.solve_explicit(model, duration=4.0, dt=2e-4, every=0)
-    deep = (press / (8.0 / 3.0 * STAR)) ** (2.0 / 3.0)
+    deep = overlap_of(press, pull)
+    assert deep < 0.995 * (press / (8.0 / 3.0 * STAR)) ** (2.0 / 3.0)
     assert -run.state.displacement[0, 2] == pytest.approx(deep, rel=1e-3)
     assert run.state.displacement[0, 0] == pytest.approx(pull / (16.0 * G_STAR * math.sqrt(deep)), rel=2e-3)
+
+
+def overlap_of(press: float, pull: float) -> float:
+    """Return the overlap of a unit sphere and a wall under both forces [m], F(u) + Q² / 4 ks u = P."""
+    return brentq(
+        lambda u: 8.0 / 3.0 * STAR * u**1.5 + pull**2 / (64.0 * G_STAR * u**1.5) - press,
+        0.8 * (press / (8.0 / 3.0 * STAR)) ** (2.0 / 3.0), 1.0,
+    )  # fmt: skip
+
+
+def test_friction_of_a_cycle_is_what_slides(one_thread: None) -> None:
+    """A sphere moved to and fro by ±A under P: 4 μ P (A - μ P / ks) a cycle, ks of the overlap at which it slides."""
+    press, mu = 1e3, 0.5
+    stretch = mu * press / (16.0 * G_STAR * math.sqrt(overlap_of(press, mu * press)))
+    boundary = [
+        bd.Load(bd.Index([0]), force=(0, 0, -press), schedule=bd.Ramp(0, 1, 0.3)),
+        bd.Drive(bd.Index([0]), x=bd.Table([0, 4, 8, 16, 24, 32, 40], stretch * np.array([0, 0, 3, -3, 3, -3, 3]))),
+        bd.Fix(bd.Index([0]), translation=""),
+    ]
+    law = bd.HertzMindlin(E=E, nu=NU, friction=mu, restitution=0.3)
+    model = grains([[0, 0, 1.0]], [1.0], law=law, walls=[FLOOR], boundary=boundary)
+    run = bd.solve_explicit(model, duration=40.0, dt=1e-3, every=8000)
+    friction = run.history.energy["friction"]
+    cycle = 4.0 * mu * press * (3.0 * stretch - stretch)
+    np.testing.assert_allclose(friction[[3, 5]] - friction[[1, 3]], cycle, rtol=2e-3)
+    assert abs(run.history.energy["balance"]).max() < 1e-5 * friction[-1]
+
+
+def slope_of_four(cycles: int, swing: float) -> tuple[np.ndarray, float, bd.History]:
+    """Four bonded spheres on a slope of 10° with μ = 0.5, and a normal load that swings at 500 Hz.
+
+    Returns:
+        Displacement along the slope after each cycle [m], and the overlap at rest [m], and the records.
+    """
+    radius, rate, angle, first = 1e-3, 500.0, math.radians(10.0), 10
+    side, height = 2.0 * radius, radius * math.sqrt(8.0 / 3.0)
+    turn = 2.0 / 3.0 * math.pi * np.arange(3)
+    base = side / math.sqrt(3.0) * np.column_stack([np.cos(turn), np.sin(turn), np.zeros(3)])
+    place = np.vstack([base, np.array([[0.0, 0.0, height]])]) + np.array([0.0, 0.0, radius])
+    pairs = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]])
+    time = np.linspace(0.0, (first + cycles) / rate, 64 * (first + cycles) + 1)
+    load = 1.0 + np.where(time > first / rate, swing * np.sin(2.0 * math.pi * rate * time), 0.0)
+    weight = 9.81 * np.array([math.sin(angle), 0.0, -math.cos(angle)])
+    model = bd.Model(
+        bd.Lattice(bd.Particles(place, np.full(4, radius)), pairs),
+        bd.EulerBernoulli(E=1e9, nu=0.2, radius_ratio=0.8), 2500.0, walls=[FLOOR],
+        contact=bd.HertzMindlin(E=1e8, nu=0.3, friction=0.5, restitution=0.5, stress_free=False),
+        boundary=[
+            bd.BodyForce((weight[0], 0, 0)), bd.BodyForce((0, 0, weight[2]), schedule=bd.Table(time, load)),
+        ],
+    )  # fmt: skip
+    gauges = {"u": bd.Gauge(bd.Everything(), "displacement")}
+    run = bd.solve_explicit(model, duration=time[-1], dt=1.0 / rate / 1500, every=1500, gauges=gauges)
+    moved = run.history["u"]
+    return moved[first:, 0], -moved[first, 2], run.history
+
+
+def test_spheres_on_a_slope_do_not_creep(one_thread: None) -> None:
+    """Friction at most 0.7 of its limit: less than 1e-3 of the overlap in 100 cycles, and none of it by sliding."""
+    moved, overlap, history = slope_of_four(90, 0.5)
+    assert 7e-8 < overlap < 1.1e-7
+    assert abs(moved[-1] - moved[-51]) < 0.5e-3 * overlap
+    friction = history.energy["friction"]
+    assert friction[-1] - friction[-51] < 1e-3 * friction[-1]
+
+
+@pytest.mark.validate
+@pytest.mark.parametrize("swing", [0.3, 0.5])
+def test_spheres_on_a_slope_do_not_creep_in_a_thousand_cycles(swing: float, one_thread: None) -> None:
+    moved, overlap, _ = slope_of_four(1000, swing)
+    assert (abs(moved[100:] - moved[:-100]) < 1e-3 * overlap)[50:].all()
+
+
+def test_a_sphere_slides_at_the_coefficient_that_was_entered() -> None:
+    """A pressed sphere that is pulled aside carries μ P; above the largest F_t / F_n of its spring a law warns."""
+    press, mu = 1e3, 0.9
+    law = bd.HertzMindlin(E=E, nu=NU, friction=mu, restitution=0.3)
+    boundary = [
+        bd.Load(bd.Index([0]), force=(0, 0, -press), schedule=bd.Ramp(0, 1, 0.3)),
+        bd.Drive(bd.Index([0]), vx=0.01),
+        bd.Fix(bd.Index([0]), translation=""),
+    ]
+    model = grains([[0, 0, 1.0]], [1.0], law=law, walls=[FLOOR], boundary=boundary)
+    run = bd.solve_explicit(model, duration=4.0, dt=1e-3, every=4000, gauges={"F": bd.WallGauge(0, "force")})
+    np.testing.assert_allclose(run.history["F"][-1], [mu * press, 0.0, -press], rtol=1e-4, atol=1e-9)
+    with pytest.warns(bd.errors.ContactWarning, match="friction = 2 of HertzMindlin acts as 1.13"):
+        bd.HertzMindlin(E=E, nu=NU, friction=2.0)
 
 
 @pytest.mark.parametrize("slope", [0.2, 0.6, 1.1])

@@ -1,6 +1,6 @@
 // Contact of two bodies: a spring and a dashpot along the normal, both again in the tangential plane, Coulomb friction.
 //
-//     F_n = max(F(u) + cn u', 0)        |F_t| <= μ F_n,   F_t = ks ξ + cs ξ' while it sticks
+//     F_n = max(F(u) + ½ ks'(u) ξ² + cn u', 0)        |F_t| <= μ F_n,   F_t = ks ξ + cs ξ' while it sticks
 //
 // u is the overlap and ξ the stretch of the tangential spring. The spring turns with the pair, and slides where Coulomb's
 // limit is reached. F(u) and ks are those of a law (`linear_contact.hpp`, `hertz_mindlin.hpp`); the dashpots are shares β
@@ -8,10 +8,16 @@
 //
 //     cn = 2 β √(kn m̄)      cs = 2 β √(ks m̄)      kn = dF/du,   1/m̄ = 1/m_i + 1/m_j
 //
-// Energy: U = ∫ F du + ½ ks ξ². A tangential spring that becomes stiffer keeps its force, and one that becomes softer
-// keeps its stretch, so that its energy never grows by the change (Thornton, Cummins and Cleary, Powder Technology 233,
-// 2013). Work on the spring that it does not store is friction. Losses are the trapezoid of force over displacement, of
-// second order as the step is.
+// Energy: U = ∫ F du + ½ ks ξ². Where ks depends on the overlap, forces are the gradient of U: a contact that does not
+// slide stores all work, and comes back to its place after any cycle of load (docs/decisions/0053-contact-by-pairs.md).
+// Work on the spring that it does not store is friction. Losses are the trapezoid of force over displacement, of second
+// order as the step is. At the limit of friction F_t = μ F_n and F_n = N + F_t² h, h = ks' / 2 ks², so that
+//
+//     F_t = 2 μ N / (1 + √(1 - 4 μ² N h))
+//
+// A spring that a law gives a stiffness of its own in every step (faces that slide out of each other) keeps its force as
+// it stiffens and its stretch as it softens, so that its energy never grows by the change (Thornton, Cummins and Cleary,
+// Powder Technology 233, 2013).
 //
 // Signs: the normal is from the first body to the second, velocities are of the second against the first, and the force
 // acts on the second body. Repulsion only.
@@ -29,11 +35,13 @@ template <class T> struct ContactSpring {
     T force;  // F over kn u [-]
     T energy;  // ∫ F du over F u [-]
     T damping;  // β [-]
+    T hardening;  // d ln kn / d ln u [-]
 };
 // Springs and dashpots of a contact.
 template <class T> struct ContactStiffness {
     T kn, force;  // dF/du [N/m], and F over kn u [-]
     T ks, ks_before;  // now, and a step ago [N/m]
+    T rise, rise_before;  // ½ dks/du, of laws that harden [N/m²]
     T cn, cs;  // [N·s/m]
 };
 // Where two bodies touch.
@@ -52,12 +60,37 @@ template <class T> struct ContactLoads {
     T damped, rubbed;  // energy lost to dashpots and to friction over the step [J]
 };
 
+// Overlaps now and a step ago [m].
+template <class T> struct Overlaps {
+    T now, before;
+};
+
 // Springs and dashpots of a spring of stiffness `before` a step ago; `soft` is ks / kn.
 template <class T>
 BONDEM_INLINE ContactStiffness<T> contact_stiffness(const ContactSpring<T> &spring, T before, double soft, T mass) {
     const T ks = soft * spring.kn;
     const T cn = 2.0 * spring.damping * root(spring.kn * mass), cs = 2.0 * spring.damping * root(ks * mass);
-    return {spring.kn, spring.force, ks, soft * before, cn, cs};
+    return {spring.kn, spring.force, ks, soft * before, T{}, T{}, cn, cs};
+}
+// The same of a law that may harden.
+template <class Law, class T>
+BONDEM_INLINE ContactStiffness<T> contact_stiffness(const Law &, const ContactSpring<T> &spring, T before, double soft, T mass,
+                                                    const Overlaps<T> &overlap) {
+    ContactStiffness<T> k = contact_stiffness(spring, before, soft, mass);
+    if constexpr (Law::hardens) {
+        const auto rise = [&](T ks, T u) { return select(u > T{}, 0.5 * spring.hardening * ks / u, T{}); };
+        k.rise = rise(k.ks, overlap.now);
+        k.rise_before = rise(k.ks_before, overlap.before);
+    }
+    return k;
+}
+
+// The largest F_t <= μ F_n where F_n = N + F_t² h, N >= 0. As h grows no F_t is as large as μ F_n; then that of the largest
+// F_t / F_n.
+template <class T> BONDEM_INLINE T sliding_limit(double friction, T N, T h) {
+    const T wide = 4.0 * N * h, square = all<T>(friction * friction);
+    const T held = select(square * wide > all<T>(1.0), 1.0 / wide, square);
+    return 2.0 * root(held) * N / (1.0 + root(positive(1.0 - held * wide)));
 }
 
 template <class T> BONDEM_INLINE Vector3<T> tangential(Vector3<T> v, Vector3<T> n) { return minus(v, dot(v, n), n); }
@@ -69,36 +102,46 @@ template <class T> BONDEM_INLINE Vector3<T> turned_with(Vector3<T> s, Vector3<T>
     return select(after > T{}, root(dot(s, s) / after), T{}) * in_plane;
 }
 
-// Force of a contact, its memory and its losses over a step of dt.
+// Force of a contact, its memory and its losses over a step of dt; `hardens` of a law whose ks depends on the overlap.
 //
 // `last` is `now` a step ago, `twist` the rate at which the pair turns about the normal [rad/s]. An overlap of 0 is that
 // of bodies that have just parted.
-template <class T>
+template <bool hardens, class T>
 BONDEM_INLINE ContactLoads<T> contact_loads(const ContactStiffness<T> &k, double friction, T overlap, const Meeting<T> &now,
                                             const Meeting<T> &last, T twist, const ContactMemory<T> &memory, double dt) {
     const T zero = {}, one = all<T>(1.0), half = all<T>(0.5 * dt);
     const Vector3<T> v = now.velocity, n = now.normal;
-    const T elastic = k.force * k.kn * overlap, pressed = elastic - k.cn * dot(v, n);
-    const T normal = select(overlap > zero, positive(pressed), zero);
-    Vector3<T> force = normal * n, viscous = (normal - elastic) * n, stretch = memory.stretch;
+    T elastic = k.force * k.kn * overlap;
+    const T pressed = elastic - k.cn * dot(v, n);
+    T normal = select(overlap > zero, positive(pressed), zero);
+    Vector3<T> across = {zero, zero, zero}, dashpot = across, stretch = memory.stretch;
     T rubbed = zero;
     if (friction > 0.0) {
         const Vector3<T> t = tangential(v, n), s = memory.stretch;
         const T angle = dt * twist;
         const Vector3<T> came = turned_with(tangential(last.velocity, last.normal), n, angle);
-        const T less = select(k.ks > k.ks_before, k.ks_before / k.ks, one);
-        const Vector3<T> whole = plus(less * turned_with(s, n, angle), half, came + t);
-        const T limit = friction * normal, pull = k.ks * length(whole);
+        Vector3<T> kept = turned_with(s, n, angle);
+        if constexpr (!hardens) kept = select(k.ks > k.ks_before, k.ks_before / k.ks, one) * kept;
+        const Vector3<T> whole = plus(kept, half, came + t);
+        T limit = friction * normal;
+        if constexpr (hardens) limit = sliding_limit(friction, normal, select(overlap > zero, k.rise / (k.ks * k.ks), zero));
+        const T pull = k.ks * length(whole);
         stretch = select(pull > limit, limit / pull, select(overlap > zero, one, zero)) * whole;
-        const T given = half * (k.ks_before * dot(s, last.velocity) + k.ks * dot(stretch, v));
+        T given = half * (k.ks_before * dot(s, last.velocity) + k.ks * dot(stretch, v));
+        if constexpr (hardens) {
+            const T raised = k.rise * dot(stretch, stretch);
+            given = given - half * (k.rise_before * dot(s, s) * dot(last.velocity, last.normal) + raised * dot(v, n));
+            elastic = elastic + raised;
+            normal = select(overlap > zero, positive(pressed + raised), zero);
+            limit = friction * normal;
+        }
         rubbed = given - 0.5 * (k.ks * dot(stretch, stretch) - k.ks_before * dot(s, s));
         const Vector3<T> spring = k.ks * stretch, both = plus(spring, k.cs, t);
         // the dashpot never makes it slide
-        const Vector3<T> none = {zero, zero, zero};
-        const Vector3<T> dashpot = select(dot(both, both) > limit * limit, none, both - spring);
-        viscous = viscous - dashpot;
-        force = force - (spring + dashpot);
+        dashpot = select(dot(both, both) > limit * limit, dashpot, both - spring);
+        across = spring + dashpot;
     }
+    const Vector3<T> force = normal * n - across, viscous = (normal - elastic) * n - dashpot;
     const T damped = -half * (dot(memory.viscous, last.velocity) + dot(viscous, v));
     return {force, {stretch, viscous}, damped, rubbed};
 }

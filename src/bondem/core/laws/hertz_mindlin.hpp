@@ -3,7 +3,8 @@
 //     F = 4/3 E* √R* u^(3/2)      kn = dF/du = 2 E* √(R* u)      ks = 8 G* √(R* u)
 //     E* = E / (2 (1 - ν²))       G* = G / (2 (2 - ν))           1/R* = 1/R_i + 1/R_j
 //
-// Energy: ∫ F du = 2/5 F u. At a rigid wall E* and G* are doubled, and R* = R. The dashpots have √(5/6) of the share β
+// Energy: ∫ F du = 2/5 F u. A stretched tangential spring adds ½ ks' ξ² to F (`contact.hpp`), at the limit of friction about
+// μ² F kn / 6 ks. At a rigid wall E* and G* are doubled, and R* = R. The dashpots have √(5/6) of the share β
 // that a linear spring would have: the overlap to the power 5/4 then oscillates as that of a linear spring does, and the
 // restitution is the same at every speed (Antypov and Elliott, EPL 94, 2011).
 //
@@ -19,6 +20,7 @@ struct HertzMindlinLaw {
     double damping;  // β of a linear spring of the same restitution [-]
 
     static constexpr double of_linear = 0.9128709291752769;  // √(5/6)
+    static constexpr bool hardens = true;
 
     // Two spheres; `own` is the stiffness of a pair that has its own, which is linear, else 0.
     template <class T> BONDEM_INLINE ContactSpring<T> between(T own, T ra, T rb, T overlap) const {
@@ -26,14 +28,16 @@ struct HertzMindlinLaw {
         const auto linear = own > T{};
         return {select(linear, own, k), select(linear, all<T>(1.0), all<T>(2.0 / 3.0)),
                 select(linear, all<T>(0.5), all<T>(0.4)),
-                select(linear, all<T>(damping), all<T>(of_linear * damping))};
+                select(linear, all<T>(damping), all<T>(of_linear * damping)),
+                select(linear, all<T>(0.0), all<T>(0.5))};
     }
     // The stiffness kn of two spheres at the overlap a step ago.
     template <class T> BONDEM_INLINE T before(T own, T ra, T rb, T overlap, T) const {
         return select(own > T{}, own, stiffness(ra, rb, overlap));
     }
     template <class T> BONDEM_INLINE ContactSpring<T> at_wall(T r, T overlap) const {
-        return {4.0 * modulus * root(r * overlap), all<T>(2.0 / 3.0), all<T>(0.4), all<T>(of_linear * damping)};
+        return {4.0 * modulus * root(r * overlap), all<T>(2.0 / 3.0), all<T>(0.4), all<T>(of_linear * damping),
+                all<T>(0.5)};
     }
 
   private:

@@ -1,6 +1,7 @@
 """Contact of elastic spheres after Hertz and Mindlin, with the damping of Tsuji and Coulomb friction."""
 
 import math
+import warnings
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -8,8 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from bondem._checks import instance, number
+from bondem._names import users_line
 from bondem._plausibility import physical
 from bondem._types import Floats
+from bondem.errors import ContactWarning
 from bondem.interactions.contact.contact_law import HERTZIAN_DASHPOT, ContactLaw, fastest, rebound, slowest_root
 from bondem.specimen.material import Material, of_material
 
@@ -30,8 +33,10 @@ class HertzMindlin(ContactLaw):
 
     with E* = E / 2(1 − ν²), G* = G / 2(2 − ν), R* = Ri Rj / (Ri + Rj). A wall is rigid: E* and G* are doubled, R* =
     R. The dashpots are cn = 2 √(5/6) β √(m̄ kn), kn = 2 E* √(R* u), and likewise with ks. They give the requested
-    restitution at all speeds, with contacts that only repel. The tangential spring keeps its force while the overlap
-    grows, and its stretch while it shrinks.
+    restitution at all speeds, with contacts that only repel. A tangential spring of stretch ξ stores ½ ks(u) ξ² and
+    adds ½ ks'(u) ξ² to F_n, about μ² kn / 6 ks of it where it slides: a contact that does not slide is elastic, and
+    does not creep under loads that swing (docs/decisions/0053-contact-by-pairs.md). Friction acts up to F_t / F_n =
+    √(3 ks / 2 kn), 1.1 for ν = 0.3.
 
     A pair whose bond is broken acts as a linear spring with the kn of that bond and the same ks / kn. The reason is
     that crack faces meet over their whole area. With `stress_free=False` such a pair is like any other. References:
@@ -72,6 +77,13 @@ class HertzMindlin(ContactLaw):
         number(law, "restitution", e, least=_LEAST_REBOUND, below=most, advice="one in [0.01, 1]")
         number(law, "overlap", self.overlap, above=0.0, below=1.0, advice="a share of the radius in (0, 1)")
         instance(law, "stress_free", self.stress_free, bool, "True or False")
+        most = math.sqrt(1.5 / self.kappa)
+        if self.friction > most:
+            warnings.warn(
+                f"friction = {self.friction:.4g} of HertzMindlin acts as {most:.3g}, the largest of its spring;"
+                " give less, or use bd.LinearContact",
+                ContactWarning, stacklevel=users_line(),
+            )  # fmt: skip
 
     @property
     def modulus(self) -> float:

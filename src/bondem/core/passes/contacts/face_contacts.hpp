@@ -152,7 +152,7 @@ inline void press_met(const Moving &all, const ContactConstants &c, const Contac
         const double overlap = met.pressed / met.kn, mass = 1.0 / (of_a.m + of_b.m);
         with_law(c, [&](auto law) {
             const auto spring = law.between(met.kn, c.radius(a), c.radius(b), overlap);
-            loads = contact_loads(contact_stiffness(spring, memory[stiff_before], c.soft, mass), c.friction, overlap, now,
+            loads = contact_loads<false>(contact_stiffness(spring, memory[stiff_before], c.soft, mass), c.friction, overlap, now,
                                   now, 0.5 * dot(of_a.w + of_b.w, n), {s, viscous}, dt);
         });
         const Vector rest = minus(loads.force, met.pressed, n);

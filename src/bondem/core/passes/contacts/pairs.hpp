@@ -53,12 +53,12 @@ BONDEM_INLINE PairLoads<T> pair_loads(const Law &law, const ContactConstants &c,
     T distance, before;
     const Meeting<T> now = pair.meeting(pair.branch, distance);
     const Meeting<T> last = pair.meeting(minus(pair.branch, all<T>(dt), pair.velocity), before);
-    const T overlap = positive(pair.reach - distance);
+    const T overlap = positive(pair.reach - distance), last_overlap = positive(pair.reach - before);
     const ContactSpring<T> spring = law.between(own, pair.ra, pair.rb, overlap);
-    const T kn_before = law.before(own, pair.ra, pair.rb, positive(pair.reach - before), spring.kn);
-    const ContactStiffness<T> k = contact_stiffness(spring, kn_before, c.soft, pair.mass);
+    const T kn_before = law.before(own, pair.ra, pair.rb, last_overlap, spring.kn);
+    const ContactStiffness<T> k = contact_stiffness(law, spring, kn_before, c.soft, pair.mass, {overlap, last_overlap});
     const T twist = 0.5 * dot(pair.turning, now.normal);
-    const ContactLoads<T> loads = contact_loads(k, c.friction, overlap, now, last, twist, memory, dt);
+    const ContactLoads<T> loads = contact_loads<Law::hardens>(k, c.friction, overlap, now, last, twist, memory, dt);
     return {overlap, loads, -(distance / (pair.ra + pair.rb)) * cross(now.normal, loads.force)};
 }
 

@@ -66,11 +66,12 @@ template <class Law>
 ContactLoads<double> wall_loads(const Law &law, const ContactConstants &c, const AtWall &who, const WallSurface &now,
                                 const WallSurface &last, double rest, double friction, const ContactMemory<double> &memory,
                                 double dt) {
-    const double overlap = positive(rest - now.gap);
-    const double before = law.at_wall(who.radius, positive(rest - last.gap)).kn;
-    const auto k = contact_stiffness(law.at_wall(who.radius, overlap), before, c.soft, 1.0 / who.inverse_mass);
+    const Overlaps<double> overlap = {positive(rest - now.gap), positive(rest - last.gap)};
+    const double before = law.at_wall(who.radius, overlap.before).kn;
+    const auto k =
+        contact_stiffness(law, law.at_wall(who.radius, overlap.now), before, c.soft, 1.0 / who.inverse_mass, overlap);
     const double twist = 0.5 * dot(who.spin, now.normal);
-    return contact_loads(k, friction, overlap, who.meeting(now), who.meeting(last), twist, memory, dt);
+    return contact_loads<Law::hardens>(k, friction, overlap.now, who.meeting(now), who.meeting(last), twist, memory, dt);
 }
 
 WallSurface surface_of(const Moving &all, const ContactConstants &c, const WallContacts &contacts, const Walls &walls, Index e) {
