@@ -11,12 +11,15 @@ from bondem._checks import array, choice, instance, number, several, shown
 from bondem._progress import staged
 from bondem._types import PerElement
 from bondem.calibration.abacus import curve
+from bondem.calibration.bond_strength import calibrate_bond_strength
 from bondem.calibration.density import balanced_density, element_density
 from bondem.calibration.reach import recommend
 from bondem.calibration.response import Response, Slope
 from bondem.calibration.search import Search
+from bondem.calibration.strength import StrengthCalibration
 from bondem.calibration.surface_correction import SurfaceCorrection
 from bondem.calibration.uncertainty import Kind, Sample
+from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.interactions.law_catalogue import DEFAULT
@@ -60,6 +63,8 @@ class Calibration:
         responses: E and ν of each calibrating lattice with the calibrated law.
         slopes: derivatives of each lattice with respect to the parameter.
         reason: reason for the recommended law; empty for a chosen law.
+        strength: calibrated tensile strength and cohesion of the bonds, with their intervals; None without targets.
+        friction_angle: friction angle of these bonds [rad].
     """
 
     law: BondLaw
@@ -70,6 +75,23 @@ class Calibration:
     responses: tuple[Response, ...]
     slopes: tuple[Slope, ...]
     reason: str = ""
+    strength: StrengthCalibration | None = None
+    friction_angle: float = 0.0
+
+    @property
+    def failure(self) -> MohrCoulomb:
+        """Calibrated criterion of the bonds.
+
+        Raises:
+            InputError: no strengths were calibrated.
+            ConvergenceError: the targets were not reached; `.strength.nearest` is the best run.
+        """
+        if self.strength is None:
+            raise InputError("calibrate: no strengths were calibrated; give bd.calibrate ucs= and tension=")
+        found = self.strength.parameters
+        return MohrCoulomb(
+            tension=found["tension"], cohesion=found["cohesion"], friction_angle=self.friction_angle
+        )
 
     @property
     def tensions(self) -> tuple[Tension, ...]:
@@ -196,15 +218,24 @@ def calibrate(
     nu_mu: float = 0.3,
     search: tuple[float, float] | None = None,
     tolerance: float = 1e-5,
+    ucs: float | None = None,
+    tension: float | None = None,
+    friction_angle: float = math.radians(35.0),
     **parameters: Any,
 ) -> Calibration:
-    """Calibrate a family of bond laws to E, ν and ρ of a material.
+    """Calibrate a family of bond laws to E, ν and ρ of a material, and if wanted to its strengths.
 
     In linear elasticity ν does not depend on E_μ, and E is proportional to E_μ. The free parameter of the law (r̃ of
     beams, a factor on the shear stiffness of others: `law.free`) is solved for ν. One division then gives E_μ. The
     root is found by Newton's method with derivatives of the adjoint problem. It starts from the calibration curve of
     the law, so that two or three evaluations suffice. Moduli are those of `labtests.static_tension` along x, or of
     `bulk_moduli` for periodic cells. Over several lattices, the means are calibrated.
+
+    With `ucs` and `tension` the tensile strength and the cohesion of bonds of a `bd.MohrCoulomb` are then calibrated
+    to `labtests.uniaxial_compression` between smooth platens and `labtests.direct_tension`, within 4 %, by
+    `calibrate_strength`. Two packings or more give intervals: `.strength.interval("tension")` of a parameter, and
+    `.strength.strengths("ucs")` of the strength of a new packing. UCS over tension of bonds is limited, to about 11
+    in packings of 400 spheres; beyond, `.failure` raises an error that states the nearest strengths.
 
     Args:
         lattice: the specimen, or several packings of it.
@@ -213,14 +244,19 @@ def calibrate(
         nu_mu: Poisson's ratio of the bonds, ν_μ [-]; Euler–Bernoulli bonds hardly depend on it.
         search: range of the free parameter [-]; None for `law.free.search`.
         tolerance: tolerance of ν [-].
+        ucs: uniaxial compressive strength [Pa], together with `tension`; None for no strengths.
+        tension: strength in direct tension [Pa].
+        friction_angle: friction angle of the bonds [rad].
         **parameters: further, fixed parameters of the law: radius_rule=, formulation=, and radius_ratio= (1 by
             default) if it is not the free parameter.
 
     Raises:
         UnreachableTargetError: the law cannot give this ν on this lattice; the message states its range.
         InputError: no lattice, one of several bodies, a specimen too short for a tension test along x or without
-            ends to pull, an unknown parameter, or a parameter that calibration sets.
+            ends to pull, an unknown parameter, a parameter that calibration sets, or one strength without the other.
     """
+    if (ucs is None) != (tension is None):
+        raise InputError("calibrate: ucs and tension belong together; give both strengths, or neither")
     lattices = several("calibrate", "lattice", lattice, Lattice, "a lattice, from bd.connect, or several")
     if not lattices:
         raise InputError("calibrate: lattice is empty; give at least one lattice, such as bd.connect(particles)")
@@ -278,15 +314,22 @@ def calibrate(
     responses = tuple(measured(calibrated))
     for one in responses:
         one.forget_matrix()  # a calibration is kept, and large lattices have large matrices
+    density, strength = element_density(lattices, material.rho), None
+    if ucs is not None and tension is not None:
+        strength = calibrate_bond_strength(
+            lattices, calibrated, ucs=ucs, tension=tension, friction_angle=friction_angle, density=density
+        )
     return Calibration(
         law=calibrated,
-        density=element_density(lattices, material.rho),
+        density=density,
         material=material,
         parameter=free.name,
         table=tuple(trials[key] for key in sorted(trials)),
         responses=responses,
         slopes=slopes,
         reason=reason,
+        strength=strength,
+        friction_angle=friction_angle,
     )
 
 

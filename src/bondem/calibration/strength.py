@@ -115,6 +115,16 @@ class StrengthCalibration:
         low, high = logs.interval(kind=kind, level=level)
         return math.exp(low), math.exp(high)
 
+    def strengths(self, test: str) -> Sample:
+        """Strengths of the packings in the best run [Pa]; `.interval(kind="prediction")` is that of a new packing.
+
+        Raises:
+            InputError: an unknown test.
+        """
+        if test not in self.targets:
+            raise InputError(f"test = {shown(test)}: unknown test; choose from {', '.join(self.targets)}")
+        return Sample(np.array(self.nearest.measured[test]))
+
     def tolerated(self, parameter: str) -> tuple[float, float]:
         """Return the range of a parameter for strengths anywhere within the tolerances of the targets."""
         if parameter not in self.names:
