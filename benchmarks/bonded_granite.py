@@ -3,8 +3,8 @@
 Part "granite": elasticity of Lac du Bonnet granite (E = 69 GPa, ν = 0.26) by `bd.calibrate` on one packing, bond
 strengths scaled so that this packing has the UCS of 200 MPa, five other packings. "peripheral" is
 `bd.PeripheralStress` with equal strengths in tension and shear, as Potyondy and Cundall (2004) have it. In "mohr"
-moments do not count (`bd.MohrCoulomb`, cohesion four times the tensile strength, φ = 35°). Cylinders have Ø31.7 × 63.4
-mm and 600 spheres, and platens a friction of 0.3; discs have Ø31.7 × 16 mm, 500 spheres and flats of 15°.
+moments do not count (`bd.MohrCoulomb`, cohesion four times the tensile strength, φ = 35°). Cylinders have Ø31.7 ×
+63.4 mm and 600 spheres, and platens a friction of 0.3; discs have Ø31.7 × 16 mm, 500 spheres and flats of 15°.
 
 Part "unseen": tensile strength and cohesion by `bd.calibrate` to a UCS of 60 MPa and a tensile strength of 8 MPa on
 five packings of 250 spheres, Ø6 × 10 mm. Strengths of twenty further packings beside the intervals for one new
