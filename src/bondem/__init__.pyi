@@ -19,11 +19,11 @@ from bondem.boundary.schedules import Constant as Constant
 from bondem.boundary.schedules import Ramp as Ramp
 from bondem.boundary.schedules import Schedule as Schedule
 from bondem.boundary.schedules import Table as Table
+from bondem.boundary.wall_motions import Driven as Driven
+from bondem.boundary.wall_motions import Free as Free
+from bondem.boundary.wall_motions import Servo as Servo
 from bondem.boundary.walls import CylinderWall as CylinderWall
-from bondem.boundary.walls import Driven as Driven
-from bondem.boundary.walls import Free as Free
 from bondem.boundary.walls import PlaneWall as PlaneWall
-from bondem.boundary.walls import Servo as Servo
 from bondem.boundary.walls import SphereWall as SphereWall
 from bondem.boundary.walls import Wall as Wall
 from bondem.calibration.elastic import Calibration as Calibration

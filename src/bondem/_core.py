@@ -29,7 +29,7 @@ from bondem.errors import InputError
 
 __all__ = [
     "Pass", "checked_fields", "compiled_level", "core_lanes", "filled_table", "index_loop", "index_pass_names",
-    "index_tables", "room_for", "step_pass", "table_fields",
+    "index_tables", "room_for", "row_type", "step_pass", "table_fields",
 ]  # fmt: skip
 
 # How long a process waits for what another one compiles [s].
@@ -218,6 +218,16 @@ def core_lanes() -> int:
 def table_fields(name: str) -> tuple[str, ...]:
     """Names of the fields of a table of the core."""
     return tuple(field.name for field in _library().tables[name])
+
+
+@functools.cache
+def row_type(name: str) -> np.dtype[Any]:
+    """Type of the rows of a table, with names and places of their numbers as the header declares them.
+
+    An array of such rows is `numbers.view(row_type(name))[:, 0]`, which shares its numbers.
+    """
+    fields = _library().tables[name]
+    return np.dtype([(field.name, field.dtype, tuple(length for _, length in field.shape)) for field in fields])
 
 
 # ---- passes

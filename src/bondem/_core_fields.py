@@ -1,5 +1,6 @@
 """Tables in memory as the core takes them: each value is checked against its field, and written as words."""
 
+import math
 import re
 import struct
 from dataclasses import dataclass
@@ -50,8 +51,8 @@ class Field:
 
     @property
     def words(self) -> int:
-        """Words of the field in the table: a pointer and the lengths of the axes, or a number."""
-        return 1 if self.written is None else 1 + len(self.shape)
+        """Words of the field in the table: a pointer and the lengths of the axes, or its numbers."""
+        return math.prod(length for _, length in self.shape) if self.written is None else 1 + len(self.shape)
 
     def __str__(self) -> str:
         if self.written is None:

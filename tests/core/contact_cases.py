@@ -46,6 +46,28 @@ def all_walls(size: float) -> list:
     ]
 
 
+def turning_walls(size: float) -> list:
+    """Return walls of each kind around a cube and within it that turn, prescribed or freely."""
+    middle = size / 2
+    drum = {"axis": (1, 0, 0), "about": (0, middle, middle)}
+    matrix = ((9e4, 1e4, -2e4), (1e4, 8e4, 1e4), (-2e4, 1e4, 9e4))
+    rod = bd.Free(1e5, velocity=(0.0, 2.0, 0.0), inertia=matrix, spin=(0.0, 3.0, 0.0), torque=(1e4, 0.0, 0.0))
+    return [
+        bd.PlaneWall((0, 0, 0), (1, 0, 0), motion=bd.Driven(spin=0.4, axis=(0, 1, 0), about=(0, 0, middle), vx=0.5)),
+        bd.PlaneWall((size, 0, 0), (-1, 0, 0)),
+        *[
+            bd.PlaneWall(point, normal, motion=bd.Driven(angle=bd.Ramp(0.0, 1.0, 0.5), **drum))
+            for point, normal in (
+                ((0, 0, 0), (0, 1, 0)), ((0, 0, 0), (0, 0, 1)),
+                ((0, size, 0), (0, -1, 0)), ((0, 0, size), (0, 0, -1)),
+            )
+        ],
+        bd.CylinderWall(0.15, (1.15, 1, 2.3), (0, 1, 0), outside=True, motion=rod),
+        bd.PlaneWall((middle, middle, 0.1), (0, 0, 1), outer=2.0, motion=bd.Free(2e5, inertia=(2e5, 2e5, 4e5))),
+        bd.SphereWall(0.15, (middle, middle, middle), motion=bd.Driven(spin=9.0, vgrowth=0.2)),
+    ]  # fmt: skip
+
+
 def slit_bar(shape: tuple[int, int, int]) -> bd.Lattice:
     """Return a crooked bar with a slit: across it elements touch that no bond joins."""
     rng = np.random.default_rng(1)
@@ -85,9 +107,12 @@ def moving_beams(law, **options) -> tuple[bd.Model, State]:
 def plan_of(model: bd.Model, steps: int, *, share: float = 0.5, **options) -> Plan:
     """Return a plan of some steps of a share of the critical step, with gauges of all walls."""
     dt = share * critical_step(model, bd.VelocityVerlet())
-    quantities = ("force", "displacement", "velocity", "growth")
-    walls = range(len(model.walls))
-    gauges = {f"{quantity} {w}": bd.WallGauge(w, quantity) for w in walls for quantity in quantities}
+    former = "force", "displacement", "velocity", "growth"
+    turns = "rotation", "angular_velocity", "torque", "power"
+    gauges = {
+        f"{quantity} {w}": bd.WallGauge(w, quantity)
+        for quantities in (former, turns) for w in range(len(model.walls)) for quantity in quantities
+    }  # fmt: skip
     return Plan(duration=steps * dt, dt=dt, gauges=gauges, **options)
 
 
@@ -99,6 +124,8 @@ STRESSED = bd.LinearContact(E=E / 20, friction=0.2, stress_free=False)
 CASES: dict[str, tuple[Callable[[], tuple[bd.Model, State]], object]] = {
     "spheres and walls": (lambda: cloud(4, LINEAR, walls=all_walls(9.2)), None),
     "Hertzian spheres and walls": (lambda: cloud(4, HERTZIAN, walls=all_walls(9.2)), None),
+    "spheres and walls that turn": (lambda: cloud(4, LINEAR, walls=turning_walls(9.2)), None),
+    "Hertzian spheres and walls that turn": (lambda: cloud(4, HERTZIAN, walls=turning_walls(9.2)), None),
     "periodic cell": (lambda: cloud(5, LINEAR, period=(11.5, 11.5, 11.5)), None),
     "beams, damped": (lambda: moving_beams(LINEAR), bd.LocalDamping(0.1)),
     "beams, Hertzian": (lambda: moving_beams(HERTZIAN), None),

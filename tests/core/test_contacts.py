@@ -33,6 +33,8 @@ NUMBERS = json.loads((Path(__file__).parent / "contact_numbers.json").read_text(
 def test_the_numbers_are_those_of_the_former_loop(case):
     make, damping = CASES[case]
     model, state = make()
+    assert model.contacts is not None
+    model.contacts.walls.inertia[:] = 0.0  # dashpots of the former loop took free walls for infinitely heavy
     result = integrate(model, plan_of(model, STEPS, every=100, damping=damping), state=state, loop_of=CoreLoop)
     numbers, some = NUMBERS[case], [0, len(state.pose) // 2, len(state.pose) - 1]
     found = result.state
@@ -42,6 +44,7 @@ def test_the_numbers_are_those_of_the_former_loop(case):
         (found.motion[some, :3].ravel(), "velocity"),
     ):  # fmt: skip
         expected = np.array(numbers[name])
+        values = values[: len(expected)]  # gauges of walls that turn come last
         np.testing.assert_allclose(values, expected, rtol=1e-10, atol=1e-10 * np.abs(expected).max(), err_msg=name)
 
 
@@ -228,7 +231,7 @@ def test_the_list_has_all_walls_in_reach():
     pose, table, radius, skin = state.pose, contacts.walls, contacts.radius, 0.5
     sources = WallSources.without_memory(radius, skin)
     state.walls[:, :4] = rng.uniform(-0.2, 0.2, (len(walls), 4))
-    found = found_walls(pose, Walls(table.shape, state.walls, table.friction, np.zeros((len(walls), 4))), sources)
+    found = found_walls(pose, Walls.of(table, state.walls), sources)
     centre = pose[:, :3] + state.origin - state.walls[:, None, :3]  # (walls, n, 3)
     middle = 4.6
     gaps = np.stack([

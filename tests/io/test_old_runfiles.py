@@ -21,7 +21,7 @@ from bondem.io.digest import fixed
 from bondem.io.older_bodies import with_corrected_normals
 from bondem.io.runfile import SCHEMA, RunFile, _digest_of_rest, _digest_of_state
 from tests.bits import EnoughError, assert_same_bits
-from tests.models import cantilever
+from tests.models import cantilever, grains
 from tests.specimens import crooked_cells, row
 
 DATA = Path(__file__).parent / "data"
@@ -61,6 +61,9 @@ def test_what_an_older_bondem_wrote_is_read(schema: int, tmp_path: Path) -> None
         found = getattr(read.state, name)
         if name in missing or name in bd.State.GROWING:
             np.testing.assert_array_equal(found, getattr(fresh, name), err_msg=name)
+        elif name == "walls":  # they did not turn
+            np.testing.assert_array_equal(found[:, :14].ravel(), np.arange(14 * len(found)) / 64.0)
+            np.testing.assert_array_equal(found[:, 14:], fresh.walls[:, 14:])
         else:
             np.testing.assert_array_equal(found.ravel(), np.arange(found.size) / 64.0, err_msg=name)
     # what was not measured then is 0, and what was is where it belongs
@@ -84,9 +87,23 @@ def test_the_models_of_older_files_come_back(tmp_path: Path) -> None:
     assert body.lattice.cells.volume.sum() == pytest.approx(16e-9, rel=1e-9)
 
 
+def without_turns(path: Path) -> None:
+    """Take the orientation and the turn of walls from a run file: schemas before 11 did not have them."""
+    kept = bd.read_run(path)
+    kept.state.walls = kept.state.walls[:, :14]
+    with h5py.File(path, "a") as file:
+        del file["state/walls"]
+        file["state/walls"] = kept.state.walls
+        file["state"].attrs["digest"] = fixed(_digest_of_state(kept.state, kept.history, 10))
+        file.attrs["schema"] = 10
+        file.attrs["digest"] = fixed(_digest_of_rest(file))
+
+
 def without_additions_of_10(path: Path, schema: int) -> None:
     """Take the steps of onset, crushing and faces in contact from a run file: schemas before 10 did not have them."""
     kept = bd.read_run(path)
+    without_turns(path)
+    kept.state.walls = kept.state.walls[:, :14]
     history = bd.History(np.delete(kept.history.records, CRUSHING, axis=1), kept.history.gauges)
     late = {"broken": 1, "cracks": 1, "softened": 1, "stretch": 3}
     for name, columns in late.items():
@@ -136,6 +153,22 @@ def test_a_run_goes_on_from_an_older_file_to_the_bit(schema: int, tmp_path: Path
     with h5py.File(place) as file:  # what it leaves is of today
         assert file.attrs["schema"] == SCHEMA
         assert "state/broken" in file
+
+
+def test_walls_of_a_file_of_schema_10_go_on_to_the_bit(tmp_path: Path) -> None:
+    """They are at their orientation in the reference, and stay there."""
+    walls = [bd.PlaneWall((0, 0, -1.0), (0, 0, 1), motion=bd.Driven(vz=1.0)),
+             bd.SphereWall(0.5, (0, 0, 1.6), motion=bd.Free(3e3, velocity=(0.0, 0.0, -2.0)))]  # fmt: skip
+    model = grains([[0, 0, 0]], law=bd.LinearContact(E=1e7, friction=0.3), walls=walls)
+    options = {"every": 7, "save_every": 50, "gauges": {"v": bd.WallGauge(1, "velocity")}}
+    dt = bd.solve_explicit(model, duration=0.0, **options).dt
+    whole = bd.solve_explicit(model, duration=200 * dt, out=tmp_path / "whole.h5", **options)
+    place, plan = tmp_path / "cut.h5", bd.read_run(tmp_path / "whole.h5").plan
+    with pytest.raises(EnoughError), cut_at(100)(place, model, plan) as sink:
+        integrate(model, plan, sink=sink)
+    without_turns(place)
+    assert bd.read_run(place).state.velocity.any()
+    assert_same_bits(whole, bd.resume(place))
 
 
 def test_a_body_without_shares_goes_on_with_those_it_began_with(tmp_path: Path) -> None:

@@ -3,16 +3,18 @@
 from itertools import pairwise
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 
 import bondem as bd
 from bondem.boundary.wall_outlines import wall_outlines
+from bondem.boundary.wall_rows import wall_rows, walls_at_rest
 from bondem.dynamics.plan import settled
 from bondem.io.runfile import RunFile
 from bondem.io.vtk_cells import Corners
 from tests.io.test_run_snapshots import shown
-from tests.models import turned_cubes
+from tests.models import grains, turned_cubes
 from tests.specimens import two_spheres
 
 HALF = np.sqrt(0.5)
@@ -103,10 +105,27 @@ def test_walls_have_their_sizes() -> None:
     for wall, area in zip(walls, (np.pi, 3.0 * np.pi, 2.0 * np.pi * beyond, 4.0 * np.pi), strict=True):
         found = wall_outlines([wall], low, high)
         assert _area(found.vertex, found.start) == pytest.approx(area, rel=0.02)
-    grown = wall_outlines(walls[3:], low, high).moved(np.zeros((1, 3)), np.ones(1))
+    larger = walls_at_rest(1)
+    wall_rows(larger)["growth"] = 1.0
+    grown = wall_outlines(walls[3:], low, high).moved(larger)
     np.testing.assert_allclose(np.linalg.norm(grown, axis=1), 2.0)
     plane = wall_outlines([bd.PlaneWall((0, 0, 0), (1, 0, 0))], low, high)
     assert np.ptp(plane.vertex, axis=0) == pytest.approx([0.0, beyond, beyond])
+
+
+def test_walls_of_files_turn_about_their_points(tmp_path: Path) -> None:
+    """By a quarter turn in a run: corners of a disc and of a rod in the snapshots of its file."""
+    turn = bd.Driven(angle=bd.Ramp(0.0, 0.5 * np.pi, 0.01), axis=(0, 0, 1), about=(1, 0, 0), vz=100.0)
+    walls = [bd.PlaneWall((6, 0, 5), (-1, 0, 0), outer=1.0, motion=turn),
+             bd.CylinderWall(0.5, (6, 0, 5), (1, 0, 0), outside=True, motion=turn)]  # fmt: skip
+    model = grains([[0, 0, 0]], law=bd.LinearContact(E=1e7), walls=walls)
+    bd.solve_explicit(model, duration=0.01, dt=1e-4, snapshot_every=100, out=tmp_path / "run.h5")
+    with h5py.File(tmp_path / "run.h5") as file:
+        point = file["VTKHDF/walls/Points"][()]
+    first, last = point[: len(point) // 2], point[len(point) // 2 :]
+    arm = first - [1, 0, 0]
+    np.testing.assert_allclose(last, np.stack([1.0 - arm[:, 1], arm[:, 0], first[:, 2] + 1.0], axis=1), atol=1e-5)
+    assert np.abs(last - first).max() > 5.0
 
 
 def _area(vertex: np.ndarray, start: np.ndarray) -> float:

@@ -18,7 +18,8 @@ import numpy as np
 from bondem._types import Floats
 from bondem.boundary.gauges import Gauge, WallGauge
 from bondem.boundary.schedules import Ramp
-from bondem.boundary.walls import Driven, PlaneWall
+from bondem.boundary.wall_motions import Driven
+from bondem.boundary.walls import PlaneWall
 from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
 from bondem.damage.criteria.rankine import Rankine
@@ -148,7 +149,8 @@ class CeliguetaRun(Request):
             law = NonLocal(E=E, nu=NU, areas="weighted", lever="contact")
             density = RHO * self.shape.volume / float(body.particles.volume.sum())
         direction = np.eye(3)[axis]
-        motion = Driven(**{"v" + "xyz"[axis]: Ramp(0.0, -speed, _START)})
+        along: dict[str, Any] = {"v" + "xyz"[axis]: Ramp(0.0, -speed, _START)}
+        motion = Driven(**along)
         hole, piston = (HOLE, PISTON) if self.test == "shear" else (0.0, None)
         walls = [
             PlaneWall(tuple(low * direction), tuple(direction), friction=self.friction, inner=hole),

@@ -7,7 +7,9 @@ from bondem._checks import choice, count
 from bondem.specimen.regions import Region, as_region
 
 Quantity = Literal["displacement", "velocity", "rotation", "angular_velocity", "force"]
-WallQuantity = Literal["displacement", "velocity", "force", "growth"]
+WallQuantity = Literal[
+    "displacement", "velocity", "force", "growth", "rotation", "angular_velocity", "torque", "power"
+]
 Reduction = Literal["", "mean", "sum", "max_abs"]
 
 
@@ -43,7 +45,10 @@ class WallGauge:
         wall: index of the wall among the walls of the model.
         quantity: "displacement" [m], "velocity" [m/s] (of a driven wall: that of the last step), "force" of the
             elements on the wall [N], or "growth". The components of "growth" are the change of the radius [m], the
-            force that would change it [N], and the sum of the normal forces [N].
+            force that would change it [N], and the sum of the normal forces [N]. Of the turn of a wall: "rotation",
+            a vector of at most π [rad], "angular_velocity" [rad/s], and the "torque" of the elements about the point
+            about which the wall turns [N·m]. The components of "power" are that of the wall on the elements [W] by
+            its velocity and growth, that by its turn, and their sum.
     """
 
     wall: int

@@ -6,7 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._types import Floats, Ints
-from bondem.boundary.walls import CylinderWall, PlaneWall, SphereWall, Wall
+from bondem.boundary.wall_rows import wall_rows
+from bondem.boundary.walls import CylinderWall, PlaneWall, SphereWall, Wall, pivot
+from bondem.geometry.rotations import turned_vectors
 
 # Sides of what is round, and rows of a sphere from pole to pole.
 _SIDES, _ROWS = 48, 16
@@ -23,22 +25,21 @@ class WallOutlines:
         start: corners of polygon k are start[k] … start[k + 1] - 1, shape (q + 1,).
         wall: number of the wall of each polygon, shape (q,).
         outward: motion of each corner per growth of the radius of its wall, shape (v, 3).
+        about: point about which each wall turns [m], shape (w, 3).
     """
 
     vertex: Floats
     start: Ints
     wall: Ints
     outward: Floats
+    about: Floats
 
-    def moved(self, displacement: Floats, growth: Floats) -> Floats:
-        """Corners of walls that have moved.
-
-        Args:
-            displacement: displacement of each wall [m], shape (w, 3).
-            growth: change of the radius of each wall [m], shape (w,).
-        """
-        owner = np.repeat(self.wall, np.diff(self.start))
-        return self.vertex + displacement[owner] + growth[owner, None] * self.outward
+    def moved(self, walls: Floats) -> Floats:
+        """Corners of walls that have moved and turned, given `State.walls`, shape (w, 27)."""
+        row = wall_rows(walls)[np.repeat(self.wall, np.diff(self.start))]
+        about = self.about[np.repeat(self.wall, np.diff(self.start))]
+        arm = self.vertex + row["growth"][:, None] * self.outward - about
+        return about + row["displacement"] + turned_vectors(row["orientation"], arm)
 
 
 def wall_outlines(walls: Sequence[Wall], lower: Floats, upper: Floats) -> WallOutlines:
@@ -58,6 +59,7 @@ def wall_outlines(walls: Sequence[Wall], lower: Floats, upper: Floats) -> WallOu
         start=np.append(0, np.cumsum(size)).astype(np.int64),
         wall=np.repeat(np.arange(len(walls)), [len(loops) for loops, _ in parts]),
         outward=np.concatenate([empty, *(loop for _, loops in parts for loop in loops)]),
+        about=np.array([pivot(wall) for wall in walls]).reshape(-1, 3),
     )
 
 

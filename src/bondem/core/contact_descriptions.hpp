@@ -25,13 +25,21 @@ BONDEM_TABLE(Travel, F(listed, "n 3"), F(measured, "n 3"), F(portion, "element_p
 BONDEM_TABLE(ContactSums, F(sums, "n 8"))
 BONDEM_TABLE(ContactEnergies, F(energy, "element_portions"))
 BONDEM_TABLE(WallContacts, F(start, "n+1"), F(element, "wall_contacts"), F(wall, "wall_contacts"), F(gap, "wall_contacts"),
-             F(memory, "wall_contacts 6"), F(touch, "wall_contacts"), F(output, "wall_contacts 4"))
-BONDEM_TABLE(Walls, F(shape, "walls 9"), F(body, "walls 14"), F(friction, "walls"), F(listed, "walls 4"))
+             F(memory, "wall_contacts 6"), F(touch, "wall_contacts"), F(output, "wall_contacts 7"))
+BONDEM_TABLE(WallRow, F(displacement, "3"), F(growth, ""), F(velocity, "3"), F(growth_rate, ""), F(force, "3"),
+             F(growth_force, ""), F(work, ""), F(normal_force, ""), F(orientation, "4"), F(spin, "3"), F(torque, "3"),
+             F(momentum, "3"))
+BONDEM_TABLE(WallShape, F(point, "3"), F(axis, "3"), F(radius, ""), F(kind, ""), F(hole, ""), F(about, "3"))
+BONDEM_TABLE(WallInertia, F(inverse_mass, ""), F(inverse_moment, "3"), F(principal, "4"))
+BONDEM_TABLE(WallListed, F(point, "3"), F(axis, "3"), F(growth, ""), F(farthest, ""))
+BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
+BONDEM_TABLE(Walls, F(shape, "walls 12"), F(body, "walls 27"), F(friction, "walls"), F(inertia, "walls 8"),
+             F(listed, "walls 8"))
 BONDEM_TABLE(WallMotions, F(times, "wall_times"), F(values, "wall_times"), F(start, "wall_schedules+1"),
              F(drive_wall, "wall_drives"), F(drive_component, "wall_drives"), F(drive_schedule, "wall_drives"),
-             F(drive_rate, "wall_drives"), F(servo_wall, "servos"), F(servo_schedule, "servos"), F(servo_speed, "servos"),
+             F(drive_rate, "wall_drives"), F(drive_axis, "wall_drives 3"), F(servo_wall, "servos"), F(servo_schedule, "servos"), F(servo_speed, "servos"),
              F(servo_mass, "servos"), F(servo_damping, "servos"), F(free_wall, "free_walls"), F(free_mass, "free_walls"),
-             F(free_force, "free_walls 3"))
+             F(free_force, "free_walls 3"), F(free_torque, "free_walls 3"))
 BONDEM_TABLE(PairSources, F(bond_start, "n+1"), F(bond_first, "m"),
              F(wanted, "m"), F(rest_start, "n+1"), F(rest_first, "rest"), F(rest_gap, "rest"), F(kept_start, "n+1"),
              F(kept_first, "kept"), F(kept_memory, "kept 8"))
@@ -47,7 +55,8 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
 // Lines of the lists in `index.cpp`.
 #define BONDEM_CONTACT_TABLES                                                                                            \
     described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<FacePairs>(), described<Travel>(),               \
-        described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<Walls>(),           \
+        described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<WallRow>(), described<WallShape>(), \
+        described<WallInertia>(), described<WallListed>(), described<WallLoad>(), described<Walls>(),           \
         described<WallMotions>(), described<PairSources>(), described<FoundPairs>(), described<WallSources>(),           \
         described<FoundWalls>()
 #define BONDEM_CONTACT_SEARCH P(list_pairs, "all_listed room_full"), P(count_wall_contacts, ""), P(list_wall_contacts, "")

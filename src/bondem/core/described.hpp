@@ -2,6 +2,7 @@
 // library that it has loaded, and checks its own tables against them.
 #pragma once
 #include "array.hpp"
+#include "laws/rotations.hpp"
 
 namespace bondem {
 
@@ -25,6 +26,9 @@ struct PassDescription {
 
 template <class T> struct TypeName;
 template <> struct TypeName<double> { static constexpr const char *name = "float64"; };
+// Of the members of a row, which is no table itself: as many numbers as their shape says.
+template <> struct TypeName<Vector> { static constexpr const char *name = "float64"; };
+template <> struct TypeName<Quaternion<double>> { static constexpr const char *name = "float64"; };
 template <> struct TypeName<Index> { static constexpr const char *name = "int64"; };
 template <> struct TypeName<Array<double, 1>> { static constexpr const char *name = "float64 written"; };
 template <> struct TypeName<Array<double, 2>> { static constexpr const char *name = "float64 written"; };

@@ -8,7 +8,6 @@ from scipy.spatial import KDTree
 
 from bondem._names import users_line
 from bondem._types import Floats, Ints
-from bondem.boundary.wall_columns import WALL_RATE
 from bondem.damage.crack_columns import FACET, PARTED, STATUS
 from bondem.errors import ContactWarning
 from bondem.geometry.rotations import turned_vectors
@@ -31,8 +30,7 @@ class ListedContacts(NamedTuple):
     bond: Ints  #: the bond of each pair, or -1, (c,)
     joined: Floats  #: above 0 of bonds that join their elements
     element: Ints  #: element of each contact with a wall, (b,)
-    wall: np.ndarray  #: its wall, (b,)
-    walls: Floats  #: the walls, as `State.walls`, (w, 14)
+    velocity: Floats  #: velocity of its wall there [m/s], (b, 3)
     deepest: float  #: deepest overlap so far over the smaller radius [-]
 
 
@@ -88,8 +86,7 @@ class ContactCheck:
         a, b = c.first[free], c.second[free]
         speed.append(np.linalg.norm(velocity[b] - velocity[a], axis=1) / np.minimum(self._radius[a], self._radius[b]))
         p = c.element
-        of_wall = c.walls[c.wall, WALL_RATE : WALL_RATE + 3]
-        speed.append(np.linalg.norm(velocity[p] - of_wall, axis=1) / self._radius[p])
+        speed.append(np.linalg.norm(velocity[p] - c.velocity, axis=1) / self._radius[p])
         return max(float(values.max(initial=0.0)) for values in speed)
 
 

@@ -106,7 +106,7 @@ class WallContacts(NamedTuple):
     gap: Floats  #: gap from which the overlap counts [m], (b,)
     memory: Floats  #: (b, 6)
     touch: np.ndarray  #: uint8, (b,)
-    output: Floats  #: force on the wall, and its component along the normal [N], (b, 4)
+    output: Floats  #: rows of `WallLoad`, (b, 7)
 
 
 class WallMotions(NamedTuple):
@@ -119,6 +119,7 @@ class WallMotions(NamedTuple):
     drive_component: Ints
     drive_schedule: Ints
     drive_rate: np.ndarray  #: 1 for a velocity, 0 for a displacement, uint8
+    drive_axis: Floats  #: of what turns, zero for other components, (d, 3)
     servo_wall: Ints
     servo_schedule: Ints
     servo_speed: Floats  #: largest speed [m/s]
@@ -127,3 +128,4 @@ class WallMotions(NamedTuple):
     free_wall: Ints
     free_mass: Floats  #: [kg]
     free_force: Floats  #: on each beside that of elements [N], (f, 3)
+    free_torque: Floats  #: on each beside that of elements [N·m], (f, 3)

@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from bondem._device import Device, DeviceTables, Enqueue, HostCall, Launch, passes_of
+from bondem.boundary.wall_rows import wall_rows
 from bondem.dynamics.core_loop import noticeable
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.gauge_tables import gauge_tables
@@ -40,8 +41,6 @@ _RECORDED = 64
 _COLUMNS = [(1, 0), (2, 1), (3, 4), (4, 5), (5, 6), (6, 7), (7, 13), (8, 11), (8, 18), (9, 2), (10, 3), (11, 14),
             (12, 15), (13, 16), (14, 17)]  # fmt: skip
 _WIDE, _LOST, _SICK, _SUPPLIED = (SUM_COLUMNS.index(name) for name in ("wide", "lost", "not_finite", "supplied"))
-# Column of walls that is their work on the elements.
-_WALL_WORK = 12
 # Word of the clock that is the number of the step.
 _STEP = 5
 
@@ -237,7 +236,7 @@ class DeviceLoop:
         wide, lost, kinetic, supplied = int(sums[_WIDE]), int(sums[_LOST]), sums[0] + sums[1], sums[_SUPPLIED]
         if self._run.walls is not None:
             self._tables.fetch(self._run.walls)
-            supplied += np.abs(self._run.walls[:, _WALL_WORK]).sum()
+            supplied += np.abs(wall_rows(self._run.walls)["work"]).sum()
         if sums[_SICK] > 0.0 or not (kinetic < np.inf and supplied < np.inf):
             return wide, lost, NOT_FINITE
         self._budget[1] = max(self._budget[1], supplied)

@@ -11,7 +11,10 @@ from bondem.model.model import Model
 
 # Numbers of the quantities of elements, of those of walls, and of the reductions, as in the core.
 _QUANTITIES = {"displacement": 0, "velocity": 1, "rotation": 2, "angular_velocity": 3, "force": 4}
-_WALL_QUANTITIES = {"displacement": 5, "force": 6, "growth": 7, "velocity": 8}
+_WALL_QUANTITIES = {
+    "displacement": 5, "force": 6, "growth": 7, "velocity": 8, "torque": 9, "rotation": 10, "angular_velocity": 11,
+    "power": 12,
+}  # fmt: skip
 _REDUCTIONS = {"mean": 0, "sum": 1, "max_abs": 2}
 
 

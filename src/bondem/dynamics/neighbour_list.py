@@ -118,7 +118,7 @@ class ContactSearch:
         whole = radius[pairs.first] + radius[pairs.second] + pairs.gap
         least = _recalled(pairs, whole)
         rest, kept = contacts.at_walls, state.wall_touching
-        walls = Walls(contacts.walls.shape, state.walls, contacts.walls.friction, np.zeros((len(state.walls), 4)))
+        walls = Walls.of(contacts.walls, state.walls)
         at_walls = WallSources(
             radius, rest.start, rest.partner, rest.gap, _starts(kept[:, 0], n), kept[:, 1].astype(np.uint32),
             state.wall_stretch, skin, np.empty(n + 1, dtype=np.int64),

@@ -12,7 +12,9 @@ import numpy as np
 from bondem.boundary.conditions import Drive, Fix
 from bondem.boundary.gauges import Gauge, WallGauge
 from bondem.boundary.schedules import Schedule
-from bondem.boundary.walls import Driven, PlaneWall, Servo
+from bondem.boundary.wall_motions import Driven, Servo
+from bondem.boundary.wall_rows import wall_rows
+from bondem.boundary.walls import PlaneWall
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import Plan
@@ -25,8 +27,6 @@ from bondem.observables.breakage import BrokenBonds
 # damping counts as slow: a wave passes an element in two to four steps.
 _PASSES = 60.0
 _ELASTIC = ("normal", "shear", "bending", "twisting", "contact")
-# Column of a wall: the sum of its normal forces.
-_NORMAL_FORCE = 13
 
 
 def measured(model: Model, plan: Plan, history: History, state: State) -> Quasistatic:
@@ -47,7 +47,7 @@ def measured(model: Model, plan: Plan, history: History, state: State) -> Quasis
         difference = _difference(plan, history, whole, chosen)
         passes = top * plan.every * _share_of_a_step(model)
     servo = {
-        k: (float(state.walls[k, _NORMAL_FORCE]), wall.motion.force.at(state.time))
+        k: (float(wall_rows(state.walls)["normal_force"][k]), wall.motion.force.at(state.time))
         for k, wall in enumerate(model.walls)
         if isinstance(wall.motion, Servo) and wall.motion.force.at(state.time) > 0.0
     }

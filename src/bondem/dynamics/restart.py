@@ -1,5 +1,6 @@
 """The start of a run from a state, and the meaning of its schedules there."""
 
+import math
 import warnings
 from collections.abc import Iterator, Sequence
 
@@ -7,14 +8,15 @@ import numpy as np
 
 from bondem._checks import shown
 from bondem._names import users_line
-from bondem._types import Floats
+from bondem._types import Floats, Triple
 from bondem.boundary.conditions import Drive, Load
 from bondem.boundary.gauges import Gauge
 from bondem.boundary.loads import BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Schedule
 from bondem.boundary.wall_constraints import Grips, holds_wall
+from bondem.boundary.wall_motions import Driven, Servo
+from bondem.boundary.wall_rows import wall_rows
 from bondem.boundary.wall_sides import doubts
-from bondem.boundary.walls import Driven, Servo
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.taken_walls import goes_on, taken_walls
 from bondem.errors import ContactWarning, InputError, StageWarning
@@ -29,7 +31,6 @@ from bondem.model.state_compatibility import Origin
 _SHARE, _ROUNDING = 1e-6, 1e-10
 
 _DOF = ("x", "y", "z", "rx", "ry", "rz")
-_WALL = ("x", "y", "z", "growth")
 
 
 def begin(model: Model, state: State | None) -> State:
@@ -100,11 +101,22 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
     for k, wall in enumerate(model.walls):
         if not isinstance(wall.motion, Driven) or wall in before:
             continue
-        for component, schedule, rate in wall.motion.motion:
-            if not rate:
-                where = state.walls[k, component : component + 1]
+        row = wall_rows(state.walls)[k]
+        places = dict(zip("xyz", row["displacement"], strict=True)) | {"growth": row["growth"]}
+        for name, schedule in wall.motion.components.items():
+            if name == "angle":
+                where = _angle(row["orientation"], wall.motion.axis, schedule.at(state.time))
+                _refuse_jump("Driven(angle=)", schedule, state.time, np.array([where]), _ROUNDING if where else 0.0)
+            elif name in places:
+                where = np.array([places[name]])
                 rounding = _ROUNDING * model.lattice.particles.mean_radius if where.any() else 0.0
-                _refuse_jump(f"Driven({_WALL[component]}=)", schedule, state.time, where, rounding)
+                _refuse_jump(f"Driven({name}=)", schedule, state.time, where, rounding)
+
+
+def _angle(orientation: Floats, axis: Triple, near: float) -> float:
+    """Return the angle of a wall about an axis [rad], of those that differ by whole turns the one next to `near`."""
+    found = 2.0 * math.atan2(float(orientation[1:] @ np.array(axis)), float(orientation[0]))
+    return found + 2.0 * math.pi * round((near - found) / (2.0 * math.pi))
 
 
 def _refuse_wall_jumps(grips: Grips, state: State, *, at_rest: bool) -> None:

@@ -15,7 +15,8 @@ from bondem.boundary.conditions import Drive, Fix, Load
 from bondem.boundary.gauges import Gauge, StrainGauge, WallGauge
 from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure
 from bondem.boundary.schedules import Constant, Ramp, Table
-from bondem.boundary.walls import CylinderWall, Driven, Free, PlaneWall, Servo, SphereWall
+from bondem.boundary.wall_motions import Driven, Free, Servo
+from bondem.boundary.walls import CylinderWall, PlaneWall, SphereWall
 from bondem.damage.bilinear import Bilinear
 from bondem.damage.criteria.criterion_catalogue import CRITERIA
 from bondem.damage.criteria.stress_criterion import StressCriterion
@@ -86,8 +87,7 @@ def _arguments(value: Any) -> dict[str, Any]:
         motion = {names[rate][dof]: schedule for dof, schedule, rate in value.motion}
         return {"region": value.region, "friction": value.friction} | motion
     if isinstance(value, Driven):
-        names = ("x", "y", "z", "growth")
-        return {"v" * rate + names[component]: schedule for component, schedule, rate in value.motion}
+        return value.components | ({"axis": value.axis, "about": value.about} if value.turns else {})
     return {item.name: getattr(value, item.name) for item in fields(value)}
 
 

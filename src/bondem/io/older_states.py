@@ -3,6 +3,7 @@
 import numpy as np
 
 from bondem._types import Floats
+from bondem.boundary.wall_rows import walls_at_rest
 from bondem.damage.crack_columns import (
     ACTIVE,
     CRACK_COLUMNS,
@@ -27,6 +28,8 @@ from bondem.model.state import State
 # from which on failures and what softens know the step of their onset, contacts the faces by which cells touch, and
 # cracks their directions.
 _BY_FACET, _WITH_ONSET = 8, 10
+# Schema from which on walls have an orientation, and their columns before.
+_TURNING, _UNTURNED = 11, 14
 #: Arrays with the number of their last columns that are new in the second, and what these are in older files.
 _OF_ONSET = {"broken": (1, np.nan), "softened": (1, np.nan), "stretch": (3, 0.0)}
 # Columns of a crack before: facet, strength, slip, rate, status, integrity a step ago, friction force, energy, top.
@@ -35,6 +38,8 @@ _OLDER = 13
 
 def shape_in(schema: int, name: str, shape: tuple[int, ...]) -> tuple[int, ...]:
     """Return the shape of an array of a state in files of a schema, given that of today."""
+    if name == "walls" and schema < _TURNING:
+        return shape[0], _UNTURNED
     if schema >= _WITH_ONSET:
         return shape
     if name == "cracks":
@@ -44,6 +49,8 @@ def shape_in(schema: int, name: str, shape: tuple[int, ...]) -> tuple[int, ...]:
 
 def brought_up(model: Model, state: State, schema: int) -> None:
     """Convert a state of an older schema to the current one, in place."""
+    if schema < _TURNING:
+        state.walls = np.hstack([state.walls, walls_at_rest(len(state.walls))[:, _UNTURNED:]])
     if schema < _WITH_ONSET:
         fresh = State(model)
         for name, (_, value) in _OF_ONSET.items():

@@ -50,12 +50,12 @@ from bondem.model.state import State
 from bondem.specimen.particles import Particles, filled
 
 FORMAT = "bondem run"
-SCHEMA = 10
+SCHEMA = 11
 # From here on they hold contacts, walls and friction; from 3 on stresses, non-local work and bodies of cells; from 4
 # on criteria of failure and what broke; from 5 on cracks that soften and cells that yield; from 6 on soft beams; from
 # 7 on digests, snapshots and provenance; from 8 on walls of cells that come from where a stage before left them,
 # and cracks judged by the strength of their facet; from 9 on shares of the facets of cells; from 10
-# on steps of onset, crushing, and the slip that yielding cells hold over.
+# on steps of onset, crushing, and the slip that yielding cells hold over; from 11 on walls that turn.
 _OLDEST, _DIGESTED, _SHARED = 2, 7, 9
 # Schema from which on an array of the state is there.
 _SINCE = {

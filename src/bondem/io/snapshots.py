@@ -147,7 +147,7 @@ class Snapshots:
             )
         if self.walls is not None:
             self.pieces["walls"].add_step(
-                state.time, points=self.walls.moved(state.wall_displacement, state.wall_growth), point_data={},
+                state.time, points=self.walls.moved(state.walls), point_data={},
                 cell_data={"wall": self.walls.wall}, polygons=self.walls.start,
             )  # fmt: skip
 

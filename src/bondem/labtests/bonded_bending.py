@@ -11,7 +11,8 @@ import numpy as np
 from bondem._types import Floats, Mask
 from bondem.boundary.gauges import AnyGauge, Gauge
 from bondem.boundary.schedules import Ramp
-from bondem.boundary.walls import CylinderWall, Driven
+from bondem.boundary.wall_motions import Driven
+from bondem.boundary.walls import CylinderWall
 from bondem.labtests.bonded_platens import LEAST, REACH, RECORDS, BondedSpecimen, Side
 from bondem.labtests.quasi_static_rig import Rig, StrengthTest, straight_part
 from bondem.specimen.regions import Index

@@ -10,7 +10,8 @@ import numpy as np
 from bondem._types import Floats
 from bondem.boundary.gauges import Gauge, StrainGauge
 from bondem.boundary.schedules import Ramp
-from bondem.boundary.walls import CylinderWall, PlaneWall, Servo, Wall
+from bondem.boundary.wall_motions import Servo
+from bondem.boundary.walls import CylinderWall, PlaneWall, Wall
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import BoundingBox, Box, Cylinder
 from bondem.labtests.bonded_platens import LEAST, REACH, RECORDS, BondedSpecimen, Side

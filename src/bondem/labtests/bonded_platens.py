@@ -15,7 +15,8 @@ from bondem._types import Floats, Ints, Mask
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
 from bondem.boundary.gauges import AnyGauge, Gauge, WallGauge
 from bondem.boundary.schedules import Ramp
-from bondem.boundary.walls import Driven, PlaneWall, Wall
+from bondem.boundary.wall_motions import Driven
+from bondem.boundary.walls import PlaneWall, Wall
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.damage.implied_fracture import ImpliedFracture
 from bondem.dynamics.damping import LocalDamping
@@ -237,7 +238,8 @@ class BondedSpecimen:
         at = float((reach if where is None else reach[where]).max())
         point = 0.5 * (self.bounds[0] + self.bounds[1])
         point[axis] = sign * at
-        motion = Driven(**{"v" + "xyz"[axis]: Ramp(0.0, speed, begin)}) if speed else None
+        along: dict[str, Any] = {"v" + "xyz"[axis]: Ramp(0.0, speed, begin)}
+        motion = Driven(**along) if speed else None
         x, y, z = point.tolist()
         a, b, c = (-sign * np.eye(3)[axis]).tolist()
         return PlaneWall((x, y, z), (a, b, c), motion, friction, outer, inner)

@@ -13,7 +13,8 @@ from bondem._progress import staged
 from bondem._types import Floats
 from bondem.boundary.gauges import WallGauge
 from bondem.boundary.schedules import Ramp
-from bondem.boundary.walls import Driven, PlaneWall
+from bondem.boundary.wall_motions import Driven
+from bondem.boundary.walls import PlaneWall
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.dynamics.damping import MassDamping
 from bondem.dynamics.events import LoadDrop

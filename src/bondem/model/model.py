@@ -14,7 +14,8 @@ from bondem._plausibility import physical, question_bond_radius, question_streng
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
 from bondem.boundary.wall_constraints import Holds, holds_wall
-from bondem.boundary.walls import Wall, WallTable, check_walls
+from bondem.boundary.wall_table import WallTable
+from bondem.boundary.walls import Wall, check_walls
 from bondem.damage.beam_softening import BeamSoftening
 from bondem.damage.criteria.criterion import BondCriterion
 from bondem.damage.failure_assignment import FailureAssignment, FailurePart, failure_parts
@@ -243,7 +244,10 @@ class Model:
         if self.contact is None:
             return None
         origin = local_origin(self.lattice)
-        table = WallTable.of(self.walls, self.contact.friction, float(self.mass.sum()), origin)
+        table = WallTable.of(
+            self.walls, self.contact.friction, float(self.mass.sum()), origin,
+            self.lattice.centre, self.contact_radius,
+        )  # fmt: skip
         own = None
         if self.contact.stress_free and not self.contact.parallel:
             own = self.bonds.kn

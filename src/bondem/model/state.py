@@ -9,8 +9,8 @@ from bondem._checks import array, instance, shown
 from bondem._names import meant
 from bondem._types import ArrayLike, Floats, Pairs, PerBond, PerElement
 from bondem.boundary.loads import Eigenstrain
-from bondem.boundary.wall_columns import WALL_COLUMNS, WALL_FORCE, WALL_WORK
 from bondem.boundary.wall_constraints import reference_base
+from bondem.boundary.wall_rows import wall_rows, walls_at_rest
 from bondem.boundary.walls import Wall
 from bondem.damage.crack_columns import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT, ONSET_STEP, PLASTIC_COLUMNS
 from bondem.damage.crushing import crushing_of
@@ -62,7 +62,7 @@ class State(StateMotion):
     - `stretch`: memory of these contacts, columns of `contact_columns`, shape (c, 9).
     - `wall_touching`: internal element and wall of each contact with a wall, shape (b, 2).
     - `wall_stretch`: tangential stretch [m] and dashpot force [N] of these contacts, shape (b, 6).
-    - `walls`: positions, velocities and loads of the walls (`bondem.boundary.wall_columns`), shape (w, 14).
+    - `walls`: positions, velocities and loads of the walls (`bondem.boundary.wall_rows`), shape (w, 27).
     - `broken`: breakages in order of time (`bondem.damage.event_columns`), shape (e, 10).
     - `released`: energy that breaking bonds have released since the start [J], shape (1,).
     - `crushed`: energy that they had released before it beyond their fracture energy [J], shape (1,).
@@ -102,7 +102,7 @@ class State(StateMotion):
         self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, CONTACT_COLUMNS))
         self.wall_touching = np.zeros((0, 2), dtype=np.int64)
         self.wall_stretch = np.zeros((0, 6))
-        self.walls = np.zeros((len(model.walls), WALL_COLUMNS))
+        self.walls = walls_at_rest(len(model.walls))
         set_off(self.walls, (), model.walls)
         self.broken = np.zeros((0, BROKEN_COLUMNS))
         self.released, self.crushed = np.zeros((2, 1))
@@ -177,7 +177,7 @@ class State(StateMotion):
             self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, CONTACT_COLUMNS))
         before = self._take_walls(model.walls)
         set_off(self.walls, before, model.walls)
-        self.walls[:, WALL_WORK] = 0.0
+        wall_rows(self.walls)["work"] = 0.0
         self.released = np.zeros(1)
         self.grips = reference_base(0 if model.cells is None else len(model.cells.grips.cell))
         self._take_damage(model)
@@ -264,18 +264,28 @@ class State(StateMotion):
 
     @property
     def wall_displacement(self) -> Floats:
-        """Displacement of each wall [m], shape (w, 3)."""
-        return freeze(self.walls[:, :3].copy())
+        """Displacement of the point about which each wall turns [m], shape (w, 3)."""
+        return freeze(wall_rows(self.walls)["displacement"].copy())
 
     @property
     def wall_growth(self) -> Floats:
         """Change of the radius of each cylinder or sphere [m], shape (w,)."""
-        return freeze(self.walls[:, 3].copy())
+        return freeze(wall_rows(self.walls)["growth"].copy())
 
     @property
     def wall_force(self) -> Floats:
         """Force of the elements on each wall [N], shape (w, 3)."""
-        return freeze(self.walls[:, WALL_FORCE : WALL_FORCE + 3].copy())
+        return freeze(wall_rows(self.walls)["force"].copy())
+
+    @property
+    def wall_torque(self) -> Floats:
+        """Torque of the elements on each wall, about the point about which it turns [N·m], shape (w, 3)."""
+        return freeze(wall_rows(self.walls)["torque"].copy())
+
+    @property
+    def wall_orientation(self) -> Floats:
+        """Orientation of each wall against the reference, unit quaternions w x y z, shape (w, 4)."""
+        return freeze(wall_rows(self.walls)["orientation"].copy())
 
     def set_eigenstrain(self, strain: float | np.ndarray) -> None:
         """Set a stress-free strain ε* of the bonds [-] (heat, shrinkage, initial stress), user's order, (m,).

@@ -5,25 +5,43 @@ from collections.abc import Sequence
 import numpy as np
 
 from bondem._types import Floats, Ints
-from bondem.boundary.wall_columns import WALL_COLUMNS, WALL_RATE
-from bondem.boundary.walls import Free, Servo, Wall
+from bondem.boundary.wall_motions import Free, Servo
+from bondem.boundary.wall_rows import wall_rows, walls_at_rest
+from bondem.boundary.walls import Wall, pivot
+from bondem.geometry.rotations import turned_vectors
 
 
 def set_off(rows: Floats, before: Sequence[Wall | None], walls: Sequence[Wall]) -> None:
-    """Set velocities of walls that stand still from now on, or that become free.
+    """Set velocities of walls that stand still from now on, or that become free; walls stay where they are.
 
     Args:
-        rows: rows of the walls of a state, changed in place, shape (w, 14).
+        rows: rows of the walls of a state, changed in place, shape (w, 27).
         before: previous wall of each wall, or None.
         walls: the walls of the run that begins.
     """
+    row = wall_rows(rows)
     for k, wall in enumerate(walls):
         was = before[k] if k < len(before) else None
+        if was is not None:  # the displacement is that of the point about which the wall turns from now on
+            arm = np.subtract(pivot(wall), pivot(was))[None]
+            row["displacement"][k] += (turned_vectors(row["orientation"][k : k + 1], arm) - arm)[0]
         goes_on = was is not None and type(wall.motion) is type(was.motion)
-        if isinstance(wall.motion, Free) and not goes_on:
-            rows[k, WALL_RATE : WALL_RATE + 4] = [*wall.motion.velocity, 0.0]
-        elif not (goes_on and isinstance(wall.motion, Free | Servo)):
-            rows[k, WALL_RATE : WALL_RATE + 4] = 0.0
+        if not (goes_on and isinstance(wall.motion, Free | Servo)):
+            row["velocity"][k] = wall.motion.velocity if isinstance(wall.motion, Free) else 0.0
+            row["spin"][k], row["growth_rate"][k], row["momentum"][k] = 0.0, 0.0, 0.0
+        if isinstance(wall.motion, Free):
+            _set_momentum(row[k], was.motion if goes_on else None, wall.motion)
+
+
+def _set_momentum(row: np.void, was: object, motion: Free) -> None:
+    """Set spin and angular momentum of a free wall, unless it turns on as before."""
+    known = was.inertia if isinstance(was, Free) else None
+    if known is None:
+        row["spin"] = motion.spin
+    if known != motion.inertia:
+        q = row["orientation"][None]
+        local = turned_vectors(q * [1.0, -1.0, -1.0, -1.0], row["spin"][None])
+        row["momentum"] = turned_vectors(q, local @ motion.matrix)[0]
 
 
 def known_walls(before: Sequence[Wall], walls: Sequence[Wall]) -> list[int]:
@@ -43,14 +61,14 @@ def rows_of_walls(came: Sequence[int], rows: Floats, touching: Ints, stretch: Fl
 
     Args:
         came: number that each wall had before, or -1.
-        rows: rows of the previous walls, shape (w, 14).
+        rows: rows of the previous walls, shape (w, 27).
         touching: element and wall of each contact, shape (b, 2).
         stretch: tangential stretch of these contacts, shape (b, 6).
 
     Returns:
         Rows, contacts and stretches of the new walls, without contacts with walls that no longer exist.
     """
-    number, found = np.full(len(rows), -1), np.zeros((len(came), WALL_COLUMNS))
+    number, found = np.full(len(rows), -1), walls_at_rest(len(came))
     for new, before in enumerate(came):
         if before >= 0:
             found[new], number[before] = rows[before], new

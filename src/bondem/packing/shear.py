@@ -17,7 +17,8 @@ from bondem._threads import threads
 from bondem._types import Floats
 from bondem.boundary.gauges import WallGauge
 from bondem.boundary.schedules import Table
-from bondem.boundary.walls import CylinderWall, Driven, PlaneWall, Servo, Wall
+from bondem.boundary.wall_motions import Driven, Servo
+from bondem.boundary.walls import CylinderWall, PlaneWall, Wall
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import Plan, Status

@@ -7,8 +7,10 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 
 from bondem._types import Floats
+from bondem.boundary.wall_motions import Driven, Free, Servo
 from bondem.boundary.wall_outlines import wall_outlines
-from bondem.boundary.walls import Driven, Free, Servo, Wall
+from bondem.boundary.wall_rows import walls_at_rest
+from bondem.boundary.walls import Wall
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.report.spheres import View
@@ -56,9 +58,9 @@ def draw_walls(ax: Axes, model: Model, state: State | None, lower: Floats, upper
         return
     outlines = wall_outlines(model.walls, lower, upper)
     count = len(model.walls)
-    moved = np.zeros((count, 3)) if state is None else state.wall_displacement
-    growth = np.zeros(count) if state is None else state.wall_growth
-    place = seen_from(outlines.moved(moved, growth), view)
+    rows = walls_at_rest(count) if state is None else state.walls
+    moved = outlines.moved(rows)
+    place = seen_from(moved, view)
     middle = seen_from(0.5 * (np.asarray(lower) + np.asarray(upper)), view)[0, 2]
     for wall in range(count):
         mine = np.flatnonzero(outlines.wall == wall)
@@ -70,8 +72,8 @@ def draw_walls(ax: Axes, model: Model, state: State | None, lower: Floats, upper
         ))  # fmt: skip
         along = _motion_of(model.walls[wall])
         if along is not None:
-            start = np.concatenate([outlines.vertex[outlines.start[k] : outlines.start[k + 1]] for k in mine])
-            draw_arrow(ax, start.mean(axis=0) + moved[wall], along, lower, upper, view, INK)
+            start = np.concatenate([moved[outlines.start[k] : outlines.start[k + 1]] for k in mine])
+            draw_arrow(ax, start.mean(axis=0), along, lower, upper, view, INK)
 
 
 def _motion_of(wall: Wall) -> Floats | None:

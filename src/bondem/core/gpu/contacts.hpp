@@ -19,9 +19,7 @@ inline void check_travel_of_element(Index p, const DeviceSpan &span, const Movin
     if (!(dot(moved, moved) < travel.reach * travel.reach)) put_shared(span.halted(0), Index(1));
 }
 inline void check_travel_of_wall(Index w, const DeviceSpan &span, const Travel &travel, const Walls &walls) {
-    const Vector moved = walls.body.row<const Vector>(w) - walls.listed.row<const Vector>(w);
-    const double grown = absolute(walls.body(w, growth) - walls.listed(w, growth));
-    if (!(length(moved) + grown < travel.reach)) put_shared(span.halted(0), Index(1));
+    if (!(travel_of_wall(walls, w, travel.reach) < travel.reach)) put_shared(span.halted(0), Index(1));
 }
 inline void move_all_walls(Index, const DeviceSpan &span, const WallMotions &motions, const Walls &walls) {
     move_walls(turn_of(span, 0), motions, walls);
@@ -111,27 +109,15 @@ inline void add_contact_load(Index e, const DeviceSpan &span, const Moving &all,
 inline void load_wall(Index w, const DeviceSpan &span, const WallContacts &contacts, const RowOrder &order,
                       const Walls &walls) {
     const double half = 0.5 * clock_of(span).dt;
-    const auto power = [&] {
-        double sum = 0.0;
-        for (Index c = 0; c < 4; c++) sum += walls.body(w, wall_force + c) * walls.body(w, rate + c);
-        return sum;
-    };
-    walls.body(w, wall_work) -= half * power();
-    double force[4] = {};
+    begin_loads(walls.body.row<WallRow>(w), half);
     for (Index e = order.start(w); e < order.start(w + 1); e++)
-        for (Index c = 0; c < 4; c++) force[c] += contacts.output(order.load(e), c);
-    const WallPlace wall(walls, w);
-    for (Index c = 0; c < 3; c++) walls.body(w, wall_force + c) = force[c];
-    walls.body(w, wall_force + 3) = wall.flat() ? 0.0 : wall.among() ? -force[3] : force[3];
-    walls.body(w, normal_force) = force[3];
-    walls.body(w, wall_work) -= half * power();
+        add_to_wall(walls.body.row<WallRow>(w), contacts.output.row<const WallLoad>(order.load(e)));
+    end_loads(walls, w, half);
 }
 // Half a kick of free wall e, when the forces on it are known.
 inline void kick_free_wall(Index e, const DeviceSpan &span, const WallMotions &motions, const Walls &walls) {
-    const Index w = motions.free_wall(e);
-    for (Index c = 0; c < 3; c++)
-        walls.body(w, rate + c) +=
-            0.5 * clock_of(span).dt * (walls.body(w, wall_force + c) + motions.free_force(e, c)) / motions.free_mass(e);
+    kick_free(motions, walls, e, 0.5 * clock_of(span).dt);
+    show_free_spin(walls, motions.free_wall(e));
 }
 
 // ---- what the guard and the history need
@@ -174,14 +160,14 @@ inline void write_energy_of_contacts(Index, const DeviceSpan &span, const Contac
 }
 inline void write_work_of_walls(Index, const DeviceSpan &span, const Walls &walls, const HistoryRows &history) {
     double sum = 0.0;
-    for (Index w = 0; w < walls.body.size(); w++) sum += walls.body(w, wall_work);
+    for (Index w = 0; w < walls.body.size(); w++) sum += walls.body.row<const WallRow>(w).work;
     history.record(clock_of(span).record, of_walls_work) = sum;
 }
 inline void write_gauge_of_wall(Index g, const DeviceSpan &span, const Walls &walls, const Gauges &gauges,
                                 const HistoryRows &history) {
     if (gauges.quantity(g) < gauge::of_walls) return;
-    const double *const body = &walls.body(gauges.element(gauges.start(g)), 0);
-    write_wall(body, gauges.quantity(g), &history.record(clock_of(span).record, before_gauges + 3 * g));
+    const WallRow &row = walls.body.row<const WallRow>(gauges.element(gauges.start(g)));
+    write_wall(row, gauges.quantity(g), &history.record(clock_of(span).record, before_gauges + 3 * g));
 }
 
 }  // namespace bondem

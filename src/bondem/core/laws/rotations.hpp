@@ -22,6 +22,9 @@ template <class T> BONDEM_INLINE Quaternion<T> product(Quaternion<T> a, Quaterni
             a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z, a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x};
 }
 
+// The rotation back.
+template <class T> BONDEM_INLINE Quaternion<T> inverse(Quaternion<T> q) { return {q.w, -q.x, -q.y, -q.z}; }
+
 // The vector v turned by q: v + 2 u × (u × v + w v) with the vector part u.
 template <class T> BONDEM_INLINE Vector3<T> rotate(Quaternion<T> q, Vector3<T> v) {
     const T tx = 2.0 * (q.y * v.z - q.z * v.y), ty = 2.0 * (q.z * v.x - q.x * v.z), tz = 2.0 * (q.x * v.y - q.y * v.x);

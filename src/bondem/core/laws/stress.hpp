@@ -20,7 +20,6 @@ template <class T> BONDEM_INLINE Stress<T> mean_of(const Stress<T> &a, const Str
     return {0.5 * (a.xx + b.xx), 0.5 * (a.yy + b.yy), 0.5 * (a.zz + b.zz),
             0.5 * (a.xy + b.xy), 0.5 * (a.xz + b.xz), 0.5 * (a.yz + b.yz)};
 }
-template <class T> BONDEM_INLINE Quaternion<T> inverse(Quaternion<T> q) { return {q.w, -q.x, -q.y, -q.z}; }
 // R σ Rᵀ, by the rows of R σ.
 template <class T> BONDEM_INLINE Stress<T> turned_by(const Rotation<T> &r, const Stress<T> &s) {
     const Vector3<T> x = s * r.x, y = s * r.y, z = s * r.z;

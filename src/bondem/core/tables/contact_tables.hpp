@@ -6,6 +6,7 @@
 #include "damage_tables.hpp"
 #include "packing_tables.hpp"
 #include "step_tables.hpp"
+#include "wall_rows.hpp"
 
 namespace bondem {
 
@@ -93,16 +94,15 @@ struct WallContacts {
     Array<const double, 1> gap;  // from which the overlap counts [m], (b,)
     Array<double, 2> memory;  // as that of pairs, (b, 6)
     Array<Byte, 1> touch;  // (b,)
-    Array<double, 2> output;  // force on the wall, and its component along the normal [N], (b, 4)
+    Array<double, 2> output;  // `WallLoad`, (b, 7)
 };
 // Walls, w of them.
 struct Walls {
-    Array<const double, 2> shape;  // point, normal or axis, radius, kind, radius of a hole, (w, 9)
-    // displacement and growth of the radius [m], their rates [m/s], force of the elements on the wall and on its radius
-    // [N], work on the elements [J], sum of the normal forces [N], (w, 14)
-    Array<double, 2> body;
+    Array<const double, 2> shape;  // `WallShape`, (w, 12)
+    Array<double, 2> body;  // `WallRow`, (w, 27)
     Array<const double, 1> friction;  // μ, (w,)
-    Array<double, 2> listed;  // displacement and growth when the list was made [m], (w, 4)
+    Array<const double, 2> inertia;  // `WallInertia`, (w, 8)
+    Array<double, 2> listed;  // `WallListed`, (w, 8)
 };
 // Prescribed motions of walls, servos, and free walls.
 struct WallMotions {
@@ -110,11 +110,12 @@ struct WallMotions {
     Array<const Index, 1> start;
     Array<const Index, 1> drive_wall, drive_component, drive_schedule;
     Array<const Byte, 1> drive_rate;  // 1 for a velocity, 0 for a displacement
+    Array<const double, 2> drive_axis;  // of what turns, zero for other components, (d, 3)
     Array<const Index, 1> servo_wall, servo_schedule;
     Array<const double, 1> servo_speed, servo_mass, servo_damping;  // largest speed [m/s], mass [kg], damping [-]
     Array<const Index, 1> free_wall;
     Array<const double, 1> free_mass;  // [kg]
-    Array<const double, 2> free_force;  // beside that of elements [N], (f, 3)
+    Array<const double, 2> free_force, free_torque;  // beside those of elements [N, N·m], (f, 3)
 };
 
 // ---- the search

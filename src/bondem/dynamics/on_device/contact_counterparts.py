@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from bondem._device import IndexPass, Launch
+from bondem.boundary.wall_rows import no_rows
 from bondem.dynamics.cohesive_tables import CrackLists
 from bondem.dynamics.contact_tables import (
     ContactConstants,
@@ -272,7 +273,7 @@ def _none(n: int) -> WallContacts:
     short = np.zeros(0, dtype=np.uint32)
     return WallContacts(
         np.zeros(n + 1, dtype=np.int64), short, short, np.zeros(0), np.zeros((0, 6)), np.zeros(0, dtype=np.uint8),
-        np.zeros((0, 4)),
+        no_rows("WallLoad", 0),
     )  # fmt: skip
 
 

@@ -51,7 +51,7 @@ class Translation:
         dashed: loads of the dashpots of each bond.
         further: whether loads act beside those of bonds.
         held: number of elements that own rows.
-        walls: motion, forces and work of walls, (w, 14), or None.
+        walls: motion, forces and work of walls, (w, 27), or None.
         logs: events of the run, whose rows are copied as far as they are filled.
         scratch: arrays of zeros of counterparts that only the device reads.
         before_keeping: functions that convert tables copied from the device to the form of the CPU.

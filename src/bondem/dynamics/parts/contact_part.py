@@ -4,6 +4,8 @@ import numpy as np
 
 from bondem._cache_lines import lines
 from bondem._core_steps import StepPass
+from bondem._types import Floats
+from bondem.boundary.wall_rows import named_rows, no_rows, wall_rows
 from bondem.dynamics.cohesive_tables import CohesiveCracks, CrackLists, PartedReach
 from bondem.dynamics.contact_check import ContactCheck, ListedContacts
 from bondem.dynamics.contact_tables import (
@@ -109,11 +111,12 @@ class ContactTables:
         self._sums = ContactSums(lines(n))
         self._energies = ContactEnergies(np.zeros(portions))
         walls = contacts.walls
-        self._walls = Walls(walls.shape, state.walls, walls.friction, np.zeros((len(state.walls), 4)))
+        self._walls = Walls.of(walls, state.walls)
         self._motions = WallMotions(
             walls.times, walls.values, walls.start, walls.drive_wall, walls.drive_component, walls.drive_schedule,
-            walls.drive_rate, walls.servo_wall, walls.servo_schedule, walls.servo_speed, walls.servo_mass,
-            walls.servo_damping, walls.free_wall, walls.free_mass, walls.free_force,
+            walls.drive_rate, walls.drive_axis, walls.servo_wall, walls.servo_schedule, walls.servo_speed,
+            walls.servo_mass, walls.servo_damping, walls.free_wall, walls.free_mass, walls.free_force,
+            walls.free_torque,
         )  # fmt: skip
         self._deepest = 0.0
         found = self._search.find(state.step)
@@ -143,9 +146,9 @@ class ContactTables:
         )  # fmt: skip
         self._at_walls = WallContacts(
             found.wall_start, at_walls.element, at_walls.wall, at_walls.gap, at_walls.memory, at_walls.touch,
-            np.zeros((len(at_walls.wall), 4)),
+            no_rows("WallLoad", len(at_walls.wall)),
         )  # fmt: skip
-        self._walls.listed[:] = self._walls.body[:, :4]
+        self._walls.keep_places(found.position)
 
     def part(self) -> Part:
         """Return the part of contacts with their present list."""
@@ -223,10 +226,17 @@ class ContactTables:
         self._search.keep(pairs, at_walls, self._whole, chosen)
         self._deepest = max(self._deepest, float(self._travel.portion[:, 2].max(initial=0.0)))
         listed = ListedContacts(
-            pairs.first, pairs.second, pairs.bond, pairs.joined, at_walls.element, at_walls.wall, self._walls.body,
+            pairs.first, pairs.second, pairs.bond, pairs.joined, at_walls.element, self._velocity_of_walls(),
             self._deepest,
         )  # fmt: skip
         self._check.look(listed, self._state.motion, self._state.time)
+
+    def _velocity_of_walls(self) -> Floats:
+        """Return the velocity of the wall at the element of each contact with one [m/s], (b, 3)."""
+        at, walls = self._at_walls, self._walls
+        row, about = wall_rows(walls.body)[at.wall], named_rows("WallShape", walls.shape)["about"][at.wall]
+        arm = self._state.pose[at.element, :3] - about - row["displacement"]
+        return row["velocity"] + np.cross(row["spin"], arm)
 
     def _renewed(self) -> Part | None:
         """Return the part with a new list, or None if a centre is not a number."""

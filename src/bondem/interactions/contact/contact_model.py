@@ -7,8 +7,8 @@ import numpy as np
 from bondem._cache_lines import lines
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerBond, PerElement
-from bondem.boundary.wall_columns import WALL_COLUMNS
-from bondem.boundary.walls import WallTable
+from bondem.boundary.wall_rows import walls_at_rest
+from bondem.boundary.wall_table import WallTable
 from bondem.geometry.neighbours import SphereGrid, neighbours, sphere_grid
 from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.contact.contact_search import Walls, WallSources, found_walls
@@ -91,7 +91,7 @@ class ContactModel:
         )
         # one place for the geometry of walls: the core, asked for walls within reach of a sphere at rest
         count = len(walls.friction)
-        still = Walls(walls.shape, np.zeros((count, WALL_COLUMNS)), walls.friction, np.zeros((count, 4)))
+        still = Walls.of(walls, walls_at_rest(count))
         pose = lines(n)
         pose[:, :3] = position
         sources = WallSources.without_memory(radius, 0.0)

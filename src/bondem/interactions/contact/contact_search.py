@@ -9,7 +9,10 @@ import numpy as np
 
 from bondem._core import Pass
 from bondem._types import Floats, Ints
+from bondem.boundary.wall_rows import named_rows, no_rows, wall_rows
+from bondem.boundary.wall_table import WallTable
 from bondem.geometry.neighbours import SphereGrid
+from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.beams.beam_tables import Poses
 
 #: How elements touch: as spheres; by faces of cells, or not at all as these faces lie between them; not yet, though
@@ -20,10 +23,27 @@ APART, TOUCHING, JUST_PARTED, FACING, LATE = range(5)
 class Walls(NamedTuple):
     """Walls, w of them."""
 
-    shape: Floats  #: point, normal or axis, radius, kind, radius of a hole, (w, 9)
-    body: Floats  #: positions, velocities and loads of the walls, as `State.walls`, (w, 14)
+    shape: Floats  #: rows of `WallShape`, (w, 12)
+    body: Floats  #: positions, velocities and loads of the walls, as `State.walls`, (w, 27)
     friction: Floats  #: μ, (w,)
-    listed: Floats  #: displacement and growth when the list was made [m], (w, 4)
+    inertia: Floats  #: rows of `WallInertia`, (w, 8)
+    listed: Floats  #: where the walls were when the list was made, rows of `WallListed`, (w, 8)
+
+    @classmethod
+    def of(cls, table: WallTable, body: Floats) -> "Walls":
+        """Return the walls of a model at their places in `body`, (w, 27), which they share."""
+        return cls(table.shape, body, table.friction, table.inertia, no_rows("WallListed", len(body)))
+
+    def keep_places(self, position: Floats) -> None:
+        """Note where walls are when a list is made, given the centres of the elements [m], (n, 3)."""
+        shape, row = named_rows("WallShape", self.shape), wall_rows(self.body)
+        listed = named_rows("WallListed", self.listed)
+        arm = turned_vectors(row["orientation"], shape["point"] - shape["about"])
+        listed["point"] = shape["about"] + row["displacement"] + arm
+        listed["axis"] = turned_vectors(row["orientation"], shape["axis"])
+        listed["growth"] = row["growth"]
+        for k, point in enumerate(listed["point"]):
+            listed["farthest"][k] = np.sqrt(((position - point) ** 2).sum(axis=1).max())
 
 
 class PairSources(NamedTuple):

@@ -1,9 +1,11 @@
 // Walls as rigid bodies: how they move, what they do to elements, and what elements do to them.
 //
+// A contact is evaluated in the frame of its wall, which moves and turns with the wall: there the wall is at rest.
 // A driven wall follows its schedules. A servo is a platen of some mass that is pushed along its normal by a wanted force
 // against the force of the elements; a share of the missing force resists its motion, and its speed is limited. A free wall moves by the force of the elements and one of its
-// own: half a kick before it moves, half when the forces on it are known. The work of a wall on the elements is the
-// trapezoid of its power.
+// own: half a kick before it moves, half when the forces on it are known. It turns between both kicks of its angular
+// momentum, about its principal axes in the order 1 2 3 2 1 (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997).
+// The work of a wall on the elements is the trapezoid of its power.
 #include "rigid_walls.hpp"
 
 #include "../boundary/timeline.hpp"
@@ -15,45 +17,87 @@
 namespace bondem {
 namespace {
 
-void kick(const WallMotions &motions, const Walls &walls, double dt) {
-    for (Index e = 0; e < motions.free_wall.size(); e++) {
-        const Index w = motions.free_wall(e);
-        for (Index c = 0; c < 3; c++)
-            walls.body(w, rate + c) += dt * (walls.body(w, wall_force + c) + motions.free_force(e, c)) / motions.free_mass(e);
-    }
-}
-
-double power(const Walls &walls, Index w) {
-    double sum = 0.0;
-    for (Index c = 0; c < 4; c++) sum += walls.body(w, wall_force + c) * walls.body(w, rate + c);
-    return sum;
-}
-
 double wanted(const WallMotions &motions, Index schedule, double t) {
     return value_at(Timeline{motions.times, motions.values, motions.start}, schedule, t);
+}
+
+void follow_drive(const Turn &turn, const WallMotions &motions, const Walls &walls, Index e) {
+    const double t = turn.clock.time, dt = turn.clock.dt;
+    const Index s = motions.drive_schedule(e), component = motions.drive_component(e);
+    const double rate =
+        motions.drive_rate(e) ? wanted(motions, s, t + 0.5 * dt) : (wanted(motions, s, t + dt) - wanted(motions, s, t)) / dt;
+    WallRow &row = walls.body.row<WallRow>(motions.drive_wall(e));
+    if (component < 3)
+        row.velocity[component] = rate;
+    else if (component == 3)
+        row.growth_rate = rate;
+    else
+        row.spin = rate * motions.drive_axis.row<const Vector>(e);
 }
 
 void follow_servo(const Turn &turn, const WallMotions &motions, const Walls &walls, Index e) {
     const Index w = motions.servo_wall(e);
     const WallPlace wall(walls, w);
+    WallRow &row = walls.body.row<WallRow>(w);
     const double dt = turn.clock.dt, force = wanted(motions, motions.servo_schedule(e), turn.clock.time + dt);
-    const double missing = force - walls.body(w, normal_force), moving = wall.towards_elements();
+    const double missing = force - row.normal_force, moving = wall.towards_elements();
     const double resisting = motions.servo_damping(e) * absolute(missing);
     const double acting = missing - (moving > 0.0 ? resisting : moving < 0.0 ? -resisting : 0.0);
     const double inward = moving + dt * acting / motions.servo_mass(e);
     const double speed = within(inward, -motions.servo_speed(e), motions.servo_speed(e));
-    if (wall.flat()) {
-        const Vector v = speed * wall.axis();
-        for (Index c = 0; c < 3; c++) walls.body(w, rate + c) = v[c];
-    } else {
-        walls.body(w, rate + 3) = wall.among() ? speed : -speed;
-    }
+    if (wall.flat())
+        row.velocity = speed * wall.axis();
+    else
+        row.growth_rate = wall.among() ? speed : -speed;
 }
 
-// An element at a wall.
+bool turns_freely(const WallInertia &inertia) { return !is_zero(inertia.inverse_moment); }
+
+// Turns a free wall over dt by its angular momentum: about its principal axes one after the other, each turn exact.
+void turn_freely(WallRow &row, const WallInertia &inertia, double dt) {
+    Quaternion<double> frame = product(row.orientation, inertia.principal);
+    Vector momentum = rotate(inverse(frame), row.momentum);
+    const auto turn_about = [&](Index axis, double time) {
+        Vector turn = {};
+        turn[axis] = 0.5 * time * inertia.inverse_moment[axis] * momentum[axis];
+        const HalfAngle<double> half = half_angle(dot(turn, turn));
+        const Quaternion<double> by = {half.cosine, half.sinc * turn.x, half.sinc * turn.y, half.sinc * turn.z};
+        frame = product(frame, by);
+        momentum = rotate(inverse(by), momentum);
+    };
+    turn_about(0, 0.5 * dt);
+    turn_about(1, 0.5 * dt);
+    turn_about(2, dt);
+    turn_about(1, 0.5 * dt);
+    turn_about(0, 0.5 * dt);
+    const Quaternion<double> next = product(frame, inverse(inertia.principal));
+    const double scale = 1.5 - 0.5 * (next.w * next.w + next.x * next.x + next.y * next.y + next.z * next.z);
+    row.spin = (1.0 / dt) * rotation_vector(product(next, inverse(row.orientation)));
+    row.orientation = {scale * next.w, scale * next.x, scale * next.y, scale * next.z};
+}
+
+void move_wall(const Walls &walls, Index w, double dt) {
+    WallRow &row = walls.body.row<WallRow>(w);
+    const WallInertia &inertia = walls.inertia.row<const WallInertia>(w);
+    for (Index c = 0; c < 3; c++) row.displacement[c] += dt * row.velocity[c];
+    row.growth += dt * row.growth_rate;
+    if (turns_freely(inertia))
+        turn_freely(row, inertia, dt);
+    else if (!is_zero(row.spin))
+        row.orientation = turned(row.orientation, dt * row.spin);
+}
+
+// 1/m of a wall along a normal at a place that is so far from the one about which it turns; 0 unless it is free [1/kg].
+double inverse_mass_at(const WallRow &row, const WallInertia &inertia, Vector arm, Vector normal) {
+    if (!turns_freely(inertia)) return inertia.inverse_mass;
+    const Vector lever = rotate(inverse(product(row.orientation, inertia.principal)), cross(arm, normal));
+    return inertia.inverse_mass + dot(lever, each(inertia.inverse_moment, lever));
+}
+
+// An element at a wall, as one that turns with the wall sees it.
 struct AtWall {
-    double radius, inverse_mass;
-    Vector spin, velocity;  // angular velocity, and velocity against the wall
+    double radius;
+    Vector spin, velocity;  // angular velocity and velocity against the wall, at the place of the element
     double growing;  // of the wall towards the element [m/s]
 
     // Direction and velocity at the contact, where the wall is so far from the surface.
@@ -62,16 +106,35 @@ struct AtWall {
     }
 };
 
+// The same now and a step ago, and what the contact knew then, turned with the wall since.
+struct SeenFromWall {
+    AtWall now, last;
+    WallSurface before;
+    ContactMemory<double> memory;
+};
+SeenFromWall seen_from(const WallPlace &wall, Vector place, double radius, const Motion<double> &moving,
+                       const ContactMemory<double> &memory, double dt) {
+    const WallRow &row = wall.row;
+    const Vector velocity = moving.v - row.velocity;
+    const AtWall who = {radius, moving.w, velocity, wall.growing()};
+    if (is_zero(row.spin)) return {who, who, wall.surface(minus(place, dt, velocity), radius), memory};
+    const auto with_wall = [&](Vector v) { return rotate(turned({1.0, 0.0, 0.0, 0.0}, dt * row.spin), v); };
+    const Vector arm = place - wall.pivot(), came = with_wall(minus(arm, dt, velocity));
+    const AtWall now = {radius, moving.w - row.spin, minus_cross(velocity, row.spin, arm), who.growing};
+    const AtWall last = {radius, with_wall(moving.w) - row.spin, minus_cross(with_wall(velocity), row.spin, came), who.growing};
+    return {now, last, wall.surface(wall.pivot() + came, radius), {with_wall(memory.stretch), with_wall(memory.viscous)}};
+}
+
 template <class Law>
-ContactLoads<double> wall_loads(const Law &law, const ContactConstants &c, const AtWall &who, const WallSurface &now,
-                                const WallSurface &last, double rest, double friction, const ContactMemory<double> &memory,
-                                double dt) {
-    const Overlaps<double> overlap = {positive(rest - now.gap), positive(rest - last.gap)};
-    const double before = law.at_wall(who.radius, overlap.before).kn;
-    const auto k =
-        contact_stiffness(law, law.at_wall(who.radius, overlap.now), before, c.soft, 1.0 / who.inverse_mass, overlap);
-    const double twist = 0.5 * dot(who.spin, now.normal);
-    return contact_loads<Law::hardens>(k, friction, overlap.now, who.meeting(now), who.meeting(last), twist, memory, dt);
+ContactLoads<double> wall_loads(const Law &law, const ContactConstants &c, const SeenFromWall &seen, const WallSurface &now,
+                                double rest, double friction, double mass, double dt) {
+    const double radius = seen.now.radius;
+    const Overlaps<double> overlap = {positive(rest - now.gap), positive(rest - seen.before.gap)};
+    const double before = law.at_wall(radius, overlap.before).kn;
+    const auto k = contact_stiffness(law, law.at_wall(radius, overlap.now), before, c.soft, mass, overlap);
+    const double twist = 0.5 * dot(seen.now.spin, now.normal);
+    return contact_loads<Law::hardens>(k, friction, overlap.now, seen.now.meeting(now), seen.last.meeting(seen.before), twist,
+                                       seen.memory, dt);
 }
 
 WallSurface surface_of(const Moving &all, const ContactConstants &c, const WallContacts &contacts, const Walls &walls, Index e) {
@@ -86,22 +149,22 @@ void press_wall(const Moving &all, const ContactConstants &c, const WallContacts
     const WallPlace wall(walls, w);
     const double rest = contacts.gap(e);
     const WallSurface now = surface_of(all, c, contacts, walls, e);
-    for (Index x = 0; x < 4; x++) contacts.output(e, x) = 0.0;
+    WallLoad &output = contacts.output.row<WallLoad>(e);
+    output = {};
     if (!(rest - now.gap > 0.0 || contacts.touch(e) == touching)) return;
-    const Motion<double> moving(gather(all.motion.data, p));
-    const AtWall who = {c.radius(p), moving.m, moving.w, moving.v - wall.velocity(), wall.growing()};
-    WallSurface last = wall.surface(minus(centre(all.pose.data, p), dt, who.velocity), who.radius);
-    last.gap += dt * who.growing;
+    const double radius = c.radius(p);
+    const Vector place = centre(all.pose.data, p), at = minus(place, radius + now.gap, now.normal) - wall.pivot();
     Vector *const memory = &contacts.memory.row<Vector>(e);
+    const Motion<double> moving(gather(all.motion.data, p));
+    SeenFromWall seen = seen_from(wall, place, radius, moving, {memory[0], memory[1]}, dt);
+    seen.before.gap += dt * seen.now.growing;
+    const double of_wall = inverse_mass_at(wall.row, walls.inertia.row<const WallInertia>(w), at, now.normal);
     ContactLoads<double> loads;
-    with_law(c, [&](auto law) {
-        loads = wall_loads(law, c, who, now, last, rest, walls.friction(w), {memory[0], memory[1]}, dt);
-    });
+    with_law(c, [&](auto law) { loads = wall_loads(law, c, seen, now, rest, walls.friction(w), 1.0 / (moving.m + of_wall), dt); });
     memory[0] = loads.memory.stretch, memory[1] = loads.memory.viscous;
     contacts.touch(e) = rest - now.gap > 0.0 ? touching : separate;
-    const Vector f = loads.force, torque = -(who.radius + now.gap) * cross(now.normal, f);
-    contacts.output.row<Vector>(e) = -f;
-    contacts.output(e, 3) = dot(f, now.normal);
+    const Vector f = loads.force, torque = -(radius + now.gap) * cross(now.normal, f);
+    output = {-f, dot(f, now.normal), -cross(at, f)};
     for (Index x = 0; x < 3; x++) {
         to.sums(p, x) += f[x];
         to.sums(p, 4 + x) += torque[x];
@@ -112,17 +175,27 @@ void press_wall(const Moving &all, const ContactConstants &c, const WallContacts
 
 }  // namespace
 
+void kick_free(const WallMotions &motions, const Walls &walls, Index e, double dt) {
+    WallRow &row = walls.body.row<WallRow>(motions.free_wall(e));
+    for (Index c = 0; c < 3; c++) row.velocity[c] += dt * (row.force[c] + motions.free_force(e, c)) / motions.free_mass(e);
+    if (!turns_freely(walls.inertia.row<const WallInertia>(motions.free_wall(e)))) return;
+    row.momentum = plus(row.momentum, dt, row.torque + motions.free_torque.row<const Vector>(e));
+}
+
+void show_free_spin(const Walls &walls, Index w) {
+    WallRow &row = walls.body.row<WallRow>(w);
+    const WallInertia &inertia = walls.inertia.row<const WallInertia>(w);
+    if (!turns_freely(inertia)) return;
+    const Quaternion<double> frame = product(row.orientation, inertia.principal);
+    row.spin = rotate(frame, each(inertia.inverse_moment, rotate(inverse(frame), row.momentum)));
+}
+
 void move_walls(const Turn &turn, const WallMotions &motions, const Walls &walls) {
-    const double t = turn.clock.time, dt = turn.clock.dt;
-    for (Index e = 0; e < motions.drive_wall.size(); e++) {
-        const Index s = motions.drive_schedule(e);
-        walls.body(motions.drive_wall(e), rate + motions.drive_component(e)) =
-            motions.drive_rate(e) ? wanted(motions, s, t + 0.5 * dt) : (wanted(motions, s, t + dt) - wanted(motions, s, t)) / dt;
-    }
+    const double dt = turn.clock.dt;
+    for (Index e = 0; e < motions.drive_wall.size(); e++) follow_drive(turn, motions, walls, e);
     for (Index e = 0; e < motions.servo_wall.size(); e++) follow_servo(turn, motions, walls, e);
-    kick(motions, walls, 0.5 * dt);
-    for (Index w = 0; w < walls.body.size(); w++)
-        for (Index c = 0; c < 4; c++) walls.body(w, c) += dt * walls.body(w, rate + c);
+    for (Index e = 0; e < motions.free_wall.size(); e++) kick_free(motions, walls, e, 0.5 * dt);
+    for (Index w = 0; w < walls.body.size(); w++) move_wall(walls, w, dt);
 }
 
 void press_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
@@ -140,26 +213,37 @@ void measure_wall_overlaps(const Turn &turn, const Moving &all, const ContactCon
     travel.portion(turn.block, 2) = deepest;
 }
 
+void begin_loads(WallRow &row, double half) {
+    row.work -= half * (moving_power(row) + turning_power(row));
+    row.force = row.torque = {};
+    row.growth_force = row.normal_force = 0.0;
+}
+
+void add_to_wall(WallRow &row, const WallLoad &load) {
+    for (Index c = 0; c < 3; c++) {
+        row.force[c] += load.force[c];
+        row.torque[c] += load.torque[c];
+    }
+    row.normal_force += load.normal;
+}
+
+void end_loads(const Walls &walls, Index w, double half) {
+    const WallPlace wall(walls, w);
+    WallRow &row = walls.body.row<WallRow>(w);
+    if (!wall.flat()) row.growth_force = wall.among() ? -row.normal_force : row.normal_force;
+    row.work -= half * (moving_power(row) + turning_power(row));
+}
+
 void load_walls(const Turn &turn, const WallContacts &contacts, const WallMotions &motions, const Walls &walls) {
     const double half = 0.5 * turn.clock.dt;
-    const Index count = walls.body.size();
-    for (Index w = 0; w < count; w++) {
-        walls.body(w, wall_work) -= half * power(walls, w);
-        for (Index c = 0; c < 4; c++) walls.body(w, wall_force + c) = 0.0;
-        walls.body(w, normal_force) = 0.0;
+    for (Index w = 0; w < walls.body.size(); w++) begin_loads(walls.body.row<WallRow>(w), half);
+    for (Index e = 0; e < contacts.wall.size(); e++)
+        add_to_wall(walls.body.row<WallRow>(contacts.wall(e)), contacts.output.row<const WallLoad>(e));
+    for (Index w = 0; w < walls.body.size(); w++) end_loads(walls, w, half);
+    for (Index e = 0; e < motions.free_wall.size(); e++) {
+        kick_free(motions, walls, e, half);
+        show_free_spin(walls, motions.free_wall(e));
     }
-    for (Index e = 0; e < contacts.wall.size(); e++) {
-        const Index w = contacts.wall(e);
-        for (Index c = 0; c < 3; c++) walls.body(w, wall_force + c) += contacts.output(e, c);
-        walls.body(w, normal_force) += contacts.output(e, 3);
-    }
-    for (Index w = 0; w < count; w++) {
-        const WallPlace wall(walls, w);
-        const double normal = walls.body(w, normal_force);
-        if (!wall.flat()) walls.body(w, wall_force + 3) = wall.among() ? -normal : normal;
-        walls.body(w, wall_work) -= half * power(walls, w);
-    }
-    kick(motions, walls, half);
 }
 
 void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
@@ -178,17 +262,17 @@ void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstan
 
 void count_wall_work(const Turn &, const Walls &walls, const Portions &portions) {
     double supplied = 0.0;
-    for (Index w = 0; w < walls.body.size(); w++) supplied += absolute(walls.body(w, wall_work));
+    for (Index w = 0; w < walls.body.size(); w++) supplied += absolute(walls.body.row<const WallRow>(w).work);
     portions.budget(2) = supplied;
 }
 
 void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, const HistoryRows &history) {
     for (Index w = 0; w < walls.body.size(); w++)
-        history.record(turn.clock.record, column::work) += walls.body(w, wall_work);
+        history.record(turn.clock.record, column::work) += walls.body.row<const WallRow>(w).work;
     for (Index g = 0; g < gauges.quantity.size(); g++) {
         const Index quantity = gauges.quantity(g);
         if (quantity < gauge_of_wall::displacement) continue;
-        write_wall(&walls.body(gauges.element(gauges.start(g)), 0), quantity,
+        write_wall(walls.body.row<const WallRow>(gauges.element(gauges.start(g))), quantity,
                    &history.record(turn.clock.record, column::fixed_columns + 3 * g));
     }
 }

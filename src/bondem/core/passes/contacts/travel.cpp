@@ -11,12 +11,9 @@
 namespace bondem {
 namespace {
 
-double wall_travel(const Walls &walls) {
+double wall_travel(const Walls &walls, double reach) {
     double farthest = 0.0;
-    for (Index w = 0; w < walls.body.size(); w++) {
-        const Vector moved = walls.body.row<const Vector>(w) - walls.listed.row<const Vector>(w);
-        farthest = most(farthest, length(moved) + absolute(walls.body(w, growth) - walls.listed(w, growth)));
-    }
+    for (Index w = 0; w < walls.body.size(); w++) farthest = most(farthest, travel_of_wall(walls, w, reach));
     return farthest;
 }
 
@@ -38,7 +35,7 @@ void check_travel(const Turn &, const Travel &travel, const Walls &walls, const 
     double farthest = 0.0;
     for (Index q = 0; q < travel.portion.size(); q++) farthest = most(farthest, travel.portion(q, 0));
     travel.far(0) = root(farthest);
-    const bool holds = travel.far(0) + most(travel.far(1), 0.0) < travel.reach && wall_travel(walls) < travel.reach;
+    const bool holds = travel.far(0) + most(travel.far(1), 0.0) < travel.reach && wall_travel(walls, travel.reach) < travel.reach;
     portions.found(3) = !holds;
     if (travel.far(1) < 0.0) travel.far(0) = infinity;  // distances have not been measured yet
 }

@@ -1,25 +1,48 @@
-// Where the surface of a sphere is from a wall.
+// Where a wall is, and where the surface of a sphere is from it.
 #pragma once
 #include "../../tables/contact_tables.hpp"
-#include "../../vector3.hpp"
+#include "../record/reading.hpp"
 
 namespace bondem {
 
-// Columns of a wall, and of its shape.
-enum WallColumn : Index { growth = 3, rate = 4, wall_force = 8, wall_work = 12, normal_force = 13 };
-enum ShapeColumn : Index { axis_column = 3, radius_column = 6, kind_column = 7, hole_column = 8 };
 // A plane, a cylinder around the elements and one among them, a sphere around them and one among them, a disc.
 enum WallKind : Index { plane_wall, cylinder_around, cylinder_among, sphere_around, sphere_among, disc_wall };
 
-// What a gauge reads of a wall, beside the quantities of elements.
-namespace gauge_of_wall {
-enum Quantity : Index { displacement = 5, force, growth_and_force, velocity };
+inline bool is_zero(Vector v) { return v.x == 0.0 && v.y == 0.0 && v.z == 0.0; }
+// Rotation vector of a unit quaternion [rad], of length at most π.
+inline Vector rotation_vector(Quaternion<double> q) {
+    return {gauge::rotation_component(q, 0), gauge::rotation_component(q, 1), gauge::rotation_component(q, 2)};
 }
-inline void write_wall(const double *body, Index quantity, double *to) {
-    using namespace gauge_of_wall;
-    const double *const from = quantity == displacement ? body : quantity == velocity ? body + rate : body + wall_force;
-    for (Index c = 0; c < 3; c++) to[c] = from[c];
-    if (quantity == growth_and_force) to[0] = body[growth], to[1] = body[wall_force + 3], to[2] = body[normal_force];
+
+// What a gauge reads of a wall, beside the quantities of elements. Power is that of the wall on the elements: by its
+// velocity and its growth, by its spin, and their sum.
+namespace gauge_of_wall {
+enum Quantity : Index { displacement = 5, force, growth_and_force, velocity, torque, rotation, angular_velocity, power };
+}
+inline double moving_power(const WallRow &row) {
+    double sum = 0.0;
+    for (Index c = 0; c < 3; c++) sum += row.force[c] * row.velocity[c];
+    sum += row.growth_force * row.growth_rate;
+    return sum;
+}
+inline double turning_power(const WallRow &row) { return dot(row.torque, row.spin); }
+inline Vector read_wall(const WallRow &row, Index quantity) {
+    switch (quantity) {
+        case gauge_of_wall::displacement: return row.displacement;
+        case gauge_of_wall::velocity: return row.velocity;
+        case gauge_of_wall::growth_and_force: return {row.growth, row.growth_force, row.normal_force};
+        case gauge_of_wall::torque: return row.torque;
+        case gauge_of_wall::rotation: return rotation_vector(row.orientation);
+        case gauge_of_wall::angular_velocity: return row.spin;
+        case gauge_of_wall::power: break;
+        default: return row.force;
+    }
+    const double moving = -moving_power(row), turning = -turning_power(row);
+    return {moving, turning, moving + turning};
+}
+inline void write_wall(const WallRow &row, Index quantity, double *to) {
+    const Vector read = read_wall(row, quantity);
+    for (Index c = 0; c < 3; c++) to[c] = read[c];
 }
 
 struct WallSurface {
@@ -29,40 +52,58 @@ struct WallSurface {
 
 // One wall: its shape, and where it is.
 struct WallPlace {
-    const double *shape, *body;
+    const WallShape &shape;
+    const WallRow &row;
 
-    WallPlace(const Walls &walls, Index w) : shape(&walls.shape(w, 0)), body(&walls.body(w, 0)) {}
+    WallPlace(const Walls &walls, Index w) : shape(walls.shape.row<const WallShape>(w)), row(walls.body.row<const WallRow>(w)) {}
 
-    Index kind() const { return Index(shape[kind_column]); }
+    Index kind() const { return Index(shape.kind); }
     bool flat() const { return kind() == plane_wall || kind() == disc_wall; }
     // Whether elements are outside of a round wall.
     bool among() const { return kind() == cylinder_among || kind() == sphere_among; }
-    Vector axis() const { return {shape[axis_column], shape[axis_column + 1], shape[axis_column + 2]}; }
-    Vector velocity() const { return {body[rate], body[rate + 1], body[rate + 2]}; }
+    bool turned() const { return !is_zero({row.orientation.x, row.orientation.y, row.orientation.z}); }
+    Vector axis() const { return turned() ? rotate(row.orientation, shape.axis) : shape.axis; }
+    // The place about which it turns [m].
+    Vector pivot() const { return shape.about + row.displacement; }
+    // From its point to a place [m].
+    Vector from_point(Vector place) const {
+        if (!turned()) return place - shape.point - row.displacement;
+        return place - pivot() - rotate(row.orientation, shape.point - shape.about);
+    }
     // Speed at which the wall grows towards the elements [m/s].
-    double growing() const { return among() ? body[rate + 3] : -body[rate + 3]; }
-    double towards_elements() const { return flat() ? dot(velocity(), axis()) : growing(); }
+    double growing() const { return among() ? row.growth_rate : -row.growth_rate; }
+    double towards_elements() const { return flat() ? dot(row.velocity, axis()) : growing(); }
 
     WallSurface surface(Vector centre, double radius) const {
-        const Vector d = centre - Vector{shape[0], shape[1], shape[2]} - Vector{body[0], body[1], body[2]};
-        const Vector n = axis();  // zero of a sphere
+        const Vector d = from_point(centre), n = axis();  // zero of a sphere
         const double along = dot(d, n);
         if (kind() == plane_wall) return {along - radius, n};
         const Vector across = minus(d, along, n);
         const double distance = length(across);
         if (kind() == disc_wall) return disc(n, along, across, distance, radius);
         const double sign = among() ? 1.0 : -1.0, scale = distance > 0.0 ? sign / distance : 0.0;
-        return {sign * (distance - shape[radius_column] - body[growth]) - radius, scale * across};
+        return {sign * (distance - shape.radius - row.growth) - radius, scale * across};
     }
 
   private:
     // Beside a disc the nearest place is its rim, or that of its hole.
     WallSurface disc(Vector n, double along, Vector across, double distance, double radius) const {
-        const double past = most(distance - shape[radius_column], 0.0) - most(shape[hole_column] - distance, 0.0);
+        const double past = most(distance - shape.radius, 0.0) - most(shape.hole - distance, 0.0);
         if (past == 0.0) return {along - radius, n};
         const double away = root(along * along + past * past), up = along / away;
         return {away - radius, plus(up * n, distance > 0.0 ? past / (distance * away) : 0.0, across)};
     }
 };
+
+// How far a wall has moved since the list of contacts was made, for elements within reach of where they were then [m].
+//
+// Every wall is a surface of revolution: a turn about its own axis moves nothing.
+inline double travel_of_wall(const Walls &walls, Index w, double reach) {
+    const WallPlace wall(walls, w);
+    const WallListed &then = walls.listed.row<const WallListed>(w);
+    const Vector moved = -wall.from_point(then.point);
+    const double grown = absolute(wall.row.growth - then.growth);
+    return length(moved) + grown + length(wall.axis() - then.axis) * (then.farthest + reach);
+}
 
 }  // namespace bondem
