@@ -9,6 +9,7 @@ import pytest
 import bondem as bd
 from tests.bits import assert_resumes_to
 from tests.models import momenta
+from tests.scripts import scripts
 from tests.specimens import cells, spheres
 
 GAP = 2e-4
@@ -117,3 +118,19 @@ def test_a_scene_that_breaks_has_the_same_bits_where_it_is_cut_off(tmp_path):
         return bd.solve_explicit(model, duration=1e-4, state=falling(model), save_every=500, **options)
 
     assert_resumes_to(run(), run, tmp_path / "run.h5", 0.6)
+
+
+def test_bars_that_collide_exchange_their_velocities():
+    bars: Any = scripts("examples", bars="colliding_bars")["bars"]
+    found = bars.collide(count=120)
+    assert found.velocity == pytest.approx((0.0, bars.SPEED), abs=0.02 * bars.SPEED)
+    assert found.contact == pytest.approx(2.0 * bars.LENGTH / bars.CELERITY, rel=0.05)
+    assert found.run.residual < 1e-4
+
+
+def test_the_floor_takes_the_momentum_of_rocks_that_break():
+    rocks: Any = scripts("examples", rocks="falling_rocks")["rocks"]
+    found = rocks.fall(2.0, duration=6e-3)
+    assert 0.1 < found.broken < 0.6
+    assert found.impulse == pytest.approx(found.expected, rel=5e-3)
+    assert found.run.residual < 5e-4
