@@ -1,6 +1,6 @@
 """Two bars that collide: bodies of cells, face to face, one of which moves.
 
-Physics: a compressive wave of σ = ρ c v / 2 runs through both bars from the face where they meet, and comes back from
+Physics: a compressive wave of σ = ρ c v / 2 runs through both bars from the face where they meet, and returns from
 their ends as tension, which opens the contact after 2 L / c. Equal bars then have exchanged their velocities
 (Saint-Venant 1867). With ν = 0 waves are plane, and c = √(E / ρ); the contact is one of spheres, which scatter them.
 

@@ -44,9 +44,8 @@ def fall(speed: float, duration: float = 10e-3, seed: int = 1) -> Fall:
     )  # fmt: skip
     state = model.state()
     state.set_velocity(bd.Body("rock"), (0.0, 0.0, -speed))
-    run = bd.solve_explicit(
-        model, duration=duration, state=state, every=10, gauges={"floor": bd.WallGauge(0, "force")}
-    )
+    floor = {"floor": bd.WallGauge(0, "force")}
+    run = bd.solve_explicit(model, duration=duration, state=state, every=10, gauges=floor)
     mass, velocity = model.mass, run.state.velocity[:, 2]
     impulse = -np.trapezoid(run.history["floor"][:, 2], run.history.time)
     expected = mass @ (velocity + speed) + 9.81 * mass.sum() * run.state.time
