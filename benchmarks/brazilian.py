@@ -7,10 +7,11 @@ and smooth platens press on the flats. Theory is the elastic stress at the centr
 
 in plane stress. Without failure "centre" is σ_z of the cells near the axis over it, and "largest" the largest
 principal stress of all cells: on both end faces, as the disc is thick. A brittle disc splits where that is f_t; one
-that softens bears more, the more so the longer E G_f / f_t² is beside D. Nothing is calibrated; all discs that were
-tried are kept.
+that softens takes more, the more so the longer E G_f / f_t² is beside D (`disc_finite_elements.py`). The strength is
+the first maximum, from which the load falls by a tenth; the halves, which stay between the platens, may take more
+later. Nothing is calibrated; all discs that were tried are kept.
 
-Run: python benchmarks/brazilian.py [--counts 3000 10000] [--seeds 1 2 3] [--energies 5 20 80] [--out FILE]
+Run: python benchmarks/brazilian.py [--counts 3000 10000] [--seeds 1 2 3] [--energies 5 20] [--out FILE]
 """
 
 import argparse
@@ -60,7 +61,7 @@ def disc(count: int, seed: int) -> bd.Lattice:
 
 
 def pressed(body: bd.Lattice, failure: bd.Criterion | None) -> bd.ExplicitResult:
-    """One disc to failure, or to a third of the expected load without."""
+    """One disc until it has split, or to a third of the expected load without failure."""
     rise = TRAVERSES * DIAMETER / SOUND
     # both flats come together by some 8 f_t / E of the height until then
     speed = 0.5 * 8.0 * TENSION / LAW.E * DIAMETER / rise
@@ -74,7 +75,9 @@ def pressed(body: bd.Lattice, failure: bd.Criterion | None) -> bd.ExplicitResult
     def ended(_: bd.State, record: bd.History) -> bool:
         force = abs(float(record["top"][-1, 1]))
         top[0] = max(top[0], force)
-        return top[0] > 0.3 * EXPECTED and (failure is None or force < 0.7 * top[0])
+        if failure is None:
+            return top[0] > 0.3 * EXPECTED
+        return top[0] > 0.5 * EXPECTED and force < 0.9 * top[0]
 
     return bd.solve_explicit(
         model, duration=4.0 * rise, every=40, callback=ended,
@@ -122,7 +125,7 @@ def main(arguments: list[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--counts", type=int, nargs="+", default=[3000, 10_000])
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3])
-    parser.add_argument("--energies", type=float, nargs="+", default=[5.0, 20.0, 80.0])
+    parser.add_argument("--energies", type=float, nargs="+", default=[5.0, 20.0])
     parser.add_argument("--out", type=Path, default=RESULTS / "brazilian.json")
     given = parser.parse_args(arguments)
     begun, found = origin(), []

@@ -1,5 +1,6 @@
 """Strengths and fracture energies of bodies of cells, entered and measured in tests to failure."""
 
+import math
 from collections.abc import Callable
 
 from book.chapter import Chapter, Figure, Section
@@ -12,14 +13,15 @@ from book.tolerances import AtLeast, AtMost, Near, So
 STRENGTH = Measurement(
     "strength", "python benchmarks/strength.py --anew && python benchmarks/strength.py --summary", "2 h"
 )
-BRAZILIAN = Measurement("brazilian", "python benchmarks/brazilian.py --seeds 1 2 3 4 5", "30 min", goes_on=True)
+BRAZILIAN = Measurement("brazilian", "python benchmarks/brazilian.py --seeds 1 2 3 4 5", "5 min", goes_on=True)
+DISCS = Measurement("disc_finite_elements", "python benchmarks/disc_finite_elements.py", "10 s")
 FACTORS = Measurement(
     "load_factors",
     "python benchmarks/load_factors.py --counts 300 1000 --seeds 1 2 3 4 5 --steps 0.01 --ripples 0.02",
     "10 min",
     goes_on=True,
 )
-MEASUREMENTS = (STRENGTH, BRAZILIAN, FACTORS, TESTS)
+MEASUREMENTS = (STRENGTH, BRAZILIAN, DISCS, FACTORS, TESTS)
 
 #: What is asked for: of strengths, of the mean of the fracture energies, of each of them, and of the ledger [-].
 LIMIT, EACH, CLOSES = 0.05, 0.08, 1e-3
@@ -99,19 +101,21 @@ def _brazilian() -> Section:
     rows = []
     for (energy, count), ones in sorted(groups.items()):
         size = ones[0]["length"]
+        split = next(one["strength"] for one in DISCS.at("discs") if math.isclose(one["share"], size))
         rows.append(Row(
             case=(f"G_f = {PLAIN.bare(energy)} J/m², E G_f / f_t² = {PLAIN.bare(size)} D, {count} elements,"
                   f" seeds {', '.join(str(one['seed']) for one in ones)}: strength"),
-            form=RATIO, ours=BRAZILIAN.of(*(one["strength"] for one in ones)),
-            tolerance=Near(absolute=LIMIT, target=1.0) if size <= 1.0 else None,
-            note="" if size <= 1.0 else "softens too slowly to split where f_t is reached: nothing is required",
+            form=RATIO, paper=split, source="finite elements", ours=BRAZILIAN.of(*(one["strength"] for one in ones)),
+            tolerance=Near(relative=0.04),
         ))  # fmt: skip
     return Section(
         title="Brazilian test",
         before=(
             "Discs of 50 mm, 20 mm thick and flattened by 20°, have the strength by the plane stress at the centre "
             "(Wang et al. 2004), here over f_t. Without failure the largest stress is on the end faces and exceeds "
-            f"the plane stress by {_largest():.1%}, because the disc is thick."
+            f"the plane stress by {_largest():.1%}, because the disc is thick. The strength is the load at which the "
+            "disc splits; its halves, which stay between the platens, may take more. Required is that of finite "
+            "elements with one cohesive crack, which grows with E G_f / f_t² over D, within 4 %."
         ),
         rows=tuple(rows),
     )  # fmt: skip

@@ -84,7 +84,7 @@ class GraniteStudy(Study):
             (test, [row for row in good if row.get("test") == test and row["count"] == count], put_in[test])
             for test in _STRENGTHS for count in self.counts
         ]  # fmt: skip
-        cases = [_judged(test, some, value, [row["peak"] for row in some]) for test, some, value in groups if some]
+        cases = [_judged(test, some, value, strengths(test, some)) for test, some, value in groups if some]
         for depth in DEPTHS:
             beams = [row for row in good if row.get("case") == bent(granite, depth).name]
             for finer in sorted({row["finer"] for row in beams}):
@@ -132,11 +132,16 @@ def _judged(test: str, rows: Sequence[Row], put_in: float, values: list[float]) 
         "test": test, "quantity": claim.quantity, "low": claim.low, "high": claim.high, "words": claim.words,
         "values": values, "mean": mean, "over": mean["mean"] / put_in, "verdict": claim.verdict(values),
         "seeds": [row["seed"] for row in rows], "count": rows[0]["count"],
-        "split": [first_peak(row["curve"]["stress"]) for row in rows] if test == "brazilian" else [],
+        "later": [row["peak"] for row in rows] if test == "brazilian" else [],
         **{key: [row.get(key) for row in rows] for key in (
             "run_seconds", "residual", "asymmetry", "cracked", "broken", "slipped", "events",
         )},
     }  # fmt: skip
+
+
+def strengths(test: str, rows: Sequence[Row]) -> list[float]:
+    """Peaks [Pa]; of discs the load that splits them, as halves that stay between the platens take more later."""
+    return [first_peak(row["curve"]["stress"]) if test == "brazilian" else row["peak"] for row in rows]
 
 
 def first_peak(stress: Sequence[float]) -> float:
