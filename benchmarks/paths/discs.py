@@ -29,7 +29,7 @@ def _disc(count: int, seed: int) -> bd.Lattice:
 
 
 def _split(body: bd.Lattice, share: float, friction: float) -> tuple[float, str]:
-    """Elastic stress at the centre over f_t when the disc splits, or the largest one where its load has no maximum."""
+    """Return the stress at the centre over f_t when the disc splits, or the largest where its load has no maximum."""
     energy = share * brazilian.DIAMETER * brazilian.TENSION**2 / brazilian.LAW.E
     failure = bd.Rankine(tension=brazilian.TENSION, fracture_energy=energy, friction=friction)
     run = brazilian.pressed(body, failure)

@@ -215,7 +215,7 @@ def _granite() -> Section:
         rows.append(Row(case=f"{what}; {one['count']} cells: over the input", ours=GRANITE.of(one["over"]),
                         form=Form(style=".3f")))  # fmt: skip
         if one["later"]:
-            rows.append(Row(case=f"{what}; {one['count']} cells: largest load of the halves afterwards, as that stress",
+            rows.append(Row(case=f"{what}; {one['count']} cells: largest load of the halves, as that stress",
                             ours=GRANITE.of(*one["later"]), form=_MPA))  # fmt: skip
     return Section(
         title="Lac du Bonnet granite",
@@ -225,15 +225,16 @@ def _granite() -> Section:
             f" {1e-6 * GRANITE.at('toughness'):.2f} MPa√m). `validation/cases/lac_du_bonnet.py` states which numbers"
             " are published, from memory, or fixed beforehand. Direct tension is 6.9 MPa within 10 %. An earlier run"
             " with the same input, seed 1, gave 207.2, 6.89 and 7.14 MPa with 500 cells, and 1.19 MPa√m with a beam"
-            " of 249 cells. The Brazilian strength is the load that splits the disc: the first from which the load falls"
-            " by a fifth. That was determined after the curves had been seen."
+            " of 249 cells. The Brazilian strength is the load that splits the disc: the first from which the load"
+            " falls by a fifth. That was determined after the curves had been seen."
         ),
         rows=tuple(rows),
         after=(
             "The Brazilian strength is missed because the disc splits when the stress at its centre is"
             f" {min(split):.2f} to {max(split):.2f} of f_t, as one cohesive crack does: finite elements have"
             f" {_split_of(longest):.2f} with E G_f/f_t² of {longest:g} diameters, and discs of the chapter on"
-            f" [strength](validation/strength.md) {min(tough):.2f} to {max(tough):.2f}; here it is {zone / 54e-3:.1f}."
+            f" [strength](validation/strength.md) {min(tough):.2f} to {max(tough):.2f}; here it is"
+            f" {zone / 54e-3:.1f}."
             " The measured strengths are 1.3 times the measured direct tension."
             f" K_Ic is missed because that length, {1e3 * zone:.0f} mm, is as long as the depth of the beam, but the"
             " formula requires a sharp crack. The deeper beam, which was fixed without a verdict, gives √(E G_f)."
