@@ -162,7 +162,7 @@ def _gamma() -> Section:
     names = (
         ("component", "the size of F_i with the sign of U_i: `LocalDamping`", True),
         ("vector", "the size of F along U", None),
-        ("printed", "F_i U_i/U_i as printed, which is F_i", False),
+        ("printed", "F_i U_i/U_i as printed (which is F_i)", False),
         ("signed", "F_i with the sign of U_i", False),
     )  # fmt: skip
     for name, words, rests in names:
@@ -186,7 +186,7 @@ def _eta() -> Section:
     rows = []
     for one in DAMPING.at("bonds"):
         eta = " · ".join(f"{value:.3g}" for value in one["eta"].values())
-        name = {"all": "η_b in all", "printed": "as printed"}.get(one["component"], f"η of {one['component']} alone")
+        name = {"all": "η_b in all", "printed": "as printed"}.get(one["component"], f"η alone, of {one['component']}")
         idle = one["theory"] == 0.0
         rows.append(Row(case=f"{name}: {eta}", ours=DAMPING.of(one["rate"]), form=RATE,
                         tolerance=AtMost(0.05) if idle else Near(target=one["theory"], relative=0.05)))  # fmt: skip

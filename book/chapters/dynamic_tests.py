@@ -132,7 +132,7 @@ def _inertia() -> Section:
         )
     ]  # fmt: skip
     rows += [
-        Row(case=f"what the mass does to the frequency in {kind}", source="§6, after eq (19)", paper="negligible",
+        Row(case=f"frequency in {kind}: what the mass does to it", source="§6, after eq (19)", paper="negligible",
             form=SIGNED, tolerance=AtMost(NEGLIGIBLE), reason=skin,
             ours=summary(VIBRATION, "frequency", kind, "mass"))
         for kind in ("tension", "bending", "torsion")

@@ -151,12 +151,12 @@ def _campaign() -> Section:
         rows=(
             Row(case="specimens that arrived", paper=wanted, ours=CAMPAIGN.of(found["arrived"]), form=COUNT,
                 tolerance=Near(relative=0.0)),
-            Row(case="specimens computed twice, failed, or left unfinished", form=COUNT, tolerance=AtMost(0.0),
+            Row(case="specimens: computed twice or failed or left unfinished", form=COUNT, tolerance=AtMost(0.0),
                 ours=CAMPAIGN.of(found["twice"] + found["failed"] + found["unfinished folders"])),
             Row(case="workers killed", ours=CAMPAIGN.of(found["workers killed"]), form=COUNT),
             Row(case="specimens finished before the coordinator was killed", form=COUNT,
                 ours=CAMPAIGN.of(found["finished before"])),
-            Row(case="specimens finished before the coordinator was killed and computed again",
+            Row(case="specimens: finished before the coordinator was killed and computed again",
                 ours=CAMPAIGN.of(found["done again"]), form=COUNT, tolerance=AtMost(0.0)),
             Row(case=f"speed-up on two workers, {CAMPAIGN.at('few')} specimens of {CAMPAIGN.at('cells')} cells, start"
                 " of the cluster counted",
