@@ -52,11 +52,11 @@ def section() -> Section:
             " by 3.9 MPa. Nothing may fail within 25 mm of the upper and the lower edge, and one crack follows it"
             " below, while none leaves the left notch. The distance between cracks counts that crack and is no"
             " agreement: the pattern of 4c is not that of the test. In 4a the cracks of both notches meet; 4b has one"
-            " crack from each notch, as the test. A crack parts a weak interface before a stiffer part and goes through"
-            " strong ones, as it should; a weak interface before a softer part it goes through too, by 0.7 l until the"
-            " load has fallen to a tenth of its peak."
-            " The hole lets the crack start behind it at a lower load than the criterion of blunt notches gives, and"
-            " three times that at which the crack reaches it. Both are equilibria."
+            " crack from each notch, as the test. A crack parts a weak interface before a stiffer part and goes"
+            " through strong ones, as it should; a weak interface before a softer part it goes through too, by 0.7 l"
+            " until the load has fallen to a tenth of its peak. The hole lets the crack start behind it at a lower"
+            " load than the criterion of blunt notches gives, and three times that at which the crack reaches it."
+            " Both are equilibria."
         ),
         figures=tuple(
             Figure(f"paths_{one['name']}.png", f"{one['title']}: load curve, and the crack") for one in cases
