@@ -1,6 +1,8 @@
 """Walls that turn, prescribed or freely, against closed forms and conservation laws."""
 
 import math
+import runpy
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -136,6 +138,15 @@ def test_grains_in_a_drum_keep_the_balance_of_their_angular_momentum() -> None:
     change = momentum(run.state) - before
     assert np.abs(change) > 1e4
     assert change == pytest.approx(np.trapezoid(weight - torque, run.history.time), rel=1e-5)
+
+
+@pytest.mark.validate
+def test_a_drum_with_lifters_takes_the_torque_of_its_charge(capsys) -> None:
+    """The example asserts it: M g x̄ within 1 % over a turn, and the power T ω."""
+    path = Path(__file__).parents[2] / "examples" / "drum.py"
+    run = runpy.run_path(str(path))["main"]()
+    assert run.residual < 1e-3
+    assert "N m" in capsys.readouterr().out
 
 
 def test_a_free_wall_turns_after_eulers_equations() -> None:

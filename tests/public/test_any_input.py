@@ -98,7 +98,9 @@ USUAL: dict[str, dict[str, Any]] = {
     "CylinderWall": {"radius": 1.0, "point": (0.0, 0.0, 0.0), "axis": (1.0, 0.0, 0.0), "outside": False,
                      "motion": None, "friction": 0.1},
     "Drive": {"region": FACE, "x": 1e-6, "vy": bd.Ramp(0.0, 1.0, 1.0)},
-    "Driven": {"x": 1e-6, "vy": bd.Ramp(0.0, 1.0, 1.0)},
+    "Driven": {
+        "x": 1e-6, "vy": bd.Ramp(0.0, 1.0, 1.0), "spin": 1.0, "axis": (0.0, 1.0, 0.0), "about": (0.0, 0.0, 0.0),
+    },
     "Eigenstrain": {"strain": 1e-4, "region": EVERYTHING, "schedule": bd.Constant(1.0)},
     "Elliptic": {"elongation": 0.01, "rotation": 0.1, "scatter": None},
     "DruckerPrager": {
@@ -143,7 +145,10 @@ USUAL: dict[str, dict[str, Any]] = {
     "Pressure": {"region": FACE, "pressure": 1e5, "schedule": bd.Constant(1.0)},
     "Ramp": {"start": 0.0, "end": 1.0, "duration": 1.0, "begin": 0.0},
     "Response": {"lattice": LATTICE, "law": LAW, "guess": None},
-    "Free": {"mass": 1.0, "velocity": (1.0, 0.0, 0.0), "force": (0.0, 0.0, 0.0)},
+    "Free": {
+        "mass": 1.0, "velocity": (1.0, 0.0, 0.0), "force": (0.0, 0.0, 0.0), "inertia": (1.0, 1.0, 1.0),
+        "spin": (0.0, 0.0, 1.0), "torque": (0.0, 0.0, 0.0),
+    },
     "SphereWall": {"radius": 1.0, "centre": (0.0, 0.0, 0.0), "inside": False, "motion": None, "friction": 0.1},
     "Servo": {"force": 1e3, "speed": 1.0, "mass": 1.0},
     "Sieve": {"diameters": (1.0, 2.0), "mass_passing": (0.0, 1.0)},
