@@ -134,3 +134,11 @@ def test_the_floor_takes_the_momentum_of_rocks_that_break():
     assert 0.1 < found.broken < 0.6
     assert found.impulse == pytest.approx(found.expected, rel=5e-3)
     assert found.run.residual < 5e-4
+
+
+def test_a_wall_of_bricks_takes_the_momentum_of_the_ball():
+    bricks: Any = scripts("examples", bricks="brick_wall")["bricks"]
+    run, lost, gained = bricks.shot(2, 2, 1.5e-3)
+    assert len(run.events) > 100
+    assert lost > 0.05 * bricks.MASS * bricks.SPEED
+    assert gained == pytest.approx(lost, rel=0.01)
