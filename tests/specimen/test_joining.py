@@ -219,6 +219,20 @@ def test_statics_name_the_body_that_floats():
         bd.solve_static(bd.Model(scene, CELLS, 2500.0, boundary=[held, bd.Gravity()]))
     with pytest.raises(FloatingBodyError, match="nothing holds 'high'"):
         bd.solve_modes(bd.Model(scene, CELLS, 2500.0, boundary=[held]), count=2)
+    # a body on a hinge turns about it; grains without bonds never rest; size does not matter
+    for scale in (1.0, 1e-4):
+        small = bd.Lattice(bd.Particles(scale * ROCK.particles.position, scale * ROCK.particles.radius), ROCK.pairs)
+        scene = bd.join(small, small.moved((0.0, 0.0, 0.02 * scale)), names=("low", "high"))
+        ends = [bd.Fix(bd.Body(name), rotation="") for name in scene.names]
+        hinge = bd.Fix(bd.Body("high") & bd.Index([len(ROCK.particles) + 7]), rotation="")
+        assert bd.solve_static(bd.Model(scene, LAW, 2500.0, boundary=ends)).displacement.max() == 0.0
+        for solve in (bd.solve_static, bd.solve_relaxed):
+            with pytest.raises(FloatingBodyError, match="nothing holds 'high' of the 2 bodies"):
+                solve(bd.Model(scene, LAW, 2500.0, boundary=[ends[0], hinge]))
+    grains = bd.Particles(0.03 + 3e-3 * np.indices((10, 10, 10)).reshape(3, -1).T, 1e-3)
+    scene = bd.join(ROCK, grains, names=("rock", "grains"))
+    with pytest.raises(FloatingBodyError, match="nothing holds 'grains' of the 2 bodies"):
+        bd.solve_static(bd.Model(scene, LAW, 2500.0, boundary=[bd.Fix(bd.Body("rock"))]))
 
 
 def test_a_body_in_two_pieces_is_named():

@@ -16,11 +16,12 @@ from scipy.sparse import csc_array
 from scipy.sparse.linalg import splu
 
 from bondem._types import Floats, Ints, Mask, PerBond
-from bondem.errors import ConvergenceError, FloatingBodyError, InputError
+from bondem.errors import ConvergenceError, InputError
 from bondem.model.model import Model
 from bondem.model.stiffness import Stiffness
 from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.statics.coarse_space import Clumps, clump_motions, clump_of, parted
+from bondem.statics.floating import refuse_floating
 
 # Up to this many elements, or in a lattice that is little more than a chain, elimination wins: 1000 spheres take
 # 0.30 s to eliminate and 0.01 s a load, 0.03 s to prepare for iteration and 0.03 s a load. Cells have twice the
@@ -110,35 +111,6 @@ class System:
     @cached_property
     def _weight(self) -> Floats:
         return np.tile(np.repeat([1.0, self.length**2], 3), len(self.free))
-
-
-def refuse_floating(model: Model, position: Floats, held: Mask) -> None:
-    """Check that conditions hold every piece of a scene of several bodies; `held` (n, 6) in internal order.
-
-    Raises:
-        FloatingBodyError: A body moves or turns without resistance.
-    """
-    lattice, order = model.lattice, model.layout.order
-    if len(lattice.names) == 1:
-        return
-    piece, floating = np.where(lattice.connected, lattice.pieces, -1)[order], []
-    for one in np.unique(piece[piece >= 0]):
-        own = piece == one
-        motions = np.zeros((len(order), 6, 6))
-        motions[own] = clump_motions(position[own], np.zeros(int(own.sum()), dtype=np.int64))
-        scale = np.abs(motions).max(axis=(0, 1), initial=1e-300)
-        grip = motions[held] / scale
-        if model.cells is not None:
-            grip = np.concatenate([grip, model.cells.grips.constraint(motions[model.layout.rank] / scale)])
-        size = np.linalg.eigvalsh(grip.T @ grip)
-        if size[0] <= 1e-12 * size[-1] or size[-1] == 0.0:
-            floating += [int(k) for k in np.unique(lattice.body[order][own])]
-    if floating:
-        names = ", ".join(repr(lattice.names[k]) for k in floating[:5]) + ", …" * (len(floating) > 5)
-        raise FloatingBodyError(
-            f"nothing holds {names} of the {len(lattice.names)} bodies against all six motions; fix a face of each"
-            " with bd.Fix, or use solve_explicit"
-        )
 
 
 def orthonormal(vectors: Floats) -> Floats:

@@ -16,6 +16,7 @@ from bondem.model.highest_frequency import stiffest
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.energy import energy_of
+from bondem.statics.floating import refuse_floating
 from bondem.statics.nonlinear import strained
 from bondem.statics.static import StaticResult
 
@@ -94,6 +95,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     held = constraints.held(n)
     if held.sum() < 6:
         raise InputError("solve_relaxed needs a specimen that is held; fix all six rigid motions with Fix")
+    refuse_floating(model, model.lattice.centre[layout.order], held)
     connected = model.lattice.connected[layout.order]
     free = connected[:, None] & ~held
     motion, load = constraints.final_motion(n), constraints.final_load(n)

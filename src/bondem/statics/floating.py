@@ -1,0 +1,50 @@
+"""Bodies of a scene that nothing holds, for which statics have no solution."""
+
+import numpy as np
+
+from bondem._types import Floats, Mask
+from bondem.errors import FloatingBodyError
+from bondem.model.model import Model
+from bondem.statics.coarse_space import clump_motions
+
+# Share of the best resisted rigid motion of a piece below which another is not resisted.
+_LOOSE = 1e-12
+
+
+def refuse_floating(model: Model, position: Floats, held: Mask) -> None:
+    """Check that conditions hold every piece of a scene of several bodies; bodies that bonds join are one piece.
+
+    Args:
+        model: model of the scene; nothing is checked for one of a single body.
+        position: centres [m], internal order, (n, 3).
+        held: mask of the degrees of freedom that are held or driven, internal order, (n, 6).
+
+    Raises:
+        FloatingBodyError: A body moves or turns without resistance.
+    """
+    lattice, layout = model.lattice, model.layout
+    if len(lattice.names) == 1:
+        return
+    connected, piece = lattice.connected[layout.order], lattice.pieces[layout.order]
+    motions, count = clump_motions(position, piece), np.bincount(piece)
+    # rotations as motions at the root mean square R of the arms: u and R θ
+    arms = (motions[:, :3, 3:] ** 2).sum(axis=(1, 2)) / 2.0
+    R = np.maximum(np.sqrt(np.bincount(piece, arms) / count), lattice.particles.mean_radius)
+    motions[:, :, 3:] /= R[piece, None, None]
+    element, freedom = np.nonzero(held & connected[:, None])
+    grip = motions[element, freedom] * np.where(freedom < 3, 1.0, R[piece[element]])[:, None]
+    owner = piece[element]
+    if model.cells is not None:
+        grips = model.cells.grips
+        grip = np.concatenate([grip, grips.constraint(motions[layout.rank])])
+        owner = np.concatenate([owner, np.tile(np.repeat(lattice.pieces[grips.cell], 3), 2)])
+    resisted = np.zeros((len(count), 6, 6))
+    np.add.at(resisted, owner, grip[:, :, None] * grip[:, None, :])
+    size = np.linalg.eigvalsh(resisted)
+    floating = np.unique(lattice.body[layout.order][connected & (size[:, 0] <= _LOOSE * size[:, -1])[piece]])
+    if len(floating):
+        names = ", ".join(repr(lattice.names[k]) for k in floating[:5]) + ", …" * (len(floating) > 5)
+        raise FloatingBodyError(
+            f"nothing holds {names} of the {len(lattice.names)} bodies against all six motions; fix a face of each"
+            " with bd.Fix, or use solve_explicit"
+        )
