@@ -4,8 +4,7 @@ Physics: bricks touch each other and the floor with friction only. The ball flie
 floor gain. It knocks bricks out of the middle, some break; those at the ends hardly move.
 
 Expected: momentum that the ball loses equals that which bricks and the friction of the floor gain, within 1 %.
-Takes 30 s.
-Run it with:  python examples/brick_wall.py [PICTURE.png]
+Takes 30 s. Run it with:  python examples/brick_wall.py [PICTURE.png]
 """
 
 import sys
@@ -36,19 +35,16 @@ def shot(courses: int = 5, across: int = 4, duration: float = 6e-3) -> tuple[bd.
     """Return the run, the momentum that the ball loses, and that which bricks and floor gain [N·s]."""
     scene = wall(courses, across)
     middle = 0.5 * (scene.particles.position.min(axis=0) + scene.particles.position.max(axis=0))
-    ball = bd.SphereWall(
-        RADIUS, (middle[0], -RADIUS - 1e-3, middle[2]), motion=bd.Free(MASS, velocity=(0.0, SPEED, 0.0))
-    )
+    start = (middle[0], -RADIUS - 1e-3, middle[2])
+    ball = bd.SphereWall(RADIUS, start, motion=bd.Free(MASS, velocity=(0.0, SPEED, 0.0)))
     model = bd.Model(
         scene, bd.EulerBernoulli(E=E, nu=0.2, radius_ratio=0.6), RHO, boundary=[bd.Gravity()],
         walls=[bd.PlaneWall((0.0, 0.0, 0.0), (0.0, 0.0, 1.0)), ball],
         contact=bd.LinearContact(E=E, friction=0.6, damping=0.2),
         failure=bd.PeripheralStress(tension=STRENGTH, shear=2.0 * STRENGTH),
     )  # fmt: skip
-    run = bd.solve_explicit(
-        model, duration=duration, every=5,
-        gauges={"floor": bd.WallGauge(0, "force"), "ball": bd.WallGauge(1, "velocity")},
-    )  # fmt: skip
+    gauges = {"floor": bd.WallGauge(0, "force"), "ball": bd.WallGauge(1, "velocity")}
+    run = bd.solve_explicit(model, duration=duration, every=5, gauges=gauges)
     lost = MASS * (SPEED - run.history["ball"][-1, 1])
     rubbed = np.trapezoid(run.history["floor"][:, 1], run.history.time)
     return run, float(lost), float(model.mass @ run.state.velocity[:, 1] + rubbed)
