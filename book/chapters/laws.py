@@ -47,8 +47,8 @@ def chapter() -> Chapter:
         ),
         misses=(
             "Beams with the criterion of peripheral stress, and the non-local law with Mohr–Coulomb, do not reach "
-            "both target strengths together. Parallel bonds reach them on the calibrating packing, and are too "
-            "weak in compression on unseen packings."
+            "both target strengths together. Parallel bonds, and the non-local law with Rankine, reach them on the "
+            "calibrating packing and miss them on unseen packings."
         ),
         sections=(_calibrated(), _slopes(), _beside(), _notched()),
     )

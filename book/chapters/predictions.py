@@ -223,12 +223,12 @@ def _glass() -> Section:
         for slower, nu in dict.fromkeys((one["slower"], one["nu"]) for one in mine):
             ones = [one for one in mine if (one["slower"], one["nu"]) == (slower, nu)]
             put_in = "entered" if test in _PUT_IN else "predicted"
-            slow = "" if slower == 1.0 else f", {slower:g} times slower"
+            slow = "" if slower == 1.0 else f"{slower:g} times slower "
             other = "" if nu == GLASS.at("nu") else f", ν = {nu:g}"
             peaks = GLASS.of(*(one["peak"] for one in ones))
             rows.append(
                 Row(case=f"{words}{other}; {_told(ones)}", ours=peaks, form=_MPA) if other else
-                Row(case=f"{words}, {put_in}{slow}; {_told(ones)}", ours=peaks, paper=GLASS.at("asked", test),
+                Row(case=f"{words}, {put_in}; {slow}{_told(ones)}", ours=peaks, paper=GLASS.at("asked", test),
                     form=_MPA, tolerance=Near(relative=_CLOSE))
             )  # fmt: skip
     cone = GLASS.at("cone")
