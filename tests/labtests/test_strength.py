@@ -140,7 +140,6 @@ def test_a_study_knows_the_criteria_of_the_stress() -> None:
 REFUSED = {
     "no table": ("needs \\[failure\\]", {"failure": None}),
     "no test": ("no test needs it", {"tests": ["static_tension"]}),
-    "spheres": ("CellBond", {"bond": {}, "specimen": {"shape": "box", "size": [2e-2] * 3, "count": 250}}),
     "no shear": ("MohrCoulomb", {"failure": {"criterion": "Rankine", "tension": 4e6, "fracture_energy": 20.0}}),
     "no pressure": ("key 'triaxial.pressure' is missing", {"tests": ["triaxial"]}),
     "brittle cone": (

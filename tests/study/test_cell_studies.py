@@ -255,6 +255,8 @@ def test_templates_are_the_examples_and_can_be_read(tmp_path):
             assert all(one.study.aggregates is not None for one in asked.series)
         elif name in ("silica", "cells"):
             assert asked.tests == TESTS
+        elif name == "rock":
+            assert asked.tests == ("ucs", "brazilian", "direct_tension")
         else:
             assert len(asked.tests) == 1
             assert asked.tests[0] in FAILURE_TESTS

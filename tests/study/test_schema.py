@@ -27,6 +27,9 @@ CELL = {"shape": "cell", "size": [0.01, 0.01, 0.01], "count": 500}
 CRITERIA: list[dict[str, Any]] = [
     {"criterion": "DruckerPrager"}, {"criterion": "Rankine", "tension": 1.0, "curve": "bilinear"},
     {"criterion": "MohrCoulomb", "tension": 1.0, "cohesion": 3.0, "friction_angle": 0.6, "fracture_energy": 1.0},
+    {"criterion": "PeripheralStress", "tension": 1.0, "shear": 1.0},
+    {"criterion": "LinearSum", "force": 1.0, "shear_force": 1.0, "bending": 1.0, "twisting": 1.0},
+    {"criterion": "Elliptic", "elongation": 1e-3, "rotation": 1e-3},
 ]  # fmt: skip
 GRAINS = {"diameters": [1.0, 2.0], "mass_passing": [0.0, 1.0], "fraction": 0.1, "E": 1.0, "nu": 0.1, "gap": 1.0}
 SHAPES: list[dict[str, Any]] = [

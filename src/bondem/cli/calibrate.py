@@ -1,5 +1,6 @@
 """`bondem calibrate`: calibrate the bonds of a material."""
 
+import math
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -40,6 +41,11 @@ _LAWS: dict[str, type[BondLaw]] = {law.title.lower().replace("–", "-"): law fo
               help="Full range of the radii over their mean, κ [-].")  # fmt: skip
 @click.option("--nu-mu", type=Quantity("-"), default=CalibrationPlan.nu_mu, show_default=True,
               help="Poisson's ratio of the bonds [-].")  # fmt: skip
+@click.option("--ucs", type=Quantity("Pa", above=0.0),
+              help="Uniaxial compressive strength [Pa], with --tension and --shape cylinder.")  # fmt: skip
+@click.option("--tension", type=Quantity("Pa", above=0.0), help="Strength in direct tension [Pa].")
+@click.option("--friction-angle", type=Quantity("rad"), default=CalibrationPlan.friction_angle, show_default="35 deg",
+              help="Friction angle of the bonds [rad], or \"35 deg\".")  # fmt: skip
 @click.option("--seed", type=click.IntRange(min=0), default=CalibrationPlan.seed, show_default=True,
               help="Seed of the first packing.")  # fmt: skip
 @click.option("--out", metavar="DIR", type=click.Path(path_type=Path),
@@ -47,19 +53,27 @@ _LAWS: dict[str, type[BondLaw]] = {law.title.lower().replace("–", "-"): law fo
 @click.option("--threads", type=click.IntRange(min=1), help="Number of threads; all cores by default.")
 def command(
     material: str | None, E: float | None, nu: float | None, rho: float | None, law: str | None, count: int,
-    packings: int, shape: str, spread: float, nu_mu: float, seed: int, out: Path | None, threads: int | None,
+    packings: int, shape: str, spread: float, nu_mu: float, ucs: float | None, tension: float | None,
+    friction_angle: float, seed: int, out: Path | None, threads: int | None,
 ) -> None:  # fmt: skip
-    """Calibrate bonds to E, ν and ρ of a material.
+    """Calibrate bonds to E, ν and ρ of a material, and with --ucs and --tension to its strengths.
 
     The result states the scatter over the packings and the confidence intervals.
     """
     plan = CalibrationPlan(
         material=_material(material, E, nu, rho), law=_LAWS[law] if law else None, count=count, packings=packings,
-        shape=shape, spread=spread, nu_mu=nu_mu, seed=seed,
+        shape=shape, spread=spread, nu_mu=nu_mu, seed=seed, ucs=ucs, tension=tension, friction_angle=friction_angle,
     )  # fmt: skip
     with on_threads(threads), progress_bars() as progress:
-        _, found = run_calibration(plan, out, progress=progress)
+        fit, found = run_calibration(plan, out, progress=progress)
     _show(found)
+    if fit.strength is not None:
+        click.echo(f"\n  strengths: {fit.strength}")
+        failure = fit.failure  # raises an error for targets that were not reached
+        click.echo(
+            f"\n  bd.MohrCoulomb(tension={failure.tension:.4g}, cohesion={failure.cohesion:.4g},"
+            f" friction_angle=math.radians({math.degrees(friction_angle):g}))"
+        )
     if out is not None:
         click.echo(f"\n  {out / 'calibration.json'}\n  {out / 'calibration.png'}")
 

@@ -94,6 +94,11 @@ class Cracking:
         return self.found.area
 
     @property
+    def brittle(self) -> bool:
+        """True if no fracture energy was given."""
+        return math.isnan(self.fracture_energy)
+
+    @property
     def sectioned(self) -> bool:
         """True for a test with a section that a single crack can cross."""
         return not math.isnan(self.section)
@@ -178,5 +183,5 @@ class Cracking:
             "crushed": self.crushed, "slipped": self.slipped,
             "dissipated_per_crack_area": self.per_crack_area, "dissipated_per_section": self.per_section,
             "stored_at_peak": self.stored, "stored_over_one_crack": self.stored_ratio,
-            "single_crack": self.single if self.sectioned else None,
+            "single_crack": self.single if self.sectioned and not self.brittle else None,
         }  # fmt: skip

@@ -103,7 +103,7 @@ def cracking_of(result: Any, body: Lattice, fracture_energy: float) -> Cracking:
 
 @dataclass(frozen=True, kw_only=True)
 class FailureTest:
-    """Laboratory test to failure of a body of cells.
+    """Laboratory test to failure.
 
     Attributes:
         name: name in studies and results.
@@ -113,6 +113,7 @@ class FailureTest:
         suited: specimens that the test needs; None for a bar along x.
         yields: True if the cells of the material have to yield.
         uniform: True if one law and one criterion are needed.
+        bonded: True if the test accepts bonded spheres.
         theory: strength implied by the criterion and the options [unit].
         measured: measured value of a result [unit].
         unit: unit of measured value and theory.
@@ -131,6 +132,7 @@ class FailureTest:
     suited: Suited | None = None
     yields: bool = False
     uniform: bool = False
+    bonded: bool = True
     theory: Callable[[Softening, Mapping[str, float]], float] = no_theory
     measured: Callable[[Any], float] = peak_of
     unit: str = "Pa"

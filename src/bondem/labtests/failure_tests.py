@@ -9,13 +9,15 @@ from typing import Any
 
 import numpy as np
 
+from bondem._types import Floats
 from bondem.damage.cohesive_softening import Softening
 from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.labtests.arguments import AnyLaw
 from bondem.labtests.ball import BrokenBall
+from bondem.labtests.bonded_platens import is_cells
 from bondem.labtests.compression import uniaxial_compression
 from bondem.labtests.confined import triaxial
 from bondem.labtests.cracking import Cracking, dissipated_in
@@ -32,6 +34,7 @@ from bondem.labtests.suited import BALLS, BEAM, BORED, DISC
 from bondem.labtests.tearing import direct_tension
 from bondem.labtests.throwing import SphereImpact, sphere_impact
 from bondem.specimen.lattice import Lattice
+from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult
 
 
 def _tensile(softening: Softening, asked: Mapping[str, float]) -> float:
@@ -49,10 +52,16 @@ def _worked(test: AnyTest) -> dict[str, float]:
 
 
 def _bend(
-    body: Lattice, law: CellAssignment, failure: FailureAssignment, *, density: float, **asked: Any
+    body: Lattice, law: AnyLaw, failure: FailureAssignment, *, density: float, **asked: Any
 ) -> BendingTest:
-    """Bend a beam; a path of equilibria has no density."""
+    """Bend a beam; a path of equilibria of cells has no density."""
+    if not is_cells(body, law):
+        asked["density"] = density
     return three_point_bending(body, law, failure, **asked)
+
+
+def _bent_integrity(test: BendingTest) -> Floats:
+    return test.path.bond_integrity if isinstance(test.path, QuasistaticResult) else test.state.bond_integrity
 
 
 def _pieces(broken: BrokenBall) -> dict[str, float | None]:
@@ -149,7 +158,7 @@ _RECORDS = (
     FailureTest(
         name="three_point_bending", perform=_bend, suited=BEAM,
         options={"span": TestOption("m"), "until": TestOption("-")}, more=_bending, energy=energy_ledger,
-        integrity=lambda test: test.path.bond_integrity, curve=_load_curve, told=_bent,
+        integrity=_bent_integrity, curve=_load_curve, told=_bent,
         figure=TestFigure(
             "Three-point bending", strain="CMOD", plain="deflection", stress="load", across=(1e6, "µm"),
             up=(1e-3, "kN"), line=False, azimuth=math.radians(25.0), elevation=math.radians(56.0),
@@ -182,7 +191,7 @@ _RECORDS = (
         ),
     ),
     FailureTest(
-        name="spall", perform=spall, uniform=True,
+        name="spall", perform=spall, uniform=True, bonded=False,
         options={key: TestOption(unit, needed=True) for key, unit in _PULSE.items()},
         theory=_tensile, curve=lambda test: (test.time, test.velocity), told=_spalled, cracking=_parted,
         figure=TestFigure(
@@ -200,7 +209,7 @@ OF_BALLS = tuple(one.name for one in _RECORDS if one.suited is BALLS)
 def failure_outcome(
     name: str,
     body: Lattice,
-    law: CellAssignment,
+    law: AnyLaw,
     failure: FailureAssignment,
     *,
     density: float,
@@ -215,9 +224,9 @@ def failure_outcome(
 
     Args:
         name: name of the test.
-        body: specimen of cells.
-        law, failure: cell law and criterion, or mappings by region whose first value is the matrix; theory is then
-            NaN.
+        body: specimen of cells or of bonded spheres.
+        law, failure: law and criterion, or mappings by region whose first value is the matrix. Theory is then NaN, as
+            for bonded spheres.
         density: density of the material [kg/m³].
         options: options of the test by name, in SI.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
@@ -225,8 +234,10 @@ def failure_outcome(
     Raises:
         InputError: an unknown test, or a law or criterion that the test does not support.
     """
-    softening = softening_of(name, failure, "a criterion with its fracture_energy")
     asked, test = dict(options or {}), FAILURE_TESTS.get(name)
+    if test is not None and test.bonded and not is_cells(body, law):
+        return _bonded_outcome(test, body, law, failure, density, asked, progress)
+    softening = softening_of(name, failure, "a criterion with its fracture_energy")
     if test is None or (test.yields and softening.slip is None):
         raise InputError(
             f"labtests: test = {name}: not a test to failure of this material; give one of"
@@ -242,4 +253,19 @@ def failure_outcome(
         curves=test.curves(result, cracking), cracking=cracking, energy=test.energy(result),
         axes=test.figure.axes,
         told={key: value for key, value in test.told(result).items() if value is not None},
+    )  # fmt: skip
+
+
+def _bonded_outcome(
+    test: FailureTest, body: Lattice, law: AnyLaw, failure: FailureAssignment, density: float,
+    asked: Mapping[str, Any], progress: Callable[[float], None] | None,
+) -> Outcome:  # fmt: skip
+    """Run a test of bonded spheres, whose strengths follow from those of their bonds in no closed form."""
+    result = test.perform(body, law, failure, density=density, progress=progress, **asked)
+    cracking = test.cracking(result, body, math.nan)
+    told = {"broken bonds [%]": 100.0 * cracking.broken / len(body.pairs), **test.told(result)}
+    return Outcome(
+        name=test.name, measured=test.measured(result), unit=test.unit, theory=math.nan,
+        curves=test.curves(result, cracking), cracking=cracking, energy=test.energy(result), axes=test.figure.axes,
+        told={key: value for key, value in told.items() if value is not None},
     )  # fmt: skip

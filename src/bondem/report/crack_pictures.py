@@ -16,6 +16,7 @@ from bondem.geometry.rotations import turned_vectors
 from bondem.model.state import State
 from bondem.report.cell_pictures import draw_cells
 from bondem.report.piece_colours import piece_palette
+from bondem.report.sphere_pictures import draw_spheres
 from bondem.report.spheres import View
 from bondem.report.style import GREY, SEQUENTIAL
 from bondem.specimen.lattice import Lattice
@@ -45,16 +46,19 @@ def corners_moved(
 def draw_fragments(
     ax: Axes, body: Lattice, state: State, pieces: Fragments, *, view: View, reach: float = 1.0
 ) -> None:
-    """Draw the cells at their positions, each fragment in its own colour.
+    """Draw the cells or spheres at their positions, each fragment in its own colour.
 
     Args:
         ax: axes to draw on, in mm.
-        body: lattice of cells.
+        body: lattice of cells or of bonded spheres.
         state: state of the body.
         pieces: fragments of this state, from `bd.fragments`.
         view: direction of view.
         reach: magnification of displacements [-].
     """
+    if body.cells is None:
+        draw_spheres(ax, body, piece_colours(pieces), view=view, moved=reach * state.displacement)
+        return
     solid = polyhedra(body)
     moved = corners_moved(solid, body, state.displacement, state.orientation, reach)
     draw_cells(ax, solid, piece_colours(pieces), view=view, moved=moved, piece=pieces.label)

@@ -34,7 +34,8 @@ from bondem.report.cell_pictures import draw_cells
 from bondem.report.column_curves import draw_columns
 from bondem.report.overlays import SCALE, draw_arrow, draw_box, draw_walls
 from bondem.report.piece_colours import piece_palette
-from bondem.report.spheres import View, render
+from bondem.report.sphere_pictures import draw_spheres
+from bondem.report.spheres import View
 from bondem.report.strength_figures import reach_of
 from bondem.report.style import BLUE, GREEN, ORANGE, PURPLE, SEQUENTIAL, SETTINGS
 from bondem.report.surface_picture import draw_patches
@@ -323,13 +324,7 @@ def _body(
                 shift = shift + reach * np.cross(turned[owner], arm)  # small rotations grow with displacements
         draw_cells(ax, solid, colour, view=view, moved=shift, piece=piece, scale=SCALE)
         return
-    position, radius = lattice.particles.position, lattice.particles.radius
-    centre = position if moved is None else position + reach * moved
-    image = render(centre, radius, colour, view=view, width=_PIXELS)
-    placed, margin = centre @ view.axes.T, 1.02 * radius.max()
-    low, high = SCALE * (placed[:, :2].min(axis=0) - margin), SCALE * (placed[:, :2].max(axis=0) + margin)
-    ax.imshow(image, extent=(low[0], high[0], low[1], high[1]), interpolation="lanczos", zorder=1)
-    ax.axis("off")
+    draw_spheres(ax, lattice, colour, view=view, moved=None if moved is None else reach * moved, scale=SCALE)
 
 
 def _bounds(lattice: Lattice) -> tuple[Floats, Floats]:

@@ -18,6 +18,7 @@ from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.cell_pictures import draw_cells
 from bondem.report.crack_pictures import corners_moved
 from bondem.report.findings import Examined, Findings
+from bondem.report.sphere_pictures import draw_spheres
 from bondem.report.spheres import View
 from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, for_phones, legend_columns, sheet
 from bondem.specimen.lattice import Lattice
@@ -86,28 +87,32 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
     Args:
         figure: figure for the colour bar.
         ax: axes to draw on.
-        body: lattice of cells.
+        body: lattice of cells or of bonded spheres.
         curves: arrays "displacement" [m], "orientation", "damage" and "slip" of the cells, and "piece" for fragments.
         told: style of the figure.
     """
-    solid = polyhedra(body)
     view = view_of(told)
     slipped = told.slips and float(curves["slip"].max()) > 0.0
     value = 100.0 * curves["slip"] if slipped else curves["damage"]
     norm = Normalize(0.0, (float(value.max()) or 1.0) if slipped else 1.0)
     reach = reach_of(body, curves["displacement"])
-    moved = corners_moved(solid, body, curves["displacement"], curves["orientation"], reach)
     colour = np.asarray(colormaps[SEQUENTIAL](norm(value)))[:, :3]
     shown = None
     if told.halved:
         toward = view.axes[2] * (0.0, 1.0, 1.0)
         shown = (body.centre - np.mean(body.particles.envelope.bounds, axis=0)) @ toward < 0.0
-    draw_cells(ax, solid, colour, view=view, moved=moved, shown=shown, piece=curves.get("piece"))
+    if body.cells is None:
+        draw_spheres(ax, body, colour, view=view, moved=reach * curves["displacement"], shown=shown)
+    else:
+        solid = polyhedra(body)
+        moved = corners_moved(solid, body, curves["displacement"], curves["orientation"], reach)
+        draw_cells(ax, solid, colour, view=view, moved=moved, shown=shown, piece=curves.get("piece"))
     ax.set_title(f"{told.title}, {magnified(reach)}", color=INK)
     bar = figure.colorbar(
         ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.7, aspect=30, pad=0.02
     )
-    bar.set_label("plastic slip of the cell [%]" if slipped else "largest damage of its facets, 1 − s [-]")
+    parts = "bonds" if body.cells is None else "facets"
+    bar.set_label("plastic slip of the cell [%]" if slipped else f"largest damage of its {parts}, 1 − s [-]")
     bar.outline.set_edgecolor(GREY)
 
 

@@ -6,7 +6,7 @@ from importlib.resources import files
 TEMPLATES = {
     "silica": "silica.toml", "cells": "silica_cells.toml", "concrete": "concrete.toml", "ucs": "ucs.toml",
     "brazilian": "brazilian.toml", "shear": "shear.toml", "crushing": "sphere_crushing.toml",
-    "impact": "sphere_impact.toml", "mesoscale": "mesoscale.toml",
+    "impact": "sphere_impact.toml", "mesoscale": "mesoscale.toml", "rock": "rock.toml",
 }  # fmt: skip
 
 

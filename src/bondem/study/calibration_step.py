@@ -1,6 +1,7 @@
 """Pipeline of `bondem calibrate`: pack, bond, calibrate and state the uncertainty."""
 
 import json
+import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -12,6 +13,7 @@ from bondem._checks import count as whole
 from bondem._checks import instance, number
 from bondem.calibration.elastic import Calibration, calibrate
 from bondem.calibration.reach import recommend
+from bondem.calibration.strength import StrengthCalibration
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Cell, Cylinder, Shape
 from bondem.interactions.beams.bond_law import BondLaw
@@ -40,6 +42,8 @@ class CalibrationPlan:
         spread: full range of the radii over their mean, κ [-].
         nu_mu: Poisson's ratio of the bonds [-].
         seed: seed of the first packing.
+        ucs, tension: strengths in compression and in direct tension [Pa]; None for elasticity only.
+        friction_angle: friction angle of the bonds [rad].
     """
 
     material: Material
@@ -50,6 +54,9 @@ class CalibrationPlan:
     spread: float = SPREAD
     nu_mu: float = 0.3
     seed: int = SEED
+    ucs: float | None = None
+    tension: float | None = None
+    friction_angle: float = math.radians(35.0)
 
     def __post_init__(self) -> None:
         if self.shape not in SHAPES:
@@ -57,6 +64,10 @@ class CalibrationPlan:
         instance("calibrate", "material", self.material, Material, "a material such as bd.materials.granite")
         for name, least in (("count", 1), ("packings", 1), ("seed", 0)):
             whole("", name, getattr(self, name), least=least)
+        if (self.ucs is None) != (self.tension is None):
+            raise InputError("ucs and tension belong together; give both strengths, or neither")
+        if self.ucs is not None and self.shape == "cell":
+            raise InputError("ucs and tension need specimens with ends; set the shape to cylinder, of fewer elements")
         Uniform(self.spread)
         number("", "nu_mu", self.nu_mu, above=-1.0, below=0.5, advice="a Poisson's ratio in (-1, 0.5)")
 
@@ -99,7 +110,10 @@ def run_calibration(
         lattices.append(connect(particles))
     packed = time.perf_counter()
     tell("calibrate", 0.0)
-    fit = calibrate(lattices, plan.material, law=plan.law, nu_mu=plan.nu_mu)
+    fit = calibrate(
+        lattices, plan.material, law=plan.law, nu_mu=plan.nu_mu, ucs=plan.ucs, tension=plan.tension,
+        friction_angle=plan.friction_angle,
+    )  # fmt: skip
     tell("calibrate", 1.0)
     seconds = {"pack_s": round(packed - begun, 3), "calibrate_s": round(time.perf_counter() - packed, 3)}
     found = _summary(plan, fit, lattices) | {"timing": seconds, "version": __version__}
@@ -146,4 +160,17 @@ def _summary(plan: CalibrationPlan, fit: Calibration, lattices: list[Lattice]) -
         "sensitivity": {name: {"log_E": one.log_E, "nu": one.nu} for name, one in slopes.items()},
         "table": [{fit.parameter: one.value, "stiffness_ratio": one.stiffness_ratio, "nu": one.nu}
                   for one in fit.table],
+        "strength": None if fit.strength is None else _strength(fit.strength, several),
+    }  # fmt: skip
+
+
+def _strength(fit: StrengthCalibration, several: bool) -> dict[str, Any]:
+    """Calibrated strengths of the bonds; intervals are null for a single packing."""
+    return {
+        "reached": fit.reached, "message": fit.message, "parameters": dict(fit.nearest.parameters),
+        "confidence_95": {name: fit.interval(name) if several else None for name in fit.names},
+        "measured": {name: fit.strengths(name).values.tolist() for name in fit.targets},
+        "new_packing_95": {
+            name: fit.strengths(name).interval(kind="prediction") if several else None for name in fit.targets
+        },
     }  # fmt: skip

@@ -16,7 +16,6 @@ from bondem.dynamics.history import History
 from bondem.dynamics.plan import Plan, settled
 from bondem.errors import ReportWarning, RunFileError
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.io.atomic import make_folder, write_text
 from bondem.io.folder import only_writer
 from bondem.io.particles_file import save_particles
@@ -242,9 +241,9 @@ def _law(study: Study, bonds: Bonding, body: _Body) -> AnyLaw:
 def to_failure(
     name: str, study: Study, body: _Body, bonds: Bonding, progress: Callable[[float], None]
 ) -> Outcome:
-    """Run a test to failure of a body of cells, after the checks of the study."""
+    """Run a test to failure, after the checks of the study."""
     assert study.failure is not None
-    law, failure = cast(CellAssignment, _law(study, bonds, body)), study.failure
+    law, failure = _law(study, bonds, body), study.failure
     if study.aggregates is not None and body.aggregates is not None:
         failure = study.aggregates.criteria(failure, body.aggregates)
     options = study.options.get(name)
