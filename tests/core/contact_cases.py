@@ -12,6 +12,7 @@ from bondem.model.state import State
 E = 1e7
 LINEAR = bd.LinearContact(E=E, friction=0.4, damping=0.1)
 HERTZIAN = bd.HertzMindlin(E=E, nu=0.3, friction=0.3, restitution=0.8, overlap=0.05)
+ROLLING = bd.LinearContact(E=E, friction=0.4, damping=0.1, rolling=0.3, twisting=0.2)
 BEAM = bd.Timoshenko(E=E, nu=0.2, radius=0.2)
 
 
@@ -123,6 +124,7 @@ STRESSED = bd.LinearContact(E=E / 20, friction=0.2, stress_free=False)
 #: Models, their states, and the damping of their runs.
 CASES: dict[str, tuple[Callable[[], tuple[bd.Model, State]], object]] = {
     "spheres and walls": (lambda: cloud(4, LINEAR, walls=all_walls(9.2)), None),
+    "beams, rolling": (lambda: moving_beams(ROLLING), None),
     "Hertzian spheres and walls": (lambda: cloud(4, HERTZIAN, walls=all_walls(9.2)), None),
     "spheres and walls that turn": (lambda: cloud(4, LINEAR, walls=turning_walls(9.2)), None),
     "Hertzian spheres and walls that turn": (lambda: cloud(4, HERTZIAN, walls=turning_walls(9.2)), None),

@@ -7,16 +7,20 @@
 #include "passes/contacts/handover.hpp"
 #include "passes/contacts/travel.hpp"
 #include "passes/contacts/rigid_walls.hpp"
+#include "passes/contacts/rolling.hpp"
 
 namespace bondem {
 
 #define F BONDEM_FIELD
 
-BONDEM_TABLE(ContactConstants, F(modulus, ""), F(soft, ""), F(friction, ""), F(damping, ""), F(hertzian, ""), F(radius, "n"))
+BONDEM_TABLE(ContactConstants, F(modulus, ""), F(soft, ""), F(friction, ""), F(damping, ""), F(rolling, ""), F(twisting, ""), F(deep, ""),
+             F(hertzian, ""), F(radius, "n"))
 BONDEM_TABLE(ContactPairs, F(first, "pairs"), F(second, "pairs"), F(start, "n+1"), F(reach, "pairs"), F(own, "pairs"),
              F(memory, "pairs 8"), F(touch, "pairs"), F(bond, "pairs"), F(joined, "*"), F(of_bond, "*"), F(period, "6"))
 BONDEM_TABLE(NearPairs, F(near, "pairs+1"), F(close, "pairs+1"), F(output, "pairs 8"), F(counts, "element_portions 2"),
              F(width, ""))
+BONDEM_TABLE(RolledPairs, F(rolled, "pairs 3"), F(output, "pairs 4"))
+BONDEM_TABLE(RolledWalls, F(rolled, "wall_contacts 3"))
 BONDEM_TABLE(FacePairs, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(lever_i, "3 m"), F(lever_j, "3 m"),
              F(pitch, "3"), F(normal, "3 m"), F(j, "m"), F(k, "m"), F(area, "m"), F(listed, "m"), F(plane, "m"), F(open, "m"), F(faced, "n"),
              F(outer, "n"), F(earlier_start, "n+1"), F(earlier, "pairs"), F(chosen, "pairs"), F(whole, "pairs"), F(close, "pairs"),
@@ -54,7 +58,7 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
 
 // Lines of the lists in `index.cpp`.
 #define BONDEM_CONTACT_TABLES                                                                                            \
-    described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<FacePairs>(), described<Travel>(),               \
+    described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<RolledPairs>(), described<RolledWalls>(), described<FacePairs>(), described<Travel>(),               \
         described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<WallRow>(), described<WallShape>(), \
         described<WallInertia>(), described<WallListed>(), described<WallLoad>(), described<Walls>(),           \
         described<WallMotions>(), described<PairSources>(), described<FoundPairs>(), described<WallSources>(),           \
@@ -67,6 +71,8 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
         S(of_elements, sum_pair_energies), S(of_elements, sum_wall_energies), S(serial, write_contact_energy),           \
         S(serial, count_wall_work), S(serial, write_walls), S(serial, begin_contacts), S(serial, release_pressure),             \
         S(serial, begin_softened_contacts), S(of_elements, press_pairs_and_faces), S(of_ranges, add_face_loads),          \
-        S(of_elements, sum_face_energies), S(serial, begin_face_contacts)
+        S(of_elements, sum_face_energies), S(serial, begin_face_contacts), S(of_elements, roll_pairs),                   \
+        S(of_ranges, add_rolling_loads), S(of_elements, roll_at_walls), S(of_elements, sum_rolling_energies),             \
+        S(of_elements, sum_rolling_at_walls)
 
 }  // namespace bondem

@@ -17,6 +17,9 @@ class ContactConstants(NamedTuple):
     soft: float  #: ks / kn [-]
     friction: float  #: μ of pairs [-]
     damping: float  #: β [-]
+    rolling: float  #: μ_r of pairs and at walls [-]
+    twisting: float  #: μ_w of pairs and at walls [-]
+    deep: float  #: overlap over the radius at which the stiffness against rolling is taken [-]
     hertzian: bool  #: whether it is that of Hertz and Mindlin
     radius: PerElement  #: [m], (n,)
 
@@ -45,6 +48,19 @@ class NearPairs(NamedTuple):
     output: Floats  #: force on the later element, damped [J], torque over the radius, rubbed [J], (c, 8)
     counts: Ints  #: of near and of close pairs of each portion of elements, (portions, 2)
     width: float  #: motion of an element after which distances are measured again [m]
+
+
+class RolledPairs(NamedTuple):
+    """Resistance of pairs to rolling."""
+
+    rolled: Floats  #: R̄ times the rotation that the spring of each pair stores [m], (c, 3)
+    output: Floats  #: moment on the later element [N·m], lost to friction [J], (c, 4)
+
+
+class RolledWalls(NamedTuple):
+    """Resistance of elements at walls to rolling."""
+
+    rolled: Floats  #: R times the rotation that the spring of each contact stores [m], (b, 3)
 
 
 class FacePairs(NamedTuple):

@@ -47,6 +47,8 @@ class FoundContacts:
         wall_start: start of the wall contacts of each element, (n + 1,).
         position: centres [m], (n, 3).
         reach: motion of an element or a wall for which the list is made [m].
+        rolled: rotation that each pair stores, as `State.rolled` [m], (c, 3).
+        wall_rolled: rotation that each contact with a wall stores [m], (b, 3).
     """
 
     pairs: FoundPairs
@@ -59,6 +61,8 @@ class FoundContacts:
     wall_start: Ints
     position: Floats
     reach: float
+    rolled: Floats
+    wall_rolled: Floats
 
 
 class ContactSearch:
@@ -125,7 +129,9 @@ class ContactSearch:
         )  # fmt: skip
         found = found_walls(state.pose, walls, at_walls)
         return FoundContacts(
-            pairs, whole, least, self._faces_of(pairs), own, of_bond, found, at_walls.start, position, 0.5 * skin
+            pairs, whole, least, self._faces_of(pairs), own, of_bond, found, at_walls.start, position, 0.5 * skin,
+            _matched(state.rolled, state.touching[:, ::-1], pairs.second, pairs.first, n),
+            _matched(state.wall_rolled, kept, found.element, found.wall, max(1, len(state.walls))),
         )  # fmt: skip
 
     def _listed(self, position: Floats, skin: float) -> np.ndarray:
@@ -154,7 +160,10 @@ class ContactSearch:
         found[kept] = state.stretch[np.searchsorted(known, key), FACES]
         return found
 
-    def keep(self, pairs: ContactPairs, walls: WallContacts, whole: Floats, faces: Floats | None) -> None:
+    def keep(
+        self, pairs: ContactPairs, walls: WallContacts, whole: Floats, faces: Floats | None,
+        rolled: tuple[Floats, Floats] | None,
+    ) -> None:  # fmt: skip
         """Write the memory of pairs, and of elements that touch walls, into the state.
 
         Args:
@@ -162,6 +171,7 @@ class ContactSearch:
             walls: contacts with walls.
             whole: distance at which pairs touch as spheres [m], (c,).
             faces: faces by which pairs touch, (c,), or None where none do.
+            rolled: rotations that pairs and contacts with walls store [m], (c, 3) and (b, 3), or None.
         """
         state, at_wall = self._state, walls.touch == TOUCHING
         bonded = pairs.bond >= 0
@@ -179,6 +189,8 @@ class ContactSearch:
         state.stretch = np.column_stack([memory, np.zeros(len(memory)) if faces is None else faces[kept]])
         state.wall_touching = np.column_stack([walls.element[at_wall], walls.wall[at_wall]]).astype(np.int64)
         state.wall_stretch = walls.memory[at_wall]
+        if rolled is not None:
+            state.rolled, state.wall_rolled = rolled[0][kept], rolled[1][at_wall]
 
 
 def _recalled(pairs: FoundPairs, whole: Floats) -> Floats:
@@ -192,6 +204,27 @@ def _recalled(pairs: FoundPairs, whole: Floats) -> Floats:
     start[spheres] = 0.0
     np.maximum(kind, 0.0, out=kind)
     return reach
+
+
+def _matched(
+    values: Floats, known: Ints, first: np.ndarray, second: np.ndarray, count: int
+) -> Floats:  # fmt: skip
+    """Return the rows of kept contacts for those of a list, zero where there are none.
+
+    Args:
+        values: rows of the kept contacts, or none at all, (k, 3).
+        known: both numbers of each kept contact, sorted, (k, 2).
+        first: first number of each contact of the list, (c,).
+        second: second number, below `count`, (c,).
+        count: numbers that the second may have.
+    """
+    found = np.zeros((len(first), 3))
+    if len(values):
+        keys, wanted = known @ np.array([count, 1]), first.astype(np.int64) * count + second
+        place = np.minimum(np.searchsorted(keys, wanted), len(keys) - 1)
+        there = keys[place] == wanted
+        found[there] = values[place[there]]
+    return found
 
 
 def _starts(later: Ints, n: int) -> Ints:

@@ -114,7 +114,7 @@ def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: flo
     if contacts is not None:
         motions += contacts.law.stiffest(model.contact_radius, model.mass, contacts.walls.platens)
         if model.failure is not None and contacts.own is not None and isinstance(model.bond, NonLocal):
-            _, soft, friction, beta, _ = contacts.law.parameters
+            _, soft, friction, beta, *_ = contacts.law.parameters
             soft = soft if friction > 0.0 else 0.0
             springs *= math.sqrt(max(1.0, soft * model.bond.E / model.bond.G))
             decay = _fastest_decay(model, contacts.own, beta, soft)
@@ -147,7 +147,7 @@ def _with_broken(model: Model, highest: float) -> tuple[float, float]:
     contacts = model.contacts
     if contacts is None or contacts.own is None or not len(contacts.own):
         return highest, 0.0
-    _, soft, friction, beta, _ = contacts.law.parameters
+    _, soft, friction, beta, *_ = contacts.law.parameters
     soft = soft if friction > 0.0 else 0.0
     decay = _decay_bound(model, contacts.own, beta, soft)
     if friction == 0.0:

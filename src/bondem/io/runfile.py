@@ -55,12 +55,13 @@ SCHEMA = 11
 # on criteria of failure and what broke; from 5 on cracks that soften and cells that yield; from 6 on soft beams; from
 # 7 on digests, snapshots and provenance; from 8 on walls of cells that come from where a stage before left them,
 # and cracks judged by the strength of their facet; from 9 on shares of the facets of cells; from 10
-# on steps of onset, crushing, and the slip that yielding cells hold over; from 11 on walls that turn.
+# on steps of onset, crushing, and the slip that yielding cells hold over; from 11 on walls that turn and
+# resistance to rolling.
 _OLDEST, _DIGESTED, _SHARED = 2, 7, 9
 # Schema from which on an array of the state is there.
 _SINCE = {
     "stress": 3, "broken": 4, "released": 4, "cracks": 5, "plastic": 5, "facet_force": 5, "softened": 6, "grips": 8,
-    "crushed": 10, "held_slip": 10,
+    "crushed": 10, "held_slip": 10, "rolled": 11, "wall_rolled": 11,
 }  # fmt: skip
 KIND = Kind("a run file of bondem", "give a file of a run", "start the run again", RunFileError)
 # Schema from which on a column of the records is there.

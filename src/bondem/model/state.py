@@ -62,6 +62,7 @@ class State(StateMotion):
     - `stretch`: memory of these contacts, columns of `contact_columns`, shape (c, 9).
     - `wall_touching`: internal element and wall of each contact with a wall, shape (b, 2).
     - `wall_stretch`: tangential stretch [m] and dashpot force [N] of these contacts, shape (b, 6).
+    - `rolled`, `wall_rolled`: R̄ times the rotation that contacts store, if they resist it [m], (c, 3), (b, 3).
     - `walls`: positions, velocities and loads of the walls (`bondem.boundary.wall_rows`), shape (w, 27).
     - `broken`: breakages in order of time (`bondem.damage.event_columns`), shape (e, 10).
     - `released`: energy that breaking bonds have released since the start [J], shape (1,).
@@ -102,6 +103,7 @@ class State(StateMotion):
         self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, CONTACT_COLUMNS))
         self.wall_touching = np.zeros((0, 2), dtype=np.int64)
         self.wall_stretch = np.zeros((0, 6))
+        self.rolled, self.wall_rolled = np.zeros((2, 0, 3))
         self.walls = walls_at_rest(len(model.walls))
         set_off(self.walls, (), model.walls)
         self.broken = np.zeros((0, BROKEN_COLUMNS))
@@ -117,12 +119,15 @@ class State(StateMotion):
 
     ARRAYS = (
         "pose", "motion", "acceleration", "integrity", "history", "stress", "eigenstrain", "reaction", "work", "loss",
-        "touching", "stretch", "wall_touching", "wall_stretch", "walls", "broken", "released",
-        "crushed", "cracks", "plastic", "held_slip", "facet_force", "softened", "grips",
+        "touching", "stretch", "wall_touching", "wall_stretch", "rolled", "wall_rolled", "walls", "broken",
+        "released", "crushed", "cracks", "plastic", "held_slip", "facet_force", "softened", "grips",
     )  # fmt: skip
 
     # Those with as many rows as there are contacts, or broken bonds.
-    GROWING = ("touching", "stretch", "wall_touching", "wall_stretch", "broken", "cracks", "softened")
+    GROWING = (
+        "touching", "stretch", "wall_touching", "wall_stretch", "rolled", "wall_rolled", "broken", "cracks",
+        "softened",
+    )  # fmt: skip
 
     _SCALARS = ("model", "layout", "rest", "origin", "step", "time", "stale")
 
@@ -175,6 +180,8 @@ class State(StateMotion):
             self.history[NON_LOCAL_WORK] = 0.0
         if model.contact is None:
             self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, CONTACT_COLUMNS))
+        if model.contact is None or not model.contact.rolls:
+            self.rolled, self.wall_rolled = np.zeros((2, 0, 3))
         before = self._take_walls(model.walls)
         set_off(self.walls, before, model.walls)
         wall_rows(self.walls)["work"] = 0.0
@@ -211,8 +218,11 @@ class State(StateMotion):
         """Carry over displacement and contacts of walls of the same definition; return the previous wall of each."""
         came = known_walls(self.model.walls, walls)
         if came != list(range(len(self.walls))):
-            found = rows_of_walls(came, self.walls, self.wall_touching, self.wall_stretch)
-            self.walls, self.wall_touching, self.wall_stretch = found
+            rolled = self.wall_rolled if len(self.wall_rolled) else np.zeros((len(self.wall_stretch), 0))
+            memory = np.hstack([self.wall_stretch, rolled])
+            self.walls, self.wall_touching, memory = rows_of_walls(came, self.walls, self.wall_touching, memory)
+            self.wall_stretch = np.ascontiguousarray(memory[:, :6])
+            self.wall_rolled = np.ascontiguousarray(memory[:, 6:]).reshape(-1, 3)
         return [None if before < 0 else self.model.walls[before] for before in came]
 
     @property

@@ -51,8 +51,9 @@ def _check_numbers(state: State, n: int, m: int, walls: int) -> None:
         raise InputError("state: touching has pairs whose first element is not the lower one")
     for name, stretch, touching in (
         ("stretch", state.stretch, pair), ("wall_stretch", state.wall_stretch, at_wall),
+        ("rolled", state.rolled, pair), ("wall_rolled", state.wall_rolled, at_wall),
     ):  # fmt: skip
-        if len(stretch) != len(touching):
+        if len(stretch) != len(touching) and not (name.endswith("rolled") and not len(stretch)):
             raise InputError(f"state: {name} has {len(stretch)} rows for {len(touching)} contacts")
     for name in ("cracks", "softened"):
         if len(np.unique(numbers[name][0])) < len(numbers[name][0]):

@@ -13,6 +13,7 @@
 #include "motion.hpp"
 #include "non_local_pairs.hpp"
 #include "record.hpp"
+#include "rolling.hpp"
 #include "softening_beams.hpp"
 #include "storing_beams.hpp"
 #include "strains.hpp"
@@ -159,6 +160,11 @@
     X(sum_portion_of_faces)             \
     X(press_walls_on_element)           \
     X(add_contact_load)                 \
+    X(roll_one_pair)                    \
+    X(add_rolling_of_element)           \
+    X(roll_element_at_walls)            \
+    X(sum_portion_of_rolling)           \
+    X(sum_portion_of_rolling_at_walls)  \
     X(load_wall)                        \
     X(kick_free_wall)                   \
     X(begin_contact_of_event)           \

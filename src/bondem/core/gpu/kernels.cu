@@ -10,6 +10,7 @@
 #include "../passes/contacts/face_contacts.cpp"
 #include "../passes/contacts/handover.cpp"
 #include "../passes/contacts/rigid_walls.cpp"
+#include "../passes/contacts/rolling.cpp"
 #include "../passes/cracks/crack_loads.cpp"
 #include "../passes/cracks/opening.cpp"
 #include "../passes/cracks/stress_state.cpp"

@@ -16,6 +16,8 @@ struct ContactConstants {
     double soft;  // ks / kn [-]
     double friction;  // μ of pairs [-]
     double damping;  // β [-]
+    double rolling, twisting;  // μ_r and μ_w of pairs and at walls [-]
+    double deep;  // overlap over the radius at which the stiffness against rolling is taken [-]
     Index hertzian;  // whether it is that of Hertz and Mindlin
     Array<const double, 1> radius;  // [m], (n,)
 };
@@ -42,6 +44,15 @@ struct NearPairs {
     Array<double, 2> output;  // (c, 8)
     Array<Index, 2> counts;  // of near and of close pairs of each portion, (portions, 2)
     double width;  // motion of an element after which distances are measured anew [m]
+};
+// What resists rolling: R̄ times the rotation that the spring of each pair stores [m], (c, 3), and the moment on its later
+// element [N·m] and the energy lost to friction [J], (c, 4).
+struct RolledPairs {
+    Array<double, 2> rolled, output;
+};
+// The same at walls, (b, 3).
+struct RolledWalls {
+    Array<double, 2> rolled;
 };
 // Faces of cells on material planes whose facet has cracked, and the pairs that touch by them (`laws/face_contact.hpp`).
 struct FacePairs {

@@ -14,6 +14,8 @@ from bondem.dynamics.contact_tables import (
     ContactSums,
     FacePairs,
     NearPairs,
+    RolledPairs,
+    RolledWalls,
     Travel,
     WallContacts,
     WallMotions,
@@ -72,6 +74,17 @@ _sum_pairs = IndexPass("sum_portion_of_pairs", DeviceSpan, Moving, ContactConsta
 _sum_at_walls = IndexPass(
     "sum_portion_at_walls", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, ContactEnergies
 )
+_roll_pair = IndexPass("roll_one_pair", DeviceSpan, Moving, ContactConstants, ContactPairs, NearPairs, RolledPairs)
+_add_rolling = IndexPass("add_rolling_of_element", ContactPairs, EarlierPairs, RolledPairs, ContactSums)
+_roll_at_walls = IndexPass(
+    "roll_element_at_walls", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, RolledWalls, ContactSums
+)
+_sum_rolling = IndexPass(
+    "sum_portion_of_rolling", DeviceSpan, ContactConstants, ContactPairs, RolledPairs, ContactEnergies
+)
+_sum_rolling_at_walls = IndexPass(
+    "sum_portion_of_rolling_at_walls", DeviceSpan, ContactConstants, WallContacts, RolledWalls, ContactEnergies
+)
 _write_energy = IndexPass("write_energy_of_contacts", DeviceSpan, ContactEnergies, HistoryRows)
 _write_work = IndexPass("write_work_of_walls", DeviceSpan, Walls, HistoryRows)
 _write_gauge = IndexPass("write_gauge_of_wall", DeviceSpan, Walls, Gauges, HistoryRows)
@@ -112,6 +125,40 @@ def _add(
     if len(pairs.first) == 0:
         return []
     return [(_add_pairs, run.span.n, (law, pairs, earlier_pairs(run, pairs), near, sums))]
+
+
+def _roll(
+    run: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, near: NearPairs, of: RolledPairs
+) -> list[Launch]:
+    return [(_roll_pair, len(pairs.first), (run.span, moving, law, pairs, near, of))]
+
+
+def _add_rolled(
+    run: Translation, pairs: ContactPairs, _: NearPairs, of: RolledPairs, sums: ContactSums
+) -> list[Launch]:
+    if len(pairs.first) == 0:
+        return []
+    return [(_add_rolling, run.span.n, (pairs, earlier_pairs(run, pairs), of, sums))]
+
+
+def _roll_walls(
+    run: Translation, moving: Moving, law: ContactConstants, contacts: WallContacts, walls: Walls, of: RolledWalls,
+    sums: ContactSums,
+) -> list[Launch]:  # fmt: skip
+    count = run.span.n if len(contacts.wall) else 0
+    return [(_roll_at_walls, count, (run.span, moving, law, contacts, walls, of, sums))]
+
+
+def _rolling_energies(
+    run: Translation, law: ContactConstants, pairs: ContactPairs, of: RolledPairs, energies: ContactEnergies
+) -> list[Launch]:
+    return [(_sum_rolling, len(energies.energy), (run.span, law, pairs, of, energies))]
+
+
+def _rolling_energies_at_walls(
+    run: Translation, law: ContactConstants, contacts: WallContacts, of: RolledWalls, energies: ContactEnergies
+) -> list[Launch]:
+    return [(_sum_rolling_at_walls, len(energies.energy), (run.span, law, contacts, of, energies))]
 
 
 def _press_with_faces(
@@ -238,6 +285,11 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "check_travel": _check,
     "press_pairs": _press,
     "add_pair_loads": _add,
+    "roll_pairs": _roll,
+    "add_rolling_loads": _add_rolled,
+    "roll_at_walls": _roll_walls,
+    "sum_rolling_energies": _rolling_energies,
+    "sum_rolling_at_walls": _rolling_energies_at_walls,
     "press_pairs_and_faces": _press_with_faces,
     "add_face_loads": _add_by_faces,
     "sum_face_energies": _face_energies,
@@ -279,7 +331,7 @@ def _none(n: int) -> WallContacts:
 
 def lists_of_contacts(passes: Passes) -> list[Any]:
     """Return the tables of the passes of a step that are made anew with a list of contacts."""
-    kinds = ContactPairs, FacePairs, NearPairs, Travel, WallContacts
+    kinds = ContactPairs, FacePairs, NearPairs, RolledPairs, RolledWalls, Travel, WallContacts
     return list({id(table): table for _, *tables in passes for table in tables if isinstance(table, kinds)}.values())
 
 

@@ -15,6 +15,8 @@ from bondem.dynamics.contact_tables import (
     ContactSums,
     FacePairs,
     NearPairs,
+    RolledPairs,
+    RolledWalls,
     Travel,
     WallContacts,
     WallMotions,
@@ -75,6 +77,16 @@ _add_begun_contacts = StepPass(
     "add_begun_contacts", Moving, ContactConstants, ContactPairs, LaggedStresses, EventLog
 )
 
+_roll_pairs = StepPass("roll_pairs", Moving, ContactConstants, ContactPairs, NearPairs, RolledPairs)
+_add_rolling = StepPass("add_rolling_loads", ContactPairs, NearPairs, RolledPairs, ContactSums)
+_roll_at_walls = StepPass(
+    "roll_at_walls", Moving, ContactConstants, WallContacts, Walls, RolledWalls, ContactSums
+)
+_sum_rolling = StepPass("sum_rolling_energies", ContactConstants, ContactPairs, RolledPairs, ContactEnergies)
+_sum_rolling_at_walls = StepPass(
+    "sum_rolling_at_walls", ContactConstants, WallContacts, RolledWalls, ContactEnergies
+)
+
 # Distances of all pairs are measured again when an element has moved this share of the reach of the list.
 _FRESH = 0.1
 
@@ -106,8 +118,9 @@ class ContactTables:
         self._check = ContactCheck(contacts, dt)
         self._period, self._joints = model.period, joints
         n, portions = len(state.pose), len(shared.portions.elements)
-        modulus, soft, friction, damping, hertzian = contacts.law.parameters.tolist()
-        self._law = ContactConstants(modulus, soft, friction, damping, bool(hertzian), contacts.radius)
+        *numbers, hertzian = contacts.law.parameters.tolist()
+        self._law = ContactConstants(*numbers, bool(hertzian), contacts.radius)
+        self._rolls = contacts.law.rolls
         self._sums = ContactSums(lines(n))
         self._energies = ContactEnergies(np.zeros(portions))
         walls = contacts.walls
@@ -148,6 +161,8 @@ class ContactTables:
             found.wall_start, at_walls.element, at_walls.wall, at_walls.gap, at_walls.memory, at_walls.touch,
             no_rows("WallLoad", len(at_walls.wall)),
         )  # fmt: skip
+        self._rolled = RolledPairs(found.rolled, np.zeros((c, 4))) if self._rolls else None
+        self._rolled_walls = RolledWalls(found.wall_rolled)
         self._walls.keep_places(found.position)
 
     def part(self) -> Part:
@@ -163,11 +178,17 @@ class ContactTables:
                 (_press_pairs_and_faces, *examined, faces), add,
                 (_add_face_loads, self._pairs, faces, self._sums),
             ]  # fmt: skip
+        if self._rolled is not None:
+            contacts += [
+                (_roll_pairs, s.moving, law, self._pairs, self._near, self._rolled),
+                (_add_rolling, self._pairs, self._near, self._rolled, self._sums),
+            ]
         guard: Passes = []
         if walled:
             travel.insert(0, (_move_walls, self._motions, walls))
             contacts += [
                 (_press_walls, s.moving, law, self._at_walls, walls, self._sums),
+                *self._rolling_at_walls(),
                 (_measure_walls, s.moving, law, self._at_walls, walls, self._near, self._travel),
                 (_load_walls, self._at_walls, self._motions, walls),
             ]
@@ -176,6 +197,12 @@ class ContactTables:
         loads: Passes = [(_add_contact_loads, s.moving, s.cut, self._sums)]
         stages = {**self._after_failure(), "travel": travel, "contacts": contacts, "add": loads, "guard": guard}
         return Part(stages, record=self._record, keep=self._keep, renewed=self._renewed)
+
+    def _rolling_at_walls(self) -> Passes:
+        if self._rolled is None:
+            return []
+        at = self._at_walls
+        return [(_roll_at_walls, self._shared.moving, self._law, at, self._walls, self._rolled_walls, self._sums)]
 
     def _after_failure(self) -> dict[str, Passes]:
         """Return the passes that begin contact where bonds have failed."""
@@ -217,13 +244,17 @@ class ContactTables:
         if len(self._walls.body):
             passes.append((_sum_wall_energies, moving, law, self._at_walls, self._walls, energies))
             passes.append((_write_walls, self._walls, self._gauges, history))
+        if self._rolled is not None:
+            passes.append((_sum_rolling, law, self._pairs, self._rolled, energies))
+            passes.append((_sum_rolling_at_walls, law, self._at_walls, self._rolled_walls, energies))
         return [*passes, (_write_contact_energy, energies, history)]
 
     def _keep(self) -> None:
         """Write the memory of contacts into the state, and check them."""
         pairs, at_walls = self._pairs, self._at_walls
         chosen = None if self._face_pairs is None else self._face_pairs.chosen
-        self._search.keep(pairs, at_walls, self._whole, chosen)
+        rolled = None if self._rolled is None else (self._rolled.rolled, self._rolled_walls.rolled)
+        self._search.keep(pairs, at_walls, self._whole, chosen, rolled)
         self._deepest = max(self._deepest, float(self._travel.portion[:, 2].max(initial=0.0)))
         listed = ListedContacts(
             pairs.first, pairs.second, pairs.bond, pairs.joined, at_walls.element, self._velocity_of_walls(),

@@ -49,10 +49,16 @@ class ContactLaw(ABC):
     @property
     @abstractmethod
     def parameters(self) -> Floats:
-        """Parameters of the law that the compiled core reads, (5,).
+        """Parameters of the law that the compiled core reads, (8,).
 
-        They are the modulus [Pa], ks / kn, μ and β, and 1 for a Hertzian law or 0 for a linear one.
+        They are the modulus [Pa], ks / kn, μ and β, μ_r and μ_w of rolling and twisting, the overlap over the radius
+        at which the stiffness against rolling is taken, and 1 for a Hertzian law or 0 for a linear one.
         """
+
+    @property
+    def rolls(self) -> bool:
+        """True if contacts resist rolling or twisting."""
+        return bool(self.parameters[4:6].any())
 
     @abstractmethod
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
@@ -103,13 +109,13 @@ def rebound(beta: float) -> float:
 
 
 def fastest(
-    kn: Floats, kappa: float, delay: float, mass: Floats, platens: Floats, *, rough: bool
+    kn: Floats, kappa: float, delay: float, mass: Floats, platens: Floats, *, rough: bool, rolls: bool
 ) -> tuple[tuple[float, float], ...]:
     """Return the result of `ContactLaw.stiffest` for spheres whose contacts have the stiffness kn.
 
     Every contact has a twelfth of the masses that it joins, because at most twelve spheres of equal size touch
     another. Two such masses against each other have ω² = 2 · 12 kn / m, and rolling on each other ω² = 7 · 12 ks / m.
-    A platen may have to carry all spheres.
+    A spring against rolling adds R̄² ks / I < 2.5 · 12 ks / m. A platen may have to carry all spheres.
 
     Args:
         kn: normal stiffness [N/m], (n,).
@@ -118,12 +124,13 @@ def fastest(
         mass: masses of the spheres [kg], (n,).
         platens: masses of the walls that a force moves [kg], (s,).
         rough: True if there is friction.
+        rolls: True if there is resistance to rolling or twisting.
     """
     light = mass / (1.0 + len(mass) * mass / KISSING / platens.min()) if len(platens) else mass
     along = math.sqrt(float((2.0 * KISSING * kn / light).max())), delay
-    if not rough:
+    if not (rough or rolls):
         return (along,)
-    rolling = math.sqrt(float((7.0 * KISSING * kn / kappa / light).max()))
+    rolling = math.sqrt(float(((9.5 if rolls else 7.0) * KISSING * kn / kappa / light).max()))
     return along, (rolling, delay * math.sqrt(kappa))
 
 
@@ -144,6 +151,12 @@ def slowest_root(pair: Floats, wall: Floats, mass: Floats, platens: Floats, *, w
     return math.sqrt(least)
 
 
+def check_rolling(law: str, rolling: float, twisting: float) -> None:
+    """Check coefficients of resistance to rolling and twisting."""
+    for name, value in (("rolling", rolling), ("twisting", twisting)):
+        number(law, name, value, least=0.0, advice="a coefficient of zero or more")
+
+
 @dataclass(frozen=True)
 class LinearContact(ContactLaw):
     """Linear contact with Coulomb friction between elements without an intact bond, and at walls.
@@ -162,6 +175,10 @@ class LinearContact(ContactLaw):
             the rest length of the bond. False to measure all gaps from the spheres, with kn of this law.
         parallel: True if the contact also acts beside intact bonds, with kn of this law before and after they break;
             gaps of bonded pairs are then those of any pair. For beams only.
+        rolling: coefficient μ_r of resistance to rolling [-]: a spring of stiffness ks R̄² against the rotation of one
+            sphere on the other, 1/R̄ = 1/Ri + 1/Rj (at a wall R̄ = R), with the limit μ_r R̄ F_n and without a dashpot
+            (type C of Ai et al., Powder Technology 206 (2011) 269–282). 0 for none.
+        twisting: coefficient of resistance to rotation about the normal of the contact, of the same form [-].
     """
 
     E: float
@@ -170,6 +187,8 @@ class LinearContact(ContactLaw):
     damping: float = 0.0
     stress_free: bool = True
     parallel: bool = False
+    rolling: float = 0.0
+    twisting: float = 0.0
 
     def __post_init__(self) -> None:
         law = "LinearContact"
@@ -179,6 +198,7 @@ class LinearContact(ContactLaw):
         number(law, "damping", self.damping, least=0.0, below=1.0, advice="a share of critical damping in [0, 1)")
         instance(law, "stress_free", self.stress_free, bool, "True or False")
         instance(law, "parallel", self.parallel, bool, "True or False")
+        check_rolling(law, self.rolling, self.twisting)
 
     @property
     def restitution(self) -> float:
@@ -187,14 +207,16 @@ class LinearContact(ContactLaw):
 
     @property
     def parameters(self) -> Floats:
-        """Parameters of the law that the compiled core reads: E [Pa], ks / kn, μ, β and 0 for "linear", (5,)."""
-        return np.array([self.E, 1.0 / self.kappa, self.friction, self.damping, 0.0])
+        """Parameters of the law that the compiled core reads; see `ContactLaw.parameters`."""
+        return np.array(
+            [self.E, 1.0 / self.kappa, self.friction, self.damping, self.rolling, self.twisting, 0.0, 0.0]
+        )
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
         """Return bounds of the fastest motions of spheres in contact; arguments as for `ContactLaw.stiffest`."""
         kn = 0.5 * math.pi * self.E * radius
         delay = 2.0 * self.damping * float(np.sqrt(0.5 * mass / kn).max())
-        return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0)
+        return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0, rolls=self.rolls)
 
     @property
     def deepest(self) -> float:

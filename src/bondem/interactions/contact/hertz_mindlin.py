@@ -13,7 +13,14 @@ from bondem._names import users_line
 from bondem._plausibility import physical
 from bondem._types import Floats
 from bondem.errors import ContactWarning
-from bondem.interactions.contact.contact_law import HERTZIAN_DASHPOT, ContactLaw, fastest, rebound, slowest_root
+from bondem.interactions.contact.contact_law import (
+    HERTZIAN_DASHPOT,
+    ContactLaw,
+    check_rolling,
+    fastest,
+    rebound,
+    slowest_root,
+)
 from bondem.specimen.material import Material, of_material
 
 # Rebound below which a dashpot would cost more of the time step than anyone means.
@@ -52,6 +59,8 @@ class HertzMindlin(ContactLaw):
         restitution: speed after over speed before a collision along the normal, in [0.01, 1] [-].
         overlap: deepest overlap over the radius for which the time step is computed [-]; stiffness grows as its root.
         stress_free: see `LinearContact`.
+        rolling: see `LinearContact`; ks of its spring is that at the overlap `overlap`, a constant of each pair.
+        twisting: see `LinearContact`.
     """
 
     E: float
@@ -60,12 +69,14 @@ class HertzMindlin(ContactLaw):
     restitution: float = 1.0
     overlap: float = 0.01
     stress_free: bool = True
+    rolling: float = 0.0
+    twisting: float = 0.0
 
     if TYPE_CHECKING:
 
         def __init__(
             self, E: float | Material, nu: float | Material = ..., friction: float = 0.0, restitution: float = 1.0,
-            overlap: float = 0.01, stress_free: bool = True,
+            overlap: float = 0.01, stress_free: bool = True, rolling: float = 0.0, twisting: float = 0.0,
         ) -> None: ...  # fmt: skip
 
     def __post_init__(self) -> None:
@@ -77,6 +88,7 @@ class HertzMindlin(ContactLaw):
         number(law, "restitution", e, least=_LEAST_REBOUND, below=most, advice="one in [0.01, 1]")
         number(law, "overlap", self.overlap, above=0.0, below=1.0, advice="a share of the radius in (0, 1)")
         instance(law, "stress_free", self.stress_free, bool, "True or False")
+        check_rolling(law, self.rolling, self.twisting)
         most = math.sqrt(1.5 / self.kappa)
         if self.friction > most:
             warnings.warn(
@@ -109,14 +121,15 @@ class HertzMindlin(ContactLaw):
 
     @property
     def parameters(self) -> Floats:
-        """Parameters of the law that the compiled core reads: E* [Pa], ks / kn, μ, β and 1 for "Hertzian", (5,)."""
-        return np.array([self.modulus, 1.0 / self.kappa, self.friction, self.damping, 1.0])
+        """Parameters of the law that the compiled core reads; see `ContactLaw.parameters`."""
+        soft, mu, beta = 1.0 / self.kappa, self.friction, self.damping
+        return np.array([self.modulus, soft, mu, beta, self.rolling, self.twisting, self.overlap, 1.0])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
         """Return bounds of the fastest motions of spheres at the deepest overlap; see `ContactLaw.stiffest`."""
         kn = 2.0 * self.modulus * radius * math.sqrt(0.5 * self.overlap)
         delay = 2.0 * HERTZIAN_DASHPOT * self.damping * float(np.sqrt(0.5 * mass / kn).max())
-        return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0)
+        return fastest(kn, self.kappa, delay, mass, platens, rough=self.friction > 0.0, rolls=self.rolls)
 
     @property
     def deepest(self) -> float:

@@ -1,0 +1,34 @@
+// Rolling resistance on a device: a thread rolls one pair, then one adds what pairs and walls do to one element.
+#pragma once
+#include "../passes/contacts/rolling.hpp"
+#include "contacts.hpp"
+
+namespace bondem {
+
+inline void roll_one_pair(Index k, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
+                          const ContactPairs &pairs, const NearPairs &near, const RolledPairs &of) {
+    if (as_spheres(pairs.touch(k))) roll_pair(all, c, pairs, of, k, near.output.row<const Vector>(k), clock_of(span).dt);
+}
+inline void add_rolling_of_element(Index p, const ContactPairs &pairs, const EarlierPairs &earlier, const RolledPairs &of,
+                                   const ContactSums &to) {
+    for (Index k = pairs.start(p); k < pairs.start(p + 1); k++)
+        if (as_spheres(pairs.touch(k))) add_rolling(of, k, true, &to.sums(p, 0));
+    for (Index e = earlier.start(p); e < earlier.start(p + 1); e++)
+        if (as_spheres(pairs.touch(earlier.pair(e)))) add_rolling(of, earlier.pair(e), false, &to.sums(p, 0));
+}
+inline void roll_element_at_walls(Index p, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
+                                  const WallContacts &contacts, const Walls &walls, const RolledWalls &of,
+                                  const ContactSums &to) {
+    roll_at_walls(turn_of(span, p), all, c, contacts, walls, of, to);
+}
+inline void sum_portion_of_rolling(Index b, const DeviceSpan &span, const ContactConstants &c, const ContactPairs &pairs,
+                                   const RolledPairs &of, const ContactEnergies &energies) {
+    sum_rolling_energies(portion_of(span, b, elements_of_portion, span.n), c, pairs, of, energies);
+}
+inline void sum_portion_of_rolling_at_walls(Index b, const DeviceSpan &span, const ContactConstants &c,
+                                            const WallContacts &contacts, const RolledWalls &of,
+                                            const ContactEnergies &energies) {
+    sum_rolling_at_walls(portion_of(span, b, elements_of_portion, span.n), c, contacts, of, energies);
+}
+
+}  // namespace bondem

@@ -1,0 +1,71 @@
+#include "rolling.hpp"
+
+namespace bondem {
+
+void roll_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
+                const RolledPairs &of) {
+    const Index begin = pairs.start(turn.first), end = begin + near.counts(turn.block, 1);
+    for (Index e = begin; e < end; e++)
+        roll_pair(all, c, pairs, of, near.close(e), near.output.row<const Vector>(e), turn.clock.dt);
+}
+
+void add_rolling_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const RolledPairs &of,
+                       const ContactSums &to) {
+    const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };
+    for (Index q = turn.first / elements_of_portion; q < near.counts.size(); q++) {
+        const Index begin = pairs.start(elements_of_portion * q), end = begin + near.counts(q, 1);
+        for (Index e = begin; e < end; e++) {
+            const Short k = near.close(e), a = pairs.first(k), b = pairs.second(k);
+            if (mine(a)) add_rolling(of, k, false, &to.sums(a, 0));
+            if (mine(b)) add_rolling(of, k, true, &to.sums(b, 0));
+        }
+    }
+}
+
+void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+                   const Walls &walls, const RolledWalls &of, const ContactSums &to) {
+    const double dt = turn.clock.dt;
+    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+        Vector &rolled = of.rolled.row<Vector>(e);
+        const bool touches = contacts.touch(e) == touching;
+        if (!touches && dot(rolled, rolled) == 0.0) continue;
+        const Short p = contacts.element(e);
+        const WallPlace wall(walls, contacts.wall(e));
+        const Vector x = centre(all.pose.data, p);
+        const double radius = c.radius(p);
+        const Motion<double> moving(gather(all.motion.data, p));
+        const SeenFromWall seen = seen_from(wall, x, radius, moving, {rolled, {}}, dt);
+        const Vector n = wall.surface(x, radius).normal;
+        WallLoad &output = contacts.output.row<WallLoad>(e);
+        const RollingContact at = {rolling_stiffness_at_wall(c, radius), radius, touches ? output.normal : 0.0, n,
+                                   seen.before.normal, seen.now.spin, seen.last.spin, 0.5 * dot(seen.now.spin, n)};
+        const RollingLoads loads = rolling_loads(at, c, seen.memory.stretch, dt);
+        rolled = loads.rolled;
+        output.torque = output.torque - loads.moment;
+        for (Index k = 0; k < 3; k++) to.sums(p, 4 + k) += loads.moment[k];
+        to.sums(p, 7) += loads.rubbed;
+    }
+}
+
+void sum_rolling_energies(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of,
+                          const ContactEnergies &energies) {
+    double sum = 0.0;
+    for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++) {
+        const Vector rolled = of.rolled.row<const Vector>(k);
+        if (pairs.touch(k) == touching) sum += 0.5 * rolling_stiffness(c, pairs, k) * dot(rolled, rolled);
+    }
+    energies.energy(turn.block) += sum;
+}
+
+void sum_rolling_at_walls(const Turn &turn, const ContactConstants &c, const WallContacts &contacts, const RolledWalls &of,
+                          const ContactEnergies &energies) {
+    double sum = 0.0;
+    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+        const Vector rolled = of.rolled.row<const Vector>(e);
+        if (contacts.touch(e) == touching)
+            sum += 0.5 * rolling_stiffness_at_wall(c, c.radius(contacts.element(e))) * dot(rolled, rolled);
+    }
+    energies.energy(turn.block) += sum;
+}
+
+}  // namespace bondem

@@ -1,0 +1,103 @@
+// Resistance to rolling and twisting of spheres in contact: a spring of the relative rotation, with a limit.
+//
+//     M = -R̄ ks ρ      |ρ_t| <= μ_r F_n / ks      |ρ_n| <= μ_w F_n / ks      1/R̄ = 1/R_i + 1/R_j, at a wall R̄ = R
+//
+// ρ is R̄ times the rotation of the second body against the first that the spring stores, ρ_t across the normal and ρ_n along
+// it. ks is that of the contact; of a law that hardens, that at the overlap for which its time step is computed, as a constant
+// stiffness stores a potential. There is no dashpot. Energy: ½ ks ρ²; work that it does not store is friction.
+//
+// The moments on both bodies are opposite: angular momentum is conserved. Source: type C of Ai, Chen, Rotter and Ooi, Powder
+// Technology 206 (2011) 269–282, without its dashpot.
+#pragma once
+#include "../../steps.hpp"
+#include "../../tables/contact_tables.hpp"
+#include "pairs.hpp"
+#include "seen_from_wall.hpp"
+
+namespace bondem {
+
+// A contact that may roll.
+struct RollingContact {
+    double ks, arm;  // [N/m], R̄ [m]
+    double pressed;  // F_n [N]
+    Vector normal, last_normal;
+    Vector spin, last_spin;  // of the second body against the first, now and a step ago [rad/s]
+    double twist;  // rate at which the pair turns about the normal [rad/s]
+};
+struct RollingLoads {
+    Vector moment;  // on the second body [N·m]
+    Vector rolled;  // ρ [m]
+    double rubbed;  // [J]
+};
+
+// What a contact does over a step of dt.
+inline RollingLoads rolling_loads(const RollingContact &at, const ContactConstants &c, const Vector &before, double dt) {
+    const Vector n = at.normal, m = at.last_normal;
+    const auto turned = [&](const Vector &v) {
+        const double along = dot(v, m);
+        return plus(turned_with(minus(v, along, m), n, dt * at.twist), along, n);
+    };
+    const Vector whole = plus(turned(before), 0.5 * dt * at.arm, turned(at.last_spin) + at.spin);
+    const double along = dot(whole, n), most_along = c.twisting * at.pressed / at.ks;
+    const Vector across = minus(whole, along, n);
+    const double size = length(across), most_across = c.rolling * at.pressed / at.ks;
+    const Vector rolled = plus((size > most_across ? most_across / size : 1.0) * across, within(along, -most_along, most_along), n);
+    const double given = 0.5 * dt * at.arm * at.ks * (dot(before, at.last_spin) + dot(rolled, at.spin));
+    return {(-at.arm * at.ks) * rolled, rolled, given - 0.5 * at.ks * (dot(rolled, rolled) - dot(before, before))};
+}
+
+// R̄ of pair k, and the stiffness of its spring.
+inline double rolling_arm(const ContactConstants &c, const ContactPairs &pairs, Index k) {
+    const double a = c.radius(pairs.first(k)), b = c.radius(pairs.second(k));
+    return a * b / (a + b);
+}
+inline double rolling_stiffness(const ContactConstants &c, const ContactPairs &pairs, Index k) {
+    double ks = 0.0;
+    with_law(c, [&](auto law) {
+        const double deep = 2.0 * c.deep * rolling_arm(c, pairs, k);
+        ks = c.soft * law.between(pairs.own(k), c.radius(pairs.first(k)), c.radius(pairs.second(k)), deep).kn;
+    });
+    return ks;
+}
+inline double rolling_stiffness_at_wall(const ContactConstants &c, double radius) {
+    double ks = 0.0;
+    with_law(c, [&](auto law) { ks = c.soft * law.at_wall(radius, c.deep * radius).kn; });
+    return ks;
+}
+
+// Rolls pair k, which touches or has just parted; `force` is that on its later element.
+inline void roll_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of, Index k,
+                      const Vector &force, double dt) {
+    const Short p = pairs.first(k), q = pairs.second(k);
+    const Motion<double> a(gather(all.motion.data, p)), b(gather(all.motion.data, q));
+    const Vector d = branch_of(all.pose.data, pairs, k), before = minus(d, dt, b.v - a.v), n = (1.0 / length(d)) * d;
+    const bool touches = pairs.touch(k) == touching;
+    const RollingContact at = {rolling_stiffness(c, pairs, k), rolling_arm(c, pairs, k), touches ? dot(force, n) : 0.0, n,
+                               (1.0 / length(before)) * before, b.w - a.w, b.w - a.w, 0.5 * dot(a.w + b.w, n)};
+    const RollingLoads loads = rolling_loads(at, c, of.rolled.row<Vector>(k), dt);
+    of.rolled.row<Vector>(k) = loads.rolled;
+    for (Index x = 0; x < 3; x++) of.output(k, x) = loads.moment[x];
+    of.output(k, 3) = loads.rubbed;
+}
+// Adds what pair k does to its later or its earlier element.
+inline void add_rolling(const RolledPairs &of, Index k, bool later, double *row) {
+    for (Index x = 0; x < 3; x++) row[4 + x] += later ? of.output(k, x) : -of.output(k, x);
+    if (later) row[7] += of.output(k, 3);
+}
+
+// Moments and memory of the pairs of a portion of elements that touch.
+void roll_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
+                const RolledPairs &of);
+// Adds what they do to the elements of a range.
+void add_rolling_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const RolledPairs &of,
+                       const ContactSums &to);
+// The same of a portion of elements at walls.
+void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+                   const Walls &walls, const RolledWalls &of, const ContactSums &to);
+// Adds the energy that the springs of a portion store [J].
+void sum_rolling_energies(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of,
+                          const ContactEnergies &energies);
+void sum_rolling_at_walls(const Turn &turn, const ContactConstants &c, const WallContacts &contacts, const RolledWalls &of,
+                          const ContactEnergies &energies);
+
+}  // namespace bondem
