@@ -3,8 +3,8 @@
 Physics: 700 loose spheres stand as a column on a floor of fixed spheres, with a coefficient of friction of 0.5. A
 coefficient of resistance to rolling stands for the shape of grains, which do not roll on each other as spheres do.
 
-Expected: the slope of a cone of the same mean height z and mean distance r from the axis, tan α = 2 z / r, is 1.5 times as
-steep with μ_r = 0.3 as without. Takes about 15 s of a core.
+Expected: the slope of a cone of the same mean height z and mean distance r from the axis, tan α = 2 z / r, is 1.5 times
+as steep with μ_r = 0.3 as without. Takes about 15 s of a core.
 Run it with:  python examples/pile.py
 """
 
@@ -29,7 +29,7 @@ def slope(rolling: float, count: int = 700, duration: float = 0.8) -> float:
     floor, one = layer(FLOOR, 1.9 * RADIUS), layer(COLUMN, 2.3 * RADIUS)
     rng = np.random.default_rng(1)
     rows = -(-count // len(one))
-    grains = np.vstack([one + [0.0, 0.0, (2.0 + 2.1 * k) * RADIUS] for k in range(rows)])[:count]
+    grains = np.vstack([one + np.array([0.0, 0.0, (2.0 + 2.1 * k) * RADIUS]) for k in range(rows)])[:count]
     grains += rng.uniform(-0.1 * RADIUS, 0.1 * RADIUS, grains.shape)
     fixed, radius = np.arange(len(floor)), rng.uniform(0.9, 1.0, len(floor) + count) * RADIUS
     model = bd.Model(

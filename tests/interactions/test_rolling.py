@@ -175,7 +175,7 @@ def test_a_coefficient_is_not_negative(name: str) -> None:
 
 @pytest.mark.parametrize("kind", LAWS)
 def test_a_turning_wall_spins_a_ball_by_its_resistance(kind: str, one_thread: None) -> None:
-    """About the normal: μ_w R F_n on the ball, the opposite on the wall, and the work of the wall is kept and lost."""
+    """About the normal: μ_w R F_n on the ball, the opposite on the wall, whose work is kept or lost."""
     mu_w = 0.1
     wall = bd.PlaneWall((0, 0, 0), (0, 0, 1), motion=bd.Driven(spin=2.0, axis=(0, 0, 1)))
     law = LAWS[kind](twisting=mu_w)

@@ -118,8 +118,10 @@ class ContactTables:
         self._check = ContactCheck(contacts, dt)
         self._period, self._joints = model.period, joints
         n, portions = len(state.pose), len(shared.portions.elements)
-        *numbers, hertzian = contacts.law.parameters.tolist()
-        self._law = ContactConstants(*numbers, bool(hertzian), contacts.radius)
+        modulus, soft, friction, damping, rolling, twisting, deep, hertzian = contacts.law.parameters.tolist()
+        self._law = ContactConstants(
+            modulus, soft, friction, damping, rolling, twisting, deep, bool(hertzian), contacts.radius
+        )
         self._rolls = contacts.law.rolls
         self._sums = ContactSums(lines(n))
         self._energies = ContactEnergies(np.zeros(portions))
