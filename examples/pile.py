@@ -3,8 +3,8 @@
 Physics: 700 loose spheres stand as a column on a floor of fixed spheres, with a coefficient of friction of 0.5. A
 coefficient of resistance to rolling stands for the shape of grains, which do not roll on each other as spheres do.
 
-Expected: the slope of a cone of the same mean height z and mean distance r from the axis, tan α = 2 z / r, is 1.5 times
-as steep with μ_r = 0.3 as without. Takes about 15 s of a core.
+Expected: the slope of a cone of the same mean height z and mean distance r from the axis, tan α = 2 z / r, is
+1.5 times as steep with μ_r = 0.3 as without. Takes about 15 s of a core.
 Run it with:  python examples/pile.py
 """
 
