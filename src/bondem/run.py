@@ -82,8 +82,9 @@ def solve_explicit(
             status IMBALANCED. None disables the check, and `math.inf` disables one limit. The ledger is checked with
             each record, or at intervals if `every` is 0. There is no check with `bd.TchamwaWielgosz`, whose
             dissipation is not in the ledger.
-        state: initial state, such as the end of another run of the same elements and bonds; it is not changed. Its
-            time continues, also for all schedules: those of a second stage begin at `state.time`.
+        state: initial state, such as the end of another run of the same elements and bonds, or an equilibrium of
+            `solve_static` or `solve_quasistatic`; it is not changed. Its time continues, also for all schedules:
+            those of a second stage begin at `state.time`.
         device: "cpu", or "gpu" for a CUDA device (extra `gpu`). The GPU runs every model that the
             CPU runs, of fewer than 2³¹ bonds, or 2³⁰ facets that may crack.
         out: run file (HDF5) to write; None for no file. SIGINT (Ctrl-C) and SIGTERM stop the run, with a file after
@@ -102,7 +103,8 @@ def solve_explicit(
     Warns:
         StepWarning: The given dt is above 0.9 of the critical step; the message of the result repeats this.
         ImbalanceWarning: The error of the energy ledger exceeds the first limit of `imbalance`.
-        StageWarning: A schedule that is new in this stage began before it.
+        StageWarning: A schedule that is new in this stage began before it, or a load is not that of the equilibrium
+            from which the run begins.
         NotQuasistaticWarning: The run looks quasi-static (a servo wall; two ends, one of them driven, with damping or
             slowly), but its kinetic energy, the difference of the forces at both ends or the force of a servo wall
             says that it is not; `result.quasistatic` has the numbers.

@@ -17,6 +17,7 @@ class Opened:
         traction: T_a that opens them along a direction, as if they were whole [Pa], (c, 3).
         strength: strength along it, at which they begin to soften [Pa], (c, 3).
         last: T_a at zero integrity [Pa], (c, 3).
+        direction: these directions [-], (c, 3, 3), by columns; of facets of material planes without meaning.
         kink, steep: parameters of the softening curve (`core/laws/softening.hpp`) [-].
         gone: load factors at which facets that have begun to soften reach zero integrity in any direction, (c,).
     """
@@ -24,6 +25,7 @@ class Opened:
     traction: PerBond3
     strength: PerBond3
     last: PerBond3
+    direction: Floats
     kink: float
     steep: float
     gone: PerBond
@@ -67,10 +69,19 @@ class Opened:
         size = np.linalg.norm(traction - across * normal, axis=1)
         ends = (size > 0.0) & ~table.plane[facets] & (table.last[facets] > 0.0)
         gone = np.divide(table.last[facets], size, out=np.full(len(size), np.inf), where=ends)
-        return cls(opened, strength, last, table.kink, table.steep, gone)
+        return cls(opened, strength, last, direction, table.kink, table.steep, gone)
 
     def reached(self, integrity: PerBond) -> PerBond:
         """Return load factors at which the facets lose integrity below the given values, inf for never, (c,)."""
+        reached = self._reached_along(integrity).min(axis=1)
+        return np.where(integrity < 1.0, np.minimum(reached, self.gone), reached)
+
+    def softens_along(self, integrity: PerBond) -> PerBond3:
+        """Return the direction along which facets of given integrities soften first, (c, 3)."""
+        first = self._reached_along(integrity).argmin(axis=1)
+        return self.direction[np.arange(len(first)), :, first]
+
+    def _reached_along(self, integrity: PerBond) -> PerBond3:
         s = integrity[:, None]
         with np.errstate(divide="ignore", invalid="ignore"):
             first = np.where(self.last > 0.0, self.strength / (self.steep * self.last), 0.0)
@@ -79,8 +90,7 @@ class Opened:
                 left = self.last * (1.0 - (1.0 - self.kink) * self.steep)
                 slope = np.where(self.last > 0.0, self.kink * self.strength / left, 0.0)
                 least = np.maximum(least, slope * self.last / (s * (1.0 - slope) + slope))
-            reached = np.where(self.traction > 0.0, least / self.traction, np.inf).min(axis=1)
-        return np.where(integrity < 1.0, np.minimum(reached, self.gone), reached)
+            return np.where(self.traction > 0.0, least / self.traction, np.inf)
 
     def steepest(self) -> Ints:
         """Return the direction along which whole facets begin to soften first, (c,)."""

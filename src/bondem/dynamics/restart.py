@@ -3,15 +3,16 @@
 import math
 import warnings
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from bondem._checks import shown
 from bondem._names import users_line
 from bondem._types import Floats, Triple
-from bondem.boundary.conditions import Drive, Load
+from bondem.boundary.conditions import Drive
 from bondem.boundary.gauges import Gauge
-from bondem.boundary.loads import BodyForce, Eigenstrain, Pressure
+from bondem.boundary.held_conditions import Scheduled
 from bondem.boundary.schedules import Schedule
 from bondem.boundary.wall_constraints import Grips, holds_wall
 from bondem.boundary.wall_motions import Driven, Servo
@@ -41,22 +42,26 @@ def begin(model: Model, state: State | None) -> State:
             fit them, or displacements would jump.
 
     Warns:
-        StageWarning: A schedule began before the time of the state, and was not in the run that made the state.
+        StageWarning: A schedule began before the time of the state, and was not in the run that made the state. Or a
+            load or strain is not that of the equilibrium from which the run begins.
         ContactWarning: A wall faces away from all elements, or elements begin behind a wall.
     """
     if state is not None:
         check_arrays(state)
     own = State(model) if state is None else state.copy()
+    moved = bool((own.pose[:, :3] != own.rest).any())
     before = None if state is None or state.time == 0.0 else state.model
     if state is not None:
         own.begin(model)
         own.grips = taken_walls(model, state)
     _refuse_jumps(model, own, () if before is None else (*before.boundary, *before.walls))
     if model.cells is not None:
-        at_rest = state is None or (before is None and goes_on(model, state))
+        at_rest = state is None or (before is None and not moved and goes_on(model, state))
         _refuse_wall_jumps(model.cells.grips, own, at_rest=at_rest)
     if before is not None:
         _warn_of_lost_time(model, before, own.time)
+    elif state is not None and moved:
+        _warn_of_other_loads(model, state.model)
     _warn_of_sides(model, own, () if before is None else before.walls)
     return own
 
@@ -86,7 +91,7 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
     slack[:3] *= float(np.ptp(state.rest, axis=0).max()) + model.lattice.particles.mean_radius
     held, s = model.constraints, -1
     for condition in model.boundary:
-        if isinstance(condition, Load | Pressure | BodyForce | Eigenstrain):
+        if isinstance(condition, Scheduled):
             s += 1  # schedules are numbered in the order of the conditions
         if not isinstance(condition, Drive):
             continue
@@ -158,6 +163,24 @@ def _warn_of_lost_time(model: Model, before: Origin, time: float) -> None:
             )
 
 
+def _warn_of_other_loads(model: Model, before: Origin) -> None:
+    """Warn about loads and strains whose factor is another than in the equilibrium from which a run begins."""
+    known = [one for one in before.boundary if isinstance(one, Scheduled)]
+    for one in model.boundary:
+        if not isinstance(one, Scheduled):
+            continue
+        value = one.schedule.at(0.0)
+        for was in (other.schedule.at(0.0) for other in known if replace(other, schedule=one.schedule) == one):
+            if abs(value - was) > _SHARE * max(abs(value), abs(was)):
+                warnings.warn(
+                    f"{type(one).__name__}: its factor is {value:.6g} when this run begins, and {was:.6g} in the"
+                    " equilibrium that it begins from: the difference acts at once; begin there, as by"
+                    f" bd.Ramp({was:.6g}, {one.schedule.final:.6g}, duration)",
+                    StageWarning,
+                    stacklevel=users_line(),
+                )
+
+
 def _warn_of_sides(model: Model, state: State, before: Sequence[object]) -> None:
     """Warn about new walls that face away from the elements, or have elements behind them."""
     fresh = [(k, wall) for k, wall in enumerate(model.walls) if wall not in before]
@@ -171,7 +194,7 @@ def _schedules(model: Origin) -> Iterator[tuple[str, Schedule]]:
         if isinstance(condition, Drive):
             for _, schedule, _ in condition.motion:
                 yield owner, schedule
-        elif isinstance(condition, Load | Pressure | BodyForce | Eigenstrain):
+        elif isinstance(condition, Scheduled):
             yield owner, condition.schedule
     for wall in model.walls:
         if isinstance(wall.motion, Driven):

@@ -49,7 +49,7 @@ def taken_walls(model: Model, state: State) -> Floats:
     held = before.axes[theirs] > 0.0
     fresh = grips.axes.copy()
     fresh[mine] *= ~held
-    start = _of_facets(model, state, fresh)
+    start = _of_facets(model, state, fresh) if fresh.any() else rest.copy()
     start[mine] = np.where(held, wall_places(cast(Model, state.model), state)[theirs], start[mine])
     base[:, :3] = grips.axes * (start - rest)
     same = held & _same_motion(grips, before, mine, theirs)

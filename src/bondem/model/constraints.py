@@ -70,6 +70,7 @@ class Constraints:
         weight: mass of each connected element, else 0 [kg], shape (n,).
         press_value: contribution of tractions on free facets to V θ of each cell [m³], (l, n); press_schedule: (l,).
         holding: True if walls hold facets of cells.
+        wall_rate: True if velocities of such walls are prescribed.
     """
 
     element: np.ndarray
@@ -97,6 +98,7 @@ class Constraints:
     press_value: Floats
     press_schedule: np.ndarray
     holding: bool
+    wall_rate: bool
 
     @classmethod
     def of(
@@ -210,6 +212,7 @@ class Constraints:
             press_value=np.array([value for value, _ in presses], dtype=float).reshape(len(presses), n),
             press_schedule=np.array([s for _, s in presses], dtype=np.int64),
             holding=cells is not None and len(cells.grips.cell) > 0,
+            wall_rate=cells is not None and any(cells.grips.holds.rate),
         )
 
     @property
@@ -273,7 +276,7 @@ class Constraints:
         Raises:
             InputError: A velocity is prescribed, which has no static meaning.
         """
-        if self.drive_rate.any():
+        if self.drive_rate.any() or self.wall_rate:
             raise InputError("a static solution needs displacements; replace vx= … wz= of Drive by x= … rz=")
         motion = np.zeros((n, 6))
         motion[self.element[self.drive_row], self.drive_dof] = self._final(self.drive_schedule)

@@ -72,7 +72,7 @@ class State(StateMotion):
     - `softened`: beams that have begun to soften, in order of time (`bondem.damage.event_columns`), shape (c, 7).
     - `grips`: initial places of walls that hold facets of cells (`bondem.boundary.wall_constraints`), shape (g, 7).
     - `facet_force`: force of each facet on its cell i [N], (3, m), if facets may crack; else (3, 0).
-    - `stale`: True if the acceleration must be recomputed before the next step.
+    - `stale`: True if forces and accelerations are not those of the pose; each run begins by finding them anew.
     """
 
     def __init__(self, model: Origin) -> None:

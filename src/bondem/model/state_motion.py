@@ -86,7 +86,6 @@ class StateMotion:
     @velocity.setter
     def velocity(self, given: ArrayLike) -> None:
         self.motion[:, 0:3] = self._rows("velocity", given, 3)
-        self.stale = True
 
     @property
     def angular_velocity(self) -> PerElement3:
@@ -96,7 +95,6 @@ class StateMotion:
     @angular_velocity.setter
     def angular_velocity(self, given: ArrayLike) -> None:
         self.motion[:, 4:7] = self._rows("angular_velocity", given, 3)
-        self.stale = True
 
     def set_motion(
         self, *, velocity: np.ndarray | None = None, angular_velocity: np.ndarray | None = None
@@ -136,7 +134,6 @@ class StateMotion:
         rows = self.layout.rank[chosen]
         self.motion[rows, 0:3] = v + np.cross(w, position - centre)
         self.motion[rows, 4:7] = w
-        self.stale = True
 
     def set_pose(self, *, position: np.ndarray | None = None, orientation: np.ndarray | None = None) -> None:
         """Move the elements to centres [m] (n, 3) and unit quaternions (n, 4), user's order.

@@ -1,5 +1,6 @@
 """State of a model that has moved by a static solution."""
 
+from bondem.boundary.held_conditions import held_conditions
 from bondem.geometry.rotations import turned_further
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -17,3 +18,18 @@ def posed(model: Model, motion: SmallMotion) -> State:
     state.pose[:, :3] += motion.displacement[order]
     state.pose[:, 4:] = turned_further(state.pose[:, 4:], motion.rotation[order])
     return state
+
+
+def in_equilibrium(model: Model, motion: SmallMotion, factor: float = 1.0) -> State:
+    """Return the state at rest of an equilibrium under a factor of the final conditions of a model.
+
+    The conditions of `state.model` are held there, so that a run of that model begins with the walls, loads and
+    strains of the equilibrium.
+
+    Args:
+        model: model that is in equilibrium.
+        motion: displacements and rotation vectors of its elements, of any size.
+        factor: factor of the values at the end of all schedules [-].
+    """
+    held = held_conditions(model.boundary, factor)
+    return posed(model if held == model.boundary else model.with_boundary(held), motion)

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import cast
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from bondem.model.solution import Solution
 from bondem.model.state import State
 from bondem.observables.cell_stress import cell_stress
 from bondem.observables.energy import EnergyParts, energy_of, linear_energy, stress_free_gap, wall_motion
-from bondem.observables.posed_state import posed
+from bondem.observables.posed_state import in_equilibrium
 from bondem.observables.principal_stresses import principal_stresses, von_mises_stress
 from bondem.specimen.particles import freeze
 from bondem.statics.linear import System, solver
@@ -52,13 +53,16 @@ class StaticResult(Solution, Plotted):
 
     @property
     def state(self) -> State:
-        """State at rest in this equilibrium."""
-        return posed(self.model, self)
+        """State at rest in this equilibrium; its model holds all conditions at the end of their schedules."""
+        return in_equilibrium(self.model, self)
 
     @cached_property
     def stress(self) -> Floats:
         """Mean stress tensor of every element, `bd.cell_stress` [Pa], shape (n, 3, 3)."""
-        return freeze(cell_stress(self.model, self.state if self.nonlinear else self))
+        if not self.nonlinear:
+            return freeze(cell_stress(self.model, self))
+        state = self.state
+        return freeze(cell_stress(cast(Model, state.model), state))
 
     @property
     def principal_stresses(self) -> PerElement3:

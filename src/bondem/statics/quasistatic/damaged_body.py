@@ -6,19 +6,24 @@ no friction. All values are for a load factor of 1, and proportional to it.
 """
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
-from bondem._types import ArrayLike, Floats, Ints, Mask
-from bondem.damage.crack_rows import alike_left, axes_along, crack_rows
+from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement3
+from bondem.damage.opened_facets import Opened
+from bondem.damage.softening_table import SofteningTable
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_strain import CellStrain
+from bondem.interactions.cells.cell_tables import STRESS
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.facet_loads import loads_on_facets
+from bondem.observables.posed_state import in_equilibrium
 from bondem.statics.linear import System
 from bondem.statics.quasistatic.facet_matrix import FacetMatrix, facet_stiffness
 from bondem.statics.quasistatic.facet_passes import OpenedFacets, WeakenedFacets
+from bondem.statics.quasistatic.taken_cracks import CrackedHalves, taken_cracks
 from bondem.statics.quasistatic.tensors import full_tensor
 
 # Integrity that stands for none: what is cut off all around goes with its neighbours, and the matrix has an inverse.
@@ -39,6 +44,7 @@ class Loaded:
         opened: |F⁺| / A of these [Pa], (c,).
         turned: mask of their halves that close or open now, (c, 2).
         wall: force of the walls on the facets that they hold [N], (g, 3).
+        stress: λ θ of each cell [Pa], (n,).
     """
 
     traction: Floats
@@ -49,6 +55,14 @@ class Loaded:
     opened: Floats
     turned: Mask
     wall: Floats
+    stress: Floats
+
+
+class _Moved(NamedTuple):
+    """Motions of all elements, user's order."""
+
+    displacement: PerElement3  #: [m], (n, 3)
+    rotation: PerElement3  #: [rad], (n, 3)
 
 
 class DamagedBody:
@@ -147,24 +161,41 @@ class DamagedBody:
         force = self.area[none] * np.hypot(opened, found.bending[none])
         return 0.5 * _NONE * float((force**2 / self.constants.k[none]).sum())
 
-    def state(self, motion: Floats) -> State:
-        """Return the state of the body under displacements and rotations (6 n,), with its cracks."""
-        model = self.model
-        moved = motion.reshape(-1, 6)[model.layout.rank]
-        turn = np.hstack([np.ones((len(moved), 1)), 0.5 * moved[:, 3:]])
-        state = model.state()
-        state.set_pose(
-            position=model.lattice.centre + moved[:, :3], orientation=turn / np.linalg.norm(turn, axis=1)[:, None]
-        )
-        cracked = np.flatnonzero(self.integrity < 1.0)
+    def state(self, motion: Floats, factor: float, *, balanced: bool = True) -> State:
+        """Return the state at rest under a load factor, with its conditions held there.
+
+        Args:
+            motion: displacements and rotations at a factor of 1 [m, rad], (6 n,).
+            factor: load factor [-].
+            balanced: True if these facets are in equilibrium. False if some of them have just failed, so that the
+                forces have to be found by a run.
+        """
+        moved = _Moved(*np.hsplit(factor * motion.reshape(-1, 6)[self.model.layout.rank], 2))
+        state = in_equilibrium(self.model, moved, factor)
         state.integrity[:] = self.left
-        table = model.softening
-        alike = np.zeros(len(cracked), dtype=bool) if table is None else table.plane[cracked]
-        strength = 0.0 if table is None else table.strength[cracked]
-        state.cracks = crack_rows(
-            cracked, strength, axes_along(self.constants.normal[cracked]), alike_left(self.left[cracked]), alike
-        )
+        found, table = self.loaded(motion), self.model.softening
+        state.pose[:, STRESS] = factor * found.stress
+        if table is not None:
+            state.facet_force[:] = factor * (self.area[:, None] * found.traction).T
+            opened = self.opened(found, found.cracked, found.opening, table)
+            state.cracks = taken_cracks(table, self._halves(found, factor), opened)
+        state.stale = not balanced
         return state
+
+    def opened(self, found: Loaded, facets: Ints, traction: Floats, table: SofteningTable) -> Opened:
+        """Return the openings of some facets by a traction [Pa], (c, 3), along the directions of their criterion."""
+        mean = full_tensor(self.mean(found.tensor, facets))
+        return Opened.of(table, facets, self.constants.normal[facets], traction, found.bending[facets], mean)
+
+    def _halves(self, found: Loaded, factor: float) -> CrackedHalves:
+        """Return the halves of cracked facets at a load factor, after `found` was evaluated."""
+        c, k = self.constants, found.cracked
+        part, stretched = self._part[k], c.k[k, None] * self._facets.motions.gap[k]
+        force = [
+            stretched + (found.stress[cell[k]] / of)[:, None] * share[k]
+            for cell, of, share in ((self.i, part, c.share_i), (self.j, 1.0 - part, c.share_j))
+        ]
+        return CrackedHalves(k, c.k[k], part, c.normal[k], self.left[k], factor * np.stack(force))
 
     def weaken(self, facets: Ints, integrity: ArrayLike, closed: ArrayLike) -> None:
         """Set the integrity of some facets, at least `_NONE`, and their halves in compression.
@@ -181,6 +212,11 @@ class DamagedBody:
         self._weigh(facets, 1.0)
         self.matrix.add(facets, *(new - old for new, old in zip(after, before, strict=True)))
         self._right = None
+
+    def restore(self, integrity: Floats, closed: Mask) -> None:
+        """Set integrity (m,) and closed halves (m, 2) of all facets to what they were."""
+        other = np.flatnonzero((integrity != self.integrity) | (closed != self.closed).any(axis=1))
+        self.weaken(other, integrity[other], closed[other])
 
     def _stiffness(self, facets: Ints) -> tuple[Floats, Floats, Floats]:
         c, shut = self.constants, self.closed[facets]
@@ -228,7 +264,7 @@ class DamagedBody:
         cracked = np.flatnonzero(self.integrity < 1.0)
         return Loaded(
             loading.traction, loading.bending, tensor, cracked, loading.opening[cracked], loading.opened[cracked],
-            loading.turned[cracked].astype(bool), wall,
+            loading.turned[cracked].astype(bool), wall, stress,
         )  # fmt: skip
 
     def mean(self, tensor: Floats, facets: Ints) -> Floats:

@@ -11,7 +11,7 @@ from bondem.damage.softening_table import SofteningTable
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.statics.quasistatic.facet_passes import LoadedFacets, factors_by_stress
 from bondem.statics.quasistatic.sawtooth_softening import SofteningLine, Teeth
-from bondem.statics.quasistatic.tensors import agreed, full_tensor, largest
+from bondem.statics.quasistatic.tensors import agreed, largest
 
 # By what share factors of the closed form may be off.
 _NEAR = 1e-5
@@ -94,11 +94,7 @@ class StressOnset:
         return np.concatenate([some, planes]), np.concatenate([self._reached(found, some), own])
 
     def _opened(self, found: Loaded, facets: Ints, traction: Floats) -> Opened:
-        body = self._body
-        return Opened.of(
-            self._table, facets, body.constants.normal[facets], traction, found.bending[facets],
-            full_tensor(body.mean(found.tensor, facets)),
-        )  # fmt: skip
+        return self._body.opened(found, facets, traction, self._table)
 
     def _reached(self, found: Loaded, facets: Ints) -> Floats:
         """Return load factors at which some facets of the material begin, inf for never, (c,)."""

@@ -11,7 +11,7 @@ from bondem._checks import count, instance, number
 from bondem._drawing import Plotted, columns_of
 from bondem._progress import staged
 from bondem._signals import Halt, noticing, stop_by
-from bondem._types import Floats, Ints, PerBond, PerElement3
+from bondem._types import Floats, Ints, Mask, PerBond, PerElement3
 from bondem.errors import ConvergenceError, InputError
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -64,7 +64,9 @@ class QuasistaticResult(Plotted):
             "folded": before the next event a tenth of the elements would rotate by more than 0.1 rad, so that motions
             are no longer small.
         motion: displacements of the elements at the last event [m], (n, 3).
-        state: last equilibrium, for `bd.fragments`, `bd.cracks` and figures.
+        state: equilibrium at the last event, before its facets fail; of a body that has parted, with the integrities
+            after it. For `bd.fragments`, `bd.cracks` and figures, and to continue in `bd.solve_explicit`. Conditions
+            of its `model` are held at the last factor.
         solutions: number of equilibria that were computed: one per event, and more where cracks close or open.
         iterations: total number of iterations.
     """
@@ -179,7 +181,7 @@ def _followed(
     path = _Path(model)
     softening: dict[int, tuple[Teeth, int]] = {}
     following = np.full(len(body.integrity), np.inf)
-    motion = body.motion.copy()
+    motion, before = body.motion.copy(), (body.integrity, body.closed)
     first, size, told, end = 0.0, 0.0, 0.0, "events"
     if progress is not None:
         progress(0.0)
@@ -217,6 +219,7 @@ def _followed(
             following[k] = line.beyond[done] if done < len(line.beyond) else np.inf
             left.append(float(line.integrity[done]))
             path.add(k, left[-1])
+        before = body.integrity.copy(), body.closed.copy()
         body.weaken(failing, np.array(left), body.closed[failing])
         path.add_event(factor, gauge.read(motion), motion)
         borne = path.borne(math.ceil(max(_LAST * (event + 1), _FEWEST / band)))
@@ -228,7 +231,7 @@ def _followed(
             progress(told)
     if progress is not None:
         progress(1.0)
-    return path.result(body, end, equilibrium)
+    return path.result(body, before, end, equilibrium)
 
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
@@ -289,7 +292,7 @@ class _Path:
         self._gauge: list[dict[str, Floats]] = []
         self._energy: list[float] = []
         self._potential = self._load = self._way = self._work = self._peak = 0.0
-        self._motion = np.zeros(6 * len(model.layout.order))
+        self._motion, self._factor = np.zeros(6 * len(model.layout.order)), 0.0
 
     def settle(self, potential: float, load: float, displacement: float) -> None:
         """Store the state at a factor of 1 since the last event: energy less work of loads, load and displacement.
@@ -313,7 +316,7 @@ class _Path:
         load, displacement = factor * self._load, factor * self._way
         self._rows.append((factor, load, displacement, self._work, 0.5 * load * displacement))
         self._gauge.append({name: factor * moved for name, moved in gauge.items()})
-        self._motion = factor * motion
+        self._motion, self._factor = motion, factor
 
     def borne(self, last: int) -> float:
         """Return the highest load of the last events over the peak of all, 1 if there are fewer events [-]."""
@@ -322,8 +325,10 @@ class _Path:
             return 1.0
         return max(load for _, load, *_ in self._rows[-last:]) / self._peak
 
-    def result(self, body: DamagedBody, end: str, equilibrium: Equilibrium) -> QuasistaticResult:
-        """Return the whole path."""
+    def result(
+        self, body: DamagedBody, before: tuple[Floats, Mask], end: str, equilibrium: Equilibrium
+    ) -> QuasistaticResult:
+        """Return the whole path; `before` are integrities and closed halves with which the last event came."""
         model, layout = self._model, self._model.layout
         rows = np.array(self._rows).reshape(-1, 5)
         facet = np.array([k for k, *_ in self._facets], dtype=np.int64)
@@ -331,6 +336,9 @@ class _Path:
         assert model.lattice.facets is not None
         own = np.empty_like(body.integrity)
         own[layout.bond_order] = body.left
+        if end != "parted":
+            body.restore(*before)
+        state = body.state(self._motion, self._factor, balanced=end != "parted")
         energy = np.array(self._energy + [0.0] * (len(rows) - len(self._energy)))
         gauge = {name: np.array([one[name] for one in self._gauge]) for name in (self._gauge[0] if len(rows) else {})}
         return QuasistaticResult(
@@ -339,7 +347,7 @@ class _Path:
             integrity=np.array([left for _, left, _ in self._facets]),
             event=np.array([number for *_, number in self._facets], dtype=np.int64),
             position=model.lattice.facets.centroid[bond], bond_integrity=own, end=end,
-            motion=self._motion.reshape(-1, 6)[layout.rank, :3], state=body.state(self._motion),
+            motion=self._factor * self._motion.reshape(-1, 6)[layout.rank, :3], state=state,
             solutions=equilibrium.solutions, iterations=equilibrium.rounds,
         )  # fmt: skip
 

@@ -1,0 +1,29 @@
+"""Conditions at a share of the end of their schedules, kept at all times: those of an equilibrium."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from bondem.boundary.conditions import BoundaryCondition, Drive, Load
+from bondem.boundary.loads import BodyForce, Eigenstrain, Pressure
+from bondem.boundary.schedules import Constant
+
+#: Conditions that act by a factor over time.
+Scheduled = Load | Pressure | BodyForce | Eigenstrain
+
+
+def held_conditions(boundary: Sequence[BoundaryCondition], factor: float = 1.0) -> tuple[BoundaryCondition, ...]:
+    """Return conditions whose displacements, loads and strains are those at the end of all schedules, times a factor.
+
+    Args:
+        boundary: conditions without prescribed velocities, which have no equilibrium.
+        factor: factor of the values at the end of the schedules [-].
+    """
+    return tuple(_held(one, factor) for one in boundary)
+
+
+def _held(one: BoundaryCondition, factor: float) -> BoundaryCondition:
+    if isinstance(one, Drive):
+        names = ("x", "y", "z", "rx", "ry", "rz")
+        motion = {names[dof]: Constant(factor * schedule.final) for dof, schedule, _ in one.motion}
+        return Drive(one.region, friction=one.friction, **motion)
+    return replace(one, schedule=Constant(factor * one.schedule.final)) if isinstance(one, Scheduled) else one
