@@ -234,8 +234,8 @@ def calibrate(
     With `ucs` and `tension` the tensile strength and the cohesion of bonds of a `bd.MohrCoulomb` are then calibrated
     to `labtests.uniaxial_compression` between smooth platens and `labtests.direct_tension`, within 4 %, by
     `calibrate_strength`. Two packings or more give intervals: `.strength.interval("tension")` of a parameter, and
-    `.strength.strengths("ucs")` of the strength of a new packing. UCS over tension of bonds is limited, to about 11
-    in packings of 400 spheres; beyond, `.failure` raises an error that states the nearest strengths.
+    `.strength.strengths("ucs")` of the strength of a new packing. Where bonds cannot have both strengths, `.failure`
+    raises an error that states the nearest ones.
 
     Args:
         lattice: the specimen, or several packings of it.

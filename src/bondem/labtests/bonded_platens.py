@@ -20,7 +20,8 @@ from bondem.boundary.walls import PlaneWall, Wall
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.damage.implied_fracture import ImpliedFracture
 from bondem.dynamics.damping import LocalDamping
-from bondem.errors import InputError, NotQuasistaticWarning
+from bondem.dynamics.plan import Status
+from bondem.errors import InputError, NotQuasistaticWarning, StrengthWarning
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.interactions.contact.contact_law import ContactLaw
@@ -43,9 +44,11 @@ _TRAVERSES, _BALANCE = (50.0, 100.0, 200.0), 0.02
 _REACHED = 0.05
 # Motion of an elastic solution over the length [-], largest multiple of it, and halvings in the search of a load.
 _MOTION, _FARTHEST, _HALVINGS = 1e-5, 1e6, 12
+# A peak after this share of the records is none: the load still rises.
+_LATE = 0.98
 #: A peak above this share of the expected one may be that of the specimen; limit of the motion over that at the
 # expected peak, and number of records until then.
-LEAST, REACH, RECORDS = 0.2, 4.0, 1600
+LEAST, REACH, RECORDS = 0.2, 20.0, 4000
 
 
 def is_cells(body: Lattice, law: object) -> bool:
@@ -325,6 +328,7 @@ class BondedSpecimen:
 
         Warns:
             NotQuasistaticWarning: the forces of both ends do not balance.
+            StrengthWarning: the load still rises at the limit of the motion.
         """
         sound = math.sqrt(self.implied.E / self.implied.density)
         attempts = _TRAVERSES if traverses is None else (traverses,)
@@ -340,8 +344,17 @@ class BondedSpecimen:
                     damping=LocalDamping(_DAMPING), G=self.G, out=file, progress=progress,
                 )  # fmt: skip
             if found.unbalance <= _BALANCE:
-                return found
+                break
         assert found is not None
+        late = int(np.argmax(found.curve[:, 1])) > _LATE * (len(found.curve) - 1)
+        if late and found.run.status is Status.COMPLETED:
+            warnings.warn(
+                f"labtests.{self.test}: the load still rises at the end, so that the peak is no strength; give a"
+                " larger reach=, or a criterion that this load reaches",
+                StrengthWarning, stacklevel=users_line(),
+            )  # fmt: skip
+        if found.unbalance <= _BALANCE:
+            return found
         warnings.warn(
             f"labtests.{self.test}: the forces of both ends differ by {found.unbalance:.2g} of the peak in the root"
             f" mean square (limit {_BALANCE:g}) at traverses = {attempts[-1]:g}; give more traverses",

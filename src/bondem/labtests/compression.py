@@ -54,7 +54,7 @@ def uniaxial_compression(
             and a friction of 0.4 between fragments.
         traverses: number of passes of sound along the specimen before the expected peak [-]; more is slower. None for
             100; bonded spheres have 50, and 100 or 200 if the forces of both platens do not balance.
-        reach: limit of the strain, over the strain at the expected peak [-]; None for 2, or 4 for bonded spheres.
+        reach: limit of the strain, over the strain at the expected peak [-]; None for 2, or 20 for bonded spheres.
         out: run file (HDF5) with checkpoints and snapshots, from which the same call continues a test that was
             killed or interrupted, and evaluates a complete one; None for no file.
         progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
