@@ -50,6 +50,12 @@ class WallTable:
     free_lever: Floats
 
     @property
+    def turning(self) -> Ints:
+        """Numbers of the walls that may turn."""
+        free = named_rows("WallInertia", self.inertia)["inverse_moment"].any(axis=1)
+        return np.union1d(self.drive_wall[self.drive_component == TURN], np.flatnonzero(free))
+
+    @property
     def platens(self) -> Floats:
         """Masses with which the walls moved by a force resist a contact [kg], (s + f,).
 

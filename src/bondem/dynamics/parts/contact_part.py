@@ -126,7 +126,7 @@ class ContactTables:
         self._sums = ContactSums(lines(n))
         self._energies = ContactEnergies(np.zeros(portions))
         walls = contacts.walls
-        self._walls = Walls.of(walls, state.walls)
+        self._walls, self._turning = Walls.of(walls, state.walls), walls.turning
         self._motions = WallMotions(
             walls.times, walls.values, walls.start, walls.drive_wall, walls.drive_component, walls.drive_schedule,
             walls.drive_rate, walls.drive_axis, walls.servo_wall, walls.servo_schedule, walls.servo_speed,
@@ -165,7 +165,7 @@ class ContactTables:
         )  # fmt: skip
         self._rolled = RolledPairs(found.rolled, np.zeros((c, 4))) if self._rolls else None
         self._rolled_walls = RolledWalls(found.wall_rolled)
-        self._walls.keep_places(found.position)
+        self._walls.keep_places(found.position, self._turning)
 
     def part(self) -> Part:
         """Return the part of contacts with their present list."""

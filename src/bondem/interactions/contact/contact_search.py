@@ -34,16 +34,21 @@ class Walls(NamedTuple):
         """Return the walls of a model at their places in `body`, (w, 27), which they share."""
         return cls(table.shape, body, table.friction, table.inertia, no_rows("WallListed", len(body)))
 
-    def keep_places(self, position: Floats) -> None:
-        """Note where walls are when a list is made, given the centres of the elements [m], (n, 3)."""
+    def keep_places(self, position: Floats, turning: Ints) -> None:
+        """Note where walls are when a list is made.
+
+        Args:
+            position: centres of the elements [m], (n, 3).
+            turning: numbers of the walls that may turn; only these need the distance of the farthest element.
+        """
         shape, row = named_rows("WallShape", self.shape), wall_rows(self.body)
         listed = named_rows("WallListed", self.listed)
         arm = turned_vectors(row["orientation"], shape["point"] - shape["about"])
         listed["point"] = shape["about"] + row["displacement"] + arm
         listed["axis"] = turned_vectors(row["orientation"], shape["axis"])
         listed["growth"] = row["growth"]
-        for k, point in enumerate(listed["point"]):
-            listed["farthest"][k] = np.sqrt(((position - point) ** 2).sum(axis=1).max())
+        for k in turning:
+            listed["farthest"][k] = np.sqrt(((position - listed["point"][k]) ** 2).sum(axis=1).max())
 
 
 class PairSources(NamedTuple):

@@ -61,14 +61,13 @@ struct WallPlace {
     bool flat() const { return kind() == plane_wall || kind() == disc_wall; }
     // Whether elements are outside of a round wall.
     bool among() const { return kind() == cylinder_among || kind() == sphere_among; }
-    bool turned() const { return !is_zero({row.orientation.x, row.orientation.y, row.orientation.z}); }
-    Vector axis() const { return turned() ? rotate(row.orientation, shape.axis) : shape.axis; }
+    BONDEM_INLINE bool turned() const { return !is_zero({row.orientation.x, row.orientation.y, row.orientation.z}); }
+    BONDEM_INLINE Vector axis() const { return turned() ? turned_axis() : shape.axis; }
     // The place about which it turns [m].
     Vector pivot() const { return shape.about + row.displacement; }
     // From its point to a place [m].
-    Vector from_point(Vector place) const {
-        if (!turned()) return place - shape.point - row.displacement;
-        return place - pivot() - rotate(row.orientation, shape.point - shape.about);
+    BONDEM_INLINE Vector from_point(Vector place) const {
+        return turned() ? from_turned_point(place) : place - shape.point - row.displacement;
     }
     // Speed at which the wall grows towards the elements [m/s].
     double growing() const { return among() ? row.growth_rate : -row.growth_rate; }
@@ -86,6 +85,11 @@ struct WallPlace {
     }
 
   private:
+    // Apart, so that walls that have not turned cost what they did.
+    __attribute__((noinline)) Vector turned_axis() const { return rotate(row.orientation, shape.axis); }
+    __attribute__((noinline)) Vector from_turned_point(Vector place) const {
+        return place - pivot() - rotate(row.orientation, shape.point - shape.about);
+    }
     // Beside a disc the nearest place is its rim, or that of its hole.
     WallSurface disc(Vector n, double along, Vector across, double distance, double radius) const {
         const double past = most(distance - shape.radius, 0.0) - most(shape.hole - distance, 0.0);
