@@ -276,9 +276,10 @@ def test_a_run_file_of_before_is_read(tmp_path: Path) -> None:
     with h5py.File(tmp_path / "run.h5", "a") as file:
         assert file.attrs["schema"] > 5
         file.attrs["schema"] = 5
-        del file["state/softened"], file["state/broken"], file["state/cracks"], file["state/stretch"]
+        for name in ("softened", "broken", "cracks", "stretch", "walls"):
+            del file[f"state/{name}"]
         file["state/broken"], file["state/cracks"] = np.zeros((0, 9)), np.zeros((0, 13))
-        file["state/stretch"] = np.zeros((0, 6))
+        file["state/stretch"], file["state/walls"] = np.zeros((0, 6)), np.zeros((0, 14))
     read = bd.read_run(tmp_path / "run.h5")
     assert read.state.softened.shape == (0, SOFT_COLUMNS)
     assert read.model.failure == CRITERION
