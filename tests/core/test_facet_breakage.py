@@ -41,8 +41,9 @@ def test_breakage_is_that_of_the_former_loop(monkeypatch):
     assert len(state.broken) > 30
     # the mode is that of the criterion before other facets of the same step break
     former.assert_same(events=state.broken[:, 1:3], integrity=state.integrity)
-    names = "reaction", "work", "loss", "released", "walls"
-    former.assert_close(1e-9, **movement(state), **{name: getattr(state, name) for name in names})
+    names = "reaction", "work", "loss", "released"
+    walls = state.walls[:, :14]  # which did not turn
+    former.assert_close(1e-9, **movement(state), walls=walls, **{name: getattr(state, name) for name in names})
     former.assert_records(1e-9, result.history.records)
 
 

@@ -19,7 +19,7 @@ from bondem.errors import BondemError, UnstableRunError
 
 # The commands and the first lines of their help, which are listed without an import of their modules.
 _COMMANDS = {
-    "calibrate": "Calibrate bonds to E, ν and ρ of a material.",
+    "calibrate": "Calibrate bonds to E, ν and ρ of a material, and with --ucs and --tension to its strengths.",
     "campaign": "Run a study for all seeds and values of its table [campaign], in parallel.",
     "check": "Check a study and print what it will compute, without running it.",
     "completion": "Print the script that completes commands and options in a shell.",
