@@ -9,7 +9,7 @@
 //     cn = 2 β √(kn m̄)      cs = 2 β √(ks m̄)      kn = dF/du,   1/m̄ = 1/m_i + 1/m_j
 //
 // Energy: U = ∫ F du + ½ ks ξ². Where ks depends on the overlap, forces are the gradient of U: a contact that does not
-// slide stores all work, and comes back to its place after any cycle of load (docs/decisions/0053-contact-by-pairs.md).
+// slide stores all work, and comes back to its place after any cycle of load (docs/decisions/0053-tangential-potential-and-rolling.md).
 // Work on the spring that it does not store is friction. Losses are the trapezoid of force over displacement, of second
 // order as the step is. At the limit of friction F_t = μ F_n and F_n = N + F_t² h, h = ks' / 2 ks², so that
 //
