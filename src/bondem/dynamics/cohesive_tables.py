@@ -186,8 +186,6 @@ class CrackLists(NamedTuple):
     stale: np.ndarray
     base: Floats
     half: Floats
-    output: Floats
-    shear: Floats
     sum: Floats
     slip: Floats
     lost: Floats
@@ -204,7 +202,7 @@ class CrackLists(NamedTuple):
             numbers.copy(),
             np.zeros(n + _BEHIND, np.uint32), np.zeros(n, np.int32), np.zeros((halves, 4), np.int32), flags,
             flags.copy(), np.zeros(portions, np.int64), np.zeros(portions, np.int64), np.zeros(n, np.uint8),
-            np.zeros(n), lines(2 * halves).reshape(halves, 16), lines(halves), lines(halves), lines(n),
+            np.zeros(n), lines(2 * halves).reshape(halves, 16), lines(n),
             np.zeros((n, 4)), np.zeros((portions, 2)),
         )  # fmt: skip
 

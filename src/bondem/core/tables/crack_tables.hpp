@@ -91,11 +91,10 @@ struct CrackLists {
     Array<Index, 1> flagged, woken;  // whether there is a flag in a portion
     Array<Byte, 1> stale;  // 1 for cells whose stress is to be found again, (n,)
     Array<double, 1> base;  // V θ without cracks that are treated one by one [m³], (n,)
-    Array<double, 2> half;  // `SwellingHalf` by number of the half, (halves, 16)
-    // force, energy rubbed away and torque on the cell of a half, and N of `slides.hpp`, (halves, 8)
-    Array<double, 2> output;
-    Array<double, 2> shear;  // what would slide, K, Σ of it as it is, what it bears (`slides.hpp`), (halves, 8)
-    Array<double, 2> sum;  // of `output` over the halves of a cell, (n, 8)
+    // By number of the half a `SwellingHalf`, and once forces are known `crack::LoadColumn`, (halves, 16): one memory for
+    // both, as what is known of many cracks is more than caches have.
+    Array<double, 2> half;
+    Array<double, 2> sum;  // of the first eight columns of loads over the halves of a cell, (n, 8)
     Array<double, 2> slip;  // by how much the cracks of a cell slip in this step [m], (n, 4)
     Array<double, 2> lost;  // energy of portions dissipated, and that of cracks that part [J], (portions, 2)
 };

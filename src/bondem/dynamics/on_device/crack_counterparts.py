@@ -88,7 +88,7 @@ def _link(
     cracks.listed[facet] = 1 + cracks.history[facet, 0].astype(np.uint8)
     cracks.history[facet, BEGAN] = np.arange(-count, 0)
     lists.treated[:m] = np.arange(m)
-    run.scratch += [lists.half, lists.output, lists.shear, lists.sum, lists.slip]
+    run.scratch += [lists.half, lists.sum, lists.slip]
     run.scratch += [lists.node, lists.flag, lists.waking]
 
     def order() -> None:

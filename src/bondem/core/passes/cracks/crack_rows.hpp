@@ -67,6 +67,9 @@ enum Kind : int { of_material, alike, let_go };
 enum Status : int { active, resting, parted };
 // What becomes of a crack in a step, besides nothing.
 enum Flag : Byte { unchanged, fell, calmed, parts, wakes };
+// Columns of the loads of a half: force on its cell, energy rubbed away, torque, and N of `slides.hpp`; and what would
+// slide, K, Σ of it as it is, and what it bears.
+enum LoadColumn : Index { force = 0, slides = 8 };
 // Places of a portion of a list.
 constexpr Index of_portion = 256;
 }  // namespace crack

@@ -54,8 +54,8 @@ struct HalvesAhead {
             if (q == last) return;
             half = lists.head(lists.cell(q++));
         }
-        prefetch(lists.shear.data + 8 * half);
-        prefetch(lists.output.data + 8 * half);
+        prefetch(lists.half.data + 16 * half);
+        prefetch(lists.half.data + 16 * half + 8);
         half = lists.node(half, 0);
     }
 };

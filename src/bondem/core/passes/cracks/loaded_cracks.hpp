@@ -79,7 +79,7 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
     }
     group.put_pull(cracks, f, treated);
     const Vector3<T> p = loads.on_i, q = loads.on_j;
-    group.put_halves(lists.output,
+    group.put_halves(lists.half,
                      {{kept(f.x), kept(f.y), kept(f.z), lost.rubbed, kept(p.x), kept(p.y), kept(p.z), across}},
                      {{kept(-f.x), kept(-f.y), kept(-f.z), zero, kept(q.x), kept(q.y), kept(q.z), across}});
     group.add(lost.cracked, total);

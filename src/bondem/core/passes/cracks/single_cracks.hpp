@@ -65,7 +65,6 @@ inline void clear_half(const CrackLists &lists, Index number) {
     SwellingHalf<double> &half = lists.half.row<SwellingHalf<double>>(number);
     half = {};
     half.turns[0] = half.turns[1] = half.turns[2] = infinity;
-    for (Index c = 0; c < 8; c++) lists.output(number, c) = lists.shear(number, c) = 0.0;
 }
 
 // Treats the crack of facet k one by one from now on, or as a facet of its integrity among the others, or not at all.

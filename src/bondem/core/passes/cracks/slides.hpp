@@ -72,7 +72,7 @@ BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<
         i = {{of_i.x, of_i.y, of_i.z, stiff, shear.x, shear.y, shear.z, bears}};
         j = {{of_j.x, of_j.y, of_j.z, stiff, -shear.x, -shear.y, -shear.z, bears}};
     }
-    group.put_halves(lists.shear, i, j);
+    group.put_halves(lists.half, i, j, crack::slides);
     return across;
 }
 
@@ -83,7 +83,7 @@ inline void sum_cracks_of(const StressesOfCells &stresses, const CohesiveCracks 
     double sum[8] = {}, output[8] = {};
     Carried carried = {};
     for (Index h = lists.head(p); h > 0;) {
-        const double *const of = &lists.shear(h, 0), *const out = &lists.output(h, 0);
+        const double *const out = &lists.half(h, 0), *const of = out + crack::slides;
         const int32_t *const node = &lists.node(h, 0);
         h = node[0];
         on_half();
@@ -112,7 +112,7 @@ inline void slide_crack(const Moving &all, const ElasticFacets &facets, const Co
     const Vector apart = {a[0] - b[0], a[1] - b[1], a[2] - b[2]}, before = {state.rub[0], state.rub[1], state.rub[2]};
     state.rub[0] = state.rub[1] = state.rub[2] = 0.0;
     if (dot(apart, apart) == 0.0) return;
-    const double stiff = lists.shear(2 * e + 1, 3);
+    const double stiff = lists.half(2 * e + 1, crack::slides + 3);
     if (stiff == 0.0) return;
     const Quaternion<double> turn = orientation(gather(all.pose.data, i));
     const Vector across = axes_of(turn, quaternion_of(frame_of(cracks, k).axes)).e[0];
