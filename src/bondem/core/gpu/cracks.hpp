@@ -89,10 +89,11 @@ inline void measure_crack(Index k, const DeviceSpan &span, const Moving &all, co
     measure_each(OneCrack(facets, k), all, facets, slack, stresses, cracks, lists, 0, takes_time(span));
 }
 inline void relax_cell(Index p, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
-    if (lists.head(p) != 0) relax(OneCell{Short(p)}, all, cells, lists, false);
+    lists.stale(p) = 0;
+    if (lists.head(p) != 0) relax(OneCell{Short(p)}, all, cells, lists);
 }
 inline void relax_stale_cell(Index p, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
-    if (lists.stale(p) != 0 && lists.head(p) != 0) relax(OneCell{Short(p)}, all, cells, lists, true);
+    if (lists.stale(p) != 0) relax_cell(p, all, cells, lists);
 }
 
 // ---- rest

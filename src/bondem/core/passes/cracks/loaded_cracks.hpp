@@ -72,7 +72,8 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
         if (any(lost.cracked != zero)) {
             const T spent = group.number(cracks.history, 1) + lost.cracked, one = bondem::all<T>(1.0);
             group.put(cracks.history, 1, spent);
-            group.put(cracks.face, 7, select(may_slip(spent, group.number(strengths.absorbed)), one, zero));
+            const T slips = select(may_slip(spent, group.number(strengths.absorbed)), one, zero);
+            if (any(slips != at.slips)) group.put(cracks.face, 7, slips);
         }
         const Mask<T> breaks = treated & (s == zero) & (before.least_left() > zero);
         group.flag(lists.flag, lists.flagged, portion, breaks, crack::fell, 2);

@@ -8,21 +8,13 @@ namespace {
 
 #if defined(BONDEM_LANES)
 
-void relax_all(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists,
-               bool only_stale) {
-    over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
-        for (Index q = first; q < last; q += lanes) {
-            const Short *const cell = lists.cell.data + q;
-            for (int n = 0; n < lanes; n++) {
-                Index h = lists.head(cell[2 * lanes + n]);
-                for (int links = 0; links < 2; links++, h = lists.node(h, 0)) {
-                    prefetch(lists.half.data + 16 * h);
-                    prefetch(lists.half.data + 16 * h + 8);
-                }
-            }
-            relax(CellGroup{cell}, all, cells, lists, only_stale);
-        }
-    });
+// Asks for the first two halves of a cell.
+inline void ask_for_halves(const CrackLists &lists, Short p) {
+    Index h = lists.head(p);
+    for (int links = 0; links < 2; links++, h = lists.node(h, 0)) {
+        prefetch(lists.half.data + 16 * h);
+        prefetch(lists.half.data + 16 * h + 8);
+    }
 }
 
 #endif
@@ -53,10 +45,29 @@ void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fa
 }
 
 void relax_cracked_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
-    relax_all(turn, all, cells, lists, false);
+    over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
+        for (Index q = first; q < last; q += lanes) {
+            const Short *const cell = lists.cell.data + q;
+            for (int n = 0; n < lanes; n++) ask_for_halves(lists, cell[2 * lanes + n]);
+            relax(CellGroup{cell}, all, cells, lists);
+        }
+    });
 }
 void relax_stale_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
-    relax_all(turn, all, cells, lists, true);
+    over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
+        Short stale[crack::of_portion + lanes];
+        Index count = 0;
+        for (Index q = first; q < last; q++) {
+            const Short p = lists.cell(q);
+            if (lists.stale(p) == 0) continue;
+            lists.stale(p) = 0;
+            ask_for_halves(lists, p);
+            stale[count++] = p;
+        }
+        if (count == 0) return;
+        for (Index n = count; n < count + lanes; n++) stale[n] = stale[count - 1];
+        for (Index n = 0; n < count; n += lanes) relax(CellGroup{stale + n}, all, cells, lists);
+    });
 }
 
 #endif

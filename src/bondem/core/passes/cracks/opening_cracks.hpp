@@ -97,18 +97,14 @@ struct CellGroup {
 
 #endif
 
-// The stresses of cells, of all of them or of those that are stale.
+// The stresses of cells.
 template <class Cells, class T = typename Cells::Number>
-BONDEM_INLINE void relax(const Cells &at, const Moving &all, const CellDilatation &cells, const CrackLists &lists,
-                         bool only_stale) {
+BONDEM_INLINE void relax(const Cells &at, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
     const T weight = at.each([&](Short p) { return cells.weight(p); });
     T stress = at.each([&](Short p) { return all.pose(p, stress_column); });
     const T base = at.each([&](Short p) { return lists.base(p); });
-    const T work = at.each([&](Short p) { return !only_stale || lists.stale(p) != 0 ? 1.0 : 0.0; });
-    at.put(work, [&](Short p, double) { lists.stale(p) = 0; });
     const T zero = {}, none = bondem::all<T>(infinity);
-    Mask<T> moves = work > zero;
-    if (!any(moves)) return;
+    Mask<T> moves = none > zero;
     for (int step = 0; step < crack::most_steps; step++) {
         T swelling = base, softness = zero, up = none, down = -none;
         typename Cells::Halves halves(at, lists);

@@ -110,7 +110,8 @@ inline void slide_crack(const Moving &all, const ElasticFacets &facets, const Co
     const Short i = facets.i(k), j = facets.j(k);
     const double *const a = &lists.slip(i, 0), *const b = &lists.slip(j, 0);
     const Vector apart = {a[0] - b[0], a[1] - b[1], a[2] - b[2]}, before = {state.rub[0], state.rub[1], state.rub[2]};
-    state.rub[0] = state.rub[1] = state.rub[2] = 0.0;
+    // lines that are only read need not be written back
+    if (dot(before, before) != 0.0) state.rub[0] = state.rub[1] = state.rub[2] = 0.0;
     if (dot(apart, apart) == 0.0) return;
     const double stiff = lists.half(2 * e + 1, crack::slides + 3);
     if (stiff == 0.0) return;
