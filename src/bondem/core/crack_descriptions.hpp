@@ -40,7 +40,7 @@ BONDEM_TABLE(CellSlack, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"
              F(weight, "n"))
 BONDEM_TABLE(CrackLists, F(size, "4"), F(treated, "places"), F(resting, "places"), F(treated_i, "places"),
              F(treated_j, "places"), F(resting_i, "places"), F(resting_j, "places"), F(parted, "places"), F(cell, "*"),
-             F(head, "n"), F(node, "halves 4"), F(flag, "places"), F(waking, "places"), F(flagged, "crack_portions"),
+             F(head, "n"), F(number, "places 2"), F(side, "halves"), F(node, "halves 4"), F(flag, "places"), F(waking, "places"), F(flagged, "crack_portions"),
              F(woken, "crack_portions"), F(stale, "n"), F(base, "n"), F(half, "halves 16"), F(sum, "n 8"), F(slip, "n 4"),
              F(lost, "crack_portions 2"))
 BONDEM_TABLE(PartedReach, F(apart, "*"))

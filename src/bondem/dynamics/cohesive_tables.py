@@ -178,6 +178,8 @@ class CrackLists(NamedTuple):
     parted: Ints
     cell: np.ndarray
     head: np.ndarray
+    number: np.ndarray
+    side: np.ndarray
     node: np.ndarray
     flag: np.ndarray
     waking: np.ndarray
@@ -200,7 +202,8 @@ class CrackLists(NamedTuple):
         return cls(
             np.zeros(4, np.int64), numbers, numbers.copy(), shorts, shorts.copy(), shorts.copy(), shorts.copy(),
             numbers.copy(),
-            np.zeros(n + _BEHIND, np.uint32), np.zeros(n, np.int32), np.zeros((halves, 4), np.int32), flags,
+            np.zeros(n + _BEHIND, np.uint32), np.zeros(n, np.int32),
+            np.zeros((places, 2), np.int32), np.zeros(halves, np.int32), np.zeros((halves, 4), np.int32), flags,
             flags.copy(), np.zeros(portions, np.int64), np.zeros(portions, np.int64), np.zeros(n, np.uint8),
             np.zeros(n), lines(2 * halves).reshape(halves, 16), lines(n),
             np.zeros((n, 4)), np.zeros((portions, 2)),

@@ -62,9 +62,9 @@ BONDEM_INLINE void link_cell(Index p, const CohesiveCracks &cracks, const CrackL
     int32_t first = 0;
     for_each_facet_of(of, p, [&](Index k, bool is_i) {
         if (!is_treated(cracks, k)) return;
-        const Index number = is_i ? 2 * k + 1 : 2 * k + 2;
+        const Index number = lists.number(k, is_i ? 0 : 1);
         const CrackShapeRow &shape = shape_of(cracks, k);
-        put_node(lists, number, first, is_i ? shape.lever_i : shape.lever_j);
+        put_node(lists, number, first, is_i ? 2 * k : 2 * k + 1, is_i ? shape.lever_i : shape.lever_j);
         first = int32_t(number);
     });
     lists.head(p) = first;
@@ -162,7 +162,7 @@ inline void part_crack(Index k, const Moving &all, const ElasticFacets &facets, 
         const double weight = weight_with(slack, cracks, p, [&](Index other) {
             return treated_as_facet(cracks, other) || left_before(other);
         });
-        return stiffness_without(all, lists, weight, p, half, [&](Index h) { return left_before((h - 1) >> 1); });
+        return stiffness_without(all, lists, weight, p, half, [&](Index h) { return left_before(lists.side(h) >> 1); });
     };
     losses.lost(k) = energy_of_parting(SingleCrack(all.pose, facets, cracks, k), facets, cracks, lists, k, k, stiffness);
     history_of(cracks, k).spent += losses.lost(k);

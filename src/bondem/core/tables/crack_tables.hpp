@@ -76,8 +76,8 @@ struct CellSlack {
     Array<const double, 1> slack_i, slack_j;  // what 1 / weight of a cell gains where the facet parts [m³/Pa], (m,)
     Array<const double, 1> weight;  // λ / V of each cell with all its facets [Pa/m³], (n,)
 };
-// Lists of a step, and what is known of the cracks on them. A half is a side of a crack: that of place e on cell i
-// has the number 2 e + 1, that on cell j the number 2 e + 2; number 0 is none.
+// Lists of a step, and what is known of the cracks on them. A half is a side of a crack; those of a cell have numbers that
+// follow each other, but for halves of cracks that have woken in this step. Number 0 is none.
 struct CrackLists {
     // numbers of cracks treated one by one, of those that rest, of cells of the first, and of `parted`, (4,)
     Array<Index, 1> size;
@@ -86,6 +86,8 @@ struct CrackLists {
     Array<Index, 1> parted;  // facets whose faces have parted in this step
     Array<Short, 1> cell;  // cells of cracks that are treated one by one
     Array<int32_t, 1> head;  // first half of each cell, (n,)
+    Array<int32_t, 2> number;  // of the halves on cells i and j, by place, (places, 2)
+    Array<int32_t, 1> side;  // of a half: twice its facet on cell i, and one more on cell j, (halves,)
     Array<int32_t, 2> node;  // next half of its cell, and the lever of this one in the reference [pitch], (halves, 4)
     Array<Byte, 1> flag, waking;  // what becomes of a crack, by place
     Array<Index, 1> flagged, woken;  // whether there is a flag in a portion

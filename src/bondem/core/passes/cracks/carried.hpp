@@ -28,9 +28,9 @@ inline void carry_cracks_of(const StressesOfCells &stresses, const CohesiveCrack
                             Index p) {
     Carried sum = {};
     for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
-        const double *const pull = &cracks.pull(lists.treated((h - 1) >> 1), 0);
+        const double *const pull = &cracks.pull(lists.side(h) >> 1, 0);
         double f[4];
-        for (int d = 0; d < 4; d++) f[d] = h & 1 ? pull[d] : -pull[d];
+        for (int d = 0; d < 4; d++) f[d] = lists.side(h) % 2 == 0 ? pull[d] : -pull[d];
         sum.add(&lists.node(h, 1), f);
     }
     sum.put(stresses, cracks.pitch.data, p);

@@ -60,11 +60,12 @@ struct OneCrack {
                             Index = 1) const {
         if (where) to(e) = value;
     }
-    BONDEM_INLINE void put_halves(const Array<double, 2> &table, const Row<double> &on_i, const Row<double> &on_j,
+    BONDEM_INLINE void put_halves(const CrackLists &lists, const Row<double> &on_i, const Row<double> &on_j,
                                   Index from = 0) const {
-        *reinterpret_cast<Row<double> *>(&table(2 * e + 1, from)) = on_i;
-        *reinterpret_cast<Row<double> *>(&table(2 * e + 2, from)) = on_j;
+        *reinterpret_cast<Row<double> *>(&lists.half(lists.number(e, 0), from)) = on_i;
+        *reinterpret_cast<Row<double> *>(&lists.half(lists.number(e, 1), from)) = on_j;
     }
+    BONDEM_INLINE void prefetch_halves(const CrackLists &) const {}
     // Calls on(crack, place, lane) where a mask says so.
     template <class On> BONDEM_INLINE void where(bool mask, On on) const {
         if (mask) on(crack, e, 0);
@@ -223,15 +224,23 @@ struct CrackGroup {
         of_portions(portion) = as;
     }
     // Writes eight columns of both halves.
-    BONDEM_INLINE void put_halves(const Array<double, 2> &table, const Row<Lanes> &on_i, const Row<Lanes> &on_j,
+    BONDEM_INLINE void put_halves(const CrackLists &lists, const Row<Lanes> &on_i, const Row<Lanes> &on_j,
                                   Index from = 0) const {
-        double *i[lanes], *j[lanes];
+        double *i[lanes], *j[lanes], unused[8];
         for (int n = 0; n < lanes; n++) {
-            i[n] = table.data + table.shape[1] * (2 * (e + n) + 1) + from;
-            j[n] = i[n] + table.shape[1];
+            i[n] = n < known ? &lists.half(lists.number(e + n, 0), from) : unused;
+            j[n] = n < known ? &lists.half(lists.number(e + n, 1), from) : unused;
         }
         scatter_rows(i, on_i);
         scatter_rows(j, on_j);
+    }
+    BONDEM_INLINE void prefetch_halves(const CrackLists &lists) const {
+        constexpr Index ahead = 24;
+        const int32_t *const number = lists.number.data + 2 * (known == lanes ? e + ahead : e);
+        for (int n = 0; n < 2 * known; n++) {
+            bondem::prefetch(lists.half.data + 16 * number[n]);
+            bondem::prefetch(lists.half.data + 16 * number[n] + 8);
+        }
     }
     // Calls on(crack, place, lane) for those that a mask names.
     template <class On> BONDEM_INLINE void where(Mask<Lanes> mask, On on) const {

@@ -50,15 +50,26 @@ void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks
     for (Index q = 0; q < lists.size(2); q++) lists.head(lists.cell(q)) = 0;
     // broken cracks stand behind the others, so that groups of lanes have one or the other
     Index treated[2] = {}, resting[2] = {}, cells = 0;
+    const auto count = [&](Short p) {
+        if (lists.head(p)++ == 0) lists.cell(cells++) = p;
+    };
     for_each_listed(cracks, [&](Index k) {
         const bool whole = cracks.integrity(k) != 0.0;
         treated[1] += whole & (cracks.listed(k) == 1 + crack::active);
+        if (cracks.listed(k) == 1 + crack::active) count(facets.i(k)), count(facets.j(k));
         resting[1] += whole & (cracks.listed(k) == 1 + crack::resting);
     });
-    const auto push = [&](Short p, Index number) {
-        if (lists.head(p) == 0) lists.cell(cells++) = p;
-        lists.node(number, 0) = lists.head(p);
-        lists.head(p) = int32_t(number);
+    // halves of a cell follow each other, of which the first is put last
+    for (Index q = 0, end = 1; q < cells; q++) {
+        int32_t &head = lists.head(lists.cell(q));
+        for (const Index first = end; end < first + head; end++) lists.node(end, 0) = int32_t(end + 1);
+        lists.node(end - 1, 0) = 0;
+        head = int32_t(end);
+    }
+    const auto push = [&](Short p, Index side) {
+        const int32_t number = --lists.head(p);
+        lists.side(number) = int32_t(side);
+        return number;
     };
     const auto put = [&](const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<Short, 1> &at_j,
                          Index e, Index k) {
@@ -72,8 +83,8 @@ void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks
         if (listed == 1 + crack::active) {
             const Index e = treated[broken]++;
             put(lists.treated, lists.treated_i, lists.treated_j, e, k);
-            push(facets.i(k), 2 * e + 1);
-            push(facets.j(k), 2 * e + 2);
+            lists.number(e, 0) = push(facets.i(k), 2 * k);
+            lists.number(e, 1) = push(facets.j(k), 2 * k + 1);
         } else if (listed == 1 + crack::resting) {
             put(lists.resting, lists.resting_i, lists.resting_j, resting[broken]++, k);
         }

@@ -115,8 +115,8 @@ inline SwellingHalf<double> half_at(const CrackLists &lists, Index number) {
 }
 inline void put_halves_of(const CrackLists &lists, Index place, const FacetCompliance<double> &facet,
                           const CrackFaces<double> &at) {
-    lists.half.row<SwellingHalf<double>>(2 * place + 1) = swelling_half(facet.k, facet.part, at, at.share_i);
-    lists.half.row<SwellingHalf<double>>(2 * place + 2) = swelling_half(facet.k, 1.0 - facet.part, at, at.share_j);
+    lists.half.row<SwellingHalf<double>>(lists.number(place, 0)) = swelling_half(facet.k, facet.part, at, at.share_i);
+    lists.half.row<SwellingHalf<double>>(lists.number(place, 1)) = swelling_half(facet.k, 1.0 - facet.part, at, at.share_j);
 }
 
 }  // namespace bondem

@@ -28,15 +28,15 @@ void hand_over(const SingleCrack &one, const ElasticFacets &facets, const CellDi
     lists.stale(i) = lists.stale(j) = 1;
 }
 
-// Puts half `number` of the crack of facet k on the list of its cell, where its order belongs.
-void insert_half(const CrackLists &lists, Short p, Index number, Index k, const int32_t *lever) {
+// Puts half `number` on the list of its cell, where its order belongs.
+void insert_half(const CrackLists &lists, Short p, Index number, Index side, const int32_t *lever) {
     if (lists.head(p) == 0) lists.cell(lists.size(2)++) = p;
     Index before = 0, next = lists.head(p);
-    while (next > 0 && lists.treated((next - 1) >> 1) > k) {
+    while (next > 0 && lists.side(next) > side) {
         before = next;
         next = lists.node(next, 0);
     }
-    put_node(lists, number, next, lever);
+    put_node(lists, number, next, side, lever);
     (before == 0 ? lists.head(p) : lists.node(before, 0)) = int32_t(number);
 }
 
@@ -68,9 +68,10 @@ void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCra
     lists.treated_i(e) = facets.i(k);
     lists.treated_j(e) = facets.j(k);
     if (e % crack::of_portion == 0) lists.flagged(e / crack::of_portion) = 0;
+    for (Index side = 0; side < 2; side++) lists.number(e, side) = int32_t(2 * e + 1 + side);
     begin_treating(one, facets, cracks, lists, k, e);
-    insert_half(lists, facets.i(k), 2 * e + 1, k, shape_of(cracks, k).lever_i);
-    insert_half(lists, facets.j(k), 2 * e + 2, k, shape_of(cracks, k).lever_j);
+    insert_half(lists, facets.i(k), 2 * e + 1, 2 * k, shape_of(cracks, k).lever_i);
+    insert_half(lists, facets.j(k), 2 * e + 2, 2 * k + 1, shape_of(cracks, k).lever_j);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
     group.prefetch(cracks.past);
     group.prefetch(cracks.softening);
     group.prefetch_pull(cracks);
+    group.prefetch_halves(lists);
     const T zero = {};
     const CrackPlace<T> at = place_of(group, all.pose, period, cracks);
     const Row<T> past = group.lines(cracks.past);
@@ -80,7 +81,7 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
     }
     group.put_pull(cracks, f, treated);
     const Vector3<T> p = loads.on_i, q = loads.on_j;
-    group.put_halves(lists.half,
+    group.put_halves(lists,
                      {{kept(f.x), kept(f.y), kept(f.z), lost.rubbed, kept(p.x), kept(p.y), kept(p.z), across}},
                      {{kept(-f.x), kept(-f.y), kept(-f.z), zero, kept(q.x), kept(q.y), kept(q.z), across}});
     group.add(lost.cracked, total);

@@ -12,11 +12,12 @@ template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                                 const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
                                 Index portion, bool changes) {
+    group.prefetch_halves(lists);
     const CrackPlace<T> at = place_of(group, all.pose, facets.period.data, cracks);
     const HalfRows<T> i = rows_of(swelling_half(at.facet.k, at.facet.part, at.now, at.now.share_i));
     const HalfRows<T> j = rows_of(swelling_half(at.facet.k, T(1.0 - at.facet.part), at.now, at.now.share_j));
-    group.put_halves(lists.half, i.first, j.first);
-    group.put_halves(lists.half, i.second, j.second, 8);
+    group.put_halves(lists, i.first, j.first);
+    group.put_halves(lists, i.second, j.second, 8);
     if (!changes) return;
     const CrackIntegrity<T> &left = at.now.left;
     const Mask<T> whole = opposite(at.alike) & (left.s[0] == bondem::all<T>(1.0));

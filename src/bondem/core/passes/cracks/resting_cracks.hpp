@@ -38,8 +38,7 @@ inline void end_treating(const ElasticFacets &facets, const CohesiveCracks &crac
     CrackStateRow &state = state_of(cracks, k);
     for (int d = 0; d < 3; d++) state.slip[d] = state.rub[d] = 0.0;
     for (Index d = 0; d < 4; d++) cracks.pull(k, d) = 0.0;
-    clear_half(lists, 2 * e + 1);
-    clear_half(lists, 2 * e + 2);
+    for (Index side = 0; side < 2; side++) clear_half(lists, lists.number(e, side));
 }
 
 // ---- parting
@@ -79,8 +78,8 @@ inline double energy_of_parting(const SingleCrack &one, const ElasticFacets &fac
         const double more = press / k * half_at(lists, number).along[0];
         lost += 0.5 * (part * press * press / k - more * more * stiffness(p, number));
     };
-    add(facets.i(at), w, half.i.press(), 2 * e + 1);
-    add(facets.j(at), 1.0 - w, half.j.press(), 2 * e + 2);
+    add(facets.i(at), w, half.i.press(), lists.number(e, 0));
+    add(facets.j(at), 1.0 - w, half.j.press(), lists.number(e, 1));
     return lost;
 }
 

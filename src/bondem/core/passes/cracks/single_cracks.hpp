@@ -48,16 +48,17 @@ inline double slide_of(const CohesiveCracks &cracks, Index k) { return softening
 BONDEM_INLINE void put_lever(const CrackLists &lists, Index number, const int32_t *lever) {
     for (int d = 0; d < 3; d++) lists.node(number, 1 + d) = lever[d];
 }
-inline void put_node(const CrackLists &lists, Index number, Index next, const int32_t *lever) {
+inline void put_node(const CrackLists &lists, Index number, Index next, Index side, const int32_t *lever) {
     lists.node(number, 0) = int32_t(next);
+    lists.side(number) = int32_t(side);
     put_lever(lists, number, lever);
 }
 // Levers of the halves at places first … last - 1 of a list.
 inline void put_levers(const CohesiveCracks &cracks, const CrackLists &lists, Index first, Index last) {
     for (Index e = first; e < last; e++) {
         const CrackShapeRow &of = shape_of(cracks, lists.treated(e));
-        put_lever(lists, 2 * e + 1, of.lever_i);
-        put_lever(lists, 2 * e + 2, of.lever_j);
+        put_lever(lists, lists.number(e, 0), of.lever_i);
+        put_lever(lists, lists.number(e, 1), of.lever_j);
     }
 }
 // A half that adds nothing.

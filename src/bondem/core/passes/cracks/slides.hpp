@@ -72,7 +72,7 @@ BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<
         i = {{of_i.x, of_i.y, of_i.z, stiff, shear.x, shear.y, shear.z, bears}};
         j = {{of_j.x, of_j.y, of_j.z, stiff, -shear.x, -shear.y, -shear.z, bears}};
     }
-    group.put_halves(lists.half, i, j, crack::slides);
+    group.put_halves(lists, i, j, crack::slides);
     return across;
 }
 
@@ -95,7 +95,7 @@ inline void sum_cracks_of(const StressesOfCells &stresses, const CohesiveCracks 
     const double across = output[7];
     const Vector R = {sum[0], sum[1], sum[2]}, as_is = {sum[4], sum[5], sum[6]};
     const double size = length(R), stiff = sum[3], cohesion = sum[7], pull = positive(across);
-    const double friction = across < 0.0 ? face_of(cracks, lists.treated((lists.head(p) - 1) >> 1)).friction : 0.0;
+    const double friction = across < 0.0 ? face_of(cracks, lists.side(lists.head(p)) >> 1).friction : 0.0;
     const double bears = root(positive(cohesion * cohesion - pull * pull)) - friction * least(across, 0.0);
     const bool slides = size > bears && dot(R, as_is) > 0.0;
     const Vector b = slides ? (0.5 * (1.0 - bears / size) / stiff) * R : Vector{};
@@ -113,7 +113,7 @@ inline void slide_crack(const Moving &all, const ElasticFacets &facets, const Co
     // lines that are only read need not be written back
     if (dot(before, before) != 0.0) state.rub[0] = state.rub[1] = state.rub[2] = 0.0;
     if (dot(apart, apart) == 0.0) return;
-    const double stiff = lists.half(2 * e + 1, crack::slides + 3);
+    const double stiff = lists.half(lists.number(e, 0), crack::slides + 3);
     if (stiff == 0.0) return;
     const Quaternion<double> turn = orientation(gather(all.pose.data, i));
     const Vector across = axes_of(turn, quaternion_of(frame_of(cracks, k).axes)).e[0];

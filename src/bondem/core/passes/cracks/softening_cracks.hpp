@@ -187,11 +187,12 @@ BONDEM_INLINE void put_softened(const Group &group, const Moving &all, const Ela
     const T least_left = now.left.least_left();
     group.where(falls, [&](Index k, Index e, int n) {
         cracks.integrity(k) = group.lane(least_left, n);
+        double *const on_i = &lists.half(lists.number(e, 0), 0), *const on_j = &lists.half(lists.number(e, 1), 0);
         for (int c = 0; c < 8; c++) {
-            lists.half(2 * e + 1, c) = group.lane(i.first.column[c], n);
-            lists.half(2 * e + 1, 8 + c) = group.lane(i.second.column[c], n);
-            lists.half(2 * e + 2, c) = group.lane(j.first.column[c], n);
-            lists.half(2 * e + 2, 8 + c) = group.lane(j.second.column[c], n);
+            on_i[c] = group.lane(i.first.column[c], n);
+            on_i[8 + c] = group.lane(i.second.column[c], n);
+            on_j[c] = group.lane(j.first.column[c], n);
+            on_j[8 + c] = group.lane(j.second.column[c], n);
         }
         if (lane_of(turned, n))
             put_turned(all, facets, cracks, lists, {lane_of(group, found.at, n), lane_of(group, found.left, n)}, k, e);
