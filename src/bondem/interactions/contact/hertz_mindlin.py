@@ -42,8 +42,8 @@ class HertzMindlin(ContactLaw):
     R. The dashpots are cn = 2 √(5/6) β √(m̄ kn), kn = 2 E* √(R* u), and likewise with ks. They give the requested
     restitution at all speeds, with contacts that only repel. A tangential spring of stretch ξ stores ½ ks(u) ξ² and
     adds ½ ks'(u) ξ² to F_n, about μ² kn / 6 ks of it where it slides: a contact that does not slide is elastic, and
-    does not creep under loads that swing (docs/decisions/0053-tangential-potential-and-rolling.md). Friction acts up to F_t / F_n =
-    √(3 ks / 2 kn), 1.1 for ν = 0.3.
+    does not creep under loads that swing (docs/decisions/0053-tangential-potential-and-rolling.md). Friction acts up
+    to F_t / F_n = √(3 ks / 2 kn), 1.1 for ν = 0.3.
 
     A pair whose bond is broken acts as a linear spring with the kn of that bond and the same ks / kn. The reason is
     that crack faces meet over their whole area. With `stress_free=False` such a pair is like any other. References:
