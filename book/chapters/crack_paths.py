@@ -76,7 +76,7 @@ def _rows(one: dict[str, Any]) -> list[Row]:
         case = f"{one['title']}, seed{'s' * (len(values) > 1)} {seeds}, {max(one['count'])} cells: {words}"
         claim = claims.get(quantity)
         if one["name"] in _INTERFACES and quantity != ("parted" if one["name"].endswith("weak") else "beyond"):
-            claim = None  # the other claim says the same of the path that the crack does not take
+            claim = None  # a crack that parts an interface does not cross it: one claim decides
         if claim is None:
             found.append(Row(case=case, ours=PATHS.of(*known), form=form))
             continue

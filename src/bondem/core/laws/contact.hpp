@@ -72,7 +72,7 @@ BONDEM_INLINE ContactStiffness<T> contact_stiffness(const ContactSpring<T> &spri
     const T cn = 2.0 * spring.damping * root(spring.kn * mass), cs = 2.0 * spring.damping * root(ks * mass);
     return {spring.kn, spring.force, ks, soft * before, T{}, T{}, cn, cs};
 }
-// The same of a law that may harden.
+// Springs and dashpots of a law whose stiffness may grow with the overlap.
 template <class Law, class T>
 BONDEM_INLINE ContactStiffness<T> contact_stiffness(const Law &, const ContactSpring<T> &spring, T before, double soft, T mass,
                                                     const Overlaps<T> &overlap) {

@@ -91,7 +91,7 @@ void roll_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, 
 // Adds what they do to the elements of a range.
 void add_rolling_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const RolledPairs &of,
                        const ContactSums &to);
-// The same of a portion of elements at walls.
+// Moments of resistance to rolling of a portion of elements at walls.
 void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                    const Walls &walls, const RolledWalls &of, const ContactSums &to);
 // Adds the energy that the springs of a portion store [J].
