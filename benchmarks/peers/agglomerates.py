@@ -1,21 +1,27 @@
-"""Agglomerates of bonded spheres that fall on a floor and break, in bondem and in LAMMPS.
+"""Agglomerates of bonded spheres that fall on a floor or turn in a drum and break, in bondem and in LAMMPS.
 
     LAMMPS=lammps/bin/lmp python benchmarks/peers/agglomerates.py [--bodies 50] [--each 200] [--repeat 3]
+    LAMMPS=lammps/bin/lmp python benchmarks/peers/agglomerates.py --scene drum [--bodies 1000] [--each 60]
 
-Balls of 10 mm of bonded spheres, turned at random and stacked without touching, move down at a speed and hit a floor.
-Both codes have the same spheres, four stiffnesses of all bonds, `LinearSum` (the sum of `bond_style bpm/rotational`)
-with the same strengths, contact with one stiffness and friction, gravity, and time step, that of bondem; one thread
-each, in turns. A bond that breaks makes its spheres touch.
+Balls of 10 mm of bonded spheres, turned at random and stacked without touching, move down at a speed and hit a floor,
+or the shell of a drum that turns between two smooth ends. Both codes have the same spheres, four stiffnesses of all
+bonds, `LinearSum` (the sum of `bond_style bpm/rotational`) with the same strengths, contact with one stiffness, share
+of critical damping and friction, gravity, and time step, that of bondem; one thread each, in turns. Spheres of a bond
+that breaks touch. Seconds are those of the processor in the loop alone. A shorter drum of 80 bodies follows for two
+turns, in bondem.
 
-best      time of a fall, LAMMPS over bondem, of the fastest runs; "median" of all
+best      time of a run, LAMMPS over bondem, of the fastest runs; "median" of all
 memory    largest resident size of the process [MiB]
-broken    share of the bonds at the end, for each speed, and that over the speed squared
-impulse   momentum that the floor and gravity gave, over what the bodies gained: 1 [-]; of bondem
+broken    share of the bonds at the end
+impulse   momentum that the floor and gravity gave, over what the bodies gained: 1 [-]; of bondem, without friction
 sideways  momentum along the floor over that of the fall, where nothing rubs on it [-]; of bondem
+balance   angular momentum of a charge about the axis of its drum: what it gained, over what weight and drum gave [-]
+torque    mean torque of the drum over M g x̄ in the last turn, where it turned at least once [-]
 """
 
 import argparse
 import json
+import math
 import os
 import re
 import resource
@@ -23,8 +29,10 @@ import statistics
 import subprocess
 import sys
 import tempfile
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from time import perf_counter
+from time import process_time
+from typing import Any
 
 import numpy as np
 
@@ -34,89 +42,223 @@ from alike import Alike
 import bondem as bd
 from kept import RESULTS, keep, origin
 
-RADIUS, DENSITY, E, NU, SHARE = 5e-3, 2500.0, 1e9, 0.2, 0.6
-TENSION = 8e6  # of the section of a bond [Pa]; twice that in shear, bending and twisting
+RADIUS, DENSITY, NU, SHARE = 5e-3, 2500.0, 0.2, 0.6
+#: Strength over E: tension of the section of a bond, twice that in shear, bending and twisting [-].
+STRENGTH = 8e-3
 FRICTION, SPEEDS, GRAVITY = 0.5, (5.0, 7.0, 10.0), 9.81
 #: Free fall before the floor is reached, and how long bodies are followed after that, over RADIUS / speed.
 AHEAD, AFTER = 0.2, 4.0
+#: Distance of the centres of bodies that are stacked [m].
+APART = 2.3 * RADIUS
 
 
-def stiffness(rock: bd.Lattice) -> dict[str, float]:
-    """Of a bond as long as the mean one, as an Euler–Bernoulli beam, and its strengths in `LinearSum`."""
-    r, length = SHARE * rock.particles.mean_radius, float(rock.length.mean())
-    area, second = np.pi * r**2, 0.25 * np.pi * r**4
-    return {
-        "kn": E * area / length, "ks": 12.0 * E * second / length**3, "kb": E * second / length,
-        "kt": E / (1.0 + NU) * second / length, "radius": r, "force": TENSION * area, "shear": 2.0 * TENSION * area,
-        "bending": 2.0 * TENSION * second / r, "twisting": 2.0 * TENSION * second / r,
-    }  # fmt: skip
-
-
-def scene(bodies: int, each: int) -> tuple[bd.Lattice, dict[str, float]]:
-    """The bodies in the reference, the lowest sphere of all at z = 0."""
+def agglomerate(each: int) -> bd.Lattice:
+    """A ball of bonded spheres that do not overlap."""
     packed = bd.pack(bd.Ball(radius=RADIUS), count=each, seed=1)
     bonds = bd.connect(packed, tolerance=0.01)
     # spheres of broken bonds do not push each other apart from the start: LAMMPS knows no overlap without force
     i, j = bonds.pairs.T
     shrunk = min(1.0, float((bonds.length / (packed.radius[i] + packed.radius[j])).min()))
-    rock = bd.Lattice(bd.Particles(packed.position, shrunk * packed.radius), bonds.pairs)
-    side = int(np.ceil(bodies ** (1.0 / 3.0)))
-    k = np.arange(bodies)
-    places = 2.3 * RADIUS * np.column_stack([k % side, k // side % side, k // side**2])
-    all_of = bd.replicate(rock, places, rotations="random", seed=1)
-    lowest = float((all_of.particles.position[:, 2] - all_of.particles.radius).min())
-    return all_of.moved((0.0, 0.0, -lowest)), stiffness(rock)
+    return bd.Lattice(bd.Particles(packed.position, shrunk * packed.radius), bonds.pairs)
 
 
-def model_of(bodies: int, each: int, speed: float, *, rubs: bool = True) -> tuple[bd.Model, bd.State, float, dict]:
-    """Model, state and duration of a fall, and what a bond has."""
-    lattice, bond = scene(bodies, each)
-    law = Alike(E=E, nu=NU, **{name: bond[name] for name in ("kn", "ks", "kb", "kt", "radius")})
+@dataclass(frozen=True, kw_only=True)
+class Fall:
+    """Bodies that hit a floor at a speed [m/s], in a cube above it."""
+
+    bodies: int = 50
+    each: int = 200
+    speed: float
+    E: float = 1e9
+    damping: float = 0.0  # share of the critical damping of a contact [-]
+    down: tuple[float, float, float] = (0.0, 0.0, -1.0)
+
+    @property
+    def duration(self) -> float:
+        """From the start to AFTER the first contact [s]."""
+        return (AHEAD + AFTER) * RADIUS / self.speed
+
+    def stacked(self, rock: bd.Lattice) -> bd.Lattice:
+        """The bodies, the lowest sphere of all at z = 0."""
+        side = int(np.ceil(self.bodies ** (1.0 / 3.0)))
+        k = np.arange(self.bodies)
+        places = APART * np.column_stack([k % side, k // side % side, k // side**2])
+        all_of = bd.replicate(rock, places, rotations="random", seed=1)
+        lowest = float((all_of.particles.position[:, 2] - all_of.particles.radius).min())
+        return all_of.moved((0.0, 0.0, -lowest))
+
+    @property
+    def walls(self) -> list[bd.PlaneWall]:
+        """The floor."""
+        return [bd.PlaneWall((0, 0, -AHEAD * RADIUS), (0, 0, 1))]
+
+    @property
+    def gauges(self) -> dict[str, Any]:
+        """Its force."""
+        return {"floor": bd.WallGauge(0, "force")}
+
+    def fixes(self, rough: str, smooth: str) -> str:
+        """The floor in LAMMPS, given the springs of walls with and without friction."""
+        return f"fix floor all wall/gran hooke/history {rough} zplane {-AHEAD * RADIUS:.17g} NULL"
+
+    def balance(self, model: bd.Model, start: bd.State, run: bd.ExplicitResult) -> dict[str, float]:
+        """Momentum that floor and weight gave, and that along the floor."""
+        gained = model.mass @ (run.state.velocity - start.velocity)
+        pushed = -float(np.trapezoid(run.history["floor"][:, 2], run.history.time))
+        given = pushed - float(model.mass.sum()) * GRAVITY * run.state.time
+        fell = float(model.mass.sum()) * self.speed
+        return {"impulse": given / float(gained[2]), "sideways": float(np.abs(gained[:2]).max()) / fell}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drum:
+    """Bodies that fall at a speed on the shell of a drum that turns; the drum is as long as they ask for."""
+
+    bodies: int = 1000
+    each: int = 60
+    speed: float = 1.0
+    duration: float = 0.02  # [s]
+    radius: float = 15.0 * RADIUS
+    E: float = 1e7
+    damping: float = 0.2
+    down: tuple[float, float, float] = (0.0, -1.0, 0.0)
+
+    @property
+    def spin(self) -> float:
+        """60 % of the speed at which bodies would stay on the shell [rad/s]."""
+        return 0.6 * math.sqrt(GRAVITY / self.radius)
+
+    @property
+    def turn(self) -> float:
+        """Duration of a turn [s]."""
+        return 2.0 * math.pi / self.spin
+
+    @property
+    def section(self) -> np.ndarray:
+        """Places of bodies in the lower half of the drum and a layer above, (k, 2)."""
+        reach = int(self.radius / APART)
+        x, y = APART * np.mgrid[-reach : reach + 1, -reach : 1].reshape(2, -1)
+        return np.column_stack([x, y])[np.hypot(x, y) < self.radius - 1.05 * RADIUS]
+
+    @property
+    def length(self) -> float:
+        """Between the ends [m]."""
+        return APART * math.ceil(self.bodies / len(self.section))
+
+    def stacked(self, rock: bd.Lattice) -> bd.Lattice:
+        """The bodies, layer by layer along the axis, which is z."""
+        where = self.section
+        k = np.arange(self.bodies)
+        z = APART * (k // len(where) + 0.5) - 0.5 * self.length
+        return bd.replicate(rock, np.column_stack([where[k % len(where)], z]), rotations="random", seed=1)
+
+    @property
+    def walls(self) -> list[Any]:
+        """The shell, which turns, and two ends without friction, which do not."""
+        turn = bd.Driven(spin=self.spin, axis=(0, 0, 1))
+        ends = [bd.PlaneWall((0, 0, 0.5 * s * self.length), (0, 0, -s), friction=0.0) for s in (-1, 1)]
+        return [bd.CylinderWall(self.radius, axis=(0, 0, 1), motion=turn), *ends]
+
+    @property
+    def gauges(self) -> dict[str, Any]:
+        """Torque of the bodies on the shell, and the mean displacement."""
+        return {"torque": bd.WallGauge(0, "torque"), "place": bd.Gauge(bd.Everything(), "displacement")}
+
+    def fixes(self, rough: str, smooth: str) -> str:
+        """Shell and ends in LAMMPS, where a cylinder turns against its axis."""
+        rim, half = -self.spin * self.radius, 0.5 * self.length
+        return "\n".join((
+            f"fix shell all wall/gran hooke/history {rough} zcylinder {self.radius:.17g} shear x {rim:.17g}",
+            f"fix ends all wall/gran hooke/history {smooth} zplane {-half:.17g} {half:.17g}",
+        ))  # fmt: skip
+
+    def balance(self, model: bd.Model, start: bd.State, run: bd.ExplicitResult) -> dict[str, float]:
+        """Angular momentum about the axis, the work of the drum being torque by angle, and the mean torque."""
+        history, weight = run.history, GRAVITY * float(model.mass.sum())
+        x = history["place"][:, 0] + model.mass @ start.position[:, 0] / model.mass.sum()
+        fell = GRAVITY * float(model.mass @ (start.position - run.state.position)[:, 1])
+        drum = history.energy["work"][-1] - fell
+        gained = _spun(model, run.state) - _spun(model, start)
+        given = drum / self.spin - float(np.trapezoid(weight * x, history.time))
+        found = {"balance": gained / given, "turns": float(history.time[-1]) / self.turn}
+        if found["turns"] >= 1.0:
+            last = history.time >= history.time[-1] - self.turn
+            found["torque"] = -float(history["torque"][last, 2].mean() / (weight * x[last].mean()))
+        return found
+
+
+def _spun(model: bd.Model, state: bd.State) -> float:
+    """Angular momentum about the z axis [N·m·s]."""
+    x, v = state.position, state.velocity
+    orbit = model.mass * (x[:, 0] * v[:, 1] - x[:, 1] * v[:, 0])
+    return float((orbit + model.inertia * state.angular_velocity[:, 2]).sum())
+
+
+Scene = Fall | Drum
+
+
+def stiffness(rock: bd.Lattice, E: float) -> dict[str, float]:
+    """Of a bond as long as the mean one, as an Euler–Bernoulli beam, and its strengths in `LinearSum`."""
+    r, length = SHARE * rock.particles.mean_radius, float(rock.length.mean())
+    area, second = np.pi * r**2, 0.25 * np.pi * r**4
+    tension = STRENGTH * E
+    return {
+        "kn": E * area / length, "ks": 12.0 * E * second / length**3, "kb": E * second / length,
+        "kt": E / (1.0 + NU) * second / length, "radius": r, "force": tension * area, "shear": 2.0 * tension * area,
+        "bending": 2.0 * tension * second / r, "twisting": 2.0 * tension * second / r,
+    }  # fmt: skip
+
+
+def model_of(scene: Scene, *, rubs: bool = True) -> tuple[bd.Model, bd.State, dict[str, float]]:
+    """Model and state of a scene, and what a bond has."""
+    rock = agglomerate(scene.each)
+    bond, radius = stiffness(rock, scene.E), rock.particles.mean_radius
+    law = Alike(E=scene.E, nu=NU, **{name: bond[name] for name in ("kn", "ks", "kb", "kt", "radius")})
     failure = bd.LinearSum(**{name: bond[name] for name in ("force", "shear", "bending", "twisting")})
     # kn = E π R² / 2R of two mean spheres
     contact = bd.LinearContact(
-        E=2.0 * bond["kn"] / (np.pi * lattice.particles.mean_radius), kappa=3.5, friction=FRICTION if rubs else 0.0,
-        stress_free=False,
+        E=2.0 * bond["kn"] / (np.pi * radius), kappa=3.5, friction=FRICTION if rubs else 0.0,
+        damping=scene.damping, stress_free=False,
     )  # fmt: skip
-    floor = bd.PlaneWall((0, 0, -AHEAD * RADIUS), (0, 0, 1))
     model = bd.Model(
-        lattice, law, DENSITY, contact=contact, failure=failure, boundary=[bd.Gravity(GRAVITY)], walls=[floor]
-    )
+        scene.stacked(rock), law, DENSITY, contact=contact, failure=failure, walls=scene.walls,
+        boundary=[bd.Gravity(GRAVITY, scene.down)],
+    )  # fmt: skip
     state = model.state()
-    state.velocity = (0.0, 0.0, -speed)
-    return model, state, (AHEAD + AFTER) * RADIUS / speed, bond
+    state.velocity = tuple(scene.speed * x for x in scene.down)
+    return model, state, bond
 
 
-def bondem(bodies: int, each: int, speed: float, *, rubs: bool) -> dict:
-    """One fall."""
-    model, state, duration, _ = model_of(bodies, each, speed, rubs=rubs)
-    mass = DENSITY * model.lattice.particles.volume
-    before = mass @ state.velocity
-    # the force of the floor is added up from records, which a timed run has few of
-    often = {"every": 2, "gauges": {"floor": bd.WallGauge(0, "force")}} if not rubs else {"every": 200}
-    began = perf_counter()
-    run = bd.solve_explicit(model, duration=duration, state=state, **often)
-    seconds = perf_counter() - began
-    gained, fell = mass @ run.state.velocity - before, float(mass.sum()) * speed
-    balance = {}
-    if not rubs:
-        pushed = -float(np.trapezoid(run.history["floor"][:, 2], run.history.time))
-        given = pushed - float(mass.sum()) * GRAVITY * run.state.time
-        balance = {"impulse": given / float(gained[2]), "sideways": float(np.abs(gained[:2]).max()) / fell}
+def bondem(scene: Scene, *, rubs: bool, every: int) -> dict[str, Any]:
+    """One run; those that need a balance have many records, those that are timed have few."""
+    model, state, _ = model_of(scene, rubs=rubs)
+    start = state.copy()
+    began = process_time()
+    run = bd.solve_explicit(model, duration=scene.duration, state=state, gauges=scene.gauges, every=every)
+    seconds = process_time() - began
+    balance = scene.balance(model, start, run) if isinstance(scene, Drum) or not rubs else {}
     return balance | {
         "seconds": seconds, "steps": run.steps, "dt": run.dt, "bonds": len(model.lattice.pairs),
-        "elements": len(mass), "broken": len(run.events) / len(model.lattice.pairs),
+        "elements": len(model.mass), "broken": len(run.events) / len(model.lattice.pairs),
         "imbalance": run.history.imbalance,
         "memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0,
     }  # fmt: skip
 
 
-def script(bond: dict[str, float], steps: int, dt: float) -> str:
+def script(scene: Scene, model: bd.Model, bond: dict[str, float], steps: int, dt: float) -> str:
     """The input of LAMMPS."""
     order = "kn", "ks", "kt", "kb", "force", "shear", "bending", "twisting"
     values = " ".join(f"{bond[name]:.17g}" for name in order)
-    # without any dashpot, sliding at a wall divides by zero there
-    spring = f"{bond['kn']:.17g} {2.0 / 7.0 * bond['kn']:.17g} 1e-3 NULL {FRICTION} 1"
+    # the damping of two mean spheres; without any, sliding at a wall divides by zero there
+    mass = float(model.mass.mean())
+    rate = max(1e-3, 2.0 * scene.damping * math.sqrt(bond["kn"] / (0.5 * mass)))
+
+    def spring(times: float, friction: float) -> str:
+        kn, soft = times * bond["kn"], 2.0 / 7.0
+        return f"{kn:.17g} {soft * kn:.17g} {rate:.17g} {math.sqrt(soft) * rate:.17g} {friction} 1 limit_damping"
+
+    # a sphere at a wall has half the length of two, kn = E π R² / R
+    walls = scene.fixes(spring(2.0, FRICTION), spring(2.0, 0.0))
     return f"""units si
 dimension 3
 boundary f f f
@@ -125,15 +267,15 @@ newton on off
 special_bonds lj 0 1 1 coul 1 1 1
 comm_modify vel yes cutoff {0.8 * RADIUS:.17g}
 read_data start.data
-pair_style gran/hooke/history {spring}
+pair_style gran/hooke/history {spring(1.0, FRICTION)}
 pair_coeff * *
 bond_style bpm/rotational smooth no
 bond_coeff 1 {values} 0 0 0 0
-neighbor {0.3 * SHARE:.3g}e-3 bin
+neighbor {0.25 * model.lattice.particles.mean_radius:.3g} bin
 neigh_modify every 1 delay 0 check yes
 fix motion all nve/bpm/sphere
-fix weight all gravity {GRAVITY} vector 0 0 -1
-fix floor all wall/gran hooke/history {spring} zplane {-AHEAD * RADIUS:.17g} NULL
+fix weight all gravity {GRAVITY} vector {" ".join(map(str, scene.down))}
+{walls}
 timestep {dt:.17g}
 thermo_style custom step bonds
 thermo {steps}
@@ -142,7 +284,7 @@ run {steps}
 """
 
 
-def data(model: bd.Model, speed: float) -> str:
+def data(model: bd.Model, state: bd.State) -> str:
     """Spheres, velocities and bonds as a data file."""
     particles, pairs = model.lattice.particles, model.lattice.pairs
     low, high = particles.position.min(axis=0) - 3.0 * RADIUS, particles.position.max(axis=0) + 3.0 * RADIUS
@@ -156,77 +298,100 @@ def data(model: bd.Model, speed: float) -> str:
         for k, (r, (x, y, z)) in enumerate(spheres, start=1)
     ]
     lines += ["", "Velocities", ""]
-    lines += [f"{k} 0 0 {-speed:.17g} 0 0 0" for k in range(1, len(particles) + 1)]
+    lines += [f"{k} {u:.17g} {v:.17g} {w:.17g} 0 0 0" for k, (u, v, w) in enumerate(state.velocity, start=1)]
     lines += ["", "Bonds", ""]
     lines += [f"{k} 1 {i + 1} {j + 1}" for k, (i, j) in enumerate(pairs, start=1)]
     return "\n".join(lines) + "\n"
 
 
-def lammps(bodies: int, each: int, speed: float, steps: int, dt: float) -> dict:
-    """The same fall in LAMMPS."""
+def lammps(scene: Scene, steps: int, dt: float) -> dict[str, Any]:
+    """The same run in LAMMPS."""
     executable = os.environ.get("LAMMPS", "lmp")
     environment = os.environ | {
         "LD_LIBRARY_PATH": str(Path(executable).absolute().parent.parent / "lib"), "OMP_NUM_THREADS": "1"
     }  # fmt: skip
-    model, _, _, bond = model_of(bodies, each, speed)
+    model, state, bond = model_of(scene)
     with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "start.data").write_text(data(model, speed))
-        (Path(folder) / "in.fall").write_text(script(bond, steps, dt))
-        words = [executable, "-in", "in.fall", "-nocite", "-screen", "none", "-log", "log"]
+        (Path(folder) / "start.data").write_text(data(model, state))
+        (Path(folder) / "in.bodies").write_text(script(scene, model, bond, steps, dt))
+        words = [executable, "-in", "in.bodies", "-nocite", "-screen", "none", "-log", "log"]
         started = subprocess.Popen(words, cwd=folder, env=environment, stderr=subprocess.PIPE)
         _, status, used = os.wait4(started.pid, 0)
         log = (Path(folder) / "log").read_text()
     if status != 0:
         raise RuntimeError(f"LAMMPS ended with {status}: {log[-500:]}")
     left = [line.split() for line in log.splitlines() if re.fullmatch(r"\s*\d+\s+\d+\s*", line)][-1]
+    wall, share = re.findall(r"Loop time of (\S+) on", log)[-1], re.findall(r"(\S+)% CPU use", log)[-1]
     return {
-        "seconds": float(re.findall(r"Loop time of (\S+) on", log)[-1]), "steps": steps,
+        "seconds": float(wall) * float(share) / 100.0, "steps": steps,
         "version": log.splitlines()[0], "broken": 1.0 - int(left[1]) / len(model.lattice.pairs),
         "memory": used.ru_maxrss / 1024.0,
     }  # fmt: skip
 
 
-def apart(*words: object) -> dict:
-    """A fall of bondem in a process of its own, with one thread."""
-    command = [sys.executable, __file__, "--one", *map(str, words)]
+def apart(scene: Scene, *, rubs: bool = True, every: int = 200) -> dict[str, Any]:
+    """A run of bondem in a process of its own, with one thread."""
+    words = json.dumps([type(scene).__name__, asdict(scene), rubs, every])
     single = {**os.environ, "BONDEM_NUM_THREADS": "1"}
+    command = [sys.executable, __file__, "--one", words]
     done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, env=single)
     return json.loads(done.stdout.splitlines()[-1])
 
 
+def in_turns(scene: Scene, repeat: int) -> dict[str, Any]:
+    """Runs of both codes, the load of the machine before each pair, and how they compare."""
+    loads, ours, theirs = [], [], []
+    for _ in range(repeat):
+        loads.append(os.getloadavg()[0])
+        ours.append(apart(scene))
+        theirs.append(lammps(scene, ours[0]["steps"], ours[0]["dt"]))
+    row = {"speed": scene.speed, "loads": loads, "bondem": ours, "lammps": theirs}
+    for name, one in (("best", min), ("median", statistics.median)):
+        row[name] = one([x["seconds"] for x in theirs]) / one([x["seconds"] for x in ours])
+    first, other = ours[0], theirs[0]
+    print(
+        f"{scene.speed:4.1f} m/s: {first['steps']} steps, broken {first['broken']:.3f}, {other['broken']:.3f},"
+        f" {first['steps'] / first['seconds']:.0f} steps/s, {row['best']:.1f} (median {row['median']:.1f}) times as"
+        f" fast as LAMMPS, memory {first['memory']:.0f} and {other['memory']:.0f} MiB,"
+        f" ledger {first['imbalance']:.1e}", flush=True,
+    )  # fmt: skip
+    return row
+
+
 def main(arguments: list[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--bodies", type=int, default=50)
-    parser.add_argument("--each", type=int, default=200, help="spheres of a body")
-    parser.add_argument("--repeat", type=int, default=3, help="runs of each code at the middle speed, in turns")
-    parser.add_argument("--out", type=Path, default=RESULTS / "agglomerates.json")
-    parser.add_argument("--one", nargs=2, help=argparse.SUPPRESS)
+    parser.add_argument("--scene", choices=("fall", "drum"), default="fall")
+    parser.add_argument("--bodies", type=int, help="50 that fall, 1000 in a drum")
+    parser.add_argument("--each", type=int, help="spheres of a body: 200, or 60 in a drum")
+    parser.add_argument("--repeat", type=int, default=3, help="runs of each code, of falls at 7 m/s")
+    parser.add_argument("--out", type=Path, help="results/agglomerates.json, or results/agglomerates_drum.json")
+    parser.add_argument("--one", help=argparse.SUPPRESS)
     given = parser.parse_args(arguments)
     if given.one:
-        print(json.dumps(bondem(given.bodies, given.each, float(given.one[0]), rubs=given.one[1] == "rough")))
+        kind, fields, rubs, every = json.loads(given.one)
+        print(json.dumps(bondem({"Fall": Fall, "Drum": Drum}[kind](**fields), rubs=rubs, every=every)))
         return
-    sizes = ("--bodies", given.bodies, "--each", given.each)
-    report = origin() | {"bodies": given.bodies, "each": given.each, "threads": 1, "falls": []}
+    sizes = {"bodies": given.bodies, "each": given.each}
+    sizes = {name: value for name, value in sizes.items() if value is not None}
+    if given.scene == "drum":
+        scene, out = Drum(**sizes), given.out or RESULTS / "agglomerates_drum.json"
+        report = origin() | {"threads": 1, "bodies": scene.bodies, "each": scene.each, "duration": scene.duration}
+        report |= in_turns(scene, given.repeat)
+        keep(out, report)
+        report["longer"] = {"bodies": 80, "each": 60} | apart(Drum(bodies=80, duration=2.0 * scene.turn), every=20)
+        keep(out, report)
+        print(report["longer"])
+        return
+    report = origin() | {"threads": 1, "falls": []}
     for speed in SPEEDS:
-        ours = [apart(speed, "rough", *sizes)]
-        alike = given.bodies, given.each, speed, ours[0]["steps"], ours[0]["dt"]
-        theirs = [lammps(*alike)]
-        for _ in range(given.repeat - 1 if speed == SPEEDS[1] else 0):
-            ours.append(apart(speed, "rough", *sizes))
-            theirs.append(lammps(*alike))
-        row = {"speed": speed, "bondem": ours, "lammps": theirs}
-        for name, one in (("best", min), ("median", statistics.median)):
-            row[name] = one([x["seconds"] for x in theirs]) / one([x["seconds"] for x in ours])
+        scene = Fall(speed=speed, **sizes)
+        row = in_turns(scene, given.repeat if speed == SPEEDS[1] else 1)
         if speed == SPEEDS[1]:
-            row["smooth"] = apart(speed, "smooth", *sizes)
+            # the force of the floor is added up from records
+            row["smooth"] = apart(scene, rubs=False, every=2)
+        report |= {"bodies": scene.bodies, "each": scene.each}
         report["falls"].append(row)
-        keep(given.out, report)
-        print(
-            f"{speed:4.1f} m/s: {ours[0]['steps']} steps, broken {ours[0]['broken']:.3f}, {theirs[0]['broken']:.3f},"
-            f" {row['best']:.1f} (median {row['median']:.1f}) times as fast as LAMMPS,"
-            f" memory {ours[0]['memory']:.0f} and {theirs[0]['memory']:.0f} MiB,"
-            f" ledger {ours[0]['imbalance']:.1e}", flush=True,
-        )  # fmt: skip
+        keep(given.out or RESULTS / "agglomerates.json", report)
 
 
 if __name__ == "__main__":
