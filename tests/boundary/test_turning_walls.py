@@ -15,6 +15,7 @@ from bondem.dynamics.timestep import critical_step
 from bondem.errors import InputError
 from tests.bits import EnoughError, assert_same_bits
 from tests.models import VERLET, grains, moving, time_step
+from tests.scripts import python
 
 E, DENSITY = 1e7, 1000.0
 MASS = 4.0 / 3.0 * math.pi * DENSITY  # of a sphere of 1 m
@@ -279,6 +280,55 @@ def test_stages_and_pauses_of_turning_walls(tmp_path) -> None:
     begun.begin(later)
     np.testing.assert_allclose(_corner(begun, 0, np.array([1.0, 0.0, 0.5])), place, atol=1e-14)
     np.testing.assert_array_equal(begun.wall_orientation[0], read.state.wall_orientation[0])
+
+
+BREAKING_DRUM = """
+import math, sys
+from pathlib import Path
+import bondem as bd
+from tests.bits import assert_resumes_to, assert_same_run, digest, threads
+from tests.specimens import spheres
+
+rock = spheres(bd.Ball(radius=5e-3), 60, seed=1, reach=1.01)
+places = [(11e-3 * (i - 1.5), 12e-3 * (j - 0.5), -25e-3 + 11e-3 * k)
+          for j in range(2) for i in range(4) for k in range(3)]
+turn = {"motion": bd.Driven(spin=20.0, axis=(0, 1, 0)), "axis": (0, 1, 0)}
+bars = [bd.CylinderWall(4e-3, (34e-3 * math.cos(a), 0, 34e-3 * math.sin(a)), outside=True, **turn)
+        for a in (3.6, 4.7, 5.8)]
+walls = [bd.CylinderWall(36e-3, **turn), *bars,
+         *[bd.PlaneWall((0, side * 12.5e-3, 0), (0, -side, 0)) for side in (-1, 1)]]
+model = bd.Model(
+    bd.replicate(rock, places, rotations="random", seed=1), bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6),
+    2500.0, contact=bd.LinearContact(E=1e7, friction=0.5, damping=0.2), walls=walls,
+    boundary=[bd.Gravity()], failure=bd.PeripheralStress(tension=1e5, shear=2e5),
+)
+start = model.state()
+start.velocity = (0.0, 0.0, -2.0)
+
+
+def run(**options):
+    gauges = {"torque": bd.WallGauge(0, "torque")}
+    return bd.solve_explicit(model, duration=1.6e-3, every=50, state=start.copy(), gauges=gauges, **options)
+
+
+runs = []
+for count in (1, 2, 3, 4):
+    with threads(count):
+        runs.append(run())
+for other in runs[1:]:
+    assert_same_run(runs[0], other)
+with threads(2):
+    assert_resumes_to(runs[0], lambda **options: run(save_every=50, **options), Path(sys.argv[1]), 0.8)
+print(len(runs[0].events) / len(model.lattice.pairs), abs(runs[0].history["torque"][:, 1]).max(), digest(runs[0]))
+"""
+
+
+def test_agglomerates_that_break_in_a_drum_have_the_same_bits(tmp_path) -> None:
+    """On 1 to 4 threads, and on others than before where a run is cut off amid what breaks and resumed."""
+    [found] = python(BREAKING_DRUM, tmp_path / "run.h5")
+    broken, torque = (float(word) for word in found.split()[:2])
+    assert 0.05 < broken < 0.9
+    assert torque > 0.0
 
 
 def _corner(state: bd.State, wall: int, about: np.ndarray) -> np.ndarray:
