@@ -99,7 +99,7 @@ class Fall:
 
     def fixes(self, rough: str, smooth: str) -> str:
         """The floor in LAMMPS, given the springs of walls with and without friction."""
-        return f"fix floor all wall/gran hooke/history {rough} zplane {-AHEAD * RADIUS:.17g} NULL"
+        return f"fix floor all wall/gran {rough} zplane {-AHEAD * RADIUS:.17g} NULL"
 
     def balance(self, model: bd.Model, start: bd.State, run: bd.ExplicitResult) -> dict[str, float]:
         """Momentum that floor and weight gave, and that along the floor."""
@@ -117,7 +117,7 @@ class Drum:
     bodies: int = 1000
     each: int = 60
     speed: float = 1.0
-    duration: float = 0.02  # [s]
+    duration: float = 0.015  # [s]
     radius: float = 15.0 * RADIUS
     E: float = 1e7
     damping: float = 0.2
@@ -168,8 +168,8 @@ class Drum:
         """Shell and ends in LAMMPS, where a cylinder turns against its axis."""
         rim, half = -self.spin * self.radius, 0.5 * self.length
         return "\n".join((
-            f"fix shell all wall/gran hooke/history {rough} zcylinder {self.radius:.17g} shear x {rim:.17g}",
-            f"fix ends all wall/gran hooke/history {smooth} zplane {-half:.17g} {half:.17g}",
+            f"fix shell all wall/gran {rough} zcylinder {self.radius:.17g} shear x {rim:.17g}",
+            f"fix ends all wall/gran {smooth} zplane {-half:.17g} {half:.17g}",
         ))  # fmt: skip
 
     def balance(self, model: bd.Model, start: bd.State, run: bd.ExplicitResult) -> dict[str, float]:
@@ -245,6 +245,15 @@ def bondem(scene: Scene, *, rubs: bool, every: int) -> dict[str, Any]:
     }  # fmt: skip
 
 
+def wall_spring(kn: float, soft: float, rate: float, friction: float) -> str:
+    """Contact with a wall of LAMMPS: kn [N/m], ks over kn, dashpot over mass [1/s] and friction.
+
+    Walls of style `hooke/history` have ks times √(R overlap / m²) in version 22 Jul 2025, and hardly any friction.
+    """
+    tangential = f"tangential linear_history {soft * kn:.17g} {math.sqrt(soft):.17g} {friction}"
+    return f"granular hooke {kn:.17g} {rate:.17g} {tangential} damping mass_velocity limit_damping"
+
+
 def script(scene: Scene, model: bd.Model, bond: dict[str, float], steps: int, dt: float) -> str:
     """The input of LAMMPS."""
     order = "kn", "ks", "kt", "kb", "force", "shear", "bending", "twisting"
@@ -253,12 +262,10 @@ def script(scene: Scene, model: bd.Model, bond: dict[str, float], steps: int, dt
     mass = float(model.mass.mean())
     rate = max(1e-3, 2.0 * scene.damping * math.sqrt(bond["kn"] / (0.5 * mass)))
 
-    def spring(times: float, friction: float) -> str:
-        kn, soft = times * bond["kn"], 2.0 / 7.0
-        return f"{kn:.17g} {soft * kn:.17g} {rate:.17g} {math.sqrt(soft) * rate:.17g} {friction} 1 limit_damping"
-
+    kn, soft = bond["kn"], 2.0 / 7.0
+    pair = f"{kn:.17g} {soft * kn:.17g} {rate:.17g} {math.sqrt(soft) * rate:.17g} {FRICTION} 1 limit_damping"
     # a sphere at a wall has half the length of two, kn = E π R² / R
-    walls = scene.fixes(spring(2.0, FRICTION), spring(2.0, 0.0))
+    walls = scene.fixes(*(wall_spring(2.0 * kn, soft, rate, friction) for friction in (FRICTION, 0.0)))
     return f"""units si
 dimension 3
 boundary f f f
@@ -267,7 +274,7 @@ newton on off
 special_bonds lj 0 1 1 coul 1 1 1
 comm_modify vel yes cutoff {0.8 * RADIUS:.17g}
 read_data start.data
-pair_style gran/hooke/history {spring(1.0, FRICTION)}
+pair_style gran/hooke/history {pair}
 pair_coeff * *
 bond_style bpm/rotational smooth no
 bond_coeff 1 {values} 0 0 0 0
