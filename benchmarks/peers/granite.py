@@ -13,13 +13,14 @@ differ from the granite itself, as LAMMPS cannot have them:
   compression its spheres come nearer before they touch;
 - the criterion is a sum, in which compression strengthens, not the stress of the outermost fibre.
 
-Rows "variants" have them one by one, in bondem, "as calibrated" being the granite.
+"variants" have them one by one, in bondem, "as calibrated" being the granite.
 
 E         slope of stress over the mean strain of the middle half between a tenth and half of the smaller peak [Pa]
 ucs       largest stress [Pa]; "broken" bonds at that peak
 """
 
 import argparse
+import json
 import math
 import os
 import re
@@ -43,8 +44,8 @@ from bondem.interactions.beams.bond_law import BondGeometry, BondStiffness
 from bondem.labtests.gauge_length import AffineField, middle_half
 from kept import RESULTS, Report
 
-#: Friction of fragments, local damping, and strength of the bonds of the record [Pa].
-RUBS, DAMPING, STRENGTH = 0.4, 0.7, 123803603.50638165
+#: Friction of fragments, and local damping.
+RUBS, DAMPING = 0.4, 0.7
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,7 +66,8 @@ class Granite:
         first = bonded_granite.packed(self.shape, PIN, 0)
         fit = bd.calibrate(first, GRANITE, law=bd.ParallelBond)
         self.law, self.density = fit.law, fit.density
-        self.strength = STRENGTH
+        record = json.loads((RESULTS / "bonded_granite.json").read_text())
+        self.strength = float(record["granite"][0]["bond_strength"])
 
     def shrunk(self, body: bd.Lattice) -> bd.Lattice:
         """The same centres and bonds with spheres that nowhere overlap."""
