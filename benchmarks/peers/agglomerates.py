@@ -7,7 +7,7 @@ Balls of 10 mm of bonded spheres, turned at random and stacked without touching,
 or the shell of a drum that turns between two smooth ends. Both codes have the same spheres, four stiffnesses of all
 bonds, `LinearSum` (the sum of `bond_style bpm/rotational`) with the same strengths, contact with one stiffness, share
 of critical damping and friction, gravity, and time step, that of bondem; one thread each, in turns. Spheres of a bond
-that breaks touch. Seconds are those of the processor in the loop alone. A shorter drum of 80 bodies follows for two
+that breaks touch. Seconds are those of the processor in the loop alone. A shorter drum of 40 bodies follows for two
 turns, in bondem.
 
 best      time of a run, LAMMPS over bondem, of the fastest runs; "median" of all
@@ -29,204 +29,19 @@ import statistics
 import subprocess
 import sys
 import tempfile
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 from time import process_time
 from typing import Any
 
-import numpy as np
-
 sys.path.insert(0, str(Path(__file__).parent.parent))
-from alike import Alike
+from agglomerate_scenes import DENSITY, FRICTION, GRAVITY, RADIUS, Drum, Fall, Scene, model_of
 
 import bondem as bd
 from kept import RESULTS, keep, origin
 
-RADIUS, DENSITY, NU, SHARE = 5e-3, 2500.0, 0.2, 0.6
-#: Strength over E: tension of the section of a bond, twice that in shear, bending and twisting [-].
-STRENGTH = 8e-3
-FRICTION, SPEEDS, GRAVITY = 0.5, (5.0, 7.0, 10.0), 9.81
-#: Free fall before the floor is reached, and how long bodies are followed after that, over RADIUS / speed.
-AHEAD, AFTER = 0.2, 4.0
-#: Distance of the centres of bodies that are stacked [m].
-APART = 2.3 * RADIUS
-
-
-def agglomerate(each: int) -> bd.Lattice:
-    """A ball of bonded spheres that do not overlap."""
-    packed = bd.pack(bd.Ball(radius=RADIUS), count=each, seed=1)
-    bonds = bd.connect(packed, tolerance=0.01)
-    # spheres of broken bonds do not push each other apart from the start: LAMMPS knows no overlap without force
-    i, j = bonds.pairs.T
-    shrunk = min(1.0, float((bonds.length / (packed.radius[i] + packed.radius[j])).min()))
-    return bd.Lattice(bd.Particles(packed.position, shrunk * packed.radius), bonds.pairs)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Fall:
-    """Bodies that hit a floor at a speed [m/s], in a cube above it."""
-
-    bodies: int = 50
-    each: int = 200
-    speed: float
-    E: float = 1e9
-    damping: float = 0.0  # share of the critical damping of a contact [-]
-    down: tuple[float, float, float] = (0.0, 0.0, -1.0)
-
-    @property
-    def duration(self) -> float:
-        """From the start to AFTER the first contact [s]."""
-        return (AHEAD + AFTER) * RADIUS / self.speed
-
-    def stacked(self, rock: bd.Lattice) -> bd.Lattice:
-        """The bodies, the lowest sphere of all at z = 0."""
-        side = int(np.ceil(self.bodies ** (1.0 / 3.0)))
-        k = np.arange(self.bodies)
-        places = APART * np.column_stack([k % side, k // side % side, k // side**2])
-        all_of = bd.replicate(rock, places, rotations="random", seed=1)
-        lowest = float((all_of.particles.position[:, 2] - all_of.particles.radius).min())
-        return all_of.moved((0.0, 0.0, -lowest))
-
-    @property
-    def walls(self) -> list[bd.PlaneWall]:
-        """The floor."""
-        return [bd.PlaneWall((0, 0, -AHEAD * RADIUS), (0, 0, 1))]
-
-    @property
-    def gauges(self) -> dict[str, Any]:
-        """Its force."""
-        return {"floor": bd.WallGauge(0, "force")}
-
-    def fixes(self, rough: str, smooth: str) -> str:
-        """The floor in LAMMPS, given the springs of walls with and without friction."""
-        return f"fix floor all wall/gran {rough} zplane {-AHEAD * RADIUS:.17g} NULL"
-
-    def balance(self, model: bd.Model, start: bd.State, run: bd.ExplicitResult) -> dict[str, float]:
-        """Momentum that floor and weight gave, and that along the floor."""
-        gained = model.mass @ (run.state.velocity - start.velocity)
-        pushed = -float(np.trapezoid(run.history["floor"][:, 2], run.history.time))
-        given = pushed - float(model.mass.sum()) * GRAVITY * run.state.time
-        fell = float(model.mass.sum()) * self.speed
-        return {"impulse": given / float(gained[2]), "sideways": float(np.abs(gained[:2]).max()) / fell}
-
-
-@dataclass(frozen=True, kw_only=True)
-class Drum:
-    """Bodies that fall at a speed on the shell of a drum that turns; the drum is as long as they ask for."""
-
-    bodies: int = 1000
-    each: int = 60
-    speed: float = 1.0
-    duration: float = 0.015  # [s]
-    radius: float = 15.0 * RADIUS
-    E: float = 1e7
-    damping: float = 0.2
-    down: tuple[float, float, float] = (0.0, -1.0, 0.0)
-
-    @property
-    def spin(self) -> float:
-        """60 % of the speed at which bodies would stay on the shell [rad/s]."""
-        return 0.6 * math.sqrt(GRAVITY / self.radius)
-
-    @property
-    def turn(self) -> float:
-        """Duration of a turn [s]."""
-        return 2.0 * math.pi / self.spin
-
-    @property
-    def section(self) -> np.ndarray:
-        """Places of bodies in the lower half of the drum and a layer above, (k, 2)."""
-        reach = int(self.radius / APART)
-        x, y = APART * np.mgrid[-reach : reach + 1, -reach : 1].reshape(2, -1)
-        return np.column_stack([x, y])[np.hypot(x, y) < self.radius - 1.05 * RADIUS]
-
-    @property
-    def length(self) -> float:
-        """Between the ends [m]."""
-        return APART * math.ceil(self.bodies / len(self.section))
-
-    def stacked(self, rock: bd.Lattice) -> bd.Lattice:
-        """The bodies, layer by layer along the axis, which is z."""
-        where = self.section
-        k = np.arange(self.bodies)
-        z = APART * (k // len(where) + 0.5) - 0.5 * self.length
-        return bd.replicate(rock, np.column_stack([where[k % len(where)], z]), rotations="random", seed=1)
-
-    @property
-    def walls(self) -> list[Any]:
-        """The shell, which turns, and two ends without friction, which do not."""
-        turn = bd.Driven(spin=self.spin, axis=(0, 0, 1))
-        ends = [bd.PlaneWall((0, 0, 0.5 * s * self.length), (0, 0, -s), friction=0.0) for s in (-1, 1)]
-        return [bd.CylinderWall(self.radius, axis=(0, 0, 1), motion=turn), *ends]
-
-    @property
-    def gauges(self) -> dict[str, Any]:
-        """Torque of the bodies on the shell, and the mean displacement."""
-        return {"torque": bd.WallGauge(0, "torque"), "place": bd.Gauge(bd.Everything(), "displacement")}
-
-    def fixes(self, rough: str, smooth: str) -> str:
-        """Shell and ends in LAMMPS, where a cylinder turns against its axis."""
-        rim, half = -self.spin * self.radius, 0.5 * self.length
-        return "\n".join((
-            f"fix shell all wall/gran {rough} zcylinder {self.radius:.17g} shear x {rim:.17g}",
-            f"fix ends all wall/gran {smooth} zplane {-half:.17g} {half:.17g}",
-        ))  # fmt: skip
-
-    def balance(self, model: bd.Model, start: bd.State, run: bd.ExplicitResult) -> dict[str, float]:
-        """Angular momentum about the axis, the work of the drum being torque by angle, and the mean torque."""
-        history, weight = run.history, GRAVITY * float(model.mass.sum())
-        x = history["place"][:, 0] + model.mass @ start.position[:, 0] / model.mass.sum()
-        fell = GRAVITY * float(model.mass @ (start.position - run.state.position)[:, 1])
-        drum = history.energy["work"][-1] - fell
-        gained = _spun(model, run.state) - _spun(model, start)
-        given = drum / self.spin - float(np.trapezoid(weight * x, history.time))
-        found = {"balance": gained / given, "turns": float(history.time[-1]) / self.turn}
-        if found["turns"] >= 1.0:
-            last = history.time >= history.time[-1] - self.turn
-            found["torque"] = -float(history["torque"][last, 2].mean() / (weight * x[last].mean()))
-        return found
-
-
-def _spun(model: bd.Model, state: bd.State) -> float:
-    """Angular momentum about the z axis [N·m·s]."""
-    x, v = state.position, state.velocity
-    orbit = model.mass * (x[:, 0] * v[:, 1] - x[:, 1] * v[:, 0])
-    return float((orbit + model.inertia * state.angular_velocity[:, 2]).sum())
-
-
-Scene = Fall | Drum
-
-
-def stiffness(rock: bd.Lattice, E: float) -> dict[str, float]:
-    """Of a bond as long as the mean one, as an Euler–Bernoulli beam, and its strengths in `LinearSum`."""
-    r, length = SHARE * rock.particles.mean_radius, float(rock.length.mean())
-    area, second = np.pi * r**2, 0.25 * np.pi * r**4
-    tension = STRENGTH * E
-    return {
-        "kn": E * area / length, "ks": 12.0 * E * second / length**3, "kb": E * second / length,
-        "kt": E / (1.0 + NU) * second / length, "radius": r, "force": tension * area, "shear": 2.0 * tension * area,
-        "bending": 2.0 * tension * second / r, "twisting": 2.0 * tension * second / r,
-    }  # fmt: skip
-
-
-def model_of(scene: Scene, *, rubs: bool = True) -> tuple[bd.Model, bd.State, dict[str, float]]:
-    """Model and state of a scene, and what a bond has."""
-    rock = agglomerate(scene.each)
-    bond, radius = stiffness(rock, scene.E), rock.particles.mean_radius
-    law = Alike(E=scene.E, nu=NU, **{name: bond[name] for name in ("kn", "ks", "kb", "kt", "radius")})
-    failure = bd.LinearSum(**{name: bond[name] for name in ("force", "shear", "bending", "twisting")})
-    # kn = E π R² / 2R of two mean spheres
-    contact = bd.LinearContact(
-        E=2.0 * bond["kn"] / (np.pi * radius), kappa=3.5, friction=FRICTION if rubs else 0.0,
-        damping=scene.damping, stress_free=False,
-    )  # fmt: skip
-    model = bd.Model(
-        scene.stacked(rock), law, DENSITY, contact=contact, failure=failure, walls=scene.walls,
-        boundary=[bd.Gravity(GRAVITY, scene.down)],
-    )  # fmt: skip
-    state = model.state()
-    state.velocity = tuple(scene.speed * x for x in scene.down)
-    return model, state, bond
+#: Speeds of falls [m/s].
+SPEEDS = (5.0, 7.0, 10.0)
 
 
 def bondem(scene: Scene, *, rubs: bool, every: int) -> dict[str, Any]:
@@ -385,7 +200,7 @@ def main(arguments: list[str] | None = None) -> None:
         report = origin() | {"threads": 1, "bodies": scene.bodies, "each": scene.each, "duration": scene.duration}
         report |= in_turns(scene, given.repeat)
         keep(out, report)
-        report["longer"] = {"bodies": 80, "each": 60} | apart(Drum(bodies=80, duration=2.0 * scene.turn), every=20)
+        report["longer"] = {"bodies": 40, "each": 60} | apart(Drum(bodies=40, duration=2.0 * scene.turn), every=20)
         keep(out, report)
         print(report["longer"])
         return

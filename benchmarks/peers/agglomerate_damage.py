@@ -1,0 +1,67 @@
+"""Damage of agglomerates that hit a floor, against their speed and energy.
+
+    python benchmarks/peers/agglomerate_damage.py [--out FILE]
+
+Falls of `agglomerates.py` in bondem: 50 balls of 200 bonded spheres, turned at random, of two packings, and one ball
+of 3000, at speeds from no broken bond to most of them.
+
+over_strength_speed  speed over that at which E v / c, c² = E / ρ, is the tensile strength of a bond [-]
+damage       share of broken bonds at the end [-]
+exponent     of a power of the speed, between this one and the one before [-]
+share        energy that breaking bonds released over that of the fall [-]
+per_bond     kinetic energy of the fall per broken bond, over the elastic energy of a bond at its tensile strength [-]
+"""
+
+import argparse
+import math
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
+from agglomerate_scenes import DENSITY, STRENGTH, Fall, model_of
+
+import bondem as bd
+from kept import RESULTS, Report
+
+SPEEDS = (2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 14.0)
+#: Bodies, spheres of each, and number of the packing.
+CASES = ((50, 200, 1), (50, 200, 2), (1, 3000, 1))
+
+
+def fall(bodies: int, each: int, seed: int, speed: float) -> dict[str, Any]:
+    """One speed."""
+    scene = Fall(bodies=bodies, each=each, speed=speed, seed=seed)
+    model, state, bond = model_of(scene)
+    energy = 0.5 * float(model.mass.sum()) * speed**2
+    run = bd.solve_explicit(model, duration=scene.duration, state=state, every=200)
+    broken, bonds = len(run.events), len(model.lattice.pairs)
+    return {
+        "speed": speed, "over_strength_speed": speed / (STRENGTH * math.sqrt(scene.E / DENSITY)), "bonds": bonds,
+        "damage": broken / bonds, "share": float(run.history.released[-1]) / energy, "ledger": run.history.imbalance,
+        "per_bond": energy / broken / (0.5 * bond["force"] ** 2 / bond["kn"]) if broken else None,
+    }  # fmt: skip
+
+
+def main(arguments: list[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, default=RESULTS / "agglomerate_damage.json")
+    given = parser.parse_args(arguments)
+    report = Report(given.out, ("falls",))
+    for bodies, each, seed in CASES:
+        for speed in SPEEDS:
+            case = {"bodies": bodies, "each": each, "seed": seed}
+            report.add("falls", lambda case=case, speed=speed: [fall(**case, speed=speed)], **case, speed=speed)
+        rows = [row for row in report.all["falls"] if case.items() <= row.items()]
+        v, D = (np.array([row[name] for row in rows]) for name in ("speed", "damage"))
+        for k, row in enumerate(rows):
+            row["exponent"] = None
+            if k and D[k - 1] > 0.0:
+                row["exponent"] = float(np.log(D[k] / D[k - 1]) / np.log(v[k] / v[k - 1]))
+            print({name: row[name] for name in ("speed", "damage", "exponent", "share", "per_bond")}, flush=True)
+
+
+if __name__ == "__main__":
+    main()
