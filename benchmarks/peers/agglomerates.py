@@ -36,6 +36,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
 from agglomerate_scenes import DENSITY, FRICTION, GRAVITY, RADIUS, Drum, Fall, Scene, model_of
+from lammps_bpm import counts, ran
 
 import bondem as bd
 from kept import RESULTS, keep, origin
@@ -128,26 +129,15 @@ def data(model: bd.Model, state: bd.State) -> str:
 
 def lammps(scene: Scene, steps: int, dt: float) -> dict[str, Any]:
     """The same run in LAMMPS."""
-    executable = os.environ.get("LAMMPS", "lmp")
-    environment = os.environ | {
-        "LD_LIBRARY_PATH": str(Path(executable).absolute().parent.parent / "lib"), "OMP_NUM_THREADS": "1"
-    }  # fmt: skip
     model, state, bond = model_of(scene)
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "start.data").write_text(data(model, state))
-        (Path(folder) / "in.bodies").write_text(script(scene, model, bond, steps, dt))
-        words = [executable, "-in", "in.bodies", "-nocite", "-screen", "none", "-log", "log"]
-        started = subprocess.Popen(words, cwd=folder, env=environment, stderr=subprocess.PIPE)
-        _, status, used = os.wait4(started.pid, 0)
-        log = (Path(folder) / "log").read_text()
-    if status != 0:
-        raise RuntimeError(f"LAMMPS ended with {status}: {log[-500:]}")
-    left = [line.split() for line in log.splitlines() if re.fullmatch(r"\s*\d+\s+\d+\s*", line)][-1]
+        log, memory = ran(Path(folder), script(scene, model, bond, steps, dt))
     wall, share = re.findall(r"Loop time of (\S+) on", log)[-1], re.findall(r"(\S+)% CPU use", log)[-1]
     return {
         "seconds": float(wall) * float(share) / 100.0, "steps": steps,
-        "version": log.splitlines()[0], "broken": 1.0 - int(left[1]) / len(model.lattice.pairs),
-        "memory": used.ru_maxrss / 1024.0,
+        "version": log.splitlines()[0], "broken": 1.0 - counts(log, 2)[-1, 1] / len(model.lattice.pairs),
+        "memory": memory,
     }  # fmt: skip
 
 

@@ -22,9 +22,6 @@ ucs       largest stress [Pa]; "broken" bonds at that peak
 import argparse
 import json
 import math
-import os
-import re
-import subprocess
 import sys
 import tempfile
 import warnings
@@ -36,6 +33,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
 from agglomerates import wall_spring
+from lammps_bpm import counts, ran
 
 import bonded_granite
 import bondem as bd
@@ -223,23 +221,13 @@ run {self.steps}
 
     def run(self) -> dict[str, np.ndarray]:
         """Stress, strain of the middle half and broken bonds of each record."""
-        executable = os.environ.get("LAMMPS", "lmp")
-        environment = os.environ | {
-            "LD_LIBRARY_PATH": str(Path(executable).absolute().parent.parent / "lib"), "OMP_NUM_THREADS": "1"
-        }  # fmt: skip
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             (folder / "start.data").write_text(self.data())
-            (folder / "in.granite").write_text(self.script())
-            words = [executable, "-in", "in.granite", "-nocite", "-screen", "none", "-log", "log"]
-            done = subprocess.run(words, cwd=folder, env=environment, capture_output=True, text=True)
-            log = (folder / "log").read_text()
-            if done.returncode != 0:
-                raise RuntimeError(f"LAMMPS ended with {done.returncode}: {log[-500:]}")
-            rows = [line.split() for line in log.splitlines() if re.fullmatch(r"\s*\d+(\s+\S+){2}\s+\d+\s*", line)]
+            log, _ = ran(folder, self.script())
             frames = (folder / "places").read_text().split("ITEM: TIMESTEP\n")[1:]
         self.version = log.splitlines()[0]
-        table = np.array(rows, dtype=float)
+        table = counts(log, 4)
         places = np.array([
             [line.split()[1:] for line in frame.splitlines()[8:]] for frame in frames
         ], dtype=float)  # fmt: skip

