@@ -17,7 +17,7 @@ from tests.architecture.measures import PACKAGE, ROOT, SOURCE, Function, functio
 # Parts that a model may lack.
 _PARTS = frozenset({
     "cells", "breaking", "softening", "beam_softening", "non_local", "contacts", "walls", "facets", "tractions",
-    "strains", "yielding", "slip", "bond_forces", "failure", "contact",
+    "strains", "yielding", "slip", "bond_forces", "failure", "contact", "contact_laws",
 })  # fmt: skip
 # Attributes that a lattice has if it is cut into cells; those that a model has if its law is that of cells, or the
 # non-local law; and the laws that code asks for by their class.
@@ -195,10 +195,10 @@ CAPS = (
     Cap("questions to a model about its law", lambda: _questions()["model"], 114),
     Cap("questions to a lattice about its shape", lambda: _questions()["lattice"], 110),
     Cap("questions to a study about its law", lambda: _questions()["study"], 11),
-    Cap("tests of a part for None", _tests_for_none, 331),
+    Cap("tests of a part for None", _tests_for_none, 330),
     Cap("files of Python that name the non-local law", _files_of_the_non_local_law, 39),
     Cap("places of the core that lower integrity", _lowered, 7),
-    Cap("lines of Python", lambda: _lines(".py"), 60500, step=500),
+    Cap("lines of Python", lambda: _lines(".py"), 61000, step=500),
     Cap("lines of C++", lambda: _lines(".hpp", ".cpp", ".cu"), 20000, step=500),
     Cap("lines of the longest function", _longest_function, 148),
     Cap("names of an upper layer in strings", _named_from_below, 6),

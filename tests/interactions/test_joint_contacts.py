@@ -69,7 +69,7 @@ def test_a_joint_slides_with_its_friction(press: str, law: str, one_thread: None
 
 
 def test_a_held_joint_of_irregular_cells_presses_where_faces_overlap(one_thread: None) -> None:
-    """Centroids of irregular faces lie beside the centres of their cells, and overlap further away than those of cubes."""
+    """Centroids of irregular faces lie beside the centres of their cells; the faces overlap further than of cubes."""
     joint = bd.Plane(point=(0, 0, SIDE), normal=(0, 0, 1))
     packing = bd.pack(bd.Box((6 * SIDE, 2 * SIDE, 2 * SIDE)), count=96, method="even", seed=1, around=joint)
     run = slid("held", LAWS["LinearContact"], 1.3, body=bd.connect(packing, method="laguerre"))
