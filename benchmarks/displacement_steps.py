@@ -6,18 +6,16 @@ and without facets that fail together. It stops being of use where the path turn
 a load until another equilibrium is found, or none is.
 """
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 
 import bondem as bd
+from bondem.damage.opened_facets import Opened
 from bondem.statics.quasistatic import quasistatic_run
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.statics.quasistatic.limits import StressOnset
 from bondem.statics.quasistatic.load_response import Reading
-from bondem.statics.quasistatic.sawtooth_softening import SofteningLine
-from bondem.statics.quasistatic.tensors import full_tensor
 
 # Largest change of an integrity, as a share of it, that counts as none; and rounds until a step is given up.
 _STILL, _ROUNDS = 1e-3, 300
@@ -46,7 +44,6 @@ def pulled_in_steps(model: bd.Model, drive: bd.Face, first: float, step: float, 
     body, equilibrium, onset = quasistatic_run._begin(model)
     assert isinstance(onset, StressOnset)
     reading, motion = Reading(body, drive), body.motion.copy()
-    lines: dict[int, SofteningLine] = {}
     rows: list[tuple[float, float, int]] = []
     peak, way, load, factor, stored = 0.0, first, 0.0, 0.0, 0.0
     while True:
@@ -58,10 +55,9 @@ def pulled_in_steps(model: bd.Model, drive: bd.Face, first: float, step: float, 
             load, size = reading.read(found, motion)
             factor = way / size
             facets, at = onset.factors(found, np.flatnonzero(body.integrity == 1.0), factor, 0.0)
-            for k, begun in zip(facets.tolist(), at.tolist(), strict=True):
-                if begun <= factor:
-                    lines[k] = _line(body, onset, found, k, begun)
-            settled = _softened(body, lines, found, factor) < _STILL
+            begun = facets[at <= factor]
+            body.weaken(begun, 1.0 - _BEGUN, (False, False))
+            settled = _softened(body, onset, found, factor) < _STILL and not len(begun)
         rows.append((way, factor * load, rounds))
         peak = max(peak, factor * load)
         if factor * load < until * peak:
@@ -69,31 +65,23 @@ def pulled_in_steps(model: bd.Model, drive: bd.Face, first: float, step: float, 
         way += step
 
 
-def _line(body: DamagedBody, onset: StressOnset, found: Loaded, k: int, factor: float) -> SofteningLine:
-    """The curve of a facet that begins at a factor: from min(|t|, f |n·e1|) on (`bondem.laws.softening`)."""
-    n, t = body.constants.normal[k], factor * found.traction[k]
-    mean = factor * full_tensor(body.mean(found.tensor, np.array([k]))[0])
-    bent = factor * float(body.bent(found.tensor, found.bending, np.array([k]))[0])
-    along = max(float(n @ mean @ n), 0.0)
-    direction = np.linalg.eigh(mean + max(bent - along, 0.0) * np.outer(n, n))[1][:, 2]
-    opening = t - min(float(t @ n), 0.0) * n
-    begun = min(math.hypot(float(np.linalg.norm(opening)), bent), onset._strength[k] * abs(float(n @ direction)))
-    table = onset._table
-    return SofteningLine(begun, float(table.last[k]), table.kink, table.steep)
+def _softened(body: DamagedBody, onset: StressOnset, found: Loaded, factor: float) -> float:
+    """Take facets that have begun to their curves; by what share of it any integrity has fallen."""
+    k = found.cracked
+    before = body.integrity[k]
+    after = np.minimum(before, _left(onset._opened(found, k, found.opening), factor))
+    fallen = after < before
+    body.weaken(k[fallen], after[fallen], body.closed[k[fallen]])
+    return float(((before - after) / np.maximum(before, _SMALL)).max(initial=0.0))
 
 
-def _softened(body: DamagedBody, lines: dict[int, SofteningLine], found: Loaded, factor: float) -> float:
-    """Take facets to their curves; by what share of it any integrity has fallen."""
-    opening = dict(zip(found.cracked.tolist(), (factor * found.opening).tolist(), strict=True))
-    most = 0.0
-    for k, line in lines.items():
-        before = float(body.integrity[k])
-        # one that begins now bears its onset; nearly whole, it is known by its opening from now on
-        after = 1.0 - _BEGUN
-        if k in opening:
-            now = opening[k]
-            after = min(before, line.borne(now) / now) if now > line.onset else before
-        if after < before:
-            most = max(most, (before - after) / max(before, _SMALL))
-            body.weaken(k, after, (bool(body.closed[k, 0]), bool(body.closed[k, 1])))
-    return most
+def _left(of: Opened, factor: float) -> np.ndarray:
+    """The least integrity that the curve leaves along any direction: s T is on one of its two lines."""
+    T = np.maximum(factor * of.traction, 1e-30)
+    slope = of.strength / (of.steep * of.last)
+    left = (of.strength / T - slope) / (1.0 - slope)
+    if of.kink > 0.0:
+        slope = of.kink * of.strength / (of.last * (1.0 - (1.0 - of.kink) * of.steep))
+        left = np.maximum(left, (slope * of.last / T - slope) / (1.0 - slope))
+    least = np.clip(left, 0.0, 1.0).min(axis=1)
+    return np.where(factor >= of.gone, 0.0, least)

@@ -199,33 +199,13 @@ def modules_like_public_names() -> list[str]:
     return sorted({PACKAGE + path.removeprefix("bd") for path in public_interface()} & set(modules()))
 
 
-# ---- counts of issue-wide aims
-
-# Parts that a model may lack.
-_PARTS = frozenset({
-    "cells", "breaking", "softening", "beam_softening", "non_local", "contacts", "walls", "facets", "tractions",
-    "strains", "yielding", "slip", "bond_forces", "failure", "contact",
-})  # fmt: skip
-# Suffixes of Python's sources, and of C++'s.
-_KINDS = ".py", ".hpp .cpp .cu"
-_NON_LOCAL = re.compile(r"non_?local", re.IGNORECASE)
+# ---- sources
 
 
 def sources(*suffixes: str) -> list[Path]:
     """Sources of the package with some suffixes, without what is compiled from them."""
     found = (path for path in (SOURCE / PACKAGE).rglob("*") if path.suffix in suffixes)
     return sorted(path for path in found if "build" not in path.parts)
-
-
-def tests_for_none() -> int:
-    """How often the package asks whether a part that a model may lack is None."""
-    compared = (node for tree in modules().values() for node in ast.walk(tree) if isinstance(node, ast.Compare))
-    asked = (
-        node.left.attr if isinstance(node.left, ast.Attribute) else getattr(node.left, "id", "")
-        for node in compared
-        if isinstance(node.ops[0], ast.Is | ast.IsNot)
-    )
-    return sum(name in _PARTS for name in asked)
 
 
 def breakers() -> list[str]:
@@ -259,12 +239,7 @@ def main() -> None:
     ):
         rows = [f"{name}: {', '.join(where)}" for name, where in found.items()]
         _table(f"{title}: {len(found)}", rows, most=len(rows))
-    named = [path for path in sources(".py", ".hpp", ".cpp") if _NON_LOCAL.search(path.read_text())]
-    lines = {kind: sum(len(path.read_text().splitlines()) for path in sources(*kind.split())) for kind in _KINDS}
-    print(f"\ntests of a part for None: {tests_for_none()}")
     _table(f"passes that break something: {len(breakers())}", breakers())
-    print(f"\nfiles that name the non-local law: {len(named)}")
-    print(f"lines of Python: {lines['.py']}, of C++: {lines[_KINDS[1]]}")
     hidden = modules_like_public_names()
     _table(f"modules that a public name hides: {len(hidden)}", hidden)
 

@@ -15,7 +15,7 @@ STUB = ROOT / "src/bondem/__init__.pyi"
 
 # Arrays in the kernels' order, which a model keeps for solvers: not for users.
 INTERNAL = {
-    "BondTable", "CellConstants", "Constraints", "ContactModel", "FailureTable", "Joint", "Layout",
+    "BondTable", "CellConstants", "Constraints", "ContactLaws", "ContactModel", "FailureTable", "Joint", "Layout",
     "NonLocalConstants", "Origin", "Softening", "BeamSoftening", "SofteningTable", "FailurePart",
 }  # fmt: skip
 

@@ -1,6 +1,7 @@
 """Models with contacts and walls, for tests of the passes of contact."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -16,7 +17,7 @@ ROLLING = bd.LinearContact(E=E, friction=0.4, damping=0.1, rolling=0.3, twisting
 BEAM = bd.Timoshenko(E=E, nu=0.2, radius=0.2)
 
 
-def cloud(edge: int, law: bd.LinearContact | bd.HertzMindlin, *, walls=(), speed: float = 8.0, period=None):
+def cloud(edge: int, law, *, walls=(), speed: float = 8.0, period=None):
     """Return loose spheres on a crooked grid with random velocities and spins, in a model and a state."""
     rng = np.random.default_rng(5)
     grid = 1.15 + 2.3 * np.indices((edge, edge, edge)).reshape(3, -1).T
@@ -67,6 +68,18 @@ def turning_walls(size: float) -> list:
         bd.PlaneWall((middle, middle, 0.1), (0, 0, 1), outer=2.0, motion=bd.Free(2e5, inertia=(2e5, 2e5, 4e5))),
         bd.SphereWall(0.15, (middle, middle, middle), motion=bd.Driven(spin=9.0, vgrowth=0.2)),
     ]  # fmt: skip
+
+
+def by_kinds(law: bd.LinearContact | bd.HertzMindlin, *walls) -> dict:
+    """Return laws by kinds of the first 64 elements, three of them at the given walls: pairs without friction too."""
+    some, others = bd.Index(range(0, 64, 3)), bd.Index(range(0, 64, 2))
+    rough = {(bd.Index(range(40)), wall): replace(law, friction=0.9, E=0.7 * law.E) for wall in walls}
+    return {
+        bd.Everything(): law,
+        some: replace(law, E=0.4 * law.E, friction=0.0),
+        (some, others): replace(law, friction=0.1, rolling=0.2, E=0.8 * law.E),
+        **rough,
+    }
 
 
 def slit_bar(shape: tuple[int, int, int]) -> bd.Lattice:
@@ -129,6 +142,10 @@ CASES: dict[str, tuple[Callable[[], tuple[bd.Model, State]], object]] = {
     "spheres and walls that turn": (lambda: cloud(4, LINEAR, walls=turning_walls(9.2)), None),
     "Hertzian spheres and walls that turn": (lambda: cloud(4, HERTZIAN, walls=turning_walls(9.2)), None),
     "periodic cell": (lambda: cloud(5, LINEAR, period=(11.5, 11.5, 11.5)), None),
+    "spheres and walls by kinds": (
+        lambda: cloud(4, by_kinds(LINEAR, *all_walls(9.2)[:5:2]), walls=all_walls(9.2)), None
+    ),
+    "beams break, Hertzian by kinds": (lambda: moving_beams(by_kinds(HERTZIAN), failure=WEAK), None),
     "beams, damped": (lambda: moving_beams(LINEAR), bd.LocalDamping(0.1)),
     "beams, Hertzian": (lambda: moving_beams(HERTZIAN), None),
     "beams, no friction": (lambda: moving_beams(bd.LinearContact(E=E, damping=0.2)), None),

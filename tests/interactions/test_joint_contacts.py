@@ -28,10 +28,12 @@ WEAK = bd.MohrCoulomb(
 )
 
 
-def slid(press: str, contact: bd.ContactLaw | None, edges: float = 1.3, **more: object) -> bd.ExplicitResult:
-    """Two layers of cubes with a joint between them, of which the upper one slides under pressure."""
+def slid(
+    press: str, contact: bd.ContactLaw | None, edges: float = 1.3, *, body: bd.Lattice | None = None, **more: object
+) -> bd.ExplicitResult:
+    """Two layers of cubes with a joint between them, or another body of this size, whose upper half slides."""
     length, height = 6 * SIDE, 2 * SIDE
-    body = cubes((6, 2, 2), SIDE)
+    body = cubes((6, 2, 2), SIDE) if body is None else body
     low, up = (bd.Within(bd.Box((length, 2 * SIDE, SIDE)).moved((0, 0, z))) for z in (0.0, SIDE))
     rise, top = 100 * height / math.sqrt(E / RHO), bd.Face("z_max")
     duration = 60 * edges * rise
@@ -64,6 +66,16 @@ def test_a_joint_slides_with_its_friction(press: str, law: str, one_thread: None
     assert within.sum() == len(within) - 12
     energy = run.history.energy
     assert np.ptp(energy["balance"]) < 1e-4 * energy["work"].max()
+
+
+def test_a_held_joint_of_irregular_cells_presses_where_faces_overlap(one_thread: None) -> None:
+    """Centroids of irregular faces lie beside the centres of their cells; the faces overlap further than of cubes."""
+    joint = bd.Plane(point=(0, 0, SIDE), normal=(0, 0, 1))
+    packing = bd.pack(bd.Box((6 * SIDE, 2 * SIDE, 2 * SIDE)), count=96, method="even", seed=1, around=joint)
+    run = slid("held", LAWS["LinearContact"], 1.3, body=bd.connect(packing, method="laguerre"))
+    slip = run.history["moved"][:, 0] / SIDE
+    pressed = run.history["force"][:, 2] / (12 * SIDE**2) / PRESSURE / (1.0 - slip / 6.0)
+    assert pressed[slip > 0.9].mean() == pytest.approx(1.0, abs=0.05)
 
 
 def test_without_contact_a_joint_says_that_it_carries_nothing() -> None:

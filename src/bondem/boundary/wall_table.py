@@ -18,7 +18,6 @@ class WallTable:
 
     Attributes:
         shape: rows of `WallShape`, (w, 12).
-        friction: μ, (w,).
         inertia: rows of `WallInertia`, (w, 8).
         start, times, values: schedules one after the other.
         drive_wall, drive_component, drive_schedule, drive_rate, drive_axis: prescribed motions, (d,) and (d, 3).
@@ -28,7 +27,6 @@ class WallTable:
     """
 
     shape: Floats
-    friction: Floats
     inertia: Floats
     start: Ints
     times: Floats
@@ -67,14 +65,13 @@ class WallTable:
 
     @classmethod
     def of(
-        cls, walls: Sequence[Wall], friction: float, mass: float, origin: Floats,
+        cls, walls: Sequence[Wall], mass: float, origin: Floats,
         position: PerElement3, radius: PerElement,
     ) -> "WallTable":  # fmt: skip
         """Return the walls of a model.
 
         Args:
             walls: walls of the model.
-            friction: coefficient of its contact law [-].
             mass: mass of all elements [kg].
             origin: place to which the places of walls are relative [m], (3,), as those of the elements are.
             position: centres of the elements [m], (n, 3).
@@ -99,7 +96,6 @@ class WallTable:
         drive = np.array(drives, dtype=np.int64).reshape(-1, 4)
         return cls(
             shape=_shapes(walls, origin),
-            friction=np.array([friction if wall.friction is None else wall.friction for wall in walls], dtype=float),
             inertia=_inertias(walls),
             start=np.concatenate([[0], np.cumsum(lengths)]).astype(np.int64),
             times=np.concatenate([np.zeros(0), *(times for times, _ in tables)]),

@@ -46,6 +46,11 @@ template <class T, int axes> struct Array {
         require(0 <= i && i < shape[0] && shape[1] * Index(sizeof(T)) >= Index(sizeof(V)));
         return *reinterpret_cast<V *>(data + i * shape[1]);
     }
+    template <class V> V &row(Index i, Index j) const {
+        static_assert(axes == 3);
+        require(0 <= i && i < shape[0] && 0 <= j && j < shape[1] && shape[2] * Index(sizeof(T)) >= Index(sizeof(V)));
+        return *reinterpret_cast<V *>(data + (i * shape[1] + j) * shape[2]);
+    }
 };
 
 }  // namespace bondem

@@ -13,8 +13,8 @@ namespace bondem {
 
 #define F BONDEM_FIELD
 
-BONDEM_TABLE(ContactConstants, F(modulus, ""), F(soft, ""), F(friction, ""), F(damping, ""), F(rolling, ""), F(twisting, ""), F(deep, ""),
-             F(hertzian, ""), F(radius, "n"))
+BONDEM_TABLE(ContactRow, F(modulus, ""), F(soft, ""), F(friction, ""), F(damping, ""), F(rolling, ""), F(twisting, ""), F(deep, ""))
+BONDEM_TABLE(ContactConstants, F(between, "kinds kinds 7"), F(at_walls, "kinds walls 7"), F(kind, "n"), F(hertzian, ""), F(radius, "n"))
 BONDEM_TABLE(ContactPairs, F(first, "pairs"), F(second, "pairs"), F(start, "n+1"), F(reach, "pairs"), F(own, "pairs"),
              F(memory, "pairs 8"), F(touch, "pairs"), F(bond, "pairs"), F(joined, "*"), F(of_bond, "*"), F(period, "6"))
 BONDEM_TABLE(NearPairs, F(near, "pairs+1"), F(close, "pairs+1"), F(output, "pairs 8"), F(counts, "element_portions 2"),
@@ -37,7 +37,7 @@ BONDEM_TABLE(WallShape, F(point, "3"), F(axis, "3"), F(radius, ""), F(kind, ""),
 BONDEM_TABLE(WallInertia, F(inverse_mass, ""), F(inverse_moment, "3"), F(principal, "4"))
 BONDEM_TABLE(WallListed, F(point, "3"), F(axis, "3"), F(growth, ""), F(farthest, ""))
 BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
-BONDEM_TABLE(Walls, F(shape, "walls 12"), F(body, "walls 27"), F(friction, "walls"), F(inertia, "walls 8"),
+BONDEM_TABLE(Walls, F(shape, "walls 12"), F(body, "walls 27"), F(inertia, "walls 8"),
              F(listed, "walls 8"))
 BONDEM_TABLE(WallMotions, F(times, "wall_times"), F(values, "wall_times"), F(start, "wall_schedules+1"),
              F(drive_wall, "wall_drives"), F(drive_component, "wall_drives"), F(drive_schedule, "wall_drives"),
@@ -58,7 +58,7 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
 
 // Lines of the lists in `index.cpp`.
 #define BONDEM_CONTACT_TABLES                                                                                            \
-    described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<RolledPairs>(), described<RolledWalls>(), described<FacePairs>(), described<Travel>(),               \
+    described<ContactRow>(), described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<RolledPairs>(), described<RolledWalls>(), described<FacePairs>(), described<Travel>(),               \
         described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<WallRow>(), described<WallShape>(), \
         described<WallInertia>(), described<WallListed>(), described<WallLoad>(), described<Walls>(),           \
         described<WallMotions>(), described<PairSources>(), described<FoundPairs>(), described<WallSources>(),           \

@@ -14,7 +14,7 @@ from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondLaw, BondStiffness
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.interactions.contact.contact_assignment import ContactLaws
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
 from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.specimen.lattice import Lattice
@@ -138,7 +138,7 @@ def _judged(
     return coefficient, a, b, kind
 
 
-def check_failure(failure: object, bond: object, contact: ContactLaw | None, formulation: str) -> bool:
+def check_failure(failure: object, bond: object, contact: ContactLaws | None, formulation: str) -> bool:
     """Check a criterion for a model; return True if moments count at the contact point.
 
     Raises:
@@ -162,7 +162,7 @@ def check_failure(failure: object, bond: object, contact: ContactLaw | None, for
     return True in at_contact
 
 
-def _check_criterion(failure: Criterion, cells: bool, contact: ContactLaw | None) -> None:
+def _check_criterion(failure: Criterion, cells: bool, contact: ContactLaws | None) -> None:
     """Reject a criterion for other bonds."""
     name, soft = type(failure).__name__, isinstance(failure, BondCriterion) and failure.energies is not None
     if soft and not cells:
@@ -188,7 +188,7 @@ def _check_non_local(failure: Criterion) -> None:
         raise InputError(f"{name}: friction= of NonLocal bonds is that of contact=bd.LinearContact(..., friction=)")
 
 
-def _check_soft(failure: Criterion, contact: ContactLaw | None) -> None:
+def _check_soft(failure: Criterion, contact: ContactLaws | None) -> None:
     """Reject options unsupported by softening beams."""
     if isinstance(failure, MohrCoulomb):
         if failure.dilatancy != 0.0 or failure.band_width is not None:

@@ -43,8 +43,8 @@ class ContactCheck:
 
     def __init__(self, contacts: ContactModel, dt: float) -> None:
         self._radius, self._dt = contacts.radius, dt
-        self._deepest = contacts.law.deepest
-        self._law = type(contacts.law).__name__
+        self._deepest = contacts.laws.deepest
+        self._law = contacts.laws.name
         self._deep = self._fast = False
 
     def look(self, c: ListedContacts, motion: Floats, time: float) -> None:

@@ -11,16 +11,12 @@ from bondem._types import Floats, Ints, PerElement
 
 
 class ContactConstants(NamedTuple):
-    """The law of all contacts, and the radii of the elements."""
+    """The laws of contacts by kinds of elements, and the radii of the elements."""
 
-    modulus: float  #: [Pa]
-    soft: float  #: ks / kn [-]
-    friction: float  #: μ of pairs [-]
-    damping: float  #: β [-]
-    rolling: float  #: μ_r of pairs and at walls [-]
-    twisting: float  #: μ_w of pairs and at walls [-]
-    deep: float  #: overlap over the radius at which the stiffness against rolling is taken [-]
-    hertzian: bool  #: whether it is that of Hertz and Mindlin
+    between: Floats  #: rows of `ContactRow` of pairs of each two kinds, (kinds, kinds, 7)
+    at_walls: Floats  #: that of each kind at each wall, (kinds, w, 7)
+    kind: np.ndarray  #: of each element, uint8, (n,)
+    hertzian: bool  #: whether they are those of Hertz and Mindlin
     radius: PerElement  #: [m], (n,)
 
 

@@ -28,12 +28,15 @@ class CrackedFaces:
         parted = np.intersect1d(state.cracks[state.cracks[:, STATUS] == PARTED, FACET].astype(np.int64), planes)
         self._open[parted] = 1
         self._faced[facets.i[parted]] = self._faced[facets.j[parted]] = 1
-        # two equal faces at the largest lateral distance at which they overlap, R, are just as far apart
-        beside = 0.75 / np.pi * joints.strengths.area[planes]
+        # Centroids of faces that overlap are within R of each other, R² = 3 (A_a + A_b) / 2π, and √(x + y) ≤ √x + √y:
+        # each cell reaches as far as its own part of this way, along its face from the foot of its centre.
+        normal, beside = facets.normal[:, planes], np.sqrt(1.5 / np.pi * joints.strengths.area[planes])
         self.outer: PerElement = np.zeros(n)
         for cell, lever in ((facets.i, facets.lever_i), (facets.j, facets.lever_j)):
             arm = facets.pitch[:, None] * lever[:, planes]
-            np.maximum.at(self.outer, cell[planes], np.sqrt((arm**2).sum(axis=0) + beside))
+            ahead = (arm * normal).sum(axis=0)
+            along = np.sqrt(((arm - ahead * normal) ** 2).sum(axis=0))
+            np.maximum.at(self.outer, cell[planes], np.hypot(ahead, along + beside))
 
     def pairs(self, pairs: ContactPairs, chosen: Floats, whole: Floats, portions: int) -> FacePairs:
         """Return the tables of a list of pairs.

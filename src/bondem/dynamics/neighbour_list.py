@@ -109,7 +109,7 @@ class ContactSearch:
             np.ascontiguousarray(state.stretch[:, :LINE_COLUMNS]),
         ))  # fmt: skip
         own = np.zeros(len(pairs.first))
-        if contacts.law.parallel:
+        if contacts.laws.parallel:
             pairs.bond[:] = -1  # pairs as any others
         bonded = np.flatnonzero(pairs.bond >= 0)
         of_bond = np.full(len(layout.i), -1)
@@ -140,7 +140,7 @@ class ContactSearch:
         If contacts act beside bonds, these are all bonds with near ends.
         """
         layout, size = self._state.layout, self._size
-        broken = (self._joined[: len(layout.i)] <= 0.0) | self._contacts.law.parallel
+        broken = (self._joined[: len(layout.i)] <= 0.0) | self._contacts.laws.parallel
         listed = ~broken if self._breaking else np.zeros(len(broken), dtype=bool)
         e = np.flatnonzero(broken)
         i, j = layout.i[e], layout.j[e]

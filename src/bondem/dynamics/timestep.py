@@ -15,6 +15,7 @@ from bondem.dynamics.dashpot_rate import fastest_decay
 from bondem.dynamics.non_local_timestep import SHARES, stable_share
 from bondem.dynamics.schemes import Scheme
 from bondem.errors import StepWarning, UnstableStepError
+from bondem.interactions.contact.contact_model import ContactModel
 from bondem.interactions.non_local.local_stiffness import local_stiffness
 from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.model.highest_frequency import highest_frequency
@@ -77,7 +78,7 @@ def _limits(
         bonds, decay = _with_broken(model, bonds)
     motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
     if model.contacts is not None:
-        motions += model.contacts.law.stiffest(
+        motions += model.contacts.laws.stiffest(
             model.contact_radius, model.mass, model.contacts.walls.platens
         )
     limit = free = math.inf
@@ -112,11 +113,10 @@ def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: flo
     raised, decay = math.sqrt(1.0 + terms.gamma), 0.0
     contacts, motions = model.contacts, ((0.0, 0.0),)
     if contacts is not None:
-        motions += contacts.law.stiffest(model.contact_radius, model.mass, contacts.walls.platens)
+        motions += contacts.laws.stiffest(model.contact_radius, model.mass, contacts.walls.platens)
         if model.failure is not None and contacts.own is not None and isinstance(model.bond, NonLocal):
-            _, soft, friction, beta, *_ = contacts.law.parameters
-            soft = soft if friction > 0.0 else 0.0
-            springs *= math.sqrt(max(1.0, soft * model.bond.E / model.bond.G))
+            soft, _, beta = _of_broken(model, contacts)
+            springs *= math.sqrt(max(1.0, float(soft.max()) * model.bond.E / model.bond.G))
             decay = _fastest_decay(model, contacts.own, beta, soft)
     fastest = raised * max(math.hypot(springs, frequency) for frequency, _ in motions)
     if fastest == 0.0:
@@ -147,18 +147,24 @@ def _with_broken(model: Model, highest: float) -> tuple[float, float]:
     contacts = model.contacts
     if contacts is None or contacts.own is None or not len(contacts.own):
         return highest, 0.0
-    _, soft, friction, beta, *_ = contacts.law.parameters
-    soft = soft if friction > 0.0 else 0.0
+    soft, friction, beta = _of_broken(model, contacts)
     decay = _decay_bound(model, contacts.own, beta, soft)
-    if friction == 0.0:
+    if not friction.any():
         return highest, decay
     if model.cells is not None:  # the spring of a facet is as stiff across as along
-        return highest * math.sqrt(max(1.0, soft)), decay
+        return highest * math.sqrt(max(1.0, float(soft.max()))), decay
     sheared = highest_frequency(model, table=model.bonds.sheared(soft * contacts.own))
     return max(highest, sheared), decay
 
 
-def _decay_bound(model: Model, kn: PerBond, beta: float, soft: float) -> float:
+def _of_broken(model: Model, contacts: ContactModel) -> tuple[PerBond, PerBond, PerBond]:
+    """Return ks / kn (0 without friction), μ and β of the contacts of broken bonds, internal order, each (m,)."""
+    layout = model.layout
+    soft, friction, beta = contacts.laws.of_pairs(layout.order[layout.i], layout.order[layout.j])
+    return np.where(friction > 0.0, soft, 0.0), friction, beta
+
+
+def _decay_bound(model: Model, kn: PerBond, beta: PerBond, soft: PerBond) -> float:
     """Return a bound of M⁻¹ C [1/s], if all bonds were contacts with dashpots instead.
 
     The square of the velocity of one end against the other at a contact is at most 2 Σ (1/m + b²/I) (m v² + I ω²)
@@ -168,25 +174,25 @@ def _decay_bound(model: Model, kn: PerBond, beta: float, soft: float) -> float:
     layout, radius = model.layout, model.contact_radius[model.layout.order]
     mass, inertia = model.mass[layout.order], model.inertia[layout.order]
     i, j = layout.i, layout.j
-    c = 2.0 * beta * np.sqrt(kn * max(1.0, soft) * mass[i] * mass[j] / (mass[i] + mass[j]))
+    c = 2.0 * beta * np.sqrt(kn * np.maximum(1.0, soft) * mass[i] * mass[j] / (mass[i] + mass[j]))
     arm = model.bonds.length / (radius[i] + radius[j])
     lost = np.zeros(len(mass))
     for end in (i, j):
-        across = (arm * radius[end]) ** 2 / inertia[end] if soft > 0.0 else 0.0
+        across = np.where(soft > 0.0, (arm * radius[end]) ** 2 / inertia[end], 0.0)
         lost += np.bincount(end, weights=2.0 * c * (1.0 / mass[end] + across), minlength=len(mass))
     return float(lost.max())
 
 
-def _fastest_decay(model: Model, kn: PerBond, beta: float, soft: float) -> float:
+def _fastest_decay(model: Model, kn: PerBond, beta: PerBond, soft: PerBond) -> float:
     """Return an upper bound of the largest eigenvalue of M⁻¹ C [1/s], if all bonds were contacts with dashpots."""
     constants, layout = model.non_local, model.layout
-    if constants is None or beta == 0.0:
+    if constants is None or not beta.any():
         return 0.0
     order = layout.order
     mass, inertia = model.mass[order], model.inertia[order]
     pair = mass[layout.i] * mass[layout.j] / (mass[layout.i] + mass[layout.j])
     along = 2.0 * beta * np.sqrt(kn * pair)
-    matrix = local_stiffness(replace(constants, kn=along, kt=math.sqrt(soft) * along), layout)
+    matrix = local_stiffness(replace(constants, kn=along, kt=np.sqrt(soft) * along), layout)
     root = diags_array(1.0 / np.sqrt(np.repeat(np.column_stack([mass, inertia]), 3, axis=1).ravel()))
     start = np.random.default_rng(0).standard_normal(6 * len(mass))
     options = {"tol": _TOLERANCE, "v0": start, "return_eigenvectors": False}
@@ -292,6 +298,5 @@ def _resolved_step(model: Model) -> tuple[float, int]:
             touching = free | (lattice.cells.free_area > 0.0) if model.failure is None else np.ones_like(free)
     if not touching.any():
         return math.inf, 0
-    walled = len(contacts.walls.friction) > 0
-    radius, mass = model.contact_radius[touching], model.mass[touching]
-    return contacts.law.shortest(radius, mass, contacts.walls.platens, walled=walled) / steps, steps
+    shortest = contacts.laws.shortest(model.contact_radius, model.mass, touching, contacts.walls.platens)
+    return shortest / steps, steps

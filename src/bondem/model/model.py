@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast, get_args
 
 import numpy as np
 
-from bondem._checks import array, choice, instance, possible, several, shown
+from bondem._checks import array, choice, instance, possible, several
 from bondem._drawing import draw
 from bondem._plausibility import physical, question_bond_radius, question_strength
 from bondem._types import ArrayLike, Floats, PerElement
@@ -31,7 +31,7 @@ from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment, CellConstants
 from bondem.interactions.cells.cell_plausibility import question_cells
 from bondem.interactions.cells.corrected_mass import correction_factors
-from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.interactions.contact.contact_assignment import ContactAssignment, ContactLaws
 from bondem.interactions.contact.contact_model import ContactModel
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
 from bondem.interactions.non_local.non_local_law import NonLocal
@@ -63,7 +63,8 @@ class Model:
             a `bd.Material`.
             Only linear statics without body forces is independent of it.
         boundary: one boundary condition or several: supports, drives, loads, absorbing boundaries, strains.
-        contact: law of contacts with walls and between elements without an intact bond; None for no contacts.
+        contact: law of contacts with walls and between elements without an intact bond, or laws of one class by
+            region: {region: law, (region, region): law, (region, wall): law, wall: law}. None for no contacts.
         walls: rigid planes, cylinders and spheres; they need a `contact` law.
         failure: criterion by which bonds or facets break, such as `bd.PeripheralStress(...)`, or criteria of one kind
             by region: {region: criterion, (region, region): criterion}. None for bonds that never break. Bonds break
@@ -82,7 +83,7 @@ class Model:
     bond: BondAssignment | CellAssignment | NonLocal | None
     density: float | ArrayLike
     boundary: Sequence[BoundaryCondition] = field(default=())
-    contact: ContactLaw | None = None
+    contact: ContactAssignment | None = None
     walls: Sequence[Wall] = field(default=())
     failure: FailureAssignment | None = None
     mass_matrix: MassMatrix = "lumped"
@@ -92,13 +93,14 @@ class Model:
         def __init__(
             self, lattice: Lattice, bond: BondAssignment | CellAssignment | NonLocal | None,
             density: float | ArrayLike | Material, boundary: Sequence[BoundaryCondition] = (),
-            contact: ContactLaw | None = None, walls: Sequence[Wall] = (),
+            contact: ContactAssignment | None = None, walls: Sequence[Wall] = (),
             failure: FailureAssignment | None = None, mass_matrix: MassMatrix = "lumped",
         ) -> None: ...  # fmt: skip
 
     # What solvers read, in their own order and types. Neither `dir` nor the reference lists it.
     _INTERNAL = (
-        "beam_softening", "bonds", "breaking", "cell_constants", "cells", "constraints", "contacts", "correction",
+        "beam_softening", "bonds", "breaking", "cell_constants", "cells", "constraints", "contact_laws", "contacts",
+        "correction",
         "failure_parts", "hands_over", "layout", "non_local", "non_local_constants", "period", "pressed", "softening",
     )  # fmt: skip
 
@@ -117,10 +119,8 @@ class Model:
         if self._cells is None and any(getattr(one, "friction", None) is not None for one in self.boundary):
             raise InputError("friction= of Fix and Drive acts on cells only; press spheres by walls= with friction")
         object.__setattr__(self, "walls", check_walls(self.walls))
-        if self.contact is not None and not isinstance(self.contact, ContactLaw):
-            raise InputError(f"contact = {shown(self.contact)}; give a contact law such as bd.LinearContact")
         beams = self._cells is None and self._non_local is None
-        if self.contact is not None and self.contact.parallel and not beams:
+        if self.contact_laws is not None and self.contact_laws.parallel and not beams:
             raise InputError("contact= with parallel=True applies to beams; leave out parallel= for cells, NonLocal")
         if self.walls and self.contact is None:
             raise InputError("walls= need a contact law; give contact=bd.LinearContact(E=...)")
@@ -239,19 +239,20 @@ class Model:
         return BondTable.of(self.lattice, self.layout, self.stiffness)
 
     @cached_property
+    def contact_laws(self) -> ContactLaws | None:
+        """Laws of contacts by kinds of elements; None without a contact law."""
+        return None if self.contact is None else ContactLaws.of(self.lattice, self.contact, self.walls)
+
+    @cached_property
     def contacts(self) -> ContactModel | None:
         """Contacts of the reference configuration, in the form of the core; None without a contact law."""
-        if self.contact is None:
+        laws = self.contact_laws
+        if laws is None:
             return None
-        origin = local_origin(self.lattice)
-        table = WallTable.of(
-            self.walls, self.contact.friction, float(self.mass.sum()), origin,
-            self.lattice.centre, self.contact_radius,
-        )  # fmt: skip
-        own = None
-        if self.contact.stress_free and not self.contact.parallel:
-            own = self.bonds.kn
-        return ContactModel.of(self.lattice, self.layout, self.contact, table, own, self.contact_radius)
+        mass, origin = float(self.mass.sum()), local_origin(self.lattice)
+        table = WallTable.of(self.walls, mass, origin, self.lattice.centre, self.contact_radius)
+        own = self.bonds.kn if laws.stress_free and not laws.parallel else None
+        return ContactModel.of(self.lattice, self.layout, laws, table, own, self.contact_radius)
 
     @property
     def hands_over(self) -> bool:
@@ -275,7 +276,7 @@ class Model:
         """Criteria by which single bonds break or begin to soften, in internal order; None if there are none."""
         if self.failure is None:
             return None
-        at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
+        at_contact = check_failure(self.failure, self.bond, self.contact_laws, self.formulation)
         if self._non_local is not None:
             return FailureTable.of_principal(self.lattice, self.layout, self.failure_parts, self._non_local)
         if self.softening is not None or not self._by_bond:
@@ -294,7 +295,7 @@ class Model:
         whole = self._cells is not None or self._non_local is not None
         if self.failure is None or whole or not self._by_bond:
             return None
-        at_contact = check_failure(self.failure, self.bond, self.contact, self.formulation)
+        at_contact = check_failure(self.failure, self.bond, self.contact_laws, self.formulation)
         return BeamSoftening.of(self.lattice, self.layout, self.failure_parts, self.stiffness, at_contact)
 
     @cached_property

@@ -13,7 +13,7 @@ from bondem.damage.beam_softening import BeamSoftening
 from bondem.damage.softening_table import SofteningTable
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.interactions.contact.contact_assignment import ContactLaws
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
 from bondem.model.constraints import Constraints
 from bondem.specimen.lattice import Lattice
@@ -50,8 +50,8 @@ class Origin(Protocol):
     def boundary(self) -> Sequence[BoundaryCondition]: ...
     @cached_property
     def constraints(self) -> Constraints: ...
-    @property
-    def contact(self) -> ContactLaw | None: ...
+    @cached_property
+    def contact_laws(self) -> ContactLaws | None: ...
     @property
     def walls(self) -> Sequence[Wall]: ...
 

@@ -28,7 +28,7 @@ inline void move_all_walls(Index, const DeviceSpan &span, const WallMotions &mot
 // ---- forces
 
 template <class Law>
-BONDEM_INLINE void press_one(const Law &law, Index k, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+BONDEM_INLINE void press_one(const Law &law, const ContactRow &of, Index k, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                              const NearPairs &near, double dt) {
     const Short a = pairs.first(k), b = pairs.second(k);
     const Row<double> i = gather(all.pose.data, a), j = gather(all.pose.data, b), past = gather(pairs.memory.data, Short(k));
@@ -36,7 +36,7 @@ BONDEM_INLINE void press_one(const Law &law, Index k, const Moving &all, const C
                                 Motion<double>(gather(all.motion.data, a)), Motion<double>(gather(all.motion.data, b)));
     const ContactMemory<double> memory = {{past.column[0], past.column[1], past.column[2]},
                                           {past.column[3], past.column[4], past.column[5]}};
-    const PairLoads<double> loads = pair_loads(law, c, pair, pairs.own(k), memory, dt);
+    const PairLoads<double> loads = pair_loads(law, of, pair, pairs.own(k), memory, dt);
     const Vector s = loads.contact.memory.stretch, h = loads.contact.memory.viscous, f = loads.contact.force;
     const Vector t = loads.torque;
     row_at(pairs.memory.data, Short(k)) = {{s.x, s.y, s.z, h.x, h.y, h.z, 0.0, 0.0}};
@@ -51,7 +51,8 @@ inline void press_pair(Index k, const DeviceSpan &span, const Moving &all, const
         pairs.touch(k) = separate;
         return;
     }
-    with_law(c, [&](auto law) { press_one(law, k, all, c, pairs, near, clock_of(span).dt); });
+    const ContactRow &of = law_of(c, pairs, k);
+    with_law(c, of, [&](auto law) { press_one(law, of, k, all, c, pairs, near, clock_of(span).dt); });
 }
 // The same of bodies of cells with cracks, whose pairs touch by faces too.
 inline void press_pair_or_faces(Index k, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
@@ -61,7 +62,8 @@ inline void press_pair_or_faces(Index k, const DeviceSpan &span, const Moving &a
     const double dt = clock_of(span).dt;
     const PairOf kind = press_faces(all, c, pairs, faces, k, dt);
     faces.close(k) = kind == PairOf::faces;
-    if (kind == PairOf::spheres) with_law(c, [&](auto law) { press_one(law, k, all, c, pairs, near, dt); });
+    const ContactRow &of = law_of(c, pairs, k);
+    if (kind == PairOf::spheres) with_law(c, of, [&](auto law) { press_one(law, of, k, all, c, pairs, near, dt); });
 }
 // Adds what faces do to element p: of pairs whose later element it is, then of those whose earlier one.
 inline void add_faces_of_element(Index p, const ContactPairs &pairs, const FacePairs &faces, const ContactSums &to) {

@@ -66,15 +66,15 @@ template <class T> struct Overlaps {
 };
 
 // Springs and dashpots of a spring of stiffness `before` a step ago; `soft` is ks / kn.
-template <class T>
-BONDEM_INLINE ContactStiffness<T> contact_stiffness(const ContactSpring<T> &spring, T before, double soft, T mass) {
+template <class T, class Number>
+BONDEM_INLINE ContactStiffness<T> contact_stiffness(const ContactSpring<T> &spring, T before, Number soft, T mass) {
     const T ks = soft * spring.kn;
     const T cn = 2.0 * spring.damping * root(spring.kn * mass), cs = 2.0 * spring.damping * root(ks * mass);
     return {spring.kn, spring.force, ks, soft * before, T{}, T{}, cn, cs};
 }
 // Springs and dashpots of a law whose stiffness may grow with the overlap.
-template <class Law, class T>
-BONDEM_INLINE ContactStiffness<T> contact_stiffness(const Law &, const ContactSpring<T> &spring, T before, double soft, T mass,
+template <class Law, class T, class Number>
+BONDEM_INLINE ContactStiffness<T> contact_stiffness(const Law &, const ContactSpring<T> &spring, T before, Number soft, T mass,
                                                     const Overlaps<T> &overlap) {
     ContactStiffness<T> k = contact_stiffness(spring, before, soft, mass);
     if constexpr (Law::hardens) {
@@ -87,8 +87,8 @@ BONDEM_INLINE ContactStiffness<T> contact_stiffness(const Law &, const ContactSp
 
 // The largest F_t <= μ F_n where F_n = N + F_t² h, N >= 0. As h grows no F_t is as large as μ F_n; then that of the largest
 // F_t / F_n.
-template <class T> BONDEM_INLINE T sliding_limit(double friction, T N, T h) {
-    const T wide = 4.0 * N * h, square = all<T>(friction * friction);
+template <class T, class Number> BONDEM_INLINE T sliding_limit(Number friction, T N, T h) {
+    const T wide = 4.0 * N * h, square = T{} + friction * friction;
     const T held = select(square * wide > all<T>(1.0), 1.0 / wide, square);
     return 2.0 * root(held) * N / (1.0 + root(positive(1.0 - held * wide)));
 }
@@ -102,12 +102,13 @@ template <class T> BONDEM_INLINE Vector3<T> turned_with(Vector3<T> s, Vector3<T>
     return select(after > T{}, root(dot(s, s) / after), T{}) * in_plane;
 }
 
-// Force of a contact, its memory and its losses over a step of dt; `hardens` of a law whose ks depends on the overlap.
+// Force of a contact, its memory and its losses over a step of dt; `hardens` of a law whose ks depends on the overlap. Numbers
+// of the law are one for all lanes, or one of each.
 //
 // `last` is `now` a step ago, `twist` the rate at which the pair turns about the normal [rad/s]. An overlap of 0 is that
 // of bodies that have just parted.
-template <bool hardens, class T>
-BONDEM_INLINE ContactLoads<T> contact_loads(const ContactStiffness<T> &k, double friction, T overlap, const Meeting<T> &now,
+template <bool hardens, class T, class Number>
+BONDEM_INLINE ContactLoads<T> contact_loads(const ContactStiffness<T> &k, Number friction, T overlap, const Meeting<T> &now,
                                             const Meeting<T> &last, T twist, const ContactMemory<T> &memory, double dt) {
     const T zero = {}, one = all<T>(1.0), half = all<T>(0.5 * dt);
     const Vector3<T> v = now.velocity, n = now.normal;
@@ -116,7 +117,7 @@ BONDEM_INLINE ContactLoads<T> contact_loads(const ContactStiffness<T> &k, double
     T normal = select(overlap > zero, positive(pressed), zero);
     Vector3<T> across = {zero, zero, zero}, dashpot = across, stretch = memory.stretch;
     T rubbed = zero;
-    if (friction > 0.0) {
+    if (any(friction > 0.0)) {
         const Vector3<T> t = tangential(v, n), s = memory.stretch;
         const T angle = dt * twist;
         const Vector3<T> came = turned_with(tangential(last.velocity, last.normal), n, angle);

@@ -15,9 +15,10 @@
 
 namespace bondem {
 
-struct HertzMindlinLaw {
-    double modulus;  // E* of two spheres [Pa]
-    double damping;  // β of a linear spring of the same restitution [-]
+// Its numbers are one for all contacts, or one of each.
+template <class Number> struct HertzMindlinLaw {
+    Number modulus;  // E* of two spheres [Pa]
+    Number damping;  // β of a linear spring of the same restitution [-]
 
     static constexpr double of_linear = 0.9128709291752769;  // √(5/6)
     static constexpr bool hardens = true;
@@ -28,7 +29,7 @@ struct HertzMindlinLaw {
         const auto linear = own > T{};
         return {select(linear, own, k), select(linear, all<T>(1.0), all<T>(2.0 / 3.0)),
                 select(linear, all<T>(0.5), all<T>(0.4)),
-                select(linear, all<T>(damping), all<T>(of_linear * damping)),
+                select(linear, T{} + damping, T{} + of_linear * damping),
                 select(linear, all<T>(0.0), all<T>(0.5))};
     }
     // The stiffness kn of two spheres at the overlap a step ago.
@@ -36,7 +37,7 @@ struct HertzMindlinLaw {
         return select(own > T{}, own, stiffness(ra, rb, overlap));
     }
     template <class T> BONDEM_INLINE ContactSpring<T> at_wall(T r, T overlap) const {
-        return {4.0 * modulus * root(r * overlap), all<T>(2.0 / 3.0), all<T>(0.4), all<T>(of_linear * damping),
+        return {4.0 * modulus * root(r * overlap), all<T>(2.0 / 3.0), all<T>(0.4), T{} + of_linear * damping,
                 all<T>(0.5)};
     }
 

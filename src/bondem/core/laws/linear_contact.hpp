@@ -13,22 +13,23 @@ namespace bondem {
 
 constexpr double pi = 3.141592653589793;
 
-struct LinearLaw {
-    double modulus;  // E [Pa]
-    double damping;  // β [-]
+// Its numbers are one for all contacts, or one of each.
+template <class Number> struct LinearLaw {
+    Number modulus;  // E [Pa]
+    Number damping;  // β [-]
 
     static constexpr bool hardens = false;
 
     // Two spheres; `own` is the stiffness of a pair that has its own, else 0.
     template <class T> BONDEM_INLINE ContactSpring<T> between(T own, T ra, T rb, T) const {
         const T small = select(ra < rb, ra, rb), k = modulus * pi * small * small / (ra + rb);
-        return {select(own > T{}, own, k), all<T>(1.0), all<T>(0.5), all<T>(damping), T{}};
+        return {select(own > T{}, own, k), all<T>(1.0), all<T>(0.5), T{} + damping, T{}};
     }
     // The stiffness kn of two spheres a step ago, when their overlap was another.
     template <class T> BONDEM_INLINE T before(T, T, T, T, T kn) const { return kn; }
 
     template <class T> BONDEM_INLINE ContactSpring<T> at_wall(T r, T) const {
-        return {modulus * pi * r, all<T>(1.0), all<T>(0.5), all<T>(damping), T{}};
+        return {modulus * pi * r, all<T>(1.0), all<T>(0.5), T{} + damping, T{}};
     }
 };
 

@@ -10,16 +10,25 @@
 
 namespace bondem {
 
-// The law of all contacts, and the radii of the elements.
-struct ContactConstants {
+// The law of a contact.
+struct ContactRow {
     double modulus;  // [Pa]
     double soft;  // ks / kn [-]
-    double friction;  // μ of pairs [-]
+    double friction;  // μ [-]
     double damping;  // β [-]
-    double rolling, twisting;  // μ_r and μ_w of pairs and at walls [-]
+    double rolling, twisting;  // μ_r and μ_w [-]
     double deep;  // overlap over the radius at which the stiffness against rolling is taken [-]
-    Index hertzian;  // whether it is that of Hertz and Mindlin
+};
+// The laws of contacts by kinds of elements, and the radii of the elements.
+struct ContactConstants {
+    Array<const double, 3> between;  // `ContactRow` of pairs of each two kinds, (kinds, kinds, 7)
+    Array<const double, 3> at_walls;  // that of each kind at each wall, (kinds, walls, 7)
+    Array<const Byte, 1> kind;  // of each element, (n,)
+    Index hertzian;  // whether they are those of Hertz and Mindlin
     Array<const double, 1> radius;  // [m], (n,)
+
+    const ContactRow &of(Short a, Short b) const { return between.row<const ContactRow>(kind(a), kind(b)); }
+    const ContactRow &at_wall(Short p, Index w) const { return at_walls.row<const ContactRow>(kind(p), w); }
 };
 // Pairs that may touch before their list is made anew, c of them.
 struct ContactPairs {
@@ -111,7 +120,6 @@ struct WallContacts {
 struct Walls {
     Array<const double, 2> shape;  // `WallShape`, (w, 12)
     Array<double, 2> body;  // `WallRow`, (w, 27)
-    Array<const double, 1> friction;  // μ, (w,)
     Array<const double, 2> inertia;  // `WallInertia`, (w, 8)
     Array<double, 2> listed;  // `WallListed`, (w, 8)
 };

@@ -118,11 +118,10 @@ class ContactTables:
         self._check = ContactCheck(contacts, dt)
         self._period, self._joints = model.period, joints
         n, portions = len(state.pose), len(shared.portions.elements)
-        modulus, soft, friction, damping, rolling, twisting, deep, hertzian = contacts.law.parameters.tolist()
-        self._law = ContactConstants(
-            modulus, soft, friction, damping, rolling, twisting, deep, bool(hertzian), contacts.radius
-        )
-        self._rolls = contacts.law.rolls
+        laws = contacts.laws
+        kind = np.ascontiguousarray(laws.kind[model.layout.order])
+        self._law = ContactConstants(*laws.rows, kind, laws.hertzian, contacts.radius)
+        self._rolls = laws.rolls
         self._sums = ContactSums(lines(n))
         self._energies = ContactEnergies(np.zeros(portions))
         walls = contacts.walls

@@ -47,12 +47,17 @@ class ContactLaw(ABC):
         return False
 
     @property
+    def hertzian(self) -> bool:
+        """True if the stiffness is that of Hertz and Mindlin."""
+        return False
+
+    @property
     @abstractmethod
     def parameters(self) -> Floats:
-        """Parameters of the law that the compiled core reads, (8,).
+        """Parameters of the law that the compiled core reads as a `ContactRow`, (7,).
 
-        They are the modulus [Pa], ks / kn, μ and β, μ_r and μ_w of rolling and twisting, the overlap over the radius
-        at which the stiffness against rolling is taken, and 1 for a Hertzian law or 0 for a linear one.
+        They are the modulus [Pa], ks / kn, μ and β, μ_r and μ_w of rolling and twisting, and the overlap over the
+        radius at which the stiffness against rolling is taken.
         """
 
     @property
@@ -208,9 +213,7 @@ class LinearContact(ContactLaw):
     @property
     def parameters(self) -> Floats:
         """Parameters of the law that the compiled core reads; see `ContactLaw.parameters`."""
-        return np.array(
-            [self.E, 1.0 / self.kappa, self.friction, self.damping, self.rolling, self.twisting, 0.0, 0.0]
-        )
+        return np.array([self.E, 1.0 / self.kappa, self.friction, self.damping, self.rolling, self.twisting, 0.0])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
         """Return bounds of the fastest motions of spheres in contact; arguments as for `ContactLaw.stiffest`."""

@@ -1,4 +1,4 @@
-"""Contacts of a model in the reference configuration: the law, the walls, and gaps that count as closed."""
+"""Contacts of a model in the reference configuration: the laws, the walls, and gaps that count as closed."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ from bondem._types import Floats, Ints, PerBond, PerElement
 from bondem.boundary.wall_rows import walls_at_rest
 from bondem.boundary.wall_table import WallTable
 from bondem.geometry.neighbours import SphereGrid, neighbours, sphere_grid
-from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.interactions.contact.contact_assignment import ContactLaws
 from bondem.interactions.contact.contact_search import Walls, WallSources, found_walls
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.local_origin import local_rest
@@ -42,7 +42,7 @@ class ContactModel:
     """Contacts of a model.
 
     Attributes:
-        law: contact law.
+        laws: contact laws.
         radius: radii of the elements in contact [m], internal order, (n,).
         walls: walls of the model.
         pairs: initial overlaps of elements.
@@ -51,7 +51,7 @@ class ContactModel:
             rest length of the bond. None if they are treated like other pairs.
     """
 
-    law: ContactLaw
+    laws: ContactLaws
     radius: PerElement
     walls: WallTable
     pairs: RestGaps
@@ -60,7 +60,7 @@ class ContactModel:
 
     @classmethod
     def of(
-        cls, lattice: Lattice, layout: Layout, law: ContactLaw, walls: WallTable, own: PerBond | None,
+        cls, lattice: Lattice, layout: Layout, laws: ContactLaws, walls: WallTable, own: PerBond | None,
         radius: PerElement,
     ) -> "ContactModel":
         """Find initial overlaps.
@@ -68,14 +68,14 @@ class ContactModel:
         Args:
             lattice: elements.
             layout: order of the elements.
-            law: law of their contacts.
+            laws: laws of their contacts.
             walls: walls that they touch.
             own: see `own`.
             radius: radii of the elements in contact, user's order, (n,).
         """
         n, radius = len(lattice.particles), np.ascontiguousarray(radius[layout.order])
-        if not law.stress_free:
-            return cls(law, radius, walls, RestGaps.none(n), RestGaps.none(n), own)
+        if not laws.stress_free:
+            return cls(laws, radius, walls, RestGaps.none(n), RestGaps.none(n), own)
         position = np.ascontiguousarray(local_rest(lattice)[layout.order])
         start, partner = near(position, radius, lattice.particles.period, 0.0)
         later = np.repeat(np.arange(n), np.diff(start))
@@ -90,13 +90,13 @@ class ContactModel:
             _starts(later, n), earlier.astype(np.uint32), np.minimum(distance - radius[earlier] - radius[later], 0.0)
         )
         # one place for the geometry of walls: the core, asked for walls within reach of a sphere at rest
-        count = len(walls.friction)
+        count = len(walls.shape)
         still = Walls.of(walls, walls_at_rest(count))
         pose = lines(n)
         pose[:, :3] = position
         sources = WallSources.without_memory(radius, 0.0)
         touching = found_walls(pose, still, sources)
-        return cls(law, radius, walls, pairs, RestGaps(sources.start, touching.wall, touching.now), own)
+        return cls(laws, radius, walls, pairs, RestGaps(sources.start, touching.wall, touching.now), own)
 
 
 def near(position: Floats, radius: Floats, period: Floats | None, skin: float) -> tuple[Ints, np.ndarray]:

@@ -25,14 +25,13 @@ class Walls(NamedTuple):
 
     shape: Floats  #: rows of `WallShape`, (w, 12)
     body: Floats  #: positions, velocities and loads of the walls, as `State.walls`, (w, 27)
-    friction: Floats  #: μ, (w,)
     inertia: Floats  #: rows of `WallInertia`, (w, 8)
     listed: Floats  #: where the walls were when the list was made, rows of `WallListed`, (w, 8)
 
     @classmethod
     def of(cls, table: WallTable, body: Floats) -> "Walls":
         """Return the walls of a model at their places in `body`, (w, 27), which they share."""
-        return cls(table.shape, body, table.friction, table.inertia, no_rows("WallListed", len(body)))
+        return cls(table.shape, body, table.inertia, no_rows("WallListed", len(body)))
 
     def keep_places(self, position: Floats, turning: Ints) -> None:
         """Note where walls are when a list is made.

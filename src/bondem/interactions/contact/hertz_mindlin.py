@@ -120,10 +120,15 @@ class HertzMindlin(ContactLaw):
             low, high = (middle, high) if rebound(middle) >= self.restitution else (low, middle)
 
     @property
+    def hertzian(self) -> bool:
+        """True."""
+        return True
+
+    @property
     def parameters(self) -> Floats:
         """Parameters of the law that the compiled core reads; see `ContactLaw.parameters`."""
         soft, mu, beta = 1.0 / self.kappa, self.friction, self.damping
-        return np.array([self.modulus, soft, mu, beta, self.rolling, self.twisting, self.overlap, 1.0])
+        return np.array([self.modulus, soft, mu, beta, self.rolling, self.twisting, self.overlap])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
         """Return bounds of the fastest motions of spheres at the deepest overlap; see `ContactLaw.stiffest`."""

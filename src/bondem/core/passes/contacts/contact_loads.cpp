@@ -99,9 +99,21 @@ struct SeveralPairs {
     }
 };
 
-template <class Law>
-BONDEM_INLINE void press(const Law &law, const SeveralPairs &who, const Moving &all, const ContactConstants &c,
-                         const ContactPairs &pairs, const NearPairs &near, double dt) {
+// The laws of several pairs.
+struct SeveralLaws {
+    Lanes modulus, soft, friction, damping;
+
+    BONDEM_INLINE SeveralLaws(const ContactConstants &c, const SeveralPairs &who) {
+        for (int n = 0; n < lanes; n++) {
+            const ContactRow &of = c.of(who.first[n], who.second[n]);
+            modulus[n] = of.modulus, soft[n] = of.soft, friction[n] = of.friction, damping[n] = of.damping;
+        }
+    }
+};
+
+template <class Law, class Numbers>
+BONDEM_INLINE void press(const Law &law, const Numbers &of, const SeveralPairs &who, const Moving &all,
+                         const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, double dt) {
     using Three = Vector3<Lanes>;
     const double *const pose = all.pose.data, *const motion = all.motion.data, *const radius = c.radius.data;
     const Three d = branch(gather(pose, who.first), gather(pose, who.second), pairs.period.data);
@@ -111,7 +123,7 @@ BONDEM_INLINE void press(const Law &law, const SeveralPairs &who, const Moving &
     const Row<Lanes> past = gather(pairs.memory.data, who.pair);
     const ContactMemory<Lanes> memory = {{past.column[0], past.column[1], past.column[2]},
                                          {past.column[3], past.column[4], past.column[5]}};
-    const PairLoads<Lanes> loads = pair_loads(law, c, pair, number_at(pairs.own.data, 1, 0, who.pair), memory, dt);
+    const PairLoads<Lanes> loads = pair_loads(law, of, pair, number_at(pairs.own.data, 1, 0, who.pair), memory, dt);
     const Three s = loads.contact.memory.stretch, h = loads.contact.memory.viscous;
     const Three f = loads.contact.force, t = loads.torque;
     const Lanes zero = {};
@@ -123,10 +135,19 @@ BONDEM_INLINE void press(const Law &law, const SeveralPairs &who, const Moving &
 void press_close(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                  const NearPairs &near, Index count) {
     const Index begin = pairs.start(turn.first), end = begin + count;
-    with_law(c, [&](auto law) {
-        for (Index e = begin; e < end; e += lanes)
-            press(law, SeveralPairs(pairs, near, e, end), all, c, pairs, near, turn.clock.dt);
-    });
+    if (c.between.shape[0] == 1) {
+        const ContactRow one = c.of(0, 0);
+        with_law(c, one, [&](auto law) {
+            for (Index e = begin; e < end; e += lanes)
+                press(law, one, SeveralPairs(pairs, near, e, end), all, c, pairs, near, turn.clock.dt);
+        });
+        return;
+    }
+    for (Index e = begin; e < end; e += lanes) {
+        const SeveralPairs who(pairs, near, e, end);
+        const SeveralLaws of(c, who);
+        with_law(c, of, [&](auto law) { press(law, of, who, all, c, pairs, near, turn.clock.dt); });
+    }
 }
 
 #endif

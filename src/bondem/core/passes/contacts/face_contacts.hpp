@@ -143,6 +143,7 @@ inline void press_met(const Moving &all, const ContactConstants &c, const Contac
     const Short a = pairs.first(k), b = pairs.second(k);
     double *const memory = &pairs.memory(k, 0), *const out = &of.output(k, 0);
     const Vector s = {memory[0], memory[1], memory[2]}, viscous = {memory[3], memory[4], memory[5]};
+    const ContactRow &law = c.of(a, b);
     Vector f = {}, on_a = {}, on_b = {};
     ContactLoads<double> loads = {};
     if (met.kn > 0.0) {
@@ -150,9 +151,9 @@ inline void press_met(const Moving &all, const ContactConstants &c, const Contac
         const Vector n = met.normal, arm = met.point - branch_of(all.pose.data, pairs, k);
         const Meeting<double> now = {n, of_b.v - of_a.v + cross(of_b.w, arm) - cross(of_a.w, met.point)};
         const double overlap = met.pressed / met.kn, mass = 1.0 / (of_a.m + of_b.m);
-        with_law(c, [&](auto law) {
-            const auto spring = law.between(met.kn, c.radius(a), c.radius(b), overlap);
-            loads = contact_loads<false>(contact_stiffness(spring, memory[stiff_before], c.soft, mass), c.friction, overlap, now,
+        with_law(c, law, [&](auto of_law) {
+            const auto spring = of_law.between(met.kn, c.radius(a), c.radius(b), overlap);
+            loads = contact_loads<false>(contact_stiffness(spring, memory[stiff_before], law.soft, mass), law.friction, overlap, now,
                                   now, 0.5 * dot(of_a.w + of_b.w, n), {s, viscous}, dt);
         });
         const Vector rest = minus(loads.force, met.pressed, n);
@@ -160,7 +161,7 @@ inline void press_met(const Moving &all, const ContactConstants &c, const Contac
         on_a = met.torque_a - cross(met.point, rest);
         on_b = met.torque_b + cross(arm, rest);
     } else {
-        loads.rubbed = lost + 0.5 * c.soft * memory[stiff_before] * dot(s, s);
+        loads.rubbed = lost + 0.5 * law.soft * memory[stiff_before] * dot(s, s);
     }
     const Vector stretch = loads.memory.stretch, damps = loads.memory.viscous;
     for (Index x = 0; x < 3; x++) {
@@ -227,7 +228,7 @@ inline PairOf press_faces(const Moving &all, const ContactConstants &c, const Co
 inline double face_energy(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const FacePairs &of,
                           Index k) {
     const Vector s = pairs.memory.row<const Vector>(k);
-    return chosen_loads(all, pairs, of, k).energy + 0.5 * c.soft * pairs.memory(k, stiff_before) * dot(s, s);
+    return chosen_loads(all, pairs, of, k).energy + 0.5 * law_of(c, pairs, k).soft * pairs.memory(k, stiff_before) * dot(s, s);
 }
 // Adds what the faces of pair k do to a row of sums of its later or its earlier cell.
 inline void add_faces_to(const FacePairs &of, Index k, bool later, double *row) {

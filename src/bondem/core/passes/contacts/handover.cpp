@@ -24,7 +24,8 @@ BegunContact begin_pair(const Moving &all, const ContactConstants &c, const Cont
     const Motion<double> of_a(gather(all.motion.data, a)), of_b(gather(all.motion.data, b));
     const Spheres2<double> pair(c.radius(a), c.radius(b), pairs.reach(k), d, of_a, of_b);
     PairLoads<double> loads;
-    with_law(c, [&](auto law) { loads = pair_loads(law, c, pair, pairs.own(k), ContactMemory<double>{}, 0.0); });
+    const ContactRow &of = c.of(a, b);
+    with_law(c, of, [&](auto law) { loads = pair_loads(law, of, pair, pairs.own(k), ContactMemory<double>{}, 0.0); });
     const ContactMemory<double> &memory = loads.contact.memory;
     pairs.memory.row<Vector>(k) = memory.stretch;
     (&pairs.memory.row<Vector>(k))[1] = memory.viscous;

@@ -14,12 +14,16 @@ namespace bondem {
 // distance then, until they have come apart.
 enum TouchState : Byte { separate, touching, parted, facing, late };
 
-// Calls on(law) with the law of the contacts.
-template <class On> BONDEM_INLINE void with_law(const ContactConstants &c, On on) {
+// Calls on(law) with the law of numbers of a contact, or of as many as there are lanes.
+template <class Numbers, class On> BONDEM_INLINE void with_law(const ContactConstants &c, const Numbers &of, On on) {
+    using Number = decltype(of.modulus);
     if (c.hertzian)
-        on(HertzMindlinLaw{c.modulus, c.damping});
+        on(HertzMindlinLaw<Number>{of.modulus, of.damping});
     else
-        on(LinearLaw{c.modulus, c.damping});
+        on(LinearLaw<Number>{of.modulus, of.damping});
+}
+inline const ContactRow &law_of(const ContactConstants &c, const ContactPairs &pairs, Index k) {
+    return c.of(pairs.first(k), pairs.second(k));
 }
 
 // Two spheres and their motion.
@@ -47,8 +51,8 @@ template <class T> struct PairLoads {
     Vector3<T> torque;  // on either, over its radius [N]
 };
 
-template <class Law, class T>
-BONDEM_INLINE PairLoads<T> pair_loads(const Law &law, const ContactConstants &c, const Spheres2<T> &pair, T own,
+template <class Law, class Numbers, class T>
+BONDEM_INLINE PairLoads<T> pair_loads(const Law &law, const Numbers &of, const Spheres2<T> &pair, T own,
                                       const ContactMemory<T> &memory, double dt) {
     T distance, before;
     const Meeting<T> now = pair.meeting(pair.branch, distance);
@@ -56,9 +60,9 @@ BONDEM_INLINE PairLoads<T> pair_loads(const Law &law, const ContactConstants &c,
     const T overlap = positive(pair.reach - distance), last_overlap = positive(pair.reach - before);
     const ContactSpring<T> spring = law.between(own, pair.ra, pair.rb, overlap);
     const T kn_before = law.before(own, pair.ra, pair.rb, last_overlap, spring.kn);
-    const ContactStiffness<T> k = contact_stiffness(law, spring, kn_before, c.soft, pair.mass, {overlap, last_overlap});
+    const ContactStiffness<T> k = contact_stiffness(law, spring, kn_before, of.soft, pair.mass, {overlap, last_overlap});
     const T twist = 0.5 * dot(pair.turning, now.normal);
-    const ContactLoads<T> loads = contact_loads<Law::hardens>(k, c.friction, overlap, now, last, twist, memory, dt);
+    const ContactLoads<T> loads = contact_loads<Law::hardens>(k, of.friction, overlap, now, last, twist, memory, dt);
     return {overlap, loads, -(distance / (pair.ra + pair.rb)) * cross(now.normal, loads.force)};
 }
 
@@ -78,10 +82,11 @@ inline bool bonded(const ContactPairs &pairs, Index k) { return pairs.bond(k) >=
 inline double pair_energy(const double *pose, const ContactConstants &c, const ContactPairs &pairs, Index k) {
     const double overlap = positive(pairs.reach(k) - length(branch_of(pose, pairs, k)));
     const Vector s = pairs.memory.row<const Vector>(k);
+    const ContactRow &of = law_of(c, pairs, k);
     double energy = 0.0;
-    with_law(c, [&](auto law) {
+    with_law(c, of, [&](auto law) {
         const auto spring = law.between(pairs.own(k), c.radius(pairs.first(k)), c.radius(pairs.second(k)), overlap);
-        energy = contact_energy(spring, c.soft, overlap, dot(s, s));
+        energy = contact_energy(spring, of.soft, overlap, dot(s, s));
     });
     return energy;
 }

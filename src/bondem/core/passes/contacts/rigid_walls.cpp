@@ -96,14 +96,14 @@ double inverse_mass_at(const WallRow &row, const WallInertia &inertia, Vector ar
 }
 
 template <class Law>
-ContactLoads<double> wall_loads(const Law &law, const ContactConstants &c, const SeenFromWall &seen, const WallSurface &now,
-                                double rest, double friction, double mass, double dt) {
+ContactLoads<double> wall_loads(const Law &law, const ContactRow &of, const SeenFromWall &seen, const WallSurface &now,
+                                double rest, double mass, double dt) {
     const double radius = seen.now.radius;
     const Overlaps<double> overlap = {positive(rest - now.gap), positive(rest - seen.before.gap)};
     const double before = law.at_wall(radius, overlap.before).kn;
-    const auto k = contact_stiffness(law, law.at_wall(radius, overlap.now), before, c.soft, mass, overlap);
+    const auto k = contact_stiffness(law, law.at_wall(radius, overlap.now), before, of.soft, mass, overlap);
     const double twist = 0.5 * dot(seen.now.spin, now.normal);
-    return contact_loads<Law::hardens>(k, friction, overlap.now, seen.now.meeting(now), seen.last.meeting(seen.before), twist,
+    return contact_loads<Law::hardens>(k, of.friction, overlap.now, seen.now.meeting(now), seen.last.meeting(seen.before), twist,
                                        seen.memory, dt);
 }
 
@@ -129,8 +129,9 @@ void press_wall(const Moving &all, const ContactConstants &c, const WallContacts
     SeenFromWall seen = seen_from(wall, place, radius, moving, {memory[0], memory[1]}, dt);
     seen.before.gap += dt * seen.now.growing;
     const double of_wall = inverse_mass_at(wall.row, walls.inertia.row<const WallInertia>(w), at, now.normal);
+    const ContactRow &of = c.at_wall(p, w);
     ContactLoads<double> loads;
-    with_law(c, [&](auto law) { loads = wall_loads(law, c, seen, now, rest, walls.friction(w), 1.0 / (moving.m + of_wall), dt); });
+    with_law(c, of, [&](auto law) { loads = wall_loads(law, of, seen, now, rest, 1.0 / (moving.m + of_wall), dt); });
     memory[0] = loads.memory.stretch, memory[1] = loads.memory.viscous;
     contacts.touch(e) = rest - now.gap > 0.0 ? touching : separate;
     const Vector f = loads.force, torque = -(radius + now.gap) * cross(now.normal, f);
@@ -223,8 +224,10 @@ void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstan
         if (contacts.touch(e) != touching) continue;
         const double overlap = positive(contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap);
         const Vector s = contacts.memory.row<const Vector>(e);
-        with_law(c, [&](auto law) {
-            sum += contact_energy(law.at_wall(c.radius(contacts.element(e)), overlap), c.soft, overlap, dot(s, s));
+        const Short p = contacts.element(e);
+        const ContactRow &of = c.at_wall(p, contacts.wall(e));
+        with_law(c, of, [&](auto law) {
+            sum += contact_energy(law.at_wall(c.radius(p), overlap), of.soft, overlap, dot(s, s));
         });
     }
     energies.energy(turn.block) += sum;

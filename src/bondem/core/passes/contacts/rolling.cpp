@@ -37,9 +37,10 @@ void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &
         const SeenFromWall seen = seen_from(wall, x, radius, moving, {rolled, {}}, dt);
         const Vector n = wall.surface(x, radius).normal;
         WallLoad &output = contacts.output.row<WallLoad>(e);
-        const RollingContact at = {rolling_stiffness_at_wall(c, radius), radius, touches ? output.normal : 0.0, n,
+        const ContactRow &law = c.at_wall(p, contacts.wall(e));
+        const RollingContact at = {rolling_stiffness_at_wall(c, law, radius), radius, touches ? output.normal : 0.0, n,
                                    seen.before.normal, seen.now.spin, seen.last.spin, 0.5 * dot(seen.now.spin, n)};
-        const RollingLoads loads = rolling_loads(at, c, seen.memory.stretch, dt);
+        const RollingLoads loads = rolling_loads(at, law, seen.memory.stretch, dt);
         rolled = loads.rolled;
         output.torque = output.torque - loads.moment;
         for (Index k = 0; k < 3; k++) to.sums(p, 4 + k) += loads.moment[k];
@@ -62,8 +63,9 @@ void sum_rolling_at_walls(const Turn &turn, const ContactConstants &c, const Wal
     double sum = 0.0;
     for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
         const Vector rolled = of.rolled.row<const Vector>(e);
+        const Short p = contacts.element(e);
         if (contacts.touch(e) == touching)
-            sum += 0.5 * rolling_stiffness_at_wall(c, c.radius(contacts.element(e))) * dot(rolled, rolled);
+            sum += 0.5 * rolling_stiffness_at_wall(c, c.at_wall(p, contacts.wall(e)), c.radius(p)) * dot(rolled, rolled);
     }
     energies.energy(turn.block) += sum;
 }

@@ -31,16 +31,16 @@ struct RollingLoads {
 };
 
 // What a contact does over a step of dt.
-inline RollingLoads rolling_loads(const RollingContact &at, const ContactConstants &c, const Vector &before, double dt) {
+inline RollingLoads rolling_loads(const RollingContact &at, const ContactRow &law, const Vector &before, double dt) {
     const Vector n = at.normal, m = at.last_normal;
     const auto turned = [&](const Vector &v) {
         const double along = dot(v, m);
         return plus(turned_with(minus(v, along, m), n, dt * at.twist), along, n);
     };
     const Vector whole = plus(turned(before), 0.5 * dt * at.arm, turned(at.last_spin) + at.spin);
-    const double along = dot(whole, n), most_along = c.twisting * at.pressed / at.ks;
+    const double along = dot(whole, n), most_along = law.twisting * at.pressed / at.ks;
     const Vector across = minus(whole, along, n);
-    const double size = length(across), most_across = c.rolling * at.pressed / at.ks;
+    const double size = length(across), most_across = law.rolling * at.pressed / at.ks;
     const Vector rolled = plus((size > most_across ? most_across / size : 1.0) * across, within(along, -most_along, most_along), n);
     const double given = 0.5 * dt * at.arm * at.ks * (dot(before, at.last_spin) + dot(rolled, at.spin));
     return {(-at.arm * at.ks) * rolled, rolled, given - 0.5 * at.ks * (dot(rolled, rolled) - dot(before, before))};
@@ -52,16 +52,17 @@ inline double rolling_arm(const ContactConstants &c, const ContactPairs &pairs, 
     return a * b / (a + b);
 }
 inline double rolling_stiffness(const ContactConstants &c, const ContactPairs &pairs, Index k) {
+    const ContactRow &of = law_of(c, pairs, k);
     double ks = 0.0;
-    with_law(c, [&](auto law) {
-        const double deep = 2.0 * c.deep * rolling_arm(c, pairs, k);
-        ks = c.soft * law.between(pairs.own(k), c.radius(pairs.first(k)), c.radius(pairs.second(k)), deep).kn;
+    with_law(c, of, [&](auto law) {
+        const double deep = 2.0 * of.deep * rolling_arm(c, pairs, k);
+        ks = of.soft * law.between(pairs.own(k), c.radius(pairs.first(k)), c.radius(pairs.second(k)), deep).kn;
     });
     return ks;
 }
-inline double rolling_stiffness_at_wall(const ContactConstants &c, double radius) {
+inline double rolling_stiffness_at_wall(const ContactConstants &c, const ContactRow &of, double radius) {
     double ks = 0.0;
-    with_law(c, [&](auto law) { ks = c.soft * law.at_wall(radius, c.deep * radius).kn; });
+    with_law(c, of, [&](auto law) { ks = of.soft * law.at_wall(radius, of.deep * radius).kn; });
     return ks;
 }
 
@@ -74,7 +75,7 @@ inline void roll_pair(const Moving &all, const ContactConstants &c, const Contac
     const bool touches = pairs.touch(k) == touching;
     const RollingContact at = {rolling_stiffness(c, pairs, k), rolling_arm(c, pairs, k), touches ? dot(force, n) : 0.0, n,
                                (1.0 / length(before)) * before, b.w - a.w, b.w - a.w, 0.5 * dot(a.w + b.w, n)};
-    const RollingLoads loads = rolling_loads(at, c, of.rolled.row<Vector>(k), dt);
+    const RollingLoads loads = rolling_loads(at, c.of(p, q), of.rolled.row<Vector>(k), dt);
     of.rolled.row<Vector>(k) = loads.rolled;
     for (Index x = 0; x < 3; x++) of.output(k, x) = loads.moment[x];
     of.output(k, 3) = loads.rubbed;

@@ -24,9 +24,10 @@ Vector present_force(const Moving &all, const ContactConstants &c, const Contact
     const Vector d = branch_of(all.pose.data, pairs, k);
     const Spheres2<double> pair(c.radius(a), c.radius(b), pairs.reach(k), d, of_a, of_b);
     const Vector *const kept = &pairs.memory.row<Vector>(k);
+    const ContactRow &of = c.of(a, b);
     Vector force;
-    with_law(c, [&](auto law) {
-        force = pair_loads(law, c, pair, pairs.own(k), ContactMemory<double>{kept[0], kept[1]}, 0.0).contact.force;
+    with_law(c, of, [&](auto law) {
+        force = pair_loads(law, of, pair, pairs.own(k), ContactMemory<double>{kept[0], kept[1]}, 0.0).contact.force;
     });
     return force;
 }

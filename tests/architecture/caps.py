@@ -1,0 +1,218 @@
+"""Counts of the sources that may only fall, and their caps.
+
+`python -m tests.architecture.caps` prints every count beside its cap; with words behind it, the places of the counts
+whose names contain one of these.
+"""
+
+import ast
+import re
+import sys
+import tomllib
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cache
+
+from tests.architecture.measures import PACKAGE, ROOT, SOURCE, Function, functions, lengths, modules, sources
+
+# Parts that a model may lack.
+_PARTS = frozenset({
+    "cells", "breaking", "softening", "beam_softening", "non_local", "contacts", "walls", "facets", "tractions",
+    "strains", "yielding", "slip", "bond_forces", "failure", "contact", "contact_laws",
+})  # fmt: skip
+# Attributes that a lattice has if it is cut into cells; those that a model has if its law is that of cells, or the
+# non-local law; and the laws that code asks for by their class.
+_OF_SHAPE = frozenset({"cells", "facets"})
+_OF_LAW = _OF_SHAPE | {"_cells", "non_local", "_non_local"}
+_LAWS = frozenset({"CellBond", "NonLocal", "CellConstants", "NonLocalConstants"})
+_SHAPES = frozenset({"Cells", "Facets"})
+# Names of variables for a lattice, and for the section of a study about its bonds; others are models.
+_LATTICES = frozenset({"lattice", "body", "bar", "own", "o", "one"})
+_SECTION = "bond"
+_NON_LOCAL = re.compile(r"non_?local", re.IGNORECASE)
+_LOWERED = re.compile(r"\bintegrity\(\w+\) [-*]?= ")
+# Sources that a command writes: the stub of the public names, and the version.
+_GENERATED = re.compile(r"__init__\.pyi|_version\.py")
+
+
+@dataclass(frozen=True)
+class Cap:
+    """A count that may only fall.
+
+    Attributes:
+        name: what is counted.
+        places: file and line of each.
+        most: the cap.
+        step: the cap is the next multiple of it, so that not every change of lines changes the cap.
+    """
+
+    name: str
+    places: Callable[[], list[str]]
+    most: int
+    step: int = 1
+
+    @property
+    def count(self) -> int:
+        """Number of places at present."""
+        return len(self.places())
+
+    @property
+    def fault(self) -> str:
+        """What is wrong with the count and what to do, in one line; empty if nothing is."""
+        count = self.count
+        if count > self.most:
+            return (f"{self.name}: {count}, above the cap of {self.most}. Remove as many;"
+                    f' `python -m tests.architecture.caps "{self.name}"` lists them.')  # fmt: skip
+        if count <= self.most - self.step:
+            new = -(-count // self.step) * self.step
+            return f"{self.name}: {count}, below the cap of {self.most}. Write {new} into tests/architecture/caps.py."
+        return ""
+
+
+def compared(module: str, tree: ast.Module) -> Iterator[tuple[str, str, ast.expr, int]]:
+    """Yield (module, attribute or variable, expression, line) of everything that is compared with None.
+
+    A variable stands for the attribute that its function assigns to it, else for its annotation.
+    """
+    bound: dict[int, dict[str, ast.expr]] = {}
+    for _, function in functions(tree, module):  # nested functions come last
+        names = _bindings(function)
+        bound |= {id(node): names for node in ast.walk(function) if isinstance(node, ast.Compare)}
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.Compare) or not isinstance(node.ops[0], ast.Is | ast.IsNot):
+            continue
+        left = node.left.value if isinstance(node.left, ast.NamedExpr) else node.left
+        name = left.attr if isinstance(left, ast.Attribute) else getattr(left, "id", "")
+        if isinstance(left, ast.Name):
+            left = bound.get(id(node), {}).get(left.id, left)
+        yield module, name, left, node.lineno
+
+
+@cache
+def _all_compared() -> list[tuple[str, str, ast.expr, int]]:
+    return [one for module, tree in modules().items() for one in compared(module, tree)]
+
+
+def _bindings(function: Function) -> dict[str, ast.expr]:
+    given = function.args
+    arguments = (*given.posonlyargs, *given.args, *given.kwonlyargs)
+    names = {one.arg: one.annotation for one in arguments if one.annotation is not None}
+    for node in ast.walk(function):
+        if isinstance(node, ast.NamedExpr):
+            names[node.target.id] = node.value
+        if not isinstance(node, ast.Assign):
+            continue
+        for target in node.targets:
+            pairs = [(target, node.value)]
+            if isinstance(target, ast.Tuple) and isinstance(node.value, ast.Tuple):
+                pairs = list(zip(target.elts, node.value.elts, strict=False))
+            names |= {to.id: value for to, value in pairs if isinstance(to, ast.Name)}
+    return names
+
+
+def asked_of(module: str, asked: ast.expr) -> str:
+    """Return "lattice", "study" or "model": what an expression asks for cells or a law; "" for another question."""
+    text = ast.unparse(asked)
+    if isinstance(asked, ast.Attribute):
+        owner = ast.unparse(asked.value).rpartition(".")[2].lstrip("_")
+        lattice = owner in _LATTICES or (owner == "self" and module == f"{PACKAGE}.specimen.lattice")
+        if lattice and asked.attr in _OF_SHAPE:
+            return "lattice"
+        return "study" if owner == _SECTION else "model"
+    kind = text.removesuffix(" | None")  # an argument
+    return "lattice" if kind in _SHAPES else "model" if kind in _LAWS else ""
+
+
+@cache
+def _questions() -> dict[str, list[str]]:
+    """Places that ask a model, a lattice or a study whether there are cells, or the non-local law."""
+    found: dict[str, list[str]] = {"model": [], "lattice": [], "study": [], "": []}
+    for module, name, asked, line in _all_compared():
+        if name in _OF_LAW:
+            found[asked_of(module, asked)].append(f"{module}:{line} {ast.unparse(asked)}")
+    for module, tree in modules().items():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "isinstance":
+                named = {part.id for part in ast.walk(node.args[1]) if isinstance(part, ast.Name)}
+                if named & _LAWS:
+                    found["model"].append(f"{module}:{node.lineno} {ast.unparse(node)}")
+    return found
+
+
+def _tests_for_none() -> list[str]:
+    return [f"{module}:{line} {name}" for module, name, _, line in _all_compared() if name in _PARTS]
+
+
+def _files_of_the_non_local_law() -> list[str]:
+    named = (path for path in sources(".py") if _NON_LOCAL.search(path.read_text()))
+    return [str(path.relative_to(SOURCE)) for path in named if "interactions/non_local/" not in str(path)]
+
+
+def _lowered() -> list[str]:
+    lines = (
+        (path, number, line)
+        for path in sources(".hpp", ".cpp", ".cu")
+        for number, line in enumerate(path.read_text().splitlines(), 1)
+    )
+    return [f"{path.relative_to(SOURCE)}:{number}" for path, number, line in lines if _LOWERED.search(line)]
+
+
+def _lines(*suffixes: str) -> list[str]:
+    return [
+        f"{path.relative_to(SOURCE)}:{number + 1}"
+        for path in sources(*suffixes)
+        if not _GENERATED.search(str(path))
+        for number in range(len(path.read_text().splitlines()))
+    ]
+
+
+def _longest_function() -> list[str]:
+    longest = lengths()[0]
+    return [f"{longest.name} line {number + 1}" for number in range(longest.count)]
+
+
+def _named_from_below() -> list[str]:
+    """Places that import a module of an upper layer by its name, or call a drawing of one."""
+    layers = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]["contracts"][0]["layers"]
+    height = {room.strip(): -row for row, layer in enumerate(layers) for room in layer.split("|")}
+
+    def level(module: str) -> int | None:
+        return next((height[room] for room in height if f"{module}.".startswith(f"{room}.")), None)
+
+    found = []
+    for module, tree in modules().items():
+        for node in ast.walk(tree):
+            if not isinstance(node, ast.Call) or not node.args or not isinstance(node.args[0], ast.Constant):
+                continue
+            name = getattr(node.func, "attr", getattr(node.func, "id", ""))
+            own, other = level(module), level(str(node.args[0].value))
+            above = name == "import_module" and own is not None and other is not None and other > own
+            if above or (name == "draw" and isinstance(node.func, ast.Name)):
+                found.append(f"{module}:{node.lineno} {node.args[0].value}")
+    return found
+
+
+CAPS = (
+    Cap("questions to a model about its law", lambda: _questions()["model"], 114),
+    Cap("questions to a lattice about its shape", lambda: _questions()["lattice"], 110),
+    Cap("questions to a study about its law", lambda: _questions()["study"], 11),
+    Cap("tests of a part for None", _tests_for_none, 330),
+    Cap("files of Python that name the non-local law", _files_of_the_non_local_law, 39),
+    Cap("places of the core that lower integrity", _lowered, 7),
+    Cap("lines of Python", lambda: _lines(".py"), 61000, step=500),
+    Cap("lines of C++", lambda: _lines(".hpp", ".cpp", ".cu"), 20000, step=500),
+    Cap("lines of the longest function", _longest_function, 148),
+    Cap("names of an upper layer in strings", _named_from_below, 6),
+)
+
+
+def main(words: list[str]) -> None:
+    """Print the counts and their caps, or the places of some."""
+    for cap in CAPS:
+        if not words:
+            print(f"{cap.count:6d} of {cap.most:6d}  {cap.name}")
+        elif any(word in cap.name for word in words):
+            print(*cap.places(), sep="\n")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
