@@ -134,10 +134,11 @@ class Drum:
         return {"torque": bd.WallGauge(0, "torque"), "place": bd.Gauge(bd.Everything(), "displacement")}
 
     def fixes(self, rough: str, smooth: str) -> str:
-        """Shell and ends in LAMMPS, where a cylinder turns against its axis."""
-        rim, half = -self.spin * self.radius, 0.5 * self.length
+        """Shell and ends in LAMMPS; the shell is a region: a `zcylinder` sums its velocity over the spheres."""
+        half, inside = 0.5 * self.length, f"cylinder z 0 0 {self.radius:.17g} INF INF side in units box"
         return "\n".join((
-            f"fix shell all wall/gran {rough} zcylinder {self.radius:.17g} shear x {rim:.17g}",
+            f"variable turn equal {self.spin:.17g}*step*dt", f"region shell {inside} rotate v_turn 0 0 0 0 0 1",
+            f"fix shell all wall/gran/region {rough} region shell",
             f"fix ends all wall/gran {smooth} zplane {-half:.17g} {half:.17g}",
         ))  # fmt: skip
 

@@ -96,6 +96,9 @@ class Servo:
     rest: a share of the missing force resists its motion, so that an oscillation about the prescribed force loses the
     factor √((1 - damping) / (1 + damping)) of its amplitude every half period, 0.42 by default.
 
+    Dashpots of its contacts take the mass m of the element alone, as at a driven wall: with a platen of mass M, they
+    are √(1 + m / M) times those of the contact law. `Free` takes the reduced mass.
+
     Attributes:
         force: sum of the normal forces on the wall [N], a number or a schedule; for a pressure, multiply by the area.
         speed: largest speed [m/s].
