@@ -293,9 +293,7 @@ class _Beam:
             raise InputError(f"{owner}: {type(shape).__name__} is not a beam; use a bd.Box along x, plain or notched")
         lower, upper = shape.bounds
         length, depth, _ = (float(extent) for extent in upper - lower)
-        cells = body.cells
-        edge = 2.0 * body.particles.mean_radius if cells is None else float(np.mean(cells.volume)) ** (1.0 / 3.0)
-        usual = max(_STRIP * depth, _CELLS * edge)
+        usual = max(_STRIP * depth, _CELLS * body.elements.size)
         wide = usual if strip is None else number(owner, "strip", strip, unit="m", above=0.0)
         between = length - depth if span is None else number(owner, "span", span, unit="m", above=0.0)
         if not (between >= depth and between + wide <= length):
@@ -322,8 +320,7 @@ class _Beam:
 
     def _region(self, face: str, at: float) -> Region:
         """Cells whose mean facet position is within half a strip of a line."""
-        assert self.body.cells is not None
-        free, on = self.body.cells.free, self.body.on_face(face)
+        free, on = self.body.elements.require_cells().cells.free, self.body.on_face(face)
         cell, area, count = free.cell[on], free.area[on], len(self.body.particles)
         total = np.bincount(cell, weights=area, minlength=count)
         away = np.bincount(cell, weights=area * (free.centroid[on, 0] - at), minlength=count)
@@ -369,8 +366,8 @@ class _Beam:
         A cell at the mouth has a facet on a side of the notch and one on the bottom. Its edge is where the plane of
         the side meets the bottom, and its share of the width is the extent of the side facet along z.
         """
-        assert self.body.cells is not None
-        free, names, low = self.body.cells.free, self.body.particles.envelope.faces, float(self.lower[1])
+        free, names = self.body.elements.require_cells().cells.free, self.body.particles.envelope.faces
+        low = float(self.lower[1])
         walls = [k for k, name in enumerate(names) if name not in BOX_FACES]
         bottom = np.isin(free.cell, free.cell[self.body.on_face("y_min")])
         sides = np.flatnonzero(np.isin(free.face, walls) & (np.abs(free.normal[:, 0]) > _STEEP) & bottom)

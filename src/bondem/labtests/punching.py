@@ -267,9 +267,8 @@ def _no_borings() -> InputError:
 
 def _on_face(body: Lattice, name: str) -> tuple[Ints, Floats]:
     """Cells of an end and their distances from the axis [m]."""
-    assert body.cells is not None
     lower, upper = body.particles.envelope.bounds
-    free, on = body.cells.free, body.on_face(name)
+    free, on = body.elements.require_cells().cells.free, body.on_face(name)
     y, z = (free.centroid[on, axis] - 0.5 * (lower + upper)[axis] for axis in (1, 2))
     count = len(body.particles)
     area = np.bincount(free.cell[on], weights=free.area[on], minlength=count)

@@ -227,11 +227,10 @@ def require_cells(test: str, body: Lattice, law: object, density: float | None) 
     """
     check(test, body, density=DENSITY if density is None else density)
     matrix = _first(law)
-    if not isinstance(matrix, CellBond) or body.cells is None:
-        raise InputError(
-            f"labtests.{test}: the lattice or its law is not of cells; connect with method='laguerre' and give"
-            " bd.CellBond"
-        )
+    refusal = f"labtests.{test}: the lattice or its law is not of cells; connect with method='laguerre' and give"
+    body.elements.require_cells(f"{refusal} bd.CellBond")
+    if not isinstance(matrix, CellBond):
+        raise InputError(f"{refusal} bd.CellBond")
     return matrix
 
 

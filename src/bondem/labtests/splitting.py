@@ -249,7 +249,6 @@ class _Jaws:
             InputError: neither exists, or an angle is out of range.
         """
         disc = require_disc(body)
-        assert body.cells is not None
         if disc.flat is not None:
             if half_angle is not None:
                 raise InputError(
@@ -257,9 +256,8 @@ class _Jaws:
                     " flats"
                 )
             return cls(Face("top"), Face("bottom"), disc, disc.flat, flattened(disc.flat))
-        edge = float(np.mean(body.cells.volume)) ** (1.0 / 3.0)
         if half_angle is None:
-            half_angle = max(_STRIP, math.asin(min(_CELLS * edge / (0.5 * disc.diameter), 1.0)))
+            half_angle = max(_STRIP, math.asin(min(_CELLS * body.elements.size / (0.5 * disc.diameter), 1.0)))
         advice = f"half an angle in (0, {WIDEST:.3g}) rad; finer cells allow for narrow strips"
         angle = number("labtests.brazilian", "half_angle", half_angle, above=0.0, below=WIDEST, advice=advice)
         top, bottom = (_strip(body, disc.middle, sign, angle) for sign in (1.0, -1.0))
@@ -268,8 +266,7 @@ class _Jaws:
 
 def _strip(body: Lattice, middle: Floats, sign: float, half_angle: float) -> Region:
     """Cells of the side whose mean facet position is within an angle from ±y."""
-    assert body.cells is not None
-    free, on = body.cells.free, body.on_face("side")
+    free, on = body.elements.require_cells().cells.free, body.on_face("side")
     cell, area, count = free.cell[on], free.area[on], len(body.particles)
     total = np.bincount(cell, weights=area, minlength=count)
     y, z = (
@@ -298,9 +295,8 @@ def _elastic(body: Lattice, law: CellAssignment, jaws: _Jaws) -> tuple[float, fl
     static = solve_static(model)
     pressed = [float(static.reaction[jaw.select(body), 1].sum()) for jaw in (jaws.bottom, jaws.top)]
     stress = (pressed[0] - pressed[1]) / (math.pi * jaws.disc.diameter * jaws.disc.thickness)
-    assert body.cells is not None
     across = cell_stress(model, static)[:, 2, 2]
-    return closing / stress, centre_stress(position, body.cells.volume, across, jaws.disc) / stress
+    return closing / stress, centre_stress(position, body.element_volume, across, jaws.disc) / stress
 
 
 def _strained(nu: float) -> Callable[[Floats], Floats]:

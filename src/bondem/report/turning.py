@@ -44,9 +44,7 @@ class Turning:
 def turning_of(one: Examined) -> Turning:
     """Data of the elements at rest, coloured by radius, or after a test to failure, coloured by displacement."""
     particles = one.lattice.particles
-    centre, radius = one.lattice.centre, particles.radius
-    if one.lattice.cells is not None:
-        radius = np.cbrt(3.0 / (4.0 * np.pi) * one.lattice.cells.volume)
+    centre, radius = one.lattice.centre, one.lattice.elements.radius
     chosen = np.arange(len(radius))
     if len(radius) > _MOST:
         chosen = np.flatnonzero(particles.envelope.depth(particles.position) < _DEEP * particles.mean_radius)
