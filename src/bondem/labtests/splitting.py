@@ -27,8 +27,8 @@ from bondem.labtests.disc import WIDEST, Disc, centre_stress, flattened, middle_
 from bondem.labtests.quasi_static_rig import (
     DENSITY,
     Rig,
+    RunOptions,
     StrengthTest,
-    check_traverses,
     require_cells,
     run_to_failure,
     softenings_of,
@@ -37,7 +37,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.cell_stress import cell_stress
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.material import Material, constant
+from bondem.specimen.material import Material
 from bondem.specimen.regions import Face, Index, Region
 from bondem.statics.static import solve_static
 
@@ -170,21 +170,19 @@ def brazilian(
 
     Reference: ISRM, Int. J. Rock Mech. Min. Sci. 15 (1978) 99–103; Wang et al., ibid. 41 (2004) 245–253.
     """
-    density = constant("density", density)
-    owner = "labtests.brazilian"
-    if traverses is not None:
-        check_traverses("brazilian", traverses)
+    owner, options = "labtests.brazilian", RunOptions.of(density, traverses, out, progress)
+    options.check_traverses("brazilian")
     share = None if ending is None else number(owner, "ending", ending, least=0.0, below=1.0)
     rough = number(owner, "platen_friction", platen_friction, least=0.0) or None
     if not is_cells(body, law):
-        specimen = BondedSpecimen.of("brazilian", body, law, failure, density=density, contact=contact, faces=())
+        rho = options.density
+        specimen = BondedSpecimen.of("brazilian", body, law, failure, density=rho, contact=contact, faces=())
         test, centre, factor, angle = split_bonded(
-            specimen, half_angle=half_angle, friction=rough or 0.0, traverses=traverses, ending=share, out=out,
-            progress=progress,
-        )  # fmt: skip
+            specimen, half_angle=half_angle, friction=rough or 0.0, ending=share, options=options
+        )
         return BrazilianTest(test=test, centre=centre, factor=factor, half_angle=angle)
     law = as_cells("brazilian", law, contact)
-    matrix = require_cells("brazilian", body, law, density)
+    matrix = require_cells("brazilian", body, law, options.density)
     found = softenings_of("brazilian", body, failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
     strengths = [strength for strength in map(splitting_strength, found) if math.isfinite(strength)]
     expected = min(strengths, default=math.inf)
@@ -201,7 +199,7 @@ def brazilian(
     def pressed(speed: float, begin: float) -> Model:
         pairs = (jaws.top, 0.5 * speed), (jaws.bottom, -0.5 * speed)
         platens = [Drive(jaw, vy=Ramp(0.0, each, begin), friction=rough) for jaw, each in pairs]
-        return Model(body, law, DENSITY if density is None else density, failure=failure, boundary=platens)
+        return Model(body, law, options.density, failure=failure, boundary=platens)
 
     near, far = (Gauge(jaw, "force") for jaw in (jaws.bottom, jaws.top))
     rig = Rig(
@@ -210,7 +208,7 @@ def brazilian(
         reach=reach, ending=0.9 if share is None else share, traverses=traverses or 100.0, model=pressed,
         gauge=StrainGauge(middle_of_disc(body, disc)), strain=_strained(matrix.nu),
     )  # fmt: skip
-    test = run_to_failure("brazilian", body, law, failure, rig, density=density, out=out, progress=progress)
+    test = run_to_failure("brazilian", body, law, failure, rig, options)
     return BrazilianTest(test=test, centre=centre, factor=jaws.factor, half_angle=jaws.half_angle)
 
 
