@@ -84,11 +84,6 @@ class Elements:
         return sum(self.bodies.shape_of("envelope", k, self.particles)[1].volume for k in names)
 
     @property
-    def radius(self) -> PerElement:
-        """Radii of the spheres, or of spheres of the volumes of the cells [m], shape (n,)."""
-        return self.particles.radius
-
-    @property
     def mean_radii(self) -> PerElement:
         """Mean radius R̄ of the particles of the body of each element [m], (n,); bodies that bonds join are one.
 
@@ -264,10 +259,6 @@ class CellElements(Elements):
     @property
     def whole_volume(self) -> float:
         return float(self.cells.volume.sum())
-
-    @property
-    def radius(self) -> PerElement:
-        return np.cbrt(3.0 / (4.0 * np.pi) * self.cells.volume)
 
     @property
     def relative_size(self) -> PerElement:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -86,9 +86,9 @@ class Lattice:
     @cached_property
     def elements(self) -> Elements:
         """Elements with their shape, spheres or cells: sizes, faces, and geometry of the bonds."""
-        if self.cells is None or self.facets is None:
+        if self.cells is None:
             return Elements(self.particles, self.pairs, self.bodies)
-        return CellElements(self.particles, self.pairs, self.bodies, self.facets, self.cells)
+        return CellElements(self.particles, self.pairs, self.bodies, cast(Facets, self.facets), self.cells)
 
     @property
     def bonds(self) -> "Lattice":
