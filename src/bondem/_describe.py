@@ -31,8 +31,8 @@ def _extent(shape: Any) -> str:
 _HEADLINES: dict[str, Callable[[Any], str]] = {
     "Particles": lambda o: f"{len(o)} spheres of mean radius {o.mean_radius:.4g} m" + _in_shape(o),
     "Lattice": lambda o: (
-        f"{len(o.particles)} {'elements' if o.cells is None else 'cells'}, {len(o.pairs)}"
-        f" {'bonds' if o.cells is None else 'facets'}, coordination number {o.coordination_number:.3g}"
+        f"{len(o.particles)} {o.elements.name}, {len(o.pairs)} {o.elements.bond_name},"
+        f" coordination number {o.coordination_number:.3g}"
     ),
     "Model": lambda o: f"{len(o.lattice.particles)} elements, {len(o.lattice.pairs)} bonds",
     "State": lambda o: (

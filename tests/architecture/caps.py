@@ -24,7 +24,7 @@ _PARTS = frozenset({
 _OF_SHAPE = frozenset({"cells", "facets"})
 _OF_LAW = _OF_SHAPE | {"_cells", "non_local", "_non_local"}
 _LAWS = frozenset({"CellBond", "NonLocal", "CellConstants", "NonLocalConstants"})
-_SHAPES = frozenset({"Cells", "Facets"})
+_SHAPES = frozenset({"Cells", "Facets", "CellElements"})
 # Names of variables for a lattice, and for the section of a study about its bonds; others are models.
 _LATTICES = frozenset({"lattice", "body", "bar", "own", "o", "one"})
 _SECTION = "bond"
@@ -133,8 +133,9 @@ def _questions() -> dict[str, list[str]]:
         for node in ast.walk(tree):
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "isinstance":
                 named = {part.id for part in ast.walk(node.args[1]) if isinstance(part, ast.Name)}
-                if named & _LAWS:
-                    found["model"].append(f"{module}:{node.lineno} {ast.unparse(node)}")
+                for whom, kinds in (("model", _LAWS), ("lattice", _SHAPES)):
+                    if named & kinds:
+                        found[whom].append(f"{module}:{node.lineno} {ast.unparse(node)}")
     return found
 
 
@@ -193,9 +194,9 @@ def _named_from_below() -> list[str]:
 
 CAPS = (
     Cap("questions to a model about its law", lambda: _questions()["model"], 114),
-    Cap("questions to a lattice about its shape", lambda: _questions()["lattice"], 110),
+    Cap("questions to a lattice about its shape", lambda: _questions()["lattice"], 28),
     Cap("questions to a study about its law", lambda: _questions()["study"], 11),
-    Cap("tests of a part for None", _tests_for_none, 330),
+    Cap("tests of a part for None", _tests_for_none, 247),
     Cap("files of Python that name the non-local law", _files_of_the_non_local_law, 39),
     Cap("places of the core that lower integrity", _lowered, 7),
     Cap("lines of Python", lambda: _lines(".py"), 61000, step=500),

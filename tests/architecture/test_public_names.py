@@ -13,10 +13,12 @@ from bondem import labtests
 ROOT = Path(__file__).resolve().parents[2]
 STUB = ROOT / "src/bondem/__init__.pyi"
 
-# Arrays in the kernels' order, which a model keeps for solvers: not for users.
+# Arrays in the kernels' order, which a model keeps for solvers, and the shape of the elements of a lattice: not for
+# users.
 INTERNAL = {
     "BondTable", "CellConstants", "Constraints", "ContactLaws", "ContactModel", "FailureTable", "Joint", "Layout",
     "NonLocalConstants", "Origin", "Softening", "BeamSoftening", "SofteningTable", "FailurePart",
+    "Elements",
 }  # fmt: skip
 
 

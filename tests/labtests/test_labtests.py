@@ -10,9 +10,10 @@ import bondem as bd
 from bondem.errors import EmptyRegionError, InputError, ShortSpecimenWarning
 from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.cantilever import Cantilever, mass_gyration
+from bondem.labtests.faces import specimen_faces
 from bondem.labtests.frequency import dominant_frequency
 from bondem.labtests.gauge_length import AffineField, curvature, profile, rigid_motion, twist_rate
-from bondem.labtests.tension import paper_length, static_bond_forces
+from bondem.labtests.tension import static_bond_forces
 from bondem.statics.linear import Iteration, System
 from tests.specimens import chain, spheres
 
@@ -74,7 +75,7 @@ def test_tension_of_a_chain_is_the_modulus_of_its_bonds():
     assert pytest.approx(0.36 * E, rel=1e-9) == tension.E
     # eqs (12), (14): L_M counts two half spheres that do not stretch, R_M = R̄ + 0
     assert pytest.approx(0.36 * E * 40 / 39, rel=1e-9) == tension.E_paper
-    assert paper_length(lattice) == pytest.approx(lattice.particles.shape.length)
+    assert specimen_faces(lattice).paper_length == pytest.approx(lattice.particles.shape.length)
 
 
 def test_tension_is_linear_in_the_bond_modulus_and_blind_to_the_load(specimen):
@@ -92,7 +93,7 @@ def test_tension_equals_the_energy_of_a_uniform_bar(specimen):
     tension = bd.labtests.static_tension(specimen, LAW)
     force = tension.stress * specimen.particles.shape.section()
     radius = 2.5e-3  # R_M of eq (13), to a percent
-    stretch = force / (math.pi * radius**2) / tension.E_paper * paper_length(specimen)
+    stretch = force / (math.pi * radius**2) / tension.E_paper * specimen_faces(specimen).paper_length
     assert tension.solution.energy.total == pytest.approx(0.5 * force * stretch, rel=0.02)
 
 

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 import bondem as bd
 from bondem.errors import InputError, StudyError
-from bondem.labtests.faces import face_motion
+from bondem.labtests.faces import specimen_faces
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.labtests.tension import tension_model
 from bondem.observables.cell_forces import CellForces
@@ -100,7 +100,8 @@ def test_a_body_in_tension_has_the_length_of_its_shape_and_fills_its_section(bod
     assert tension.nu_paper == pytest.approx(NU, abs=0.005)
     np.testing.assert_allclose(tension.gyration, 0.25 * 5e-3**2, rtol=0.02)
     model = tension_model(body, law)
-    ends = [face_motion(model, tension.solution, name, 0.0)[0] for name in ("x_min", "x_max")]
+    faces = specimen_faces(body)
+    ends = [faces.motion(model, tension.solution, name)[0] for name in ("x_min", "x_max")]
     assert ends[1] - ends[0] == pytest.approx(30e-3 * 1e6 / E, rel=0.005)
 
 

@@ -8,7 +8,7 @@ from click.testing import CliRunner
 
 import bondem as bd
 from bondem.labtests.beam_tests import Bar, CrossSection
-from bondem.labtests.tension import paper_radius
+from bondem.labtests.faces import specimen_faces
 from tests.specimens import chain, spheres
 from validation.__main__ import validation
 from validation.measures.ramped_loads import KINDS, ramped_load
@@ -53,7 +53,7 @@ def test_bonds_calibrated_by_a_measure_give_the_data_sheet_by_it():
     # two measures are two calibrations
     assert abs(found["paper"][0] - found["affine"][0]) > 0.005
     # the wall less the room between it and the outermost spheres, whose mean radius is not quite R̄
-    assert paper_radius(lattice) == pytest.approx(5e-3, rel=0.02)
+    assert specimen_faces(lattice).paper_radius == pytest.approx(5e-3, rel=0.02)
 
 
 @pytest.mark.validate

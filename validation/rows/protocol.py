@@ -11,7 +11,7 @@ from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Cylinder
 from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
 from bondem.labtests.beam_tests import Bar, CrossSection
-from bondem.labtests.tension import paper_length, paper_radius
+from bondem.labtests.faces import specimen_faces
 from bondem.labtests.vibration import ramped_vibration
 from bondem.labtests.wave import first_passage, strike
 from bondem.specimen.lattice import Lattice
@@ -63,10 +63,11 @@ class ProtocolTest(PackingTest):
     def measured(self, folder: Path) -> dict[str, Any]:
         """Moduli with the printed bonds, calibrated bonds by both measures, and errors of the seven tests."""
         lattice = kept_lattice(self.packing, folder)
+        faces = specimen_faces(lattice, _DEPTH)
         found: dict[str, Any] = {
             "coordination_number": 2.0 * len(lattice.pairs) / len(lattice.particles),
             "volume_fraction": lattice.particles.volume.sum() / lattice.particles.envelope.volume,
-            "length": paper_length(lattice, _DEPTH), "radius": paper_radius(lattice, _DEPTH),
+            "length": faces.paper_length, "radius": faces.paper_radius,
         }  # fmt: skip
         printed = Response(lattice, PRINTED)
         for measure in MEASURES:
@@ -108,7 +109,8 @@ def own_bonds(lattice: Lattice, measure: str) -> tuple[float, float]:
 def _tested(lattice: Lattice, ratio: float, E_mu: float, steps: int) -> dict[str, Any]:
     """Errors [-] against strength of materials of a cylinder with the dimensions of eqs (12), (13)."""
     law = replace(PRINTED, E=E_mu, radius_ratio=ratio)
-    shape = Cylinder(radius=paper_radius(lattice, _DEPTH), length=paper_length(lattice, _DEPTH))
+    faces = specimen_faces(lattice, _DEPTH)
+    shape = Cylinder(radius=faces.paper_radius, length=faces.paper_length)
     bar = Bar(shape.length, CrossSection.of(shape), fused_silica.E, fused_silica.nu, fused_silica.rho)
     density = fused_silica.rho * shape.volume / lattice.particles.volume[lattice.connected].sum()
     errors: dict[str, float] = {}

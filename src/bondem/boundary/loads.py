@@ -17,7 +17,6 @@ from bondem.errors import InputError
 from bondem.geometry.face_patches import face_patches
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material, of_material
-from bondem.specimen.mean_radii import mean_radii
 from bondem.specimen.regions import Difference, Everything, Face, Intersection, Region, as_region
 
 # Size of the patches of a face, over the mean radius.
@@ -325,9 +324,8 @@ def facet_numbers(region: Region, body: Lattice) -> Ints:
     face = face_of("facet_numbers", region)
     chosen = np.zeros(len(body.particles), dtype=bool)
     chosen[region.select(body)] = True
-    assert body.cells is not None
-    found = body.on_face(face.name, face.body)
-    return found[chosen[body.cells.free.cell[found]]]
+    free, found = body.elements.require_cells().cells.free, body.on_face(face.name, face.body)
+    return found[chosen[free.cell[found]]]
 
 
 def facets_on(region: Region, body: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
@@ -340,8 +338,7 @@ def facets_on(region: Region, body: Lattice) -> tuple[Ints, Ints, Floats, Floats
     chosen, found = region.select(body), facet_numbers(region, body)
     place = np.full(len(body.particles), -1)
     place[chosen] = np.arange(len(chosen))
-    assert body.cells is not None
-    free = body.cells.free
+    free = body.elements.require_cells().cells.free
     return chosen, place[free.cell[found]], free.centroid[found], free.area[found, None] * free.normal[found]
 
 
@@ -362,7 +359,8 @@ def _shared(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, F
     if lattice.cells is not None:
         return facets_on(region, lattice)
     whole, chosen = face.select(lattice), region.select(lattice)
-    centre, area = face_patches(lattice.envelope(face.body), face.name, _PATCH * mean_radii(lattice)[chosen[0]])
+    patch = _PATCH * lattice.elements.mean_radii[chosen[0]]
+    centre, area = face_patches(lattice.envelope(face.body), face.name, patch)
     nearest = whole[KDTree(particles.position[whole]).query(centre)[1]]
     place = np.full(len(particles), -1)
     place[chosen] = np.arange(len(chosen))

@@ -54,8 +54,7 @@ class Holds:
     @classmethod
     def of(cls, body: Lattice, boundary: Sequence[BoundaryCondition]) -> "Holds":
         """Return the facets held by the conditions on faces."""
-        assert body.cells is not None
-        count = len(body.cells.free.cell)
+        count = len(body.elements.require_cells().cells.free.cell)
         axes, drive = np.zeros((count, 3), dtype=bool), np.full((count, 3), -1)
         friction, across = np.full(count, np.nan), np.zeros(count, dtype=np.int64)
         drives: list[Schedule] = []

@@ -33,5 +33,4 @@ def command(file: Path, other: Path, density: float | None) -> None:
         raise InputError("--density: a run file has the density of its model; leave out --density")
     run = read_run(file)
     lattice = run.model.lattice
-    volume = lattice.particles.volume if lattice.cells is None else lattice.cells.volume
-    export(other, lattice, state=run.state, density=float(np.median(run.model.mass / volume)))
+    export(other, lattice, state=run.state, density=float(np.median(run.model.mass / lattice.element_volume)))

@@ -85,8 +85,9 @@ def implied_fracture(
         return None
     shapes = [lattice.envelope(k) for k in range(len(lattice.names))]
     volume = sum(shape.volume for shape in shapes)
-    if cells is not None and lattice.facets is not None:
-        area, length, place = lattice.facets.area, lattice.facets.span, lattice.facets.centroid
+    if cells is not None:
+        facets = lattice.elements.require_cells().facets
+        area, length, place = facets.area, facets.span, facets.centroid
         E = float(np.median(cells.G * (3.0 * cells.lame + 2.0 * cells.G) / (cells.lame + cells.G)))
         held = None
     elif non_local is not None:
@@ -95,7 +96,7 @@ def implied_fracture(
         E = float(np.median(non_local.kn * length / area))
     else:
         area, length, held = np.pi * stiffness.radius**2, lattice.length, stiffness
-        place = lattice.centre[lattice.pairs[:, 0]] + 0.5 * lattice.branch
+        place = lattice.elements.bond_middle
         E = _affine_modulus(length, stiffness, volume)
     joint = Joint(area, length, area * length, place, held)
     pull, given = np.zeros((2, len(area)))

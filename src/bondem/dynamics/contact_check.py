@@ -151,10 +151,11 @@ class SinkingCheck:
 
     def _slid(self, state: State) -> int:
         """Return the number of facets of material planes whose faces have parted by a slip, not by a gap."""
-        layout, facets, softening = self._model.layout, self._model.lattice.facets, self._model.softening
+        layout, softening = self._model.layout, self._model.softening
         parted = state.cracks[state.cracks[:, STATUS] == PARTED, FACET].astype(np.int64)
-        if facets is None or softening is None or not len(parted):
+        if softening is None or not len(parted):
             return 0
+        facets = self._model.lattice.elements.require_cells().facets
         parted = parted[softening.plane[parted] != 0]
         user, i, j = layout.bond_order[parted], layout.i[parted], layout.j[parted]
         normal = np.where(layout.flipped[parted, None], -1.0, 1.0) * facets.normal[user]

@@ -37,15 +37,9 @@ class Faces:
 def faces_of(lattice: Lattice, state: State, chosen: Ints) -> Faces:
     """Return the faces of some facets, by their user's numbers."""
     i, j = lattice.pairs[chosen].T
-    branch = lattice.branch[chosen]
     area = areas_of(lattice, state.model.stiffness)[chosen]
-    if lattice.facets is not None:
-        straight = lattice.facets.normal[chosen]
-        arm = lattice.facets.centroid[chosen] - lattice.centre[i]
-    else:
-        stiffness = state.model.stiffness
-        straight = branch / lattice.length[chosen, None]
-        arm = stiffness.lever[chosen, None] * straight
+    straight = lattice.elements.bond_normal[chosen]
+    arm = lattice.elements.bond_arm(state.model.stiffness.lever, chosen)
     on_i, gap = moved_points(lattice, state, chosen, lattice.centre[i] + arm)
     q = state.orientation
     normal = turned_vectors(q[i], straight) + turned_vectors(q[j], straight)

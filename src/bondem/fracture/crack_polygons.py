@@ -1,5 +1,6 @@
 """Outlines of broken facets, which move with their cells; for broken beams, discs."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,7 +9,7 @@ from bondem._types import Floats, Ints
 from bondem.fracture.crack_faces import Faces, moved_points
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.tessellation.polyhedra import Polyhedra, polyhedra
+from bondem.specimen.tessellation.polyhedra import Polyhedra
 from bondem.specimen.tessellation.solids import ranges
 
 # Corners of the polygon of a beam.
@@ -36,11 +37,11 @@ class CrackPolygons:
 
 
 def crack_polygons(
-    lattice: Lattice, state: State, chosen: Ints, faces: Faces, solid: Polyhedra | None = None
+    lattice: Lattice, state: State, chosen: Ints, faces: Faces, solid: Callable[[], Polyhedra]
 ) -> CrackPolygons:
     """Return polygons of some facets, by their user's numbers; for beams, regular ones of the area of the section.
 
-    `solid` are the polygons of all cells, if they are known.
+    `solid` returns the polygons of all cells; it is called only where there are cells.
     """
     reference, start, facet = _discs(faces) if lattice.facets is None else _outlines(lattice, chosen, solid)
     number = chosen[np.repeat(facet, np.diff(start))]
@@ -48,10 +49,10 @@ def crack_polygons(
     return CrackPolygons(on_i + 0.5 * gap, start, facet, reference)
 
 
-def _outlines(lattice: Lattice, chosen: Ints, known: Polyhedra | None) -> tuple[Floats, Ints, Ints]:
+def _outlines(lattice: Lattice, chosen: Ints, every: Callable[[], Polyhedra]) -> tuple[Floats, Ints, Ints]:
     if not len(chosen):
         return np.zeros((0, 3)), np.zeros(1, dtype=np.int64), np.zeros(0, dtype=np.int64)
-    solid, n = known or polyhedra(lattice), len(lattice.particles)
+    solid, n = every(), len(lattice.particles)
     i, j = lattice.pairs[chosen].T
     key = i * n + j
     order = np.argsort(key)

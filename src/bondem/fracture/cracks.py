@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,7 @@ from bondem.fracture.directions import unit_vector
 from bondem.io.vtk_polygons import write_polygons
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.tessellation.polyhedra import polyhedra
 
 # Corners of facets that are nearer than this, in mean radii, are one.
 _SAME = 1e-6
@@ -111,7 +113,7 @@ def cracks(lattice: Lattice, state: State, *, integrity: float = 0.0) -> Cracks:
         raise InputError(f"cracks: the state has {len(state.pose)} elements and other bonds; give its own lattice")
     chosen = np.flatnonzero(whole <= integrity)
     faces = faces_of(lattice, state, chosen)
-    polygons = crack_polygons(lattice, state, chosen, faces)
+    polygons = crack_polygons(lattice, state, chosen, faces, partial(polyhedra, lattice))
     first, second = _edges(lattice, polygons, len(chosen)) if lattice.facets else _near(lattice, faces)
     k = len(chosen)
     links = coo_array((np.ones(len(first), dtype=bool), (first, second)), shape=(k, k)).tocsr()

@@ -114,10 +114,10 @@ def acoustic_emission(
 def _wave_speed(model: Model) -> float:
     """Return the speed of a wave in a thin rod of the material, or in a chain of bonds [m/s]."""
     lattice, mass = model.lattice, model.mass
-    if model.cells is not None and lattice.cells is not None:
+    if model.cells is not None:
         G, lame = model.cell_constants.G, model.cell_constants.lame
         E = G * (3.0 * lame + 2.0 * G) / (lame + G)
-        return float(np.median(np.sqrt(E * lattice.cells.volume / mass)))
+        return float(np.median(np.sqrt(E * lattice.element_volume / mass)))
     i, j = lattice.pairs.T
     return float(np.median(lattice.length * np.sqrt(2.0 * model.stiffness.kn / (mass[i] + mass[j]))))
 

@@ -77,7 +77,7 @@ def explain(model: Model, state: State | None = None, *, most: int = 5) -> Expla
         broken, softening = int((whole == 0.0).sum()), int(((whole > 0.0) & (whole < 1.0)).sum())
         if model.softening is not None:
             yielding = float(yield_index(model, state).max(initial=0.0))
-    position = _middles(model, nearest)
+    position = model.lattice.elements.bond_middle[nearest]
     if state is not None:
         lines += _state_lines(model, state, nearest, index, position, broken, softening, yielding)
     lines += ["", "Doubts:", *(f"  - {one}" for one in doubts)] if doubts else ["", "No doubts."]
@@ -85,13 +85,6 @@ def explain(model: Model, state: State | None = None, *, most: int = 5) -> Expla
         implied=implied, doubts=tuple(doubts), nearest=nearest, index=index, position=position, broken=broken,
         softening=softening, yielding=yielding, text="\n".join(lines),
     )  # fmt: skip
-
-
-def _middles(model: Model, chosen: Ints) -> Floats:
-    lattice = model.lattice
-    if lattice.facets is not None:
-        return lattice.facets.centroid[chosen]
-    return lattice.centre[lattice.pairs[chosen, 0]] + 0.5 * lattice.branch[chosen]
 
 
 def _part(model: Model) -> str:

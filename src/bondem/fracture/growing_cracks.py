@@ -1,6 +1,7 @@
 """Outlines of cracks in successive states of the same body, for files that grow."""
 
 from dataclasses import dataclass
+from functools import cache, partial
 
 import numpy as np
 
@@ -9,7 +10,7 @@ from bondem.fracture.crack_faces import faces_of
 from bondem.fracture.crack_polygons import crack_polygons
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.tessellation.polyhedra import Polyhedra, polyhedra
+from bondem.specimen.tessellation.polyhedra import polyhedra
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +37,7 @@ class GrowingCracks:
 
     def __init__(self, lattice: Lattice) -> None:
         self._lattice = lattice
-        self._solid: Polyhedra | None = None
+        self._solid = cache(partial(polyhedra, lattice))
 
     def __call__(self, state: State) -> CrackOutlines:
         """Return the outlines of a state."""
@@ -46,8 +47,6 @@ class GrowingCracks:
             none = np.zeros(0)
             fields = dict.fromkeys(("integrity", "area", "opening", "sliding"), none) | {"facet": chosen}
             return CrackOutlines(np.zeros((0, 3)), np.zeros(1, dtype=np.int64), fields)
-        if self._solid is None and self._lattice.facets is not None:
-            self._solid = polyhedra(self._lattice)
         faces = faces_of(self._lattice, state, chosen)
         found = crack_polygons(self._lattice, state, chosen, faces, self._solid)
         row = found.facet

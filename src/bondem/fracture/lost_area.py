@@ -18,8 +18,7 @@ def lost_area(body: Lattice, state: State, aggregates: Aggregates) -> dict[str, 
         state: state of these cells.
         aggregates: aggregates in the body.
     """
-    assert body.facets is not None
     inside = aggregates.mask(body)[body.pairs].sum(axis=1)
-    lost = (1.0 - state.bond_integrity) * body.facets.area
+    lost = (1.0 - state.bond_integrity) * body.elements.require_cells().facets.area
     found = np.bincount(inside, weights=lost, minlength=len(PARTS))
     return dict(zip(PARTS, found.tolist(), strict=True))

@@ -32,9 +32,7 @@ def write_bonds(file: h5py.File, lattice: Lattice) -> None:
 
 def complete_body(file: h5py.File, lattice: Lattice) -> None:
     """Write the tables of a body that a file does not yet have."""
-    if lattice.facets is None or lattice.cells is None:
-        return
-    for place, table in (("facets", lattice.facets), ("cells", lattice.cells), ("cells/free", lattice.cells.free)):
+    for place, table in lattice.elements.tables.items():
         group = file.require_group(place)
         for item in fields(table):
             if item.name != "free" and item.name not in group:

@@ -85,7 +85,7 @@ def export(
 
 def _check_names(frame: "_Frame", given: Mapping[str, ArrayLike], suffix: str) -> None:
     """Refuse fields whose columns would be taken for others."""
-    own = {"x", "y", "z", frame.size[0]}
+    own = {"x", "y", "z", frame.lattice.elements.size_column[0]}
     if frame.state is not None:
         own |= {"displacement", "velocity"}
     if suffix in _DUMP:
@@ -141,12 +141,6 @@ class _Frame:
         return pairs if self.state is None else pairs[self.state.bond_integrity > 0.0]
 
     @property
-    def size(self) -> tuple[str, Floats]:
-        """Radii of spheres [m], or volumes of cells [m³]."""
-        cells = self.lattice.cells
-        return ("radius", self.lattice.particles.radius) if cells is None else ("volume", cells.volume)
-
-    @property
     def columns(self) -> dict[str, Floats]:
         """Field components by column name: components are numbered, vectors have letters."""
         return {key: values for name in self.fields for key, values in self.columns_of(name).items()}
@@ -172,7 +166,7 @@ class _Frame:
 
 
 def _write_csv(path: Path, frame: _Frame, suffix: str) -> None:
-    name, size = frame.size
+    name, size = frame.lattice.elements.size_column
     columns = {"x": frame.position[:, 0], "y": frame.position[:, 1], "z": frame.position[:, 2], name: size}
     with open(path, "w", newline="", encoding="utf-8") as file:
         table = csv.writer(file, lineterminator="\n")
@@ -208,7 +202,7 @@ def _write_data(path: Path, frame: _Frame, suffix: str) -> None:
 def _write_dump(path: Path, frame: _Frame, suffix: str) -> None:
     step = 0 if frame.state is None else frame.state.step
     edge = "ff ff ff" if frame.lattice.particles.period is None else "pp pp pp"
-    name, size = frame.size
+    name, size = frame.lattice.elements.size_column
     velocity = {} if frame.state is None else dict(zip(("vx", "vy", "vz"), frame.state.velocity.T, strict=True))
     if frame.state is None:
         columns = frame.columns
@@ -229,7 +223,7 @@ def _write_rows(file: TextIO, columns: list[Floats]) -> None:
 
 def _write_mesh(path: Path, frame: _Frame, suffix: str) -> None:
     meshio = needed("meshio", "exchange")
-    name, size = frame.size
+    name, size = frame.lattice.elements.size_column
     turned = {} if frame.state is None or suffix in _UNTURNED else {"orientation": frame.state.orientation}
     fields = {name: size, **turned, **frame.fields}
     if frame.lattice.cells is not None:

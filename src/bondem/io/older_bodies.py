@@ -13,7 +13,7 @@ import numpy as np
 from bondem._types import Ints
 from bondem.boundary.conditions import BoundaryCondition
 from bondem.boundary.wall_constraints import Holds
-from bondem.interactions.cells.cell_body import sums_of_normals
+from bondem.interactions.cells.cell_body import body_of, sums_of_normals
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.tessellation.balanced_shares import balanced_shares
@@ -48,9 +48,9 @@ def with_corrected_normals(body: Lattice, boundary: Sequence[BoundaryCondition])
         body: body of the run.
         boundary: conditions of the run.
     """
-    facets, cells = body.facets, body.cells
-    if facets is None or cells is None:
+    if body.cells is None:
         return body
+    facets, cells = body_of(body)
     free, (i, j) = cells.free, body.pairs.T
     sides = ((i, facets.area * facets.depth_i, facets.normal), (j, facets.area * facets.depth_j, facets.normal))
     every = (*sides, (free.cell, free.area * free.depth, free.normal))

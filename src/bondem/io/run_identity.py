@@ -44,8 +44,7 @@ def identity_of(model: Model, plan: Plan, begun: State) -> str:
     items += [(name, getattr(begun, name)) for name in State.ARRAYS]
     if len(lattice.names) > 1:
         items += [("body", lattice.body), ("bodies", json.dumps([lattice.names, encode(lattice.bodies.shapes)]))]
-    if lattice.facets is not None and lattice.cells is not None:
-        tables = lattice.facets, lattice.cells, lattice.cells.free
-        named = [(table, item.name) for table in tables for item in fields(table) if item.name != "free"]
-        items += [(name, getattr(table, name)) for table, name in named]
+    tables = lattice.elements.tables.values()
+    named = [(table, item.name) for table in tables for item in fields(table) if item.name != "free"]
+    items += [(name, getattr(table, name)) for table, name in named]
     return digest_of(items)

@@ -48,8 +48,8 @@ def fields_of_bodies(lattice: Lattice) -> dict[str, ArrayLike]:
 
 def fields_of_cells(body: Lattice, state: State | StaticResult | None) -> dict[str, ArrayLike]:
     """Fields of the cells in every file, with motion and stress for a given state or static solution."""
-    assert body.cells is not None
-    fields: dict[str, ArrayLike] = {"volume": body.cells.volume, "free_area": body.cells.free_area}
+    cells = body.elements.require_cells().cells
+    fields: dict[str, ArrayLike] = {"volume": cells.volume, "free_area": cells.free_area}
     fields |= fields_of_bodies(body) | fields_of_motion(state)
     if not isinstance(state, State):
         return fields

@@ -1,10 +1,8 @@
 """Bonded spheres in three-point bending between rigid rollers."""
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 
@@ -14,7 +12,7 @@ from bondem.boundary.schedules import Ramp
 from bondem.boundary.wall_motions import Driven
 from bondem.boundary.walls import CylinderWall
 from bondem.labtests.bonded_platens import LEAST, REACH, RECORDS, BondedSpecimen, Side
-from bondem.labtests.quasi_static_rig import Rig, StrengthTest, straight_part
+from bondem.labtests.quasi_static_rig import Rig, RunOptions, StrengthTest, straight_part
 from bondem.specimen.regions import Index
 
 # Radius of the rollers over the depth of the beam, and at least so many mean radii.
@@ -47,9 +45,7 @@ def bend_bonded(
     ligament: float,
     friction: float,
     ending: float,
-    traverses: float | None,
-    out: str | Path | None,
-    progress: Callable[[float], None] | None,
+    options: RunOptions,
 ) -> BentBonds:
     """Bend a beam of bonded spheres between a roller above mid-span and two below, which are rigid rods along z.
 
@@ -59,7 +55,7 @@ def bend_bonded(
         ligament: height of the section at mid-span [m].
         friction: coefficient of friction of the rollers [-].
         ending: share of the peak at which the test ends [-].
-        traverses, out, progress: options of the test.
+        options: options of the test.
     """
     lower, upper = specimen.bounds
     length, depth, width = (float(edge) for edge in upper - lower)
@@ -96,7 +92,7 @@ def bend_bonded(
         expected=force / section, way=compliance * force, reach=REACH * compliance * force, ending=ending,
         traverses=math.nan, model=model, more=measured, least=LEAST, records=RECORDS,
     )  # fmt: skip
-    test = specimen.load(rig, traverses=traverses, out=out, progress=progress)
+    test = specimen.load(rig, options)
     history = test.run.history
     load = test.curve[:, 1] * section
     deflection = (0.5 * (history["left"] + history["right"]) - history["middle"])[:, 1]

@@ -1,9 +1,7 @@
 """Bonded spheres in compression along x between platens, with or without confining walls, and in tension."""
 
 import math
-from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 
@@ -16,7 +14,7 @@ from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import BoundingBox, Box, Cylinder
 from bondem.labtests.bonded_platens import LEAST, REACH, RECORDS, BondedSpecimen, Side
 from bondem.labtests.gauge_length import middle_half
-from bondem.labtests.quasi_static_rig import Rig, StrengthTest
+from bondem.labtests.quasi_static_rig import Rig, RunOptions, StrengthTest
 from bondem.model.model import Model
 from bondem.specimen.regions import Index
 
@@ -34,10 +32,8 @@ def compress_bonded(
     *,
     pressure: float,
     friction: float,
-    traverses: float | None,
     reach: float | None,
-    out: str | Path | None,
-    progress: Callable[[float], None] | None,
+    options: RunOptions,
 ) -> StrengthTest:
     """Compress bonded spheres along x between a platen at rest and one that approaches it."""
     lower, upper = specimen.bounds
@@ -61,16 +57,10 @@ def compress_bonded(
         model=model, gauge=StrainGauge(Index(middle_half(specimen.lattice))),
         strain=_shortening, least=LEAST, records=RECORDS,
     )  # fmt: skip
-    return specimen.load(rig, traverses=traverses, out=out, progress=progress)
+    return specimen.load(rig, options)
 
 
-def tear_bonded(
-    specimen: BondedSpecimen,
-    *,
-    traverses: float | None,
-    out: str | Path | None,
-    progress: Callable[[float], None] | None,
-) -> StrengthTest:
+def tear_bonded(specimen: BondedSpecimen, options: RunOptions) -> StrengthTest:
     """Pull one end layer of bonded spheres along x from the other, as `direct_tension` does."""
     lower, upper = specimen.bounds
     section = specimen.lattice.particles.envelope.section()
@@ -88,7 +78,7 @@ def tear_bonded(
         way=compliance * force, reach=REACH * compliance * force, ending=_TORN, traverses=math.nan, model=pulled,
         gauge=StrainGauge(Index(middle_half(specimen.lattice))), least=LEAST, records=RECORDS,
     )  # fmt: skip
-    return specimen.load(rig, traverses=traverses, out=out, progress=progress)
+    return specimen.load(rig, options)
 
 
 def _shortening(strains: Floats) -> Floats:

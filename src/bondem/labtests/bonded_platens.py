@@ -28,7 +28,7 @@ from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.fragment_contact import fragment_contact
-from bondem.labtests.quasi_static_rig import DENSITY, Rig, StrengthTest, load_rig
+from bondem.labtests.quasi_static_rig import Rig, RunOptions, StrengthTest, load_rig
 from bondem.model.model import Model
 from bondem.observables.breakage import failure_index
 from bondem.specimen.lattice import Lattice
@@ -110,7 +110,7 @@ class BondedSpecimen:
 
     @classmethod
     def of(
-        cls, test: str, lattice: Lattice, law: AnyLaw, failure: FailureAssignment, *, density: float | None,
+        cls, test: str, lattice: Lattice, law: AnyLaw, failure: FailureAssignment, *, density: float,
         contact: ContactLaw | None, faces: tuple[str, ...] = ("x_min", "x_max"),
     ) -> "BondedSpecimen":  # fmt: skip
         """Check the arguments of a test and create its specimen.
@@ -118,8 +118,7 @@ class BondedSpecimen:
         Raises:
             InputError: no criterion, a shape without the faces of the test, or arguments that a model rejects.
         """
-        rho = DENSITY if density is None else density
-        check(test, lattice, density=rho)
+        check(test, lattice, density=density)
         shape = lattice.particles.envelope
         missing = [name for name in faces if name not in shape.faces]
         if missing:
@@ -132,7 +131,7 @@ class BondedSpecimen:
                 f"labtests.{test}: failure = None; give a criterion such as bd.PeripheralStress(tension=...,"
                 " shear=...)"
             )
-        return cls(test, lattice, law, failure, rho, contact)
+        return cls(test, lattice, law, failure, density, contact)
 
     @cached_property
     def bare(self) -> Model:
@@ -314,34 +313,31 @@ class BondedSpecimen:
         found = max(max(a * largest, b * largest - c * least) for a, b, c in limits)
         return found if found > 0.0 else 1.0 / self.implied.weakest
 
-    def load(
-        self, rig: Rig, *, traverses: float | None, out: str | Path | None,
-        progress: Callable[[float], None] | None,
-    ) -> StrengthTest:  # fmt: skip
+    def load(self, rig: Rig, options: RunOptions) -> StrengthTest:
         """Load the specimen to failure, more slowly until the forces of both ends balance.
 
         Args:
             rig: loading of the specimen.
-            traverses: passes of sound until the expected peak [-]; None for 50, or 100 or 200 where the forces of
-                both ends do not balance: their difference has a root mean square above 0.02 of the peak.
-            out, progress: options of the test; a second attempt writes a file "NAME-100.h5" beside "NAME.h5".
+            options: options of the test. Without `traverses` these are 50, or 100 or 200 where the forces of both
+                ends do not balance: their difference has a root mean square above 0.02 of the peak. A second attempt
+                writes a file "NAME-100.h5" beside "NAME.h5".
 
         Warns:
             NotQuasistaticWarning: the forces of both ends do not balance.
             StrengthWarning: the load still rises at the limit of the motion.
         """
         sound = math.sqrt(self.implied.E / self.implied.density)
-        attempts = _TRAVERSES if traverses is None else (traverses,)
+        attempts = _TRAVERSES if options.traverses is None else (options.traverses,)
         found = None
         for k, slow in enumerate(attempts):
-            file = None if out is None else Path(out)
+            file = None if options.out is None else Path(options.out)
             if file is not None and k:
                 file = file.with_stem(f"{file.stem}-{slow:g}")
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", NotQuasistaticWarning)  # the balance of the ends decides here
                 found = load_rig(
                     self.test, self.lattice, replace(rig, traverses=slow), sound=sound,
-                    damping=LocalDamping(_DAMPING), G=self.G, out=file, progress=progress,
+                    damping=LocalDamping(_DAMPING), G=self.G, options=replace(options, out=file),
                 )  # fmt: skip
             if found.unbalance <= _BALANCE:
                 break

@@ -1,9 +1,7 @@
 """Bonded spheres in the Brazilian test: a disc with flats between plane platens, or a cylinder held in strips."""
 
 import math
-from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 
@@ -13,7 +11,7 @@ from bondem.boundary.gauges import Gauge, StrainGauge
 from bondem.errors import InputError
 from bondem.labtests.bonded_platens import LEAST, REACH, RECORDS, BondedSpecimen, Side
 from bondem.labtests.disc import WIDEST, Disc, centre_stress, flattened, middle_of_disc, require_disc, stamped
-from bondem.labtests.quasi_static_rig import Rig, StrengthTest
+from bondem.labtests.quasi_static_rig import Rig, RunOptions, StrengthTest
 from bondem.model.model import Model
 from bondem.observables.element_stress import element_stress
 from bondem.specimen.regions import Index
@@ -30,10 +28,8 @@ def split_bonded(
     *,
     half_angle: float | None,
     friction: float,
-    traverses: float | None,
     ending: float | None,
-    out: str | Path | None,
-    progress: Callable[[float], None] | None,
+    options: RunOptions,
 ) -> tuple[StrengthTest, float, float, float]:
     """Compress a disc of bonded spheres across y, as `brazilian` does.
 
@@ -70,7 +66,7 @@ def split_bonded(
         model=model, gauge=StrainGauge(middle_of_disc(specimen.lattice, disc)), strain=_strained, least=LEAST,
         records=RECORDS,
     )  # fmt: skip
-    test = specimen.load(rig, traverses=traverses, out=out, progress=progress)
+    test = specimen.load(rig, options)
     return test, centre, factor, angle
 
 

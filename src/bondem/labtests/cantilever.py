@@ -16,10 +16,9 @@ from bondem.boundary.conditions import Fix, Load
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.beam_tests import Bar, CrossSection
-from bondem.labtests.faces import ends, face_motion
+from bondem.labtests.faces import specimen_faces
 from bondem.labtests.gauge_length import AffineField, at_generators, curvature, middle_half, profile, twist_rate
 from bondem.labtests.outcome import Outcome
-from bondem.labtests.tension import paper_length
 from bondem.model.model import Model
 from bondem.observables.cell_stress import cell_stress
 from bondem.specimen.lattice import Lattice
@@ -82,12 +81,13 @@ class Cantilever:
         filled = section if gyration is None else section.filled(gyration, mass_gyration(lattice, density))
         held, loaded = (Face(name, depth).select(lattice) for name in ("x_min", "x_max"))
         face = float(envelope.face_centre("x_max")[0])
-        near, far = ends(lattice, depth)
+        faces = specimen_faces(lattice, depth)
+        near, far = faces.ends
         return cls(
             lattice=lattice,
             held=held,
             loaded=loaded,
-            paper=Bar(paper_length(lattice, depth), section, E, nu, rho),
+            paper=Bar(faces.paper_length, section, E, nu, rho),
             refined=Bar(far - near, filled, E, nu, rho),
             moving=Bar(face - near, filled, E, nu, rho),
             overhang=face - far,
@@ -114,7 +114,7 @@ class Cantilever:
         """Equilibrium under a force and a moment about x on x_max, and the motion of x_max [m, rad], (6,)."""
         model = self.model_under(law, depth, force, moment)
         solution = solve_static(model)
-        return solution, face_motion(model, solution, "x_max", depth)
+        return solution, specimen_faces(self.lattice, depth).motion(model, solution, "x_max")
 
     def profile(self, displacement: Floats, component: int) -> dict[str, Floats]:
         """Component of the rigid motion of the cross-sections along x, for figures."""
@@ -134,12 +134,10 @@ def mass_gyration(lattice: Lattice, density: float | PerElement = 1.0) -> Floats
         density: density of the elements [kg/m³], a number or (n,); a common factor cancels.
     """
     moving = lattice.connected
-    particles = lattice.particles
-    cells = lattice.cells
-    mass = (density * (particles.volume if cells is None else cells.volume))[moving]
+    mass = (density * lattice.element_volume)[moving]
     weight = mass / mass.sum()
     place = lattice.centre[moving, 1:]
-    own = 0.2 * weight @ particles.radius[moving] ** 2 if cells is None else weight @ cells.spread[moving, 1:]
+    own = lattice.elements.mean_spread(weight, moving)[1:]
     return weight @ place**2 - (weight @ place) ** 2 + own
 
 

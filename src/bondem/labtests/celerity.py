@@ -9,7 +9,7 @@ from bondem._progress import staged
 from bondem.errors import InputError
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.cantilever import Cantilever
-from bondem.labtests.faces import ends
+from bondem.labtests.faces import specimen_faces
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.wave import first_passage, strike
 from bondem.specimen.lattice import Lattice
@@ -77,7 +77,7 @@ def impact(
             " check E=, rho= and density=, or use a finer specimen"
         )
     arrival = first_passage(wave.time, wave.far, 0.5 * plateau)
-    path = ends(lattice, depth)[1] - float(lattice.particles.envelope.bounds[0][0])
+    path = specimen_faces(lattice, depth).ends[1] - float(lattice.particles.envelope.bounds[0][0])
     speed = bar.paper.wave_speed
     return Outcome(
         name="impact",

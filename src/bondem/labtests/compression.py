@@ -12,9 +12,9 @@ from bondem.labtests.arguments import AnyLaw
 from bondem.labtests.bonded_compression import compress_bonded
 from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
 from bondem.labtests.loading import Loading, load_to_failure
-from bondem.labtests.quasi_static_rig import Moduli, StrengthTest, softenings_of
+from bondem.labtests.quasi_static_rig import Moduli, RunOptions, StrengthTest, softenings_of
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.material import Material, constant
+from bondem.specimen.material import Material
 
 
 @staged("uniaxial compression")
@@ -74,7 +74,7 @@ def uniaxial_compression(
     """
     return compressed(
         "uniaxial_compression", body, law, failure, pressure=pressure, platen_friction=platen_friction,
-        density=density, contact=contact, traverses=traverses, reach=reach, out=out, progress=progress,
+        contact=contact, reach=reach, options=RunOptions.of(density, traverses, out, progress),
     )  # fmt: skip
 
 
@@ -86,28 +86,22 @@ def compressed(
     *,
     pressure: float,
     platen_friction: float,
-    density: float | Material | None,
     contact: ContactLaw | None,
-    traverses: float | None,
     reach: float | None,
-    out: str | Path | None,
-    progress: Callable[[float], None] | None,
+    options: RunOptions,
 ) -> StrengthTest:
     """Compress a specimen in the test of a given name; see `uniaxial_compression`."""
     owner = f"labtests.{test}"
-    density = constant("density", density)
     number(owner, "pressure", pressure, unit="Pa", least=0.0)
     rough = number(owner, "platen_friction", platen_friction, least=0.0)
-    for name, given in (("traverses", traverses), ("reach", reach)):
+    for name, given in (("traverses", options.traverses), ("reach", reach)):
         if given is not None:
             number(owner, name, given, above=0.0)
     if not is_cells(body, law):
-        specimen = BondedSpecimen.of(test, body, law, failure, density=density, contact=contact)
-        return compress_bonded(
-            specimen, pressure=pressure, friction=rough, traverses=traverses, reach=reach, out=out, progress=progress
-        )
+        specimen = BondedSpecimen.of(test, body, law, failure, density=options.density, contact=contact)
+        return compress_bonded(specimen, pressure=pressure, friction=rough, reach=reach, options=options)
     law = as_cells(test, law, contact)
-    moduli = Moduli.of(test, body, law, density)
+    moduli = Moduli.of(test, body, law, options.density)
     wanted = "bd.MohrCoulomb or bd.DruckerPrager with a fracture_energy"
     found = [one.slip for one in softenings_of(test, body, failure, wanted)]
     strengths = [slip.compressive(pressure) for slip in found if slip is not None]
@@ -115,6 +109,6 @@ def compressed(
         raise InputError(f"{owner}: the criterion has no shear strength; give {wanted}")
     loading = Loading(
         sign=-1.0, expected=min(strengths), reach=(reach or 2.0) * strengths[0] / moduli.soft, opening=0.0,
-        ending=0.5, pressure=pressure, traverses=traverses or 100.0, friction=rough,
+        ending=0.5, pressure=pressure, traverses=options.traverses or 100.0, friction=rough,
     )  # fmt: skip
-    return load_to_failure(test, body, law, failure, loading, density=density, out=out, progress=progress)
+    return load_to_failure(test, body, law, failure, loading, options)

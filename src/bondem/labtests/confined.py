@@ -13,7 +13,7 @@ from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.labtests.arguments import AnyLaw
 from bondem.labtests.compression import compressed
 from bondem.labtests.cracking import Cracking
-from bondem.labtests.quasi_static_rig import StrengthTest
+from bondem.labtests.quasi_static_rig import RunOptions, StrengthTest
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
@@ -126,7 +126,7 @@ def triaxial(
     advice = "a positive pressure; without one it is labtests.uniaxial_compression"
     around = number("labtests.triaxial", "pressure", pressure, unit="Pa", above=0.0, advice=advice)
     test = compressed(
-        "triaxial", body, law, failure, pressure=around, platen_friction=platen_friction, density=density,
-        contact=contact, traverses=traverses, reach=reach, out=out, progress=progress,
+        "triaxial", body, law, failure, pressure=around, platen_friction=platen_friction,
+        contact=contact, reach=reach, options=RunOptions.of(density, traverses, out, progress),
     )  # fmt: skip
     return TriaxialTest(test, around)

@@ -1,43 +1,165 @@
-"""Positions and motions of the end faces of a specimen, from elements of spheres or facets of cells."""
+"""Faces of a specimen as laboratory tests load and observe them: layers of spheres, or facets of cells.
+
+Spheres are loaded and held at their centres, cells at the walls of the body. The motion of a body of cells is
+therefore that of its surface; see `bondem.observables.surface_displacement`.
+"""
+
+import math
+from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import KDTree
 
-from bondem._types import Floats
+from bondem._types import Floats, Ints
+from bondem.geometry.face_patches import face_patches
 from bondem.labtests.gauge_length import rigid_motion
 from bondem.model.model import Model
 from bondem.observables.facet_loads import loads_on_facets
 from bondem.observables.surface_displacement import surface_displacement
+from bondem.specimen.elements import CellElements
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
 from bondem.statics.static import StaticResult
 
+# Size of the patches of the surface, over the mean radius.
+_PATCH = 0.5
 
-def face_motion(model: Model, solution: StaticResult, name: str, depth: float) -> Floats:
-    """Rigid motion of a face closest to its elements or, for cells, to its facets [m, rad], (6,).
 
-    Spheres are loaded and held at their centres, cells at the walls of the body. The motion of a body of cells is
-    therefore that of its surface; see `bondem.observables.surface_displacement`.
+@dataclass(frozen=True, eq=False)
+class SpecimenFaces:
+    """Faces of a specimen of spheres: the elements in a layer at each face; of cells in `WalledFaces`.
+
+    Attributes:
+        lattice: the specimen.
+        depth: depth of the layers, in mean radii [-].
     """
-    lattice = model.lattice
-    if lattice.cells is None:
-        chosen = Face(name, depth).select(lattice)
-        return rigid_motion(lattice.centre[chosen], solution.displacement[chosen])
-    free, found = lattice.cells.free, lattice.on_face(name)
-    return rigid_motion(free.centroid[found], surface(model, solution)[found], free.area[found])
 
+    lattice: Lattice
+    depth: float
 
-def surface(model: Model, solution: StaticResult) -> Floats:
-    """Displacements of the free facets of a body under the loads of the model [m], in the order of `cells.free`."""
-    assert model.lattice.cells is not None
-    traction = loads_on_facets(model) / model.lattice.cells.free.area[:, None]
-    return surface_displacement(model, solution.displacement, solution.rotation, traction=traction)
-
-
-def ends(lattice: Lattice, depth: float) -> tuple[float, float]:
-    """Positions x of the held and the loaded face [m]: mean centres of elements, or walls of a body of cells."""
-    if lattice.cells is not None:
-        lower, upper = (float(lattice.particles.envelope.face_centre(name)[0]) for name in ("x_min", "x_max"))
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Positions x of the faces x_min and x_max [m]: mean centres of elements, or walls of a body of cells."""
+        x = self.lattice.particles.position[:, 0]
+        lower, upper = (float(np.mean(x[self._select(name)])) for name in ("x_min", "x_max"))
         return lower, upper
-    x = lattice.particles.position[:, 0]
-    lower, upper = (float(np.mean(x[Face(name, depth).select(lattice)])) for name in ("x_min", "x_max"))
-    return lower, upper
+
+    @property
+    def paper_length(self) -> float:
+        """Length L_M of eq (12) with corrected sign [m], 2 R̄ + ⟨x⟩ of face x_max - ⟨x⟩ of face x_min.
+
+        For cells it is the length of the body.
+        """
+        first, last = self.ends
+        return last - first + 2.0 * self.lattice.particles.mean_radius
+
+    @property
+    def paper_radius(self) -> float:
+        """Radius R_M of eq (13) [m], R̄ + mean distance of the elements at "side" from the axis.
+
+        For cells it is the radius of the body.
+        """
+        particles, side = self.lattice.particles, self._select("side")
+        return float(particles.mean_radius + np.hypot(*particles.position[side, 1:].T).mean())
+
+    def side_distance(self, distance: Floats, share: Floats) -> float:
+        """Distance from the axis of what moves at "side" [m]: R_M, or the mean for cells.
+
+        A cylinder of cells is a prism, whose facets are nearer to the axis than the radius of its section.
+
+        Args:
+            distance: distances of the members of "side" from the axis [m], (k,).
+            share: weights of these members [-], (k,).
+        """
+        return self.paper_radius
+
+    def motion(self, model: Model, solution: StaticResult, name: str) -> Floats:
+        """Rigid motion of a face closest to its elements or, for cells, to its facets [m, rad], (6,)."""
+        chosen = self._select(name)
+        return rigid_motion(self.lattice.centre[chosen], solution.displacement[chosen])
+
+    def outside(
+        self, model: Model, solution: StaticResult
+    ) -> tuple[Floats, Floats, dict[str, tuple[Ints, Floats]]]:
+        """Positions and displacements of elements or facets, with the members of each face and their weights."""
+        sets = {name: self._select(name) for name in self._names}
+        even = {name: (found, np.full(len(found), 1.0 / len(found))) for name, found in sets.items()}
+        return self.lattice.centre, solution.displacement, even
+
+    @property
+    def patches(self) -> tuple[Ints, Floats, Floats]:
+        """Patches of the surface: the element of each, centres [m] and areas times outward normals [m²]."""
+        particles = self.lattice.particles
+        owners, centres, areas = [], [], []
+        for name in particles.envelope.faces:
+            centre, area = face_patches(particles.envelope, name, _PATCH * particles.mean_radius)
+            chosen = self._select(name)
+            owners.append(chosen[KDTree(particles.position[chosen]).query(centre)[1]])
+            centres.append(centre)
+            areas.append(area)
+        return np.concatenate(owners), np.concatenate(centres), np.concatenate(areas)
+
+    @property
+    def _names(self) -> list[str]:
+        return [name for name in ("x_min", "x_max", "side") if name in self.lattice.particles.envelope.faces]
+
+    def _select(self, name: str) -> Ints:
+        return Face(name, self.depth).select(self.lattice)
+
+
+@dataclass(frozen=True, eq=False)
+class WalledFaces(SpecimenFaces):
+    """Faces of a body of cells: the facets on its walls.
+
+    Attributes:
+        elements: cells of the body.
+    """
+
+    elements: CellElements
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        envelope = self.lattice.particles.envelope
+        lower, upper = (float(envelope.face_centre(name)[0]) for name in ("x_min", "x_max"))
+        return lower, upper
+
+    @property
+    def paper_length(self) -> float:
+        first, last = self.ends
+        return last - first
+
+    @property
+    def paper_radius(self) -> float:
+        return math.sqrt(self.lattice.particles.envelope.section() / math.pi)
+
+    def side_distance(self, distance: Floats, share: Floats) -> float:
+        return float(share @ distance)
+
+    def motion(self, model: Model, solution: StaticResult, name: str) -> Floats:
+        free, found = self.elements.cells.free, self.elements.on_face(name)
+        return rigid_motion(free.centroid[found], self._surface(model, solution)[found], free.area[found])
+
+    def outside(
+        self, model: Model, solution: StaticResult
+    ) -> tuple[Floats, Floats, dict[str, tuple[Ints, Floats]]]:
+        free = self.elements.cells.free
+        sets = {name: self.elements.on_face(name) for name in self._names}
+        by_area = {name: (found, free.area[found] / free.area[found].sum()) for name, found in sets.items()}
+        return free.centroid, self._surface(model, solution), by_area
+
+    @property
+    def patches(self) -> tuple[Ints, Floats, Floats]:
+        free = self.elements.cells.free
+        return free.cell, free.centroid, free.area[:, None] * free.normal
+
+    def _surface(self, model: Model, solution: StaticResult) -> Floats:
+        """Displacements of the free facets under the loads of the model [m], in the order of `cells.free`."""
+        traction = loads_on_facets(model) / self.elements.cells.free.area[:, None]
+        return surface_displacement(model, solution.displacement, solution.rotation, traction=traction)
+
+
+def specimen_faces(lattice: Lattice, depth: float = 0.02) -> SpecimenFaces:
+    """Return the faces of a specimen; `depth` of the layers of spheres is in mean radii [-]."""
+    if isinstance(lattice.elements, CellElements):
+        return WalledFaces(lattice, depth, lattice.elements)
+    return SpecimenFaces(lattice, depth)

@@ -24,11 +24,11 @@ from bondem.labtests.bonded_bending import bend_bonded
 from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
 from bondem.labtests.cracking import CRACKED, Cracking
 from bondem.labtests.line_probe import ligament_of
-from bondem.labtests.quasi_static_rig import DENSITY, check_traverses, require_cells, softening_of
+from bondem.labtests.quasi_static_rig import DENSITY, RunOptions, require_cells, softening_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.material import Material, constant
+from bondem.specimen.material import Material
 from bondem.specimen.regions import Face, Index, Region, Within
 from bondem.statics.quasistatic.load_response import MeasuringPoints
 from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult, solve_quasistatic
@@ -155,18 +155,18 @@ def three_point_bending(
                 "labtests.three_point_bending: strip and gauges are options of cells; leave them out for bonded"
                 " spheres"
             )
-        rho = constant("density", density)
-        return _bend_bonded(
-            BondedSpecimen.of("three_point_bending", body, law, failure, density=rho, contact=contact, faces=()),
-            span=span, friction=roller_friction, until=until, traverses=traverses, out=out, progress=progress,
-        )  # fmt: skip
+        options = RunOptions.of(density, traverses, out, progress)
+        specimen = BondedSpecimen.of(
+            "three_point_bending", body, law, failure, density=options.density, contact=contact, faces=()
+        )
+        return _bend_bonded(specimen, span=span, friction=roller_friction, until=until, options=options)
     if traverses is not None or out is not None or roller_friction:
         raise InputError(
             "labtests.three_point_bending: traverses, out and roller_friction are options of bonded spheres; leave"
             " them out for cells, which follow a path of equilibria under smooth strips"
         )
     law = as_cells("three_point_bending", law, contact)
-    matrix = require_cells("three_point_bending", body, law, None)
+    matrix = require_cells("three_point_bending", body, law)
     tensile = _tensile(failure)
     beam = _Beam.of(body, span, strip)
     top, loads = beam.rollers()
@@ -217,21 +217,17 @@ def _bend_bonded(
     span: float | None,
     friction: float,
     until: float,
-    traverses: float | None,
-    out: str | Path | None,
-    progress: Callable[[float], None] | None,
+    options: RunOptions,
 ) -> BendingTest:
     """Bend bonded spheres between rods."""
     owner = "labtests.three_point_bending"
     number(owner, "roller_friction", friction, least=0.0)
     number(owner, "until", until, above=0.0, below=1.0)
-    if traverses is not None:
-        check_traverses("three_point_bending", traverses)
+    options.check_traverses("three_point_bending")
     beam = _Beam.of(specimen.lattice, span, None)
     found = bend_bonded(
-        specimen, span=beam.span, ligament=beam.ligament, friction=friction, ending=until, traverses=traverses,
-        out=out, progress=progress,
-    )  # fmt: skip
+        specimen, span=beam.span, ligament=beam.ligament, friction=friction, ending=until, options=options
+    )
     test, law = found.test, specimen.law
     matrix = next(iter(law.values())) if isinstance(law, Mapping) else law
     curve = np.column_stack([found.deflection / beam.span, test.curve[:, 1]])
@@ -293,9 +289,7 @@ class _Beam:
             raise InputError(f"{owner}: {type(shape).__name__} is not a beam; use a bd.Box along x, plain or notched")
         lower, upper = shape.bounds
         length, depth, _ = (float(extent) for extent in upper - lower)
-        cells = body.cells
-        edge = 2.0 * body.particles.mean_radius if cells is None else float(np.mean(cells.volume)) ** (1.0 / 3.0)
-        usual = max(_STRIP * depth, _CELLS * edge)
+        usual = max(_STRIP * depth, _CELLS * body.elements.size)
         wide = usual if strip is None else number(owner, "strip", strip, unit="m", above=0.0)
         between = length - depth if span is None else number(owner, "span", span, unit="m", above=0.0)
         if not (between >= depth and between + wide <= length):
@@ -322,8 +316,7 @@ class _Beam:
 
     def _region(self, face: str, at: float) -> Region:
         """Cells whose mean facet position is within half a strip of a line."""
-        assert self.body.cells is not None
-        free, on = self.body.cells.free, self.body.on_face(face)
+        free, on = self.body.elements.require_cells().cells.free, self.body.on_face(face)
         cell, area, count = free.cell[on], free.area[on], len(self.body.particles)
         total = np.bincount(cell, weights=area, minlength=count)
         away = np.bincount(cell, weights=area * (free.centroid[on, 0] - at), minlength=count)
@@ -369,8 +362,8 @@ class _Beam:
         A cell at the mouth has a facet on a side of the notch and one on the bottom. Its edge is where the plane of
         the side meets the bottom, and its share of the width is the extent of the side facet along z.
         """
-        assert self.body.cells is not None
-        free, names, low = self.body.cells.free, self.body.particles.envelope.faces, float(self.lower[1])
+        free, names = self.body.elements.require_cells().cells.free, self.body.particles.envelope.faces
+        low = float(self.lower[1])
         walls = [k for k, name in enumerate(names) if name not in BOX_FACES]
         bottom = np.isin(free.cell, free.cell[self.body.on_face("y_min")])
         sides = np.flatnonzero(np.isin(free.face, walls) & (np.abs(free.normal[:, 0]) > _STEEP) & bottom)

@@ -1,8 +1,6 @@
 """Slow loading of a specimen of cells along x to failure, between smooth or rough platens."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
 from bondem.boundary.gauges import Gauge
@@ -10,7 +8,7 @@ from bondem.boundary.loads import Pressure
 from bondem.boundary.schedules import Ramp
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.interactions.cells.cell_constants import CellAssignment
-from bondem.labtests.quasi_static_rig import DENSITY, Moduli, Rig, StrengthTest, check_traverses, run_to_failure
+from bondem.labtests.quasi_static_rig import Moduli, Rig, RunOptions, StrengthTest, run_to_failure
 from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Face
@@ -47,10 +45,7 @@ def load_to_failure(
     law: CellAssignment,
     failure: FailureAssignment,
     loading: Loading,
-    *,
-    density: float | None,
-    out: str | Path | None,
-    progress: Callable[[float], None] | None,
+    options: RunOptions,
 ) -> StrengthTest:
     """Load a specimen slowly between platens until it has failed.
 
@@ -58,15 +53,15 @@ def load_to_failure(
         InputError: a lattice without cells, or a shape without faces x_min and x_max.
         UnstableRunError: the run became unstable.
     """
-    check_traverses(test, loading.traverses)
-    moduli = Moduli.of(test, body, law, density)
+    options.check_traverses(test)
+    moduli = Moduli.of(test, body, law, options.density)
     lower, upper = body.particles.envelope.bounds
     length = float(upper[0] - lower[0])
     section = body.particles.envelope.section()
 
     def pressed(speed: float, begin: float) -> Model:
         platens = _platens(body, loading, speed, begin)
-        return Model(body, law, DENSITY if density is None else density, failure=failure, boundary=platens)
+        return Model(body, law, options.density, failure=failure, boundary=platens)
 
     near, far = (Gauge(Face(name), "force") for name in ("x_min", "x_max"))
     rig = Rig(
@@ -75,7 +70,7 @@ def load_to_failure(
         reach=loading.reach * length + loading.opening, ending=loading.ending, traverses=loading.traverses,
         model=pressed,
     )  # fmt: skip
-    return run_to_failure(test, body, law, failure, rig, density=density, out=out, progress=progress)
+    return run_to_failure(test, body, law, failure, rig, options)
 
 
 def _platens(body: Lattice, loading: Loading, speed: float, begin: float) -> list[BoundaryCondition]:

@@ -27,15 +27,15 @@ from bondem.labtests.line_probe import walls_along
 from bondem.labtests.quasi_static_rig import (
     DENSITY,
     Rig,
+    RunOptions,
     StrengthTest,
-    check_traverses,
     require_cells,
     run_to_failure,
     softenings_of,
 )
 from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.material import Material, constant
+from bondem.specimen.material import Material
 from bondem.specimen.regions import Face, Index, Region
 from bondem.statics.static import solve_static
 
@@ -130,16 +130,14 @@ def shear(
         NotQuasistaticWarning: the forces of piston and plate on bonded spheres do not balance:
             `StrengthTest.unbalance` is above 0.02.
     """
-    density = constant("density", density)
-    owner = "labtests.shear"
-    if traverses is not None:
-        check_traverses("shear", traverses)
+    owner, options = "labtests.shear", RunOptions.of(density, traverses, out, progress)
+    options.check_traverses("shear")
     share = number(owner, "ending", ending, least=0.0, below=1.0)
     if not is_cells(body, law):
-        specimen = BondedSpecimen.of("shear", body, law, failure, density=density, contact=contact, faces=())
-        return _shear_bonded(specimen, ending=share, traverses=traverses, out=out, progress=progress)
+        specimen = BondedSpecimen.of("shear", body, law, failure, density=options.density, contact=contact, faces=())
+        return _shear_bonded(specimen, share, options)
     law = as_cells("shear", law, contact)
-    matrix = require_cells("shear", body, law, density)
+    matrix = require_cells("shear", body, law, options.density)
     found = softenings_of("shear", body, failure, "bd.MohrCoulomb with a fracture_energy")
     core = _Core.of(body)
     plate, piston = core.loaded(body)
@@ -151,7 +149,7 @@ def shear(
 
     def pushed(speed: float, begin: float) -> Model:
         sides = [Fix(plate, translation="x", rotation=""), Drive(piston, vx=Ramp(0.0, speed, begin))]
-        return Model(body, law, DENSITY if density is None else density, failure=failure, boundary=sides)
+        return Model(body, law, options.density, failure=failure, boundary=sides)
 
     rig = Rig(
         axis=0, sign=-1.0, near=(Gauge(plate, "force"),), far=(Gauge(piston, "force"),),
@@ -159,18 +157,11 @@ def shear(
         way=compliance * expected, reach=_REACH * compliance * strengths[0], ending=share,
         traverses=traverses or 60.0, model=pushed,
     )  # fmt: skip
-    test = run_to_failure("shear", body, law, failure, rig, density=density, out=out, progress=progress)
+    test = run_to_failure("shear", body, law, failure, rig, options)
     return replace(test, E=test.E * matrix.E * compliance / core.height)
 
 
-def _shear_bonded(
-    specimen: BondedSpecimen,
-    *,
-    ending: float,
-    traverses: float | None,
-    out: str | Path | None,
-    progress: Callable[[float], None] | None,
-) -> StrengthTest:
+def _shear_bonded(specimen: BondedSpecimen, ending: float, options: RunOptions) -> StrengthTest:
     """Push the core of bonded spheres out of its ring by a disc, against a plate with a hole."""
     core = _Core.of(specimen.lattice)
     lower, upper = specimen.bounds
@@ -190,7 +181,7 @@ def _shear_bonded(
         way=compliance * force, reach=REACH * compliance * force, ending=ending, traverses=math.nan, model=model,
         least=LEAST, records=RECORDS,
     )  # fmt: skip
-    return replace(specimen.load(rig, traverses=traverses, out=out, progress=progress), E=math.nan)
+    return replace(specimen.load(rig, options), E=math.nan)
 
 
 @dataclass(frozen=True, eq=False)
@@ -267,9 +258,8 @@ def _no_borings() -> InputError:
 
 def _on_face(body: Lattice, name: str) -> tuple[Ints, Floats]:
     """Cells of an end and their distances from the axis [m]."""
-    assert body.cells is not None
     lower, upper = body.particles.envelope.bounds
-    free, on = body.cells.free, body.on_face(name)
+    free, on = body.elements.require_cells().cells.free, body.on_face(name)
     y, z = (free.centroid[on, axis] - 0.5 * (lower + upper)[axis] for axis in (1, 2))
     count = len(body.particles)
     area = np.bincount(free.cell[on], weights=free.area[on], minlength=count)

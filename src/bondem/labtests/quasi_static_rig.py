@@ -27,6 +27,7 @@ from bondem.labtests.recorded_run import run_test, step_of
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material, constant
 
 # Share of critical damping of the first axial vibration; brings broken parts to rest.
 _DAMPING = 0.05
@@ -203,7 +204,7 @@ class Moduli:
     sound: float
 
     @classmethod
-    def of(cls, test: str, body: Lattice, law: CellAssignment, density: float | None) -> "Moduli":
+    def of(cls, test: str, body: Lattice, law: CellAssignment, density: float) -> "Moduli":
         """Compute the averages of a body; `require_cells` lists the errors."""
         matrix = require_cells(test, body, law, density)
         if not isinstance(law, Mapping):
@@ -216,7 +217,38 @@ class Moduli:
         return cls(float(share @ E), float(1.0 / (share @ (1.0 / E))), float((share @ E**-0.5) ** -2.0))
 
 
-def require_cells(test: str, body: Lattice, law: object, density: float | None) -> CellBond:
+@dataclass(frozen=True)
+class RunOptions:
+    """Options that tests to failure share.
+
+    Attributes:
+        density: density of the material [kg/m³].
+        traverses: passes of sound until the expected peak [-]; None for the usual number of a test.
+        out: run file from which a test continues; None for no file.
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
+    """
+
+    density: float
+    traverses: float | None
+    out: str | Path | None
+    progress: Callable[[float], None] | None
+
+    @classmethod
+    def of(
+        cls, density: float | Material | None, traverses: float | None, out: str | Path | None,
+        progress: Callable[[float], None] | None,
+    ) -> "RunOptions":  # fmt: skip
+        """Return the options of a test; the density is `DENSITY` unless given."""
+        given = constant("density", density)
+        return cls(DENSITY if given is None else given, traverses, out, progress)
+
+    def check_traverses(self, test: str) -> None:
+        """Raise InputError for less than one pass of sound."""
+        if self.traverses is not None:
+            number(f"labtests.{test}", "traverses", self.traverses, least=1.0, advice="a number of at least 1")
+
+
+def require_cells(test: str, body: Lattice, law: object, density: float = DENSITY) -> CellBond:
     """Check a body of cells, its law and a density.
 
     Returns:
@@ -225,13 +257,12 @@ def require_cells(test: str, body: Lattice, law: object, density: float | None) 
     Raises:
         InputError: a lattice without cells, another law, or a density that is not positive.
     """
-    check(test, body, density=DENSITY if density is None else density)
+    check(test, body, density=density)
     matrix = _first(law)
-    if not isinstance(matrix, CellBond) or body.cells is None:
-        raise InputError(
-            f"labtests.{test}: the lattice or its law is not of cells; connect with method='laguerre' and give"
-            " bd.CellBond"
-        )
+    refusal = f"labtests.{test}: the lattice or its law is not of cells; connect with method='laguerre' and give"
+    body.elements.require_cells(f"{refusal} bd.CellBond")
+    if not isinstance(matrix, CellBond):
+        raise InputError(f"{refusal} bd.CellBond")
     return matrix
 
 
@@ -240,27 +271,19 @@ def _first(given: object) -> object:
     return next(iter(given.values()), None) if isinstance(given, Mapping) else given
 
 
-def check_traverses(test: str, traverses: float) -> None:
-    """Raise InputError for less than one pass of sound."""
-    number(f"labtests.{test}", "traverses", traverses, least=1.0, advice="a number of at least 1")
-
-
 def run_to_failure(
     test: str,
     body: Lattice,
     law: CellAssignment,
     failure: FailureAssignment,
     rig: Rig,
-    *,
-    density: float | None,
-    out: str | Path | None,
-    progress: Callable[[float], None] | None,
+    options: RunOptions,
 ) -> StrengthTest:
     """Load a body of cells slowly until it has failed; `run_test` lists the errors."""
-    sound = math.sqrt(Moduli.of(test, body, law, density).sound / (DENSITY if density is None else density))
+    sound = math.sqrt(Moduli.of(test, body, law, options.density).sound / options.density)
     damping = MassDamping(alpha=2.0 * _DAMPING * math.pi * sound / rig.size)
     G = softening_of(test, failure, "a criterion with its fracture_energy").fracture_energy
-    return load_rig(test, body, rig, sound=sound, damping=damping, G=G, out=out, progress=progress)
+    return load_rig(test, body, rig, sound=sound, damping=damping, G=G, options=options)
 
 
 def load_rig(
@@ -271,8 +294,7 @@ def load_rig(
     sound: float,
     damping: AnyDamping,
     G: float,
-    out: str | Path | None,
-    progress: Callable[[float], None] | None,
+    options: RunOptions,
 ) -> StrengthTest:
     """Load a specimen in a rig until it has failed; `run_test` lists the errors.
 
@@ -283,7 +305,7 @@ def load_rig(
         sound: speed of sound [m/s].
         damping: damping of the run.
         G: fracture energy G_f of the material [J/m²]; NaN for brittle bonds, which have none.
-        out, progress: options of the test.
+        options: run file and progress.
     """
     rise = rig.traverses * rig.size / sound  # time until the expected peak
     speed = rig.sign * rig.way / rise
@@ -294,7 +316,7 @@ def load_rig(
     every = max(1, round(duration / rig.records / dt))
     found = run_test(
         test, model, lambda run: _read(run, body, rig, speed, begin, G), duration=duration, dt=dt, every=every,
-        out=out, damping=damping, until=rig.end, gauges=rig.gauges, progress=progress,
+        out=options.out, damping=damping, until=rig.end, gauges=rig.gauges, progress=options.progress,
     )  # fmt: skip
     found.cracking.warn(test)
     return found

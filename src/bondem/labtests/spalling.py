@@ -249,12 +249,11 @@ def _measures(bar: Lattice) -> tuple[float, float]:
 
 
 def _profile(bar: Lattice, state: State, length: float, section: float, bins: int | None) -> tuple[Floats, Floats]:
-    assert bar.facets is not None
-    assert bar.cells is not None
+    facets = bar.elements.require_cells().facets
     if bins is None:
-        bins = max(1, round(length / (_BIN * float(np.cbrt(bar.cells.volume.mean())))))
+        bins = max(1, round(length / (_BIN * float(np.cbrt(bar.element_volume.mean())))))
     broken = np.flatnonzero(state.bond_integrity < _BROKEN)
-    place = float(bar.particles.envelope.bounds[1][0]) - bar.facets.centroid[broken, 0]
-    area = bar.facets.area[broken] * np.abs(bar.facets.normal[broken, 0])
+    place = float(bar.particles.envelope.bounds[1][0]) - facets.centroid[broken, 0]
+    area = facets.area[broken] * np.abs(facets.normal[broken, 0])
     found, edges = np.histogram(place, bins, range=(0.0, length), weights=area)
     return edges, found / section

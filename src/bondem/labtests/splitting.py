@@ -27,8 +27,8 @@ from bondem.labtests.disc import WIDEST, Disc, centre_stress, flattened, middle_
 from bondem.labtests.quasi_static_rig import (
     DENSITY,
     Rig,
+    RunOptions,
     StrengthTest,
-    check_traverses,
     require_cells,
     run_to_failure,
     softenings_of,
@@ -37,7 +37,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.cell_stress import cell_stress
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.material import Material, constant
+from bondem.specimen.material import Material
 from bondem.specimen.regions import Face, Index, Region
 from bondem.statics.static import solve_static
 
@@ -170,21 +170,19 @@ def brazilian(
 
     Reference: ISRM, Int. J. Rock Mech. Min. Sci. 15 (1978) 99–103; Wang et al., ibid. 41 (2004) 245–253.
     """
-    density = constant("density", density)
-    owner = "labtests.brazilian"
-    if traverses is not None:
-        check_traverses("brazilian", traverses)
+    owner, options = "labtests.brazilian", RunOptions.of(density, traverses, out, progress)
+    options.check_traverses("brazilian")
     share = None if ending is None else number(owner, "ending", ending, least=0.0, below=1.0)
     rough = number(owner, "platen_friction", platen_friction, least=0.0) or None
     if not is_cells(body, law):
-        specimen = BondedSpecimen.of("brazilian", body, law, failure, density=density, contact=contact, faces=())
+        rho = options.density
+        specimen = BondedSpecimen.of("brazilian", body, law, failure, density=rho, contact=contact, faces=())
         test, centre, factor, angle = split_bonded(
-            specimen, half_angle=half_angle, friction=rough or 0.0, traverses=traverses, ending=share, out=out,
-            progress=progress,
-        )  # fmt: skip
+            specimen, half_angle=half_angle, friction=rough or 0.0, ending=share, options=options
+        )
         return BrazilianTest(test=test, centre=centre, factor=factor, half_angle=angle)
     law = as_cells("brazilian", law, contact)
-    matrix = require_cells("brazilian", body, law, density)
+    matrix = require_cells("brazilian", body, law, options.density)
     found = softenings_of("brazilian", body, failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
     strengths = [strength for strength in map(splitting_strength, found) if math.isfinite(strength)]
     expected = min(strengths, default=math.inf)
@@ -201,7 +199,7 @@ def brazilian(
     def pressed(speed: float, begin: float) -> Model:
         pairs = (jaws.top, 0.5 * speed), (jaws.bottom, -0.5 * speed)
         platens = [Drive(jaw, vy=Ramp(0.0, each, begin), friction=rough) for jaw, each in pairs]
-        return Model(body, law, DENSITY if density is None else density, failure=failure, boundary=platens)
+        return Model(body, law, options.density, failure=failure, boundary=platens)
 
     near, far = (Gauge(jaw, "force") for jaw in (jaws.bottom, jaws.top))
     rig = Rig(
@@ -210,7 +208,7 @@ def brazilian(
         reach=reach, ending=0.9 if share is None else share, traverses=traverses or 100.0, model=pressed,
         gauge=StrainGauge(middle_of_disc(body, disc)), strain=_strained(matrix.nu),
     )  # fmt: skip
-    test = run_to_failure("brazilian", body, law, failure, rig, density=density, out=out, progress=progress)
+    test = run_to_failure("brazilian", body, law, failure, rig, options)
     return BrazilianTest(test=test, centre=centre, factor=jaws.factor, half_angle=jaws.half_angle)
 
 
@@ -249,7 +247,6 @@ class _Jaws:
             InputError: neither exists, or an angle is out of range.
         """
         disc = require_disc(body)
-        assert body.cells is not None
         if disc.flat is not None:
             if half_angle is not None:
                 raise InputError(
@@ -257,9 +254,8 @@ class _Jaws:
                     " flats"
                 )
             return cls(Face("top"), Face("bottom"), disc, disc.flat, flattened(disc.flat))
-        edge = float(np.mean(body.cells.volume)) ** (1.0 / 3.0)
         if half_angle is None:
-            half_angle = max(_STRIP, math.asin(min(_CELLS * edge / (0.5 * disc.diameter), 1.0)))
+            half_angle = max(_STRIP, math.asin(min(_CELLS * body.elements.size / (0.5 * disc.diameter), 1.0)))
         advice = f"half an angle in (0, {WIDEST:.3g}) rad; finer cells allow for narrow strips"
         angle = number("labtests.brazilian", "half_angle", half_angle, above=0.0, below=WIDEST, advice=advice)
         top, bottom = (_strip(body, disc.middle, sign, angle) for sign in (1.0, -1.0))
@@ -268,8 +264,7 @@ class _Jaws:
 
 def _strip(body: Lattice, middle: Floats, sign: float, half_angle: float) -> Region:
     """Cells of the side whose mean facet position is within an angle from ±y."""
-    assert body.cells is not None
-    free, on = body.cells.free, body.on_face("side")
+    free, on = body.elements.require_cells().cells.free, body.on_face("side")
     cell, area, count = free.cell[on], free.area[on], len(body.particles)
     total = np.bincount(cell, weights=area, minlength=count)
     y, z = (
@@ -298,9 +293,8 @@ def _elastic(body: Lattice, law: CellAssignment, jaws: _Jaws) -> tuple[float, fl
     static = solve_static(model)
     pressed = [float(static.reaction[jaw.select(body), 1].sum()) for jaw in (jaws.bottom, jaws.top)]
     stress = (pressed[0] - pressed[1]) / (math.pi * jaws.disc.diameter * jaws.disc.thickness)
-    assert body.cells is not None
     across = cell_stress(model, static)[:, 2, 2]
-    return closing / stress, centre_stress(position, body.cells.volume, across, jaws.disc) / stress
+    return closing / stress, centre_stress(position, body.element_volume, across, jaws.disc) / stress
 
 
 def _strained(nu: float) -> Callable[[Floats], Floats]:

@@ -10,9 +10,9 @@ from bondem.labtests.arguments import AnyLaw
 from bondem.labtests.bonded_compression import tear_bonded
 from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
 from bondem.labtests.loading import Loading, load_to_failure
-from bondem.labtests.quasi_static_rig import Moduli, StrengthTest, check_traverses, softenings_of
+from bondem.labtests.quasi_static_rig import Moduli, RunOptions, StrengthTest, softenings_of
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.material import Material, constant
+from bondem.specimen.material import Material
 
 
 @staged("direct tension")
@@ -58,14 +58,13 @@ def direct_tension(
         NotQuasistaticWarning: the forces on both ends of bonded spheres do not balance:
             `StrengthTest.unbalance` is above 0.02.
     """
-    density = constant("density", density)
-    if traverses is not None:
-        check_traverses("direct_tension", traverses)
+    options = RunOptions.of(density, traverses, out, progress)
+    options.check_traverses("direct_tension")
     if not is_cells(body, law):
-        specimen = BondedSpecimen.of("direct_tension", body, law, failure, density=density, contact=contact)
-        return tear_bonded(specimen, traverses=traverses, out=out, progress=progress)
+        specimen = BondedSpecimen.of("direct_tension", body, law, failure, density=options.density, contact=contact)
+        return tear_bonded(specimen, options)
     law = as_cells("direct_tension", law, contact)
-    moduli = Moduli.of("direct_tension", body, law, density)
+    moduli = Moduli.of("direct_tension", body, law, options.density)
     found = softenings_of("direct_tension", body, failure, "bd.Rankine, or bd.MohrCoulomb with a fracture_energy")
     weakest = min(found, key=lambda one: one.tension)
     opening = max(one.last * one.fracture_energy / one.tension for one in (found[0], weakest))
@@ -73,4 +72,4 @@ def direct_tension(
         sign=1.0, expected=weakest.tension, reach=1.3 * found[0].tension / moduli.soft, opening=1.5 * opening,
         ending=0.002, pressure=0.0, traverses=traverses or 60.0,
     )  # fmt: skip
-    return load_to_failure("direct_tension", body, law, failure, loading, density=density, out=out, progress=progress)
+    return load_to_failure("direct_tension", body, law, failure, loading, options)

@@ -9,12 +9,12 @@ import numpy as np
 from bondem._drawing import Plotted, columns_of
 from bondem._names import users_line
 from bondem._progress import staged
-from bondem._types import Floats, Ints
+from bondem._types import Floats
 from bondem.boundary.conditions import Load
 from bondem.errors import ShortSpecimenWarning
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.labtests.arguments import AnyLaw, check
-from bondem.labtests.faces import ends, surface
+from bondem.labtests.faces import specimen_faces
 from bondem.labtests.gauge_length import AffineField, at_generators, middle_half
 from bondem.model.model import Model
 from bondem.observables.cell_stress import cell_stress
@@ -157,12 +157,11 @@ def force_gyration(model: Model, solution: StaticResult) -> Floats:
 
 def _stress_gyration(model: Model, solution: StaticResult) -> Floats:
     body = model.lattice
-    assert body.cells is not None
-    chosen = middle_half(body)
-    weight = (cell_stress(model, solution)[:, 0, 0] * body.cells.volume)[chosen]
+    cells, chosen = body.elements.require_cells().cells, middle_half(body)
+    weight = (cell_stress(model, solution)[:, 0, 0] * cells.volume)[chosen]
     weight /= weight.sum()
     place = body.centre[chosen, 1:]
-    return weight @ (place**2 + body.cells.spread[chosen, 1:]) - (weight @ place) ** 2
+    return weight @ (place**2 + cells.spread[chosen, 1:]) - (weight @ place) ** 2
 
 
 def static_bond_forces(model: Model, solution: StaticResult) -> Floats:
@@ -171,60 +170,24 @@ def static_bond_forces(model: Model, solution: StaticResult) -> Floats:
     return BondStrain.of(model.lattice, k.lever, solution.displacement, solution.rotation).forces(k)
 
 
-def paper_length(lattice: Lattice, depth: float = 0.02) -> float:
-    """Length L_M of eq (12) with corrected sign [m], 2 R̄ + ⟨x⟩ of face x_max - ⟨x⟩ of face x_min.
-
-    For cells it is the length of the body.
-    """
-    first, last = ends(lattice, depth)
-    return last - first + (2.0 * lattice.particles.mean_radius if lattice.cells is None else 0.0)
-
-
-def paper_radius(lattice: Lattice, depth: float = 0.02) -> float:
-    """Radius R_M of eq (13) [m], R̄ + mean distance of the elements at "side" from the axis.
-
-    For cells it is the radius of the body.
-    """
-    if lattice.cells is not None:
-        return math.sqrt(lattice.particles.envelope.section() / math.pi)
-    side = Face("side", depth).select(lattice)
-    return float(lattice.particles.mean_radius + np.hypot(*lattice.particles.position[side, 1:].T).mean())
-
-
 def _paper_moduli(
     model: Model, solution: StaticResult, field: AffineField, force: float, depth: float
 ) -> tuple[float, float | None]:
     """Moduli E_M and ν_M of eqs (12)-(15) without rigid motion; for cells from the motion of the surface."""
     lattice = model.lattice
-    place, displacement, outside = _outside(model, solution, depth)
+    faces = specimen_faces(lattice, depth)
+    place, displacement, outside = faces.outside(model, solution)
     moved = field.without_rigid_motion(place, displacement)
     first, last = (outside[name][1] @ moved[outside[name][0], 0] for name in ("x_min", "x_max"))
-    strain = float((last - first) / paper_length(lattice, depth))
+    strain = float((last - first) / faces.paper_length)
     envelope = lattice.particles.envelope
     if "side" not in envelope.faces:
         return force / envelope.section() / strain, None
     side, share = outside["side"]
     y, z = place[side, 1:].T
     distance = np.hypot(y, z)
-    radius = paper_radius(lattice, depth)
+    radius = faces.paper_radius
     outward = np.stack([y, z], axis=1) / np.where(distance > 0.0, distance, 1.0)[:, None]
     swell = float(share @ (outward * moved[side, 1:]).sum(axis=1))
-    # a cylinder of cells is a prism, whose facets are nearer to the axis than the radius of its section
-    reach = radius if lattice.cells is None else float(share @ distance)
+    reach = faces.side_distance(distance, share)
     return force / (math.pi * radius**2) / strain, -swell / reach / strain
-
-
-def _outside(
-    model: Model, solution: StaticResult, depth: float
-) -> tuple[Floats, Floats, dict[str, tuple[Ints, Floats]]]:
-    """Positions and displacements of elements or facets, with the members of each face and their weights."""
-    lattice = model.lattice
-    names = [name for name in ("x_min", "x_max", "side") if name in lattice.particles.envelope.faces]
-    if lattice.cells is None:
-        sets = {name: Face(name, depth).select(lattice) for name in names}
-        even = {name: (found, np.full(len(found), 1.0 / len(found))) for name, found in sets.items()}
-        return lattice.centre, solution.displacement, even
-    free = lattice.cells.free
-    sets = {name: lattice.on_face(name) for name in names}
-    by_area = {name: (found, free.area[found] / free.area[found].sum()) for name, found in sets.items()}
-    return free.centroid, surface(model, solution), by_area

@@ -3,24 +3,19 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import KDTree
 
 from bondem._checks import choice
 from bondem._progress import staged
 from bondem._types import Axis, Floats, PerElement6
 from bondem.boundary.balanced_forces import balanced_forces
 from bondem.errors import InputError
-from bondem.geometry.face_patches import face_patches
 from bondem.labtests.arguments import AnyLaw, check
+from bondem.labtests.faces import specimen_faces
 from bondem.labtests.gauge_length import AffineField, at_generators
 from bondem.labtests.isotropic import VOIGT, StiffnessResult
 from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.regions import Face
 from bondem.statics.static import Statics
-
-# Size of the patches of the surface, over the mean radius.
-_PATCH = 0.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +71,7 @@ def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> Uni
     if not lattice.particles.envelope.faces:
         raise InputError("uniform_stress: a periodic cell has no surface to load; use bd.bulk_moduli")
     statics = Statics(Model(lattice, law, 1.0))  # statics do not depend on the density
-    owner, centre, area = _surface(lattice, depth)
+    owner, centre, area = specimen_faces(lattice, depth).patches
     moving = np.flatnonzero(lattice.connected)
     strain = np.empty((6, 6))
     for column, (a, b) in enumerate(VOIGT):
@@ -90,22 +85,6 @@ def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> Uni
         strain[:, column] = [mean[i, j] * (1.0 if i == j else 2.0) for i, j in VOIGT]
     asymmetry = np.abs(strain - strain.T).max() / np.abs(strain).max()
     return UniformStress(0.5 * (strain + strain.T), float(asymmetry))
-
-
-def _surface(lattice: Lattice, depth: float) -> tuple[np.ndarray, Floats, Floats]:
-    """Patches of the surface: the element of each, centres [m] and areas times outward normals [m²]."""
-    if lattice.cells is not None:
-        free = lattice.cells.free
-        return free.cell, free.centroid, free.area[:, None] * free.normal
-    particles = lattice.particles
-    owners, centres, areas = [], [], []
-    for name in particles.envelope.faces:
-        centre, area = face_patches(particles.envelope, name, _PATCH * particles.mean_radius)
-        chosen = Face(name, depth).select(lattice)
-        owners.append(chosen[KDTree(particles.position[chosen]).query(centre)[1]])
-        centres.append(centre)
-        areas.append(area)
-    return np.concatenate(owners), np.concatenate(centres), np.concatenate(areas)
 
 
 def _nodal(lattice: Lattice, owner: np.ndarray, centre: Floats, force: Floats) -> PerElement6:

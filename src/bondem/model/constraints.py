@@ -303,11 +303,10 @@ def _couple(condition: Load | Pressure, lattice: Lattice, layout: Layout, schedu
 def _follows(condition: Load | Pressure, body: Lattice) -> bool:
     if not isinstance(condition, Pressure) or not condition.follows:
         return False
-    if body.cells is None:
-        raise InputError(
-            "Pressure(follows=True) rotates with facets, which bonded spheres lack; connect them with"
-            " method='laguerre', or leave out follows="
-        )
+    body.elements.require_cells(
+        "Pressure(follows=True) rotates with facets, which bonded spheres lack; connect them with"
+        " method='laguerre', or leave out follows="
+    )
     return True
 
 

@@ -97,7 +97,7 @@ def element_stress(model: Model, result: SmallMotion | State) -> ElementStress:
     i, j = lattice.pairs.T
     between = lattice.particles.nearest(centre[j] - centre[i])
     share = (model.stiffness.lever / lattice.length)[:, None]
-    volume = _volumes(lattice)
+    volume = lattice.elements.tributary_volume
     stress, couple = np.zeros((len(volume), 3, 3)), np.zeros((len(volume), 3, 3))
     for end, arm, force, moment in (
         (i, share * between, -found.force, found.moment_i), (j, (share - 1.0) * between, found.force, found.moment_j),
@@ -107,15 +107,3 @@ def element_stress(model: Model, result: SmallMotion | State) -> ElementStress:
     return ElementStress(
         lattice, stress / volume[:, None, None], couple / volume[:, None, None], volume, np.array(centre)
     )
-
-
-def _volumes(lattice: Lattice) -> PerElement:
-    """Return the share of each element in the volume of the shape of its body [m³], (n,)."""
-    if lattice.cells is not None:
-        return lattice.cells.volume
-    spheres = lattice.particles.volume
-    shares = np.empty(len(spheres))
-    for k in range(len(lattice.names)):
-        own = lattice.body == k
-        shares[own] = spheres[own] * (lattice.envelope(k).volume / spheres[own].sum())
-    return shares

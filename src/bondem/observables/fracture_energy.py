@@ -57,7 +57,7 @@ class FractureEnergy:
 
 def areas_of(lattice: Lattice, stiffness: BondStiffness) -> PerBond:
     """Return the areas of facets in the reference, or of the sections of bonds [m²], user's order, (m,)."""
-    return lattice.facets.area if lattice.facets is not None else np.pi * stiffness.radius**2
+    return lattice.elements.bond_area(stiffness.radius)
 
 
 def fracture_energies(state: State) -> tuple[FractureEnergy, ...]:

@@ -27,8 +27,7 @@ def draw_body(path: Path, body: Lattice) -> None:
         path: PNG to write.
         body: lattice of cells.
     """
-    assert body.cells is not None
-    size = np.cbrt(body.cells.volume / body.cells.volume.mean())
+    size = body.elements.relative_size
     norm = Normalize(float(size.min()), float(size.max()))
     lower, upper = body.particles.envelope.bounds
     middle = 0.5 * (lower + upper)

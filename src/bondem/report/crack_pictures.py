@@ -9,7 +9,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize
 
-from bondem._types import Floats, PerElement3
+from bondem._types import Floats, Mask, PerElement3
 from bondem.fracture.cracks import Cracks
 from bondem.fracture.fragments import Fragments
 from bondem.geometry.rotations import turned_vectors
@@ -56,12 +56,33 @@ def draw_fragments(
         view: direction of view.
         reach: magnification of displacements [-].
     """
+    motion = state.displacement, state.orientation
+    draw_elements(ax, body, piece_colours(pieces), motion, view=view, reach=reach, piece=pieces.label)
+
+
+def draw_elements(
+    ax: Axes, body: Lattice, colour: Floats, motion: tuple[Floats, Floats], *, view: View, reach: float,
+    shown: Mask | None = None, piece: np.ndarray | None = None,
+) -> None:  # fmt: skip
+    """Draw cells as polyhedra, or elements as spheres, with magnified motion.
+
+    Args:
+        ax: axes to draw on, in mm.
+        body: lattice of cells or of bonded spheres.
+        colour: red, green and blue of each element, in 0 … 1, (n, 3).
+        motion: displacements [m], (n, 3), and orientations of the elements, (n, 4).
+        view: direction of view.
+        reach: magnification of displacements [-].
+        shown: mask of the drawn elements, (n,); None for all.
+        piece: number of the fragment of each cell, (n,); None for a whole body.
+    """
+    displacement, orientation = motion
     if body.cells is None:
-        draw_spheres(ax, body, piece_colours(pieces), view=view, moved=reach * state.displacement)
+        draw_spheres(ax, body, colour, view=view, moved=reach * displacement, shown=shown)
         return
     solid = polyhedra(body)
-    moved = corners_moved(solid, body, state.displacement, state.orientation, reach)
-    draw_cells(ax, solid, piece_colours(pieces), view=view, moved=moved, piece=pieces.label)
+    moved = corners_moved(solid, body, displacement, orientation, reach)
+    draw_cells(ax, solid, colour, view=view, moved=moved, shown=shown, piece=piece)
 
 
 def piece_colours(pieces: Fragments) -> Floats:

@@ -19,6 +19,8 @@ _KINDS = (
     ("torsion", "dynamic_torsion", 3, PURPLE),
     ("tension", "dynamic_tension", 0, BLUE),
 )
+# What the velocity of the struck face is of: the wall of a body of cells is held, and the cells behind it are sprung.
+_STRUCK = {"spheres": "struck face, held", "cells": "cells behind the struck face"}
 _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
 
 
@@ -110,8 +112,7 @@ def draw_wave(path: Path, specimen: Examined) -> None:
     time = curves["time"] * 1e6
     arrival, plateau = float(curves["arrival"]) * 1e6, float(curves["plateau"])
     expected = arrival * outcome.measured / outcome.theory
-    # of a body of cells the wall is held, and the cells behind it are sprung
-    struck = "struck face, held" if specimen.lattice.cells is None else "cells behind the struck face"
+    struck = _STRUCK[specimen.lattice.elements.shape_name]
     with sheet(path, 8.2, 4.4 if for_phones() else 3.1) as (figure, ax):
         ax.plot(time, curves["near"], color=GREY, label=struck)
         ax.plot(time, curves["far"], color=BLUE, label="far face")

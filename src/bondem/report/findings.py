@@ -66,12 +66,12 @@ class Examined:
     @cached_property
     def layering(self) -> Mapping[str, Layering]:
         """Effect of each wall on the packing; empty for a periodic cell and for a body of cells."""
-        return {} if self.lattice.cells is not None else wall_layering(self.lattice.particles)
+        return {} if self.quality is None else wall_layering(self.lattice.particles)
 
     @cached_property
     def distribution(self) -> RadialDistribution | None:
         """Radial distribution of the centres; None for cells, or if too few elements are away from the walls."""
-        if self.lattice.cells is not None:
+        if self.quality is None:
             return None
         try:
             return radial_distribution(self.lattice.particles)

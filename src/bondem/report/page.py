@@ -50,6 +50,8 @@ from bondem.report.turning_cells import turning_cells_of
 
 #: Folder of the figures for phones within that of the figures.
 PHONE = "phone"
+# Figures of the specimen by the shape of its elements.
+_SPECIMENS = {"spheres": draw_specimen, "cells": draw_body}
 # Width of a figure that fills the page, 8.2 inches [pixels].
 _PAGE = 1804
 
@@ -140,7 +142,7 @@ def drawings_of(findings: Findings) -> dict[str, Callable[[Path], None]]:
     """Functions that draw the figures for which a study has data; the first packing represents all."""
     first = findings.specimens[0]
     drawings: dict[str, Callable[[Path], None]] = {
-        "specimen": lambda path: (draw_specimen if first.lattice.cells is None else draw_body)(path, first.lattice),
+        "specimen": lambda path: _SPECIMENS[first.lattice.elements.shape_name](path, first.lattice),
     }
     quality = first.quality
     if quality is not None:

@@ -81,22 +81,14 @@ def draw_lattice(
         if values is None and bodies > 1:
             _body(ax, lattice, piece_palette(bodies)[lattice.body], eye)
         else:
-            shown_as = _sizes(lattice) if values is None else _given(lattice, values)
+            shown_as = lattice.elements.relative_size if values is None else _given(lattice, values)
             scale = Normalize(float(np.nanmin(shown_as)), float(np.nanmax(shown_as)))
             _body(ax, lattice, colormaps[SEQUENTIAL](scale(shown_as))[:, :3], eye)
             _bar(figure, ax, scale, "size over mean size [-]" if values is None else label)
         draw_box(ax, *sides, eye)
-        cell = "elements" if lattice.cells is None else "cells"
-        bonds = "bonds" if lattice.cells is None else "facets"
-        scene = f", {bodies} bodies" if bodies > 1 else ""
-        ax.set_title(f"{len(lattice.particles)} {cell}, {len(lattice.pairs)} {bonds}{scene}")
+        scene, elements = f", {bodies} bodies" if bodies > 1 else "", lattice.elements
+        ax.set_title(f"{len(lattice.particles)} {elements.name}, {len(lattice.pairs)} {elements.bond_name}{scene}")
     return figure
-
-
-def _sizes(lattice: Lattice) -> Floats:
-    if lattice.cells is not None:
-        return np.cbrt(lattice.cells.volume / lattice.cells.volume.mean())
-    return lattice.particles.radius / lattice.particles.mean_radius
 
 
 def _given(lattice: Lattice, values: ArrayLike) -> Floats:

@@ -61,8 +61,7 @@ def draw_contacts(path: Path, lattice: Lattice) -> None:
     with sheet(path, 8.2, 2.9, 1, 2) as (_, (left, right)):
         left.bar(np.arange(len(share)), 100.0 * share, color=BLUE, width=0.8)
         left.axvline(bonds.mean(), color=ORANGE, label=f"mean z = {bonds.mean():.3f}")
-        what = "bonds of an element" if lattice.cells is None else "facets of a cell with its neighbours"
-        left.set(xlabel=f"{what} [-]", ylabel="elements [%]")
+        left.set(xlabel="bonds of an element [-]", ylabel="elements [%]")
         left.grid(axis="x", visible=False)
         left.legend()
         count, edges = np.histogram(particles.radius / particles.mean_radius, bins=24)

@@ -15,14 +15,11 @@ from matplotlib.figure import Figure
 from bondem._types import Floats, Mask
 from bondem.labtests.failure_record import TestFigure
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.report.cell_pictures import draw_cells
-from bondem.report.crack_pictures import corners_moved
+from bondem.report.crack_pictures import draw_elements
 from bondem.report.findings import Examined, Findings
-from bondem.report.sphere_pictures import draw_spheres
 from bondem.report.spheres import View
 from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, for_phones, legend_columns, sheet
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.tessellation.polyhedra import polyhedra
 
 # Largest opening drawn, over the length of the specimen, and the steps of magnifications in a decade.
 _EXAGGERATED, _STEPS = 0.08, (1.0, 2.0, 5.0)
@@ -101,18 +98,14 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
     if told.halved:
         toward = view.axes[2] * (0.0, 1.0, 1.0)
         shown = (body.centre - np.mean(body.particles.envelope.bounds, axis=0)) @ toward < 0.0
-    if body.cells is None:
-        draw_spheres(ax, body, colour, view=view, moved=reach * curves["displacement"], shown=shown)
-    else:
-        solid = polyhedra(body)
-        moved = corners_moved(solid, body, curves["displacement"], curves["orientation"], reach)
-        draw_cells(ax, solid, colour, view=view, moved=moved, shown=shown, piece=curves.get("piece"))
+    motion = curves["displacement"], curves["orientation"]
+    draw_elements(ax, body, colour, motion, view=view, reach=reach, shown=shown, piece=curves.get("piece"))
     ax.set_title(f"{told.title}, {magnified(reach)}", color=INK)
     bar = figure.colorbar(
         ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.7, aspect=30, pad=0.02
     )
-    parts = "bonds" if body.cells is None else "facets"
-    bar.set_label("plastic slip of the cell [%]" if slipped else f"largest damage of its {parts}, 1 − s [-]")
+    damaged = f"largest damage of its {body.elements.bond_name}, 1 − s [-]"
+    bar.set_label("plastic slip of the cell [%]" if slipped else damaged)
     bar.outline.set_edgecolor(GREY)
 
 

@@ -44,9 +44,7 @@ class Turning:
 def turning_of(one: Examined) -> Turning:
     """Data of the elements at rest, coloured by radius, or after a test to failure, coloured by displacement."""
     particles = one.lattice.particles
-    centre, radius = one.lattice.centre, particles.radius
-    if one.lattice.cells is not None:
-        radius = np.cbrt(3.0 / (4.0 * np.pi) * one.lattice.cells.volume)
+    centre, radius = particles.position, particles.radius
     chosen = np.arange(len(radius))
     if len(radius) > _MOST:
         chosen = np.flatnonzero(particles.envelope.depth(particles.position) < _DEEP * particles.mean_radius)
@@ -62,7 +60,6 @@ def turning_of(one: Examined) -> Turning:
         centre = centre + factor * np.asarray(moved[0])
         caption = f"after the first test, coloured by how far each has moved, drawn {factor:.0f} times as far"
     below = " Only those near the surface are drawn." if len(chosen) < len(radius) else ""
-    kind = "Elements" if one.lattice.cells is None else "Cells, as spheres of their volume,"
     lower, upper = centre.min(axis=0), centre.max(axis=0)
     half = 0.5 * float((upper - lower).max())
     place = (centre[chosen] - 0.5 * (lower + upper)) / half
@@ -73,7 +70,7 @@ def turning_of(one: Examined) -> Turning:
         colour=_text(_shade(value)[chosen]),
         colours=[to_hex(scale(k / (_COLOURS - 1))) for k in range(_COLOURS)],
         largest=float(radius.max()) / half,
-        caption=f"{kind} {caption}: drag to turn, pinch or scroll with Ctrl to come nearer.{below}",
+        caption=f"Elements {caption}: drag to turn, pinch or scroll with Ctrl to come nearer.{below}",
     )
 
 

@@ -46,7 +46,6 @@ class TurningCells:
 def turning_cells_of(one: Examined) -> TurningCells:
     """Cells at rest, coloured by size; after a test to failure where they are, each piece in a colour of its own."""
     body, solid = one.lattice, polyhedra(one.lattice)
-    assert body.cells is not None
     broken = [name for name in FAILURE_TESTS if name in one.outcomes and one.outcomes[name].cracking is not None]
     if broken:
         cracking = one.outcomes[broken[0]].cracking
@@ -60,7 +59,7 @@ def turning_cells_of(one: Examined) -> TurningCells:
         title = FAILURE_TESTS[broken[0]].figure.title
         caption = f"{title}: the broken specimen, {magnified(reach)}, {pieces_and_crumbs(cracking)} in a colour each"
     else:
-        size = np.cbrt(body.cells.volume / body.cells.volume.mean())
+        size = body.elements.relative_size
         share = (size - size.min()) / max(float(np.ptp(size)), 1e-12)
         place, label, colour = solid.vertex, np.zeros(len(size), dtype=int), colormaps[SEQUENTIAL](share)[:, :3]
         caption = f"The cells, coloured by size, V^(1/3) from {size.min():.2f} to {size.max():.2f} of the mean"

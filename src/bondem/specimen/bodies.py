@@ -6,10 +6,10 @@ from functools import cached_property
 import numpy as np
 
 from bondem._names import meant
-from bondem._types import Ints, Mask, PerElement, PerElement3
+from bondem._types import Ints, Mask
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import BoundingBox, Shape
-from bondem.specimen.particles import freeze
+from bondem.specimen.particles import Particles, freeze
 
 #: A body by its name or its number.
 Which = str | int
@@ -63,12 +63,17 @@ class Bodies:
         """Return a mask of the elements of the bodies that `numbers` finds, shape (n,)."""
         return np.isin(self.label, self.numbers(owner, which))
 
-    def envelope(self, owner: str, which: Which, position: PerElement3, radius: PerElement) -> tuple[int, Shape]:
+    def shape_of(self, owner: str, which: Which | None, particles: Particles) -> tuple[int, Shape]:
         """Return the number of one body and its shape, or the bounding box of its spheres.
 
         Raises:
             InputError: There is no such body, or there are several.
         """
+        if which is None and len(self.names) == 1:
+            return 0, particles.envelope
+        if which is None:
+            first = self.names[0]
+            raise InputError(f"{owner}: the scene has {len(self.names)} bodies; name one, such as body={first!r}")
         found = self.numbers(owner, which)
         if len(found) > 1:
             one = self.names[found[0]]
@@ -76,4 +81,4 @@ class Bodies:
         one = int(found[0])
         own = self.label == one
         shape = self.shapes[one]
-        return one, BoundingBox.of(position[own], radius[own]) if shape is None else shape
+        return one, BoundingBox.of(particles.position[own], particles.radius[own]) if shape is None else shape

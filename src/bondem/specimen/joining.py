@@ -13,7 +13,6 @@ from bondem.errors import InputError
 from bondem.specimen.bodies import Bodies
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, filled, freeze
-from bondem.specimen.tessellation.facets import Cells, Facets
 
 #: Overlap of spheres of two bodies, over the smaller radius, above which they are refused.
 _OVERLAP = 1e-3
@@ -47,15 +46,15 @@ def join(
     lattices = [one if isinstance(one, Lattice) else _loose(one) for one in bodies]
     if any(one.particles.period is not None for one in lattices):
         raise InputError("join: a periodic body fills its cell; pack a Box of the same size")
-    cut = [one.cells is not None for one in lattices]
-    if any(cut) != all(cut):
-        k = cut.index(not cut[0])
+    shapes_of = [one.elements.shape_name for one in lattices]
+    other = [k for k, shape in enumerate(shapes_of) if shape != shapes_of[0]]
+    if other:
         raise InputError(
-            f"join: argument 0 has {_kind(cut[0])}, argument {k} has {_kind(cut[k])}; cut all into cells"
+            f"join: argument 0 has {shapes_of[0]}, argument {other[0]} has {shapes_of[other[0]]}; cut all into cells"
             " (bd.connect(..., method='laguerre')), or none"
         )
     across = _across(pairs)
-    if len(across) and cut[0]:
+    if len(across) and lattices[0].elements.tables:
         raise InputError(
             "join: cells of different bodies share no facet; leave out pairs=, or pack one shape around a bd.Plane"
         )
@@ -65,17 +64,12 @@ def join(
     label = np.concatenate([one.body + k for one, k in zip(lattices, before, strict=False)])
     position = np.concatenate([one.particles.position for one in lattices])
     radius = np.concatenate([one.particles.radius for one in lattices])
-    _refuse_overlap(position, np.concatenate([_inner_radii(one) for one in lattices]), label, found, across)
+    _refuse_overlap(position, np.concatenate([one.elements.inner_radius for one in lattices]), label, found, across)
     shapes = tuple(shape for one in lattices for shape in one.bodies.shapes)
     inner = [one.pairs + k for one, k in zip(lattices, first, strict=False)]
     bonds: Pairs = np.concatenate([*inner, across])
-    facets = [one.facets for one in lattices if one.facets is not None]
-    cells = [one.cells for one in lattices if one.cells is not None]
-    return Lattice(
-        Particles(position, radius), bonds,
-        facets=Facets.of_all(facets) if facets else None, cells=Cells.of_all(cells) if cells else None,
-        bodies=Bodies(freeze(label), found, shapes),
-    )  # fmt: skip
+    tables = lattices[0].elements.joined([one.elements for one in lattices[1:]])
+    return Lattice(Particles(position, radius), bonds, bodies=Bodies(freeze(label), found, shapes), **tables)
 
 
 def replicate(
@@ -151,10 +145,6 @@ def _across(pairs: ArrayLike | None) -> Pairs:
     return found.astype(np.int64)
 
 
-def _kind(cut: bool) -> str:
-    return "cells" if cut else "spheres"
-
-
 def _names(lattices: Sequence[Lattice], given: Sequence[str] | None) -> tuple[str, ...]:
     if given is None:
         own = [name for one in lattices if len(one.names) > 1 for name in one.names]
@@ -177,17 +167,6 @@ def _inner(name: str, scene: Lattice) -> tuple[str, ...]:
     """Return names of the bodies of a scene that has a name: its own without their group, if these differ."""
     short = [own.rpartition("/")[2] for own in scene.names]
     return tuple(f"{name}/{own}" for own in (short if len(set(short)) == len(short) else scene.names))
-
-
-def _inner_radii(lattice: Lattice) -> PerElement:
-    """Return radii of the spheres; of cells of the largest spheres about their centres that lie within them [m]."""
-    if lattice.cells is None or lattice.facets is None:
-        return lattice.particles.radius
-    radius, facets, free = np.full(len(lattice.particles), np.inf), lattice.facets, lattice.cells.free
-    for cell, depth in zip(lattice.pairs.T, (facets.depth_i, facets.depth_j), strict=True):
-        np.minimum.at(radius, cell, depth)
-    np.minimum.at(radius, free.cell, free.depth)
-    return radius
 
 
 def _refuse_overlap(

@@ -1,10 +1,9 @@
 """A lattice: elements and the bonds between them, in one reference configuration."""
 
-import warnings
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -13,7 +12,6 @@ from scipy.spatial.transform import Rotation
 
 from bondem._checks import choice, instance, number, shown, vector
 from bondem._drawing import draw
-from bondem._names import users_line
 from bondem._types import (
     ArrayLike,
     Axis,
@@ -27,17 +25,14 @@ from bondem._types import (
     PerElement3,
     Triple,
 )
-from bondem.errors import DisconnectedError, FaceWarning, InputError
+from bondem.errors import DisconnectedError, InputError
 from bondem.geometry.elementary_shapes import Shape
 from bondem.geometry.planes import turn_about
 from bondem.geometry.shape import place_shape
 from bondem.specimen.bodies import Bodies, Which
+from bondem.specimen.elements import CellElements, Elements
 from bondem.specimen.particles import Particles, filled, freeze
-from bondem.specimen.tessellation.cutting import tessellate
 from bondem.specimen.tessellation.facets import Cells, Facets
-
-# Difference of the areas of a patch and of its facets, over that of the patch, above which a warning is given.
-_COVERED = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,6 +83,13 @@ class Lattice:
             raise InputError(f"bond {k} joins coincident centres {tuple(bonds[k])}; remove one of the elements")
         self.connected  # noqa: B018  a second large piece is an error now, not at first use
 
+    @cached_property
+    def elements(self) -> Elements:
+        """Elements with their shape, spheres or cells: sizes, faces, and geometry of the bonds."""
+        if self.cells is None:
+            return Elements(self.particles, self.pairs, self.bodies)
+        return CellElements(self.particles, self.pairs, self.bodies, cast(Facets, self.facets), self.cells)
+
     @property
     def bonds(self) -> "Lattice":
         """The lattice itself, so that `lattice.bonds.pairs` equals `lattice.pairs`."""
@@ -96,25 +98,22 @@ class Lattice:
     @property
     def centre(self) -> PerElement3:
         """Centres of the spheres, or centres of mass of the cells of a body [m], shape (n, 3)."""
-        return self.particles.position if self.cells is None else self.cells.centroid
+        return self.elements.centre
 
     @property
     def volume(self) -> float:
         """Volume of the shapes of the bodies, or of their cells [m³], voids between spheres included."""
-        if self.cells is not None:
-            return float(self.cells.volume.sum())
-        return sum(self.envelope(k).volume for k in range(len(self.names)))
+        return self.elements.whole_volume
 
-    @cached_property
+    @property
     def branch(self) -> PerBond3:
         """Vectors from centre i to centre j in the reference configuration [m], shape (m, 3)."""
-        i, j = self.pairs.T
-        return freeze(self.particles.nearest(self.centre[j] - self.centre[i]))
+        return self.elements.branch
 
-    @cached_property
+    @property
     def length(self) -> PerBond:
         """Distance between the bonded centres [m], shape (m,)."""
-        return freeze(np.linalg.norm(self.branch, axis=1))
+        return self.elements.length
 
     @cached_property
     def pieces(self) -> Ints:
@@ -172,20 +171,12 @@ class Lattice:
         Raises:
             InputError: There is no such body, or there are several and none is named.
         """
-        return self._body("envelope", body)[1]
-
-    def _body(self, what: str, body: Which | None) -> tuple[int, Shape]:
-        if len(self.names) == 1 and body is None:
-            return 0, self.particles.envelope
-        if body is None:
-            first = self.names[0]
-            raise InputError(f"{what}: the scene has {len(self.names)} bodies; name one, such as body={first!r}")
-        return self.bodies.envelope(what, body, self.particles.position, self.particles.radius)
+        return self.bodies.shape_of("envelope", body, self.particles)[1]
 
     @property
     def element_volume(self) -> PerElement:
         """Volumes of the spheres, or of the cells of a body [m³], shape (n,)."""
-        return self.particles.volume if self.cells is None else self.cells.volume
+        return self.elements.volume
 
     def moved(self, by: Triple) -> "Lattice":
         """Return the lattice in a reference moved by a vector [m], (3,); its shapes move along."""
@@ -230,9 +221,7 @@ class Lattice:
         shape = None if self.particles.shape is None else shapes[0]
         return Lattice(
             filled(Particles(self.particles.position @ turn.T + by, self.particles.radius), shape), self.pairs,
-            facets=None if self.facets is None else self.facets.placed(turn, by),
-            cells=None if self.cells is None else self.cells.placed(turn, by),
-            bodies=Bodies(self.bodies.label, self.names, shapes),
+            bodies=Bodies(self.bodies.label, self.names, shapes), **self.elements.placed(turn, by),
         )  # fmt: skip
 
     def plot(
@@ -265,24 +254,7 @@ class Lattice:
         Warns:
             FaceWarning: A patch ends within a plane, and its facets cover another area than it has.
         """
-        if self.cells is None:
-            raise InputError("the lattice is not cut into cells; connect its particles with method='laguerre'")
-        number_of, envelope = self._body(f"face {name!r}", body)
-        envelope.face_centre(name)  # refuses an unknown name
-        free = self.cells.free
-        own = self.body[free.cell] == number_of
-        if name in envelope.faces:
-            return np.flatnonzero(own & (free.face == envelope.faces.index(name)))
-        found = np.flatnonzero(own & envelope.on_patch(name, free.centroid, free.normal))
-        covered, whole = float(free.area[found].sum()), envelope.patch_area(name)
-        if abs(covered - whole) > _COVERED * whole:
-            warnings.warn(
-                f"the facets on {name!r} cover {covered:.4g} m² of its {whole:.4g} m², as it ends within a plane,"
-                " where cells do not end; smaller cells follow its border more closely",
-                FaceWarning,
-                stacklevel=users_line(),
-            )
-        return found
+        return self.elements.require_cells().on_face(name, body)
 
     @property
     def rattlers(self) -> int:
@@ -354,7 +326,5 @@ def carve(lattice: Lattice, shape: Shape) -> Lattice:
     if periodic is None:
         periodic = shape.period
     part = filled(Particles(lattice.particles.position[keep], lattice.particles.radius[keep], periodic), shape)
-    if lattice.cells is not None:
-        pairs, facets, cells = tessellate(part)
-        return Lattice(part, pairs, facets=facets, cells=cells)
-    return Lattice(part, number[lattice.pairs[inside]])
+    pairs, tables = lattice.elements.carved(part, number[lattice.pairs[inside]])
+    return Lattice(part, pairs, **tables)

@@ -1,23 +1,16 @@
 """Regions: rules that select connected elements of a lattice, combined by `&`, `|` and `-`."""
 
-import warnings
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from bondem._checks import count, instance, number, shown, vector
-from bondem._names import users_line
 from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement3, Triple, Vector
-from bondem.errors import EmptyRegionError, FaceWarning, InputError
-from bondem.geometry.elementary_shapes import BoundingBox, Shape
+from bondem.errors import EmptyRegionError, InputError
+from bondem.geometry.elementary_shapes import Shape
 from bondem.specimen.bodies import Which
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.mean_radii import mean_radii
-
-# Without a shape a face is the plane of the outermost sphere. A warning is given if it has less than this share
-# of the elements within one mean radius of it, and if there are at least so many of them.
-_SPARSE, _LAYER = 0.25, 10
 
 
 class Region(ABC):
@@ -91,32 +84,11 @@ class Face(Region):
         object.__setattr__(self, "depth", depth)
 
     def mask(self, lattice: Lattice) -> Mask:
-        if lattice.cells is not None:
-            chosen = np.zeros(len(lattice.particles), dtype=bool)
-            chosen[lattice.cells.free.cell[lattice.on_face(self.name, self.body)]] = True
-            return chosen
-        particles, shape = lattice.particles, lattice.envelope(self.body)
-        gap = shape.face_depth(self.name, particles.position) - particles.radius
-        if self.body is not None:
-            gap[~lattice.bodies.mask("Face", self.body)] = np.inf
-        mean = mean_radii(lattice)
-        chosen = gap <= self.depth * mean
-        layer = int((gap <= mean).sum())
-        if isinstance(shape, BoundingBox) and layer >= _LAYER and chosen.sum() < _SPARSE * layer:
-            warnings.warn(
-                f"{shown(self)} selects {chosen.sum()} of the {layer} elements within R̄ of the bounding box, as the"
-                " particles have no shape; give bd.Particles shape=, or the face depth=1.0",
-                FaceWarning,
-                stacklevel=users_line(),
-            )
-        return chosen
+        return lattice.elements.face_mask(self.name, self.body, self.depth, shown(self))
 
     def anchor(self, lattice: Lattice) -> Vector:
         """Return the centroid of the face [m], (3,); on a body of cells, the centroid of the facets on the face."""
-        if lattice.cells is None:
-            return lattice.envelope(self.body).face_centre(self.name)
-        free, on = lattice.cells.free, lattice.on_face(self.name, self.body)
-        return np.average(free.centroid[on], axis=0, weights=free.area[on])
+        return lattice.elements.face_centre(self.name, self.body)
 
 
 @dataclass(frozen=True)

@@ -194,8 +194,7 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Pro
     known = bonds.fit.tensions[: study.calibrating] if bonds.fit is not None else ()
     whole = broken_only(lattice.particles.envelope) is None
     tension = None if not whole else known[k] if k < len(known) else static_tension(lattice, law)
-    volume = lattice.particles.volume if lattice.cells is None else lattice.cells.volume
-    mass = density * volume[lattice.connected].sum()
+    mass = density * lattice.element_volume[lattice.connected].sum()
     rho = float(mass / lattice.particles.envelope.volume)
     specimen = Examined(
         seed=study.seed + k,

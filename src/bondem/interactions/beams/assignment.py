@@ -8,7 +8,6 @@ from bondem._checks import instance
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondGeometry, BondLaw, BondStiffness
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.mean_radii import mean_radii
 from bondem.specimen.regions import Region, as_region
 
 BondAssignment = BondLaw | Mapping[Region | tuple[Region, Region], BondLaw]
@@ -18,7 +17,7 @@ def bond_geometry(lattice: Lattice) -> BondGeometry:
     """Return the geometry of the bonds of a lattice that laws depend on, user's order."""
     i, j = lattice.pairs.T
     r = lattice.particles.radius
-    return BondGeometry(lattice.length, r[i], r[j], mean_radii(lattice)[i])
+    return BondGeometry(lattice.length, r[i], r[j], lattice.elements.mean_radii[i])
 
 
 def bond_stiffness(lattice: Lattice, bond: BondAssignment | None) -> tuple[BondStiffness, str]:

@@ -3,7 +3,6 @@
 import numpy as np
 
 from bondem._types import Floats, Ints
-from bondem.errors import InputError
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.facets import Cells, Facets
 
@@ -14,11 +13,10 @@ def body_of(lattice: Lattice) -> tuple[Facets, Cells]:
     Raises:
         InputError: The lattice has no cells.
     """
-    if lattice.facets is None or lattice.cells is None:
-        raise InputError(
-            "CellBond needs a body cut into cells; connect particles with bd.connect(particles, method='laguerre')"
-        )
-    return lattice.facets, lattice.cells
+    body = lattice.elements.require_cells(
+        "CellBond needs a body cut into cells; connect particles with bd.connect(particles, method='laguerre')"
+    )
+    return body.facets, body.cells
 
 
 def sums_of_normals(cell: Ints, weight: Floats, normal: Floats, n: int) -> Floats:

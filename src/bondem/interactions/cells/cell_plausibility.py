@@ -8,6 +8,7 @@ import numpy as np
 from bondem._names import users_line
 from bondem._types import Floats, PerElement3
 from bondem.errors import AuxeticWarning, RaggedInterfaceWarning, ThinBodyWarning
+from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import compliance
 from bondem.interactions.cells.free_walls import is_layer, thin_ways
@@ -31,7 +32,7 @@ def question_cells(body: Lattice, bond: object, *, may_fail: bool) -> None:
         may_fail: True for a model with failure.
     """
     laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
-    if body.cells is None or body.facets is None or not all(isinstance(law, CellBond) for law in laws):
+    if not all(isinstance(law, CellBond) for law in laws):
         return
     cell_laws = [law for law in laws if isinstance(law, CellBond)]
     _question_thin(body, cell_laws, may_fail)
@@ -57,7 +58,6 @@ def _question_auxetic(body: Lattice, nu: float) -> None:
 
 def _question_thin(body: Lattice, laws: list[CellBond], may_fail: bool) -> None:
     """Warn about parts of a body that are one cell thick, where facets alone resist bending."""
-    assert body.cells is not None
     nu, rotation = max((law.nu for law in laws), key=abs), laws[0].facet_rotation
     thin = thin_ways(body)
     count, columns = int((thin > 0).sum()), is_layer(thin > 1)
@@ -81,8 +81,6 @@ def _question_thin(body: Lattice, laws: list[CellBond], may_fail: bool) -> None:
 
 def _question_ragged(body: Lattice, bond: Mapping[object, object]) -> None:
     """Warn about an interface between two materials that cuts through cells, if a surface defines it."""
-    assert body.cells is not None
-    assert body.facets is not None
     surfaces = [one for where in bond for one in _surfaces(where)]
     E = np.full(len(body.particles), np.nan)
     for where, law in bond.items():
@@ -92,8 +90,9 @@ def _question_ragged(body: Lattice, bond: Mapping[object, object]) -> None:
     border = np.flatnonzero(np.maximum(E[i], E[j]) > _CONTRAST * np.minimum(E[i], E[j]))
     if not surfaces or len(border) < _FEW_FACETS:
         return
-    at, area = body.facets.centroid[border], body.facets.area[border]
-    off = np.min([np.abs(depth(at)) for depth in surfaces], axis=0) / np.cbrt(body.cells.volume.mean())
+    facets, cells = body_of(body)
+    at, area = facets.centroid[border], facets.area[border]
+    off = np.min([np.abs(depth(at)) for depth in surfaces], axis=0) / np.cbrt(cells.volume.mean())
     rough = float(np.sqrt((area * off**2).sum() / area.sum()))
     if rough > _ROUGH:
         _warn(

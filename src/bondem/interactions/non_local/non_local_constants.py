@@ -86,12 +86,11 @@ _Parts = tuple[PerBond, PerBond, PerBond3, PerBond3, PerBond3, PerElement]
 
 def _of_body(lattice: Lattice, law: NonLocal) -> _Parts:
     """Return A, L, n, both levers and V of facets and cells."""
-    facets, cells = lattice.facets, lattice.cells
-    if facets is None or cells is None:
-        raise InputError(
-            "NonLocal takes its areas from facets: connect particles with bd.connect(particles, method='laguerre'),"
-            " or give areas='weighted' for a lattice of spheres"
-        )
+    body = lattice.elements.require_cells(
+        "NonLocal takes its areas from facets: connect particles with bd.connect(particles, method='laguerre'),"
+        " or give areas='weighted' for a lattice of spheres"
+    )
+    facets, cells = body.facets, body.cells
     i, _ = lattice.pairs.T
     point = facets.centroid
     if law.lever == "contact":

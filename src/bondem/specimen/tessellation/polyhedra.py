@@ -6,7 +6,6 @@ import numpy as np
 
 from bondem._checks import instance
 from bondem._types import Floats, Ints
-from bondem.errors import InputError
 from bondem.specimen.joining import parts
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, freeze
@@ -46,8 +45,9 @@ def polyhedra(lattice: Lattice) -> Polyhedra:
         InputError: The lattice has no cells.
     """
     instance("polyhedra", "lattice", lattice, Lattice, 'a body, from bd.connect(..., method="laguerre")')
-    if lattice.cells is None:
-        raise InputError('polyhedra: the lattice has no cells; make it with bd.connect(..., method="laguerre")')
+    lattice.elements.require_cells(
+        'polyhedra: the lattice has no cells; make it with bd.connect(..., method="laguerre")'
+    )
     made = [_moved_on(_of_body(particles), own) for own, particles in parts(lattice)]
     if len(made) == 1:
         return made[0]

@@ -333,7 +333,6 @@ class _Path:
         rows = np.array(self._rows).reshape(-1, 5)
         facet = np.array([k for k, *_ in self._facets], dtype=np.int64)
         bond: Ints = layout.bond_order[facet]
-        assert model.lattice.facets is not None
         own = np.empty_like(body.integrity)
         own[layout.bond_order] = body.left
         if end != "parted":
@@ -346,7 +345,7 @@ class _Path:
             energy=energy, gauge=gauge, bond=bond,
             integrity=np.array([left for _, left, _ in self._facets]),
             event=np.array([number for *_, number in self._facets], dtype=np.int64),
-            position=model.lattice.facets.centroid[bond], bond_integrity=own, end=end,
+            position=model.lattice.elements.bond_middle[bond], bond_integrity=own, end=end,
             motion=self._factor * self._motion.reshape(-1, 6)[layout.rank, :3], state=state,
             solutions=equilibrium.solutions, iterations=equilibrium.rounds,
         )  # fmt: skip
