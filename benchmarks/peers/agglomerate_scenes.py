@@ -130,8 +130,9 @@ class Drum:
 
     @property
     def gauges(self) -> dict[str, Any]:
-        """Torque of the bodies on the shell, and the mean displacement."""
-        return {"torque": bd.WallGauge(0, "torque"), "place": bd.Gauge(bd.Everything(), "displacement")}
+        """Mean displacements of the spheres that are equal in all bodies."""
+        alike = (bd.Index(range(k, self.bodies * self.each, self.each)) for k in range(self.each))
+        return {str(k): bd.Gauge(spheres, "displacement") for k, spheres in enumerate(alike)}
 
     def fixes(self, rough: str, smooth: str) -> str:
         """Shell and ends in LAMMPS; the shell is a region: a `zcylinder` sums its velocity over the spheres."""
@@ -145,16 +146,25 @@ class Drum:
     def balance(self, model: bd.Model, start: bd.State, run: bd.ExplicitResult) -> dict[str, float]:
         """Angular momentum about the axis, the work of the drum being torque by angle, and the mean torque."""
         history, weight = run.history, GRAVITY * float(model.mass.sum())
-        x = history["place"][:, 0] + model.mass @ start.position[:, 0] / model.mass.sum()
-        fell = GRAVITY * float(model.mass @ (start.position - run.state.position)[:, 1])
-        drum = history.energy["work"][-1] - fell
+        share = model.mass[: self.each] / model.mass[: self.each].sum()
+        place = sum(share[k] * history[str(k)] for k in range(self.each)) + self.centre(model, start)
+        weighed = weight * place[:, 0]
+        # on the bodies, integrated over time from the start
+        drum = (history.energy["work"] - weight * (place[0, 1] - place[:, 1])) / self.spin
         gained = _spun(model, run.state) - _spun(model, start)
-        given = drum / self.spin - float(np.trapezoid(weight * x, history.time))
-        found = {"balance": gained / given, "turns": float(history.time[-1]) / self.turn}
+        given = drum[-1] - drum[0] - float(np.trapezoid(weighed, history.time))
+        found = {"balance": float(gained / given), "turns": float(history.time[-1]) / self.turn}
         if found["turns"] >= 1.0:
-            last = history.time >= history.time[-1] - self.turn
-            found["torque"] = -float(history["torque"][last, 2].mean() / (weight * x[last].mean()))
+            last = np.flatnonzero(history.time >= history.time[-1] - self.turn)
+            pulled = np.trapezoid(weighed[last], history.time[last])
+            found["torque"] = float((drum[last[-1]] - drum[last[0]]) / pulled)
+            found["lever"] = float(place[last, 0].mean())
         return found
+
+    @staticmethod
+    def centre(model: bd.Model, state: bd.State) -> np.ndarray:
+        """Centre of mass [m], (3,)."""
+        return model.mass @ state.position / model.mass.sum()
 
 
 def _spun(model: bd.Model, state: bd.State) -> float:

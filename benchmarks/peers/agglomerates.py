@@ -2,13 +2,13 @@
 
     LAMMPS=lammps/bin/lmp python benchmarks/peers/agglomerates.py [--bodies 50] [--each 200] [--repeat 3]
     LAMMPS=lammps/bin/lmp python benchmarks/peers/agglomerates.py --scene drum [--bodies 1000] [--each 60]
+    python benchmarks/peers/agglomerates.py --scene drum --bodies 40 --turns 2
 
 Balls of 10 mm of bonded spheres, turned at random and stacked without touching, move down at a speed and hit a floor,
 or the shell of a drum that turns between two smooth ends. Both codes have the same spheres, four stiffnesses of all
 bonds, `LinearSum` (the sum of `bond_style bpm/rotational`) with the same strengths, contact with one stiffness, share
 of critical damping and friction, gravity, and time step, that of bondem; one thread each, in turns. Spheres of a bond
-that breaks touch. Seconds are those of the processor in the loop alone. A shorter drum of 40 bodies follows for two
-turns, in bondem.
+that breaks touch. Seconds are those of the processor in the loop alone.
 
 best      time of a run, LAMMPS over bondem, of the fastest runs; "median" of all
 memory    largest resident size of the process [MiB]
@@ -16,7 +16,7 @@ broken    share of the bonds at the end
 impulse   momentum that the floor and gravity gave, over what the bodies gained: 1 [-]; of bondem, without friction
 sideways  momentum along the floor over that of the fall, where nothing rubs on it [-]; of bondem
 balance   angular momentum of a charge about the axis of its drum: what it gained, over what weight and drum gave [-]
-torque    mean torque of the drum over M g x̄ in the last turn, where it turned at least once [-]
+torque    mean torque of the drum, its work over its angle, over M g x̄ in the last turn [-]; "lever" is x̄ [m]
 """
 
 import argparse
@@ -29,7 +29,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from time import process_time
 from typing import Any
@@ -176,7 +176,8 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument("--bodies", type=int, help="50 that fall, 1000 in a drum")
     parser.add_argument("--each", type=int, help="spheres of a body: 200, or 60 in a drum")
     parser.add_argument("--repeat", type=int, default=3, help="runs of each code, of falls at 7 m/s")
-    parser.add_argument("--out", type=Path, help="results/agglomerates.json, or results/agglomerates_drum.json")
+    parser.add_argument("--turns", type=float, help="turns of the drum, in bondem alone")
+    parser.add_argument("--out", type=Path, help="agglomerates.json, or with _drum or _turns")
     parser.add_argument("--one", help=argparse.SUPPRESS)
     given = parser.parse_args(arguments)
     if given.one:
@@ -186,13 +187,13 @@ def main(arguments: list[str] | None = None) -> None:
     sizes = {"bodies": given.bodies, "each": given.each}
     sizes = {name: value for name, value in sizes.items() if value is not None}
     if given.scene == "drum":
-        scene, out = Drum(**sizes), given.out or RESULTS / "agglomerates_drum.json"
+        scene = Drum(**sizes)
+        if given.turns:
+            scene = replace(scene, duration=given.turns * scene.turn)
         report = origin() | {"threads": 1, "bodies": scene.bodies, "each": scene.each, "duration": scene.duration}
-        report |= in_turns(scene, given.repeat)
-        keep(out, report)
-        report["longer"] = {"bodies": 40, "each": 60} | apart(Drum(bodies=40, duration=2.0 * scene.turn), every=20)
-        keep(out, report)
-        print(report["longer"])
+        report |= {"bondem": [apart(scene, every=20)]} if given.turns else in_turns(scene, given.repeat)
+        keep(given.out or RESULTS / f"agglomerates_{'turns' if given.turns else 'drum'}.json", report)
+        print(report["bondem"])
         return
     report = origin() | {"threads": 1, "falls": []}
     for speed in SPEEDS:
