@@ -2,14 +2,17 @@
 
     python benchmarks/peers/agglomerate_damage.py [--out FILE]
 
-Falls of `agglomerates.py` in bondem: 50 balls of 200 bonded spheres, turned at random, of two packings, and one ball
-of 3000, at speeds from no broken bond to most of them.
+Falls of `agglomerates.py` in bondem: 50 balls of 200 bonded spheres, turned at random, and one ball of 3000, at
+speeds from hardly any broken bond to most of them; 50 balls of a second packing where the damage grows in between.
 
 over_strength_speed  speed over that at which E v / c, c² = E / ρ, is the tensile strength of a bond [-]
 damage       share of broken bonds at the end [-]
 exponent     of a power of the speed, between this one and the one before [-]
 share        energy that breaking bonds released over that of the fall [-]
 per_bond     kinetic energy of the fall per broken bond, over the elastic energy of a bond at its tensile strength [-]
+
+"lines" have D = slope (v² - threshold²) by least squares over the speeds BETWEEN, of each case, the largest deviation
+from it, and that from the line of the first case [-].
 """
 
 import argparse
@@ -24,11 +27,12 @@ sys.path.insert(0, str(Path(__file__).parent.parent))
 from agglomerate_scenes import DENSITY, STRENGTH, Fall, model_of
 
 import bondem as bd
-from kept import RESULTS, Report
+from kept import RESULTS, Report, keep
 
 SPEEDS = (2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 14.0)
-#: Bodies, spheres of each, and number of the packing.
-CASES = ((50, 200, 1), (1, 3000, 1), (50, 200, 2))
+#: Speeds between the threshold and saturation; bodies, spheres of each, number of the packing, and speeds.
+BETWEEN = (3.0, 4.0, 5.0, 6.0)
+CASES = ((50, 200, 1, SPEEDS), (1, 3000, 1, SPEEDS), (50, 200, 2, BETWEEN))
 
 
 def fall(bodies: int, each: int, seed: int, speed: float) -> dict[str, Any]:
@@ -50,9 +54,10 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument("--out", type=Path, default=RESULTS / "agglomerate_damage.json")
     given = parser.parse_args(arguments)
     report = Report(given.out, ("falls",))
-    for bodies, each, seed in CASES:
-        for speed in SPEEDS:
-            case = {"bodies": bodies, "each": each, "seed": seed}
+    report.all["lines"], first = [], None
+    for bodies, each, seed, speeds in CASES:
+        case = {"bodies": bodies, "each": each, "seed": seed}
+        for speed in speeds:
             report.add("falls", lambda case=case, speed=speed: [fall(**case, speed=speed)], **case, speed=speed)
         rows = [row for row in report.all["falls"] if case.items() <= row.items()]
         v, D = (np.array([row[name] for row in rows]) for name in ("speed", "damage"))
@@ -61,6 +66,15 @@ def main(arguments: list[str] | None = None) -> None:
             if k and D[k - 1] > 0.0:
                 row["exponent"] = float(np.log(D[k] / D[k - 1]) / np.log(v[k] / v[k - 1]))
             print({name: row[name] for name in ("speed", "damage", "exponent", "share", "per_bond")}, flush=True)
+        between = np.isin(v, BETWEEN)
+        line = np.polyfit(v[between] ** 2, D[between], 1)
+        first = line if first is None else first
+        away, beside = (np.abs(np.polyval(fit, v[between] ** 2) - D[between]).max() for fit in (line, first))
+        threshold = math.sqrt(-line[1] / line[0])
+        found = {"slope": line[0], "threshold": threshold, "deviation": away, "from_the_first": beside}
+        report.all["lines"].append(case | {name: float(value) for name, value in found.items()})
+        keep(given.out, report.all)
+        print(report.all["lines"][-1])
 
 
 if __name__ == "__main__":
