@@ -162,6 +162,16 @@ def test_momentum_and_energy_of_a_cloud_are_kept(law: bd.ContactLaw) -> None:
     assert missed[0] / missed[1] > 6.0
 
 
+def test_the_work_of_walls_that_turn_is_counted(one_thread: None) -> None:
+    """Driven and free ones, which adhesion pulls and turns too."""
+    make, _ = CASES["sticky spheres and walls that turn"]
+    model, state = make()
+    run = integrate(model, plan_of(model, 800, share=0.2, every=20), state=state)
+    energy = run.history.energy
+    assert energy["contact"].min() < -1.0
+    assert abs(energy["balance"]).max() < 1e-5 * abs(energy["work"]).max()
+
+
 def test_threads_pauses_lists_and_files_change_no_bit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     results = []
     for count, every, skin in ((1, 40, 0.1), (3, 7, 0.1), (2, 0, 0.4)):
