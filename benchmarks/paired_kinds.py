@@ -4,8 +4,11 @@ Beams join spheres that touch, cells fill the periodic cell. Those that fail are
 do, so that they are in pieces; those that are whole have strengths that nothing reaches.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
+
+import numpy as np
 
 import bondem as bd
 
@@ -53,6 +56,20 @@ def grains(lattice: bd.Lattice) -> bd.Model:
     return bd.Model(bd.Lattice(lattice.particles, lattice.pairs[:0]), None, density=2500.0, contact=TOUCH)
 
 
+def laid(lattice: bd.Lattice) -> bd.Model:
+    """As many spheres side by side on a plane, each pressed on it by a thousandth of its radius."""
+    count, r = len(lattice.particles), float(lattice.particles.radius.mean())
+    across = math.ceil(math.sqrt(count))
+    column, row = np.divmod(np.arange(count), across)
+    centre = np.column_stack([2.2 * r * column, 2.2 * r * row, np.full(count, 0.999 * r)])
+    spheres = bd.Particles(centre, np.full(count, r))
+    pressed = bd.Load(bd.Everything(), force=(0.0, 0.0, -count * np.pi * TOUCH.E * r * 1e-3 * r))
+    return bd.Model(
+        bd.Lattice(spheres, lattice.pairs[:0]), None, density=2500.0, contact=TOUCH, boundary=[pressed],
+        walls=[bd.PlaneWall(point=(0.0, 0.0, 0.0), normal=(0.0, 0.0, 1.0))],
+    )  # fmt: skip
+
+
 def _cohesive(strength: float, energy: float | None = None) -> bd.MohrCoulomb:
     return bd.MohrCoulomb(tension=strength, cohesion=3.0 * strength, fracture_energy=energy, **MOHR)
 
@@ -68,6 +85,7 @@ KINDS = {
     "beams, in pieces": Kind(lambda lattice: beams(lattice, _fibres(265e6), touch=True), speed=2.0, before=200),
     "beams, softening": Kind(lambda lattice: beams(lattice, _fibres(265e6, 2e4)), speed=5.0, before=200),
     "grains": Kind(grains),
+    "grains on a plane": Kind(laid, speed=0.0),
     "cells": Kind(cells, share=0.9),
     "cells, contact": Kind(lambda lattice: cells(lattice, touch=True)),
     "cells, may break": Kind(lambda lattice: cells(lattice, _cohesive(SAFE)), share=0.9),

@@ -4,7 +4,6 @@ from typing import Any
 
 from book.chapter import Chapter, Figure, Section
 from book.chapters import crack_paths, ring, weakest_link
-from book.chapters.strength import FACTORS
 from book.forms import Form
 from book.results import Measurement, study
 from book.row import Measured, Row
@@ -28,7 +27,7 @@ BEAMS = study(
 )
 KALTHOFF_SECONDS = Measurement("kalthoff_seconds", "python benchmarks/kalthoff_seconds.py")
 MEASUREMENTS = (
-    FRACTURE, COARSE, FINE, BEAMS, FACTORS, TOUGHNESS, SIZES, KALTHOFF, KALTHOFF_SECONDS,
+    FRACTURE, COARSE, FINE, BEAMS, TOUGHNESS, SIZES, KALTHOFF, KALTHOFF_SECONDS,
     *weakest_link.MEASUREMENTS, *crack_paths.MEASUREMENTS, *ring.MEASUREMENTS,
 )  # fmt: skip
 
@@ -55,7 +54,7 @@ def chapter() -> Chapter:
             "from those of explicit runs. Weibull strengths of bonded spheres are no weakest link within 5 %. "
             "Fragments of the expanding ring are too large."
         ),
-        sections=(_scorecard(), *(_case(one) for one in FRACTURE.at("cases")), _beams(), _ways(), _toughness(),
+        sections=(_scorecard(), *(_case(one) for one in FRACTURE.at("cases")), _beams(), _toughness(),
                   _sizes(), _kalthoff(), weakest_link.section(), crack_paths.section(),
                   ring.section()),
     )
@@ -200,45 +199,6 @@ def _cells_beside(one: dict[str, Any]) -> Measured | None:
         return FRACTURE.of(*FRACTURE.at("cases", {"name": one["name"]}, "values"))
     (found,) = [case for case in KALTHOFF.at("cases") if case["tension"] == one["strength"]] or [None]
     return None if found is None else KALTHOFF.of(*found["angles"])
-
-
-#: Packings of which the steps of softening were chosen: 300 cells, seed 1 above all.
-_CHOSE = (1, 2, 3)
-
-
-def _ways() -> Section:
-    bars = FACTORS.at("cases")
-    peaks = [
-        (f"{bar['count']} cells, seed {bar['seed']}{'' if bar['seed'] in _CHOSE else ' (no step was chosen on it)'}:"
-         f" {words}", over)
-        for bar in bars for words, over in (
-            *((f"by load factors, band of {one['ripple']:g}, {one['together']:g} together", one["over explicit"])
-              for one in bar["load factors"]),
-            *((f"by displacements that grow by {one['part']:.1%} of that of the peak", one["over explicit"])
-              for one in bar["displacements"]),
-        )
-    ]  # fmt: skip
-    return Section(
-        title="Three ways to a peak",
-        before=(
-            "Notched bars must have a peak within 1 % of that of a slow, damped explicit run. Steps of "
-            "displacement have neither steps of softening nor facets that fail together. With 300 cells they agree "
-            f"with the explicit run within {_off(300):.2%}, so the excess of load factors is due to their steps. "
-            f"With 1000 cells they differ by up to {_off(1000):.2%} themselves. Steps and the band of 0.02 were "
-            "chosen on packings 1 to 3; packings 4 and 5 were drawn afterwards. Other bands than the default: "
-            "`--counts 300 --seeds 1 2 3`."
-        ),
-        rows=tuple(
-            Row(case=words, paper=1.0, ours=FACTORS.of(over), form=Form(style=".4f"), tolerance=Near(relative=0.01))
-            for words, over in peaks
-        ),
-    )
-
-
-def _off(count: int) -> float:
-    """How far displacements that grow are from explicit runs at most."""
-    return max(abs(one["over explicit"] - 1.0) for bar in FACTORS.at("cases") if bar["count"] == count
-               for one in bar["displacements"])  # fmt: skip
 
 
 def _toughness() -> Section:

@@ -45,8 +45,8 @@ def chapter() -> Chapter:
         misses=(
             "Brittle bars with a slit or a blunt notch do not have one toughness, relative to the size of their "
             "cells, at all sizes. Without inertia, some peaks differ from those of other solvers by more than "
-            "required, all with bands wider than the default. The energy balance of bodies that crush with a "
-            "G_II of 50 J/m² does not close."
+            "required, all but one of them with bands wider than the default. The energy balance of bodies that "
+            "crush with a G_II of 50 J/m² does not close."
         ),
         sections=(_pairs(), _tension(), _compression(), _brazilian(), _toughness(), _still(), _ledger()),
     )
@@ -173,15 +173,16 @@ def _still() -> Section:
         for one in case["load factors"]:
             steps = f"band of ± {100.0 * one['ripple']:g} %, {one['failures'] / one['facets']:.1f} events per facet"
             off = FACTORS.of(abs(one["over explicit"] - 1.0))
-            (grown,) = case["displacements"]
-            steadily = FACTORS.of(abs(one["peak"] / grown["peak"] - 1.0))
             rows += [
                 Row(case=f"{of}, {steps}: peak off that of an explicit run", ours=off, form=PERCENT,
                     tolerance=AtMost(0.01)),
-                Row(case=f"{of}, {steps}: peak off that of displacement steps of 1 %", ours=steadily, form=PERCENT,
-                    tolerance=AtMost(0.01)),
                 Row(case=f"{of}, {steps}: work over the ligament and G_f", ours=FACTORS.of(one["work"]), form=RATIO),
             ]  # fmt: skip
+        (grown,) = case["displacements"]
+        rows.append(
+            Row(case=f"{of}, displacement steps of 1 %: peak off that of an explicit run", form=PERCENT,
+                ours=FACTORS.of(abs(grown["over explicit"] - 1.0)), tolerance=AtMost(0.01))
+        )  # fmt: skip
         slow = FACTORS.of(case["explicit"][-1]["work"])
         rows.append(Row(case=f"{of}, explicit: work over the ligament and G_f", ours=slow, form=RATIO))
     return Section(
@@ -189,7 +190,9 @@ def _still() -> Section:
         before=(
             "`bd.solve_quasistatic` computes one event of failing facets after the other; the reference is "
             "`bd.labtests.direct_tension` at a quarter of its usual speed. A peak is the largest load of all "
-            "events; single events scatter by half a per cent about the path. The default band is 2 %. Closed "
+            "events; single events scatter by half a per cent about the path. The default band of 2 % was chosen on "
+            "packings 1 to 3. Displacements that grow by 1 % of that of the peak have neither steps of softening nor "
+            "facets that fail together: the excess of load factors is due to their steps. Closed "
             "forms of two cells and of a bar that snaps back agree to 1e-9 "
             "(`tests/statics/test_quasistatic.py`)."
         ),

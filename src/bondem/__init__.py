@@ -60,6 +60,7 @@ _PUBLIC = {
     "bondem.statics.quasistatic.quasistatic_run": ("QuasistaticResult", "solve_quasistatic"),
     "bondem.interactions.beams.bond_law": ("BondGeometry", "BondLaw", "BondStiffness"),
     "bondem.interactions.cells.cell_bond": ("CellBond",),
+    "bondem.interactions.contact.adhesion": ("Adhesion",),
     "bondem.interactions.contact.contact_law": ("ContactLaw", "LinearContact"),
     "bondem.interactions.beams.contact_bond": ("ContactBond",),
     "bondem.dynamics.damping": ("AnyDamping", "BondDamping", "LocalDamping", "MassDamping"),

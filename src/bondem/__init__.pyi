@@ -103,6 +103,7 @@ from bondem.interactions.beams.obermayr import Obermayr as Obermayr
 from bondem.interactions.beams.parallel_bond import ParallelBond as ParallelBond
 from bondem.interactions.beams.timoshenko import Timoshenko as Timoshenko
 from bondem.interactions.cells.cell_bond import CellBond as CellBond
+from bondem.interactions.contact.adhesion import Adhesion as Adhesion
 from bondem.interactions.contact.contact_law import ContactLaw as ContactLaw
 from bondem.interactions.contact.contact_law import LinearContact as LinearContact
 from bondem.interactions.contact.hertz_mindlin import HertzMindlin as HertzMindlin

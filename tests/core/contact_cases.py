@@ -14,6 +14,7 @@ E = 1e7
 LINEAR = bd.LinearContact(E=E, friction=0.4, damping=0.1)
 HERTZIAN = bd.HertzMindlin(E=E, nu=0.3, friction=0.3, restitution=0.8, overlap=0.05)
 ROLLING = bd.LinearContact(E=E, friction=0.4, damping=0.1, rolling=0.3, twisting=0.2)
+STICKY = bd.LinearContact(E=E, friction=0.4, damping=0.1, adhesion=bd.Adhesion(strength=5e4, reach=0.3))
 BEAM = bd.Timoshenko(E=E, nu=0.2, radius=0.2)
 
 
@@ -146,6 +147,14 @@ CASES: dict[str, tuple[Callable[[], tuple[bd.Model, State]], object]] = {
         lambda: cloud(4, by_kinds(LINEAR, *all_walls(9.2)[:5:2]), walls=all_walls(9.2)), None
     ),
     "beams break, Hertzian by kinds": (lambda: moving_beams(by_kinds(HERTZIAN), failure=WEAK), None),
+    "sticky spheres and walls": (lambda: cloud(4, STICKY, walls=all_walls(9.2)), None),
+    "sticky spheres and walls that turn": (lambda: cloud(4, STICKY, walls=turning_walls(9.2)), None),
+    "beams break, sticky, Hertzian": (
+        lambda: moving_beams(replace(HERTZIAN, adhesion=bd.Adhesion(5e3, 0.1)), failure=WEAK), None
+    ),
+    "beams break, sticky, parallel": (
+        lambda: moving_beams(replace(PARALLEL, adhesion=bd.Adhesion(5e3, 0.1)), failure=WEAK), None
+    ),
     "beams, damped": (lambda: moving_beams(LINEAR), bd.LocalDamping(0.1)),
     "beams, Hertzian": (lambda: moving_beams(HERTZIAN), None),
     "beams, no friction": (lambda: moving_beams(bd.LinearContact(E=E, damping=0.2)), None),

@@ -168,6 +168,7 @@ def test_the_step_is_that_of_the_stiffest_pair_that_can_occur() -> None:
         return critical_step(model, VERLET), choose_step(model, VERLET, None, safety=0.9).dt
 
     assert step({bd.Everything(): soft, whole: hard}) == step(hard)
+    assert step({bd.Everything(): hard, whole: soft}) == step(hard)
     assert step(soft) == pytest.approx([4.0 * dt for dt in step(hard)])
     # a pair of heavy elements is slower: the light ones, which are soft, decide then
     heavy = np.array([64e3, 1e3, 64e3])

@@ -112,6 +112,7 @@ USUAL: dict[str, dict[str, Any]] = {
     "Fix": {"region": FACE, "translation": "xyz", "rotation": "xyz"},
     "Gauge": {"region": FACE, "quantity": "displacement", "reduction": "mean"},
     "Gravity": {"g": 9.81, "direction": (0.0, 0.0, -1.0), "region": None},
+    "Adhesion": {"strength": 1e4, "reach": 1e-3},
     "HertzMindlin": {"E": 1e9, "nu": 0.2, "friction": 0.1, "restitution": 0.9, "overlap": 0.01, "stress_free": True},
     "Hydrostatic": {"tension": 1e6, "fracture_energy": 50.0, "friction": 0.3, "scatter": None},
     "Index": {"elements": [0, 1], "size": 4},

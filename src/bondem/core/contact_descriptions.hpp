@@ -1,6 +1,7 @@
 // How the tables of contacts and walls describe themselves to Python.
 #pragma once
 #include "described.hpp"
+#include "passes/contacts/adhesion.hpp"
 #include "passes/contacts/candidates.hpp"
 #include "passes/contacts/contact_loads.hpp"
 #include "passes/contacts/face_contacts.hpp"
@@ -13,12 +14,14 @@ namespace bondem {
 
 #define F BONDEM_FIELD
 
-BONDEM_TABLE(ContactRow, F(modulus, ""), F(soft, ""), F(friction, ""), F(damping, ""), F(rolling, ""), F(twisting, ""), F(deep, ""))
-BONDEM_TABLE(ContactConstants, F(between, "kinds kinds 7"), F(at_walls, "kinds walls 7"), F(kind, "n"), F(hertzian, ""), F(radius, "n"))
+BONDEM_TABLE(ContactRow, F(modulus, ""), F(soft, ""), F(friction, ""), F(damping, ""), F(rolling, ""), F(twisting, ""), F(deep, ""),
+             F(strength, ""), F(reach, ""))
+BONDEM_TABLE(ContactConstants, F(between, "kinds kinds 9"), F(at_walls, "kinds walls 9"), F(kind, "n"), F(hertzian, ""), F(radius, "n"))
 BONDEM_TABLE(ContactPairs, F(first, "pairs"), F(second, "pairs"), F(start, "n+1"), F(reach, "pairs"), F(own, "pairs"),
              F(memory, "pairs 8"), F(touch, "pairs"), F(bond, "pairs"), F(joined, "*"), F(of_bond, "*"), F(period, "6"))
 BONDEM_TABLE(NearPairs, F(near, "pairs+1"), F(close, "pairs+1"), F(output, "pairs 8"), F(counts, "element_portions 2"),
-             F(width, ""))
+             F(width, ""), F(beyond, ""))
+BONDEM_TABLE(AdheringPairs, F(force, "pairs 3"))
 BONDEM_TABLE(RolledPairs, F(rolled, "pairs 3"), F(output, "pairs 4"))
 BONDEM_TABLE(RolledWalls, F(rolled, "wall_contacts 3"))
 BONDEM_TABLE(FacePairs, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "*"), F(lever_i, "3 m"), F(lever_j, "3 m"),
@@ -58,7 +61,7 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
 
 // Lines of the lists in `index.cpp`.
 #define BONDEM_CONTACT_TABLES                                                                                            \
-    described<ContactRow>(), described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<RolledPairs>(), described<RolledWalls>(), described<FacePairs>(), described<Travel>(),               \
+    described<ContactRow>(), described<ContactConstants>(), described<ContactPairs>(), described<NearPairs>(), described<AdheringPairs>(), described<RolledPairs>(), described<RolledWalls>(), described<FacePairs>(), described<Travel>(),               \
         described<ContactSums>(), described<ContactEnergies>(), described<WallContacts>(), described<WallRow>(), described<WallShape>(), \
         described<WallInertia>(), described<WallListed>(), described<WallLoad>(), described<Walls>(),           \
         described<WallMotions>(), described<PairSources>(), described<FoundPairs>(), described<WallSources>(),           \
@@ -73,6 +76,7 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
         S(serial, begin_softened_contacts), S(of_elements, press_pairs_and_faces), S(of_ranges, add_face_loads),          \
         S(of_elements, sum_face_energies), S(serial, begin_face_contacts), S(of_elements, roll_pairs),                   \
         S(of_ranges, add_rolling_loads), S(of_elements, roll_at_walls), S(of_elements, sum_rolling_energies),             \
-        S(of_elements, sum_rolling_at_walls)
+        S(of_elements, sum_rolling_at_walls), S(of_elements, adhere_pairs), S(of_ranges, add_adhesion_loads),             \
+        S(of_elements, adhere_at_walls), S(of_elements, sum_adhesion_energies), S(of_elements, sum_adhesion_at_walls)
 
 }  // namespace bondem

@@ -13,8 +13,8 @@ from bondem._types import Floats, Ints, PerElement
 class ContactConstants(NamedTuple):
     """The laws of contacts by kinds of elements, and the radii of the elements."""
 
-    between: Floats  #: rows of `ContactRow` of pairs of each two kinds, (kinds, kinds, 7)
-    at_walls: Floats  #: that of each kind at each wall, (kinds, w, 7)
+    between: Floats  #: rows of `ContactRow` of pairs of each two kinds, (kinds, kinds, 9)
+    at_walls: Floats  #: that of each kind at each wall, (kinds, w, 9)
     kind: np.ndarray  #: of each element, uint8, (n,)
     hertzian: bool  #: whether they are those of Hertz and Mindlin
     radius: PerElement  #: [m], (n,)
@@ -44,6 +44,13 @@ class NearPairs(NamedTuple):
     output: Floats  #: force on the later element, damped [J], torque over the radius, rubbed [J], (c, 8)
     counts: Ints  #: of near and of close pairs of each portion of elements, (portions, 2)
     width: float  #: motion of an element after which distances are measured again [m]
+    beyond: float  #: gap up to which pairs that do not touch act [m]
+
+
+class AdheringPairs(NamedTuple):
+    """Adhesion of near pairs."""
+
+    force: Floats  #: on the later element [N], (c, 3)
 
 
 class RolledPairs(NamedTuple):

@@ -117,7 +117,7 @@ class CoreLoop:
         self._take(0, records, looks=True)
         state.stale = False
         if begins:
-            budget[0] = max(budget[0], self._still + records[0, TRANSLATION : CONTACT + 1].sum())
+            budget[0] = max(budget[0], self._still + np.abs(records[0, TRANSLATION : CONTACT + 1]).sum())
         return records
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
@@ -139,5 +139,6 @@ class CoreLoop:
 
 
 def noticeable(model: Model, dt: float) -> float:
-    """Return the kinetic energy below which no guard acts on a run [J]."""
-    return 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
+    """Return the energy below which no guard acts on a run [J]: of motion at rest, and what adhesion may release."""
+    rest = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
+    return rest + (0.0 if model.contact_laws is None else model.contact_laws.released(model.contact_radius))

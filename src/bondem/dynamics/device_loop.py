@@ -136,7 +136,7 @@ class DeviceLoop:
         _run(records.row)
         found = records.finished([state.step])
         if begins:
-            budget[0] = max(budget[0], self._still + found[0, TRANSLATION : CONTACT + 1].sum())
+            budget[0] = max(budget[0], self._still + np.abs(found[0, TRANSLATION : CONTACT + 1]).sum())
         return found
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:

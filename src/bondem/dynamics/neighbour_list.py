@@ -99,11 +99,12 @@ class ContactSearch:
             self._skin = min(_FACTOR * self._skin, _SKIN_MOST)
         self._made = step
         skin = self._skin * float(radius.mean())
+        listed = skin + contacts.laws.beyond  # gap up to which contacts enter the list
         position = state.pose[:, :3].copy()
         n = len(position)
-        grid = grid_of(position, self._size, self._period, skin)
+        grid = grid_of(position, self._size, self._period, listed)
         pairs = found_pairs(grid, PairSources(
-            layout.in_start, layout.i, self._listed(position, skin),
+            layout.in_start, layout.i, self._listed(position, listed),
             contacts.pairs.start, contacts.pairs.partner, contacts.pairs.gap,
             _starts(state.touching[:, 1], n), state.touching[:, 0].astype(np.uint32),
             np.ascontiguousarray(state.stretch[:, :LINE_COLUMNS]),
@@ -125,7 +126,7 @@ class ContactSearch:
         walls = Walls.of(contacts.walls, state.walls)
         at_walls = WallSources(
             radius, rest.start, rest.partner, rest.gap, _starts(kept[:, 0], n), kept[:, 1].astype(np.uint32),
-            state.wall_stretch, skin, np.empty(n + 1, dtype=np.int64),
+            state.wall_stretch, listed, np.empty(n + 1, dtype=np.int64),
         )  # fmt: skip
         found = found_walls(state.pose, walls, at_walls)
         return FoundContacts(

@@ -29,6 +29,7 @@ from bondem.errors import RunFileError
 from bondem.geometry.elementary_shapes import Ball, BoundingBox, Box, Cell, Cylinder
 from bondem.geometry.shape import Cut, Joined, Overlap, Placed
 from bondem.geometry.surface import Surface
+from bondem.interactions.contact.adhesion import Adhesion
 from bondem.interactions.contact.contact_law import LinearContact
 from bondem.interactions.contact.hertz_mindlin import HertzMindlin
 from bondem.interactions.law_catalogue import CELL_LAWS, LAWS
@@ -42,7 +43,7 @@ _TYPES: dict[str, type] = {
         *LAWS.values(), *CELL_LAWS.values(), NonLocal, *CRITERIA.values(), Bilinear, Weibull, Normal,
         LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, ContactEnd,
         LoadDrop, Plan,
-        LinearContact, HertzMindlin, PlaneWall, CylinderWall, SphereWall, Driven, Servo, Free,
+        LinearContact, HertzMindlin, Adhesion, PlaneWall, CylinderWall, SphereWall, Driven, Servo, Free,
         Drive, Fix, Load, Pressure, BodyForce, Absorbing, Eigenstrain, Gauge, WallGauge,
         StrainGauge, Constant, Ramp, Table,
         Ball, BoundingBox, Box, Cell, Cylinder, Surface, Placed, Overlap, Joined, Cut,

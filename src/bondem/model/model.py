@@ -120,8 +120,8 @@ class Model:
             raise InputError("friction= of Fix and Drive acts on cells only; press spheres by walls= with friction")
         object.__setattr__(self, "walls", check_walls(self.walls))
         beams = self._cells is None and self._non_local is None
-        if self.contact_laws is not None and self.contact_laws.parallel and not beams:
-            raise InputError("contact= with parallel=True applies to beams; leave out parallel= for cells, NonLocal")
+        if self.contact_laws is not None and (option := self.contact_laws.of_beams) and not beams:
+            raise InputError(f"contact= with {option}= applies to beams; leave out {option}= for cells, NonLocal")
         if self.walls and self.contact is None:
             raise InputError("walls= need a contact law; give contact=bd.LinearContact(E=...)")
         choice("Model", "mass_matrix", self.mass_matrix, MassMatrix)

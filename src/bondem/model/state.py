@@ -178,9 +178,10 @@ class State(StateMotion):
         self.loss[:] = 0.0
         if model.non_local is not None:
             self.history[NON_LOCAL_WORK] = 0.0
-        if model.contact_laws is None:
+        laws = model.contact_laws
+        if laws is None:
             self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, CONTACT_COLUMNS))
-        if model.contact_laws is None or not model.contact_laws.rolls:
+        if not (laws and laws.rolls):
             self.rolled, self.wall_rolled = np.zeros((2, 0, 3))
         before = self._take_walls(model.walls)
         set_off(self.walls, before, model.walls)

@@ -111,9 +111,12 @@ inline void add_contact_load(Index e, const DeviceSpan &span, const Moving &all,
 inline void load_wall(Index w, const DeviceSpan &span, const WallContacts &contacts, const RowOrder &order,
                       const Walls &walls) {
     const double half = 0.5 * clock_of(span).dt;
-    begin_loads(walls.body.row<WallRow>(w), half);
+    WallRow &row = walls.body.row<WallRow>(w);
+    begin_loads(row, half);
+    WallLoad sum = load_of(row);
     for (Index e = order.start(w); e < order.start(w + 1); e++)
-        add_to_wall(walls.body.row<WallRow>(w), contacts.output.row<const WallLoad>(order.load(e)));
+        sum = sum + contacts.output.row<const WallLoad>(order.load(e));
+    put_load(row, sum);
     end_loads(walls, w, half);
 }
 // Half a kick of free wall e, when the forces on it are known.

@@ -1,5 +1,6 @@
 // The passes over an index: what a thread of a device does, by number. `X(pass)` is called for each.
 #pragma once
+#include "adhesion.hpp"
 #include "beams.hpp"
 #include "begun_contacts.hpp"
 #include "boundary.hpp"
@@ -160,6 +161,11 @@
     X(sum_portion_of_faces)             \
     X(press_walls_on_element)           \
     X(add_contact_load)                 \
+    X(adhere_one_pair)                  \
+    X(add_adhesion_of_element)          \
+    X(adhere_element_at_walls)          \
+    X(sum_portion_of_adhesion)          \
+    X(sum_portion_of_adhesion_at_walls) \
     X(roll_one_pair)                    \
     X(add_rolling_of_element)           \
     X(roll_element_at_walls)            \

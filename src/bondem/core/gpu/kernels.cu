@@ -6,6 +6,7 @@
 #include "../passes/cells/cell_strains.cpp"
 #include "../passes/cells/cell_stress.cpp"
 #include "../passes/cells/facet_failure.cpp"
+#include "../passes/contacts/adhesion.cpp"
 #include "../passes/contacts/contact_loads.cpp"
 #include "../passes/contacts/face_contacts.cpp"
 #include "../passes/contacts/handover.cpp"

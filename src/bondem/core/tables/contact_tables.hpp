@@ -18,11 +18,12 @@ struct ContactRow {
     double damping;  // β [-]
     double rolling, twisting;  // μ_r and μ_w [-]
     double deep;  // overlap over the radius at which the stiffness against rolling is taken [-]
+    double strength, reach;  // of adhesion, 0 for none [Pa, m]
 };
 // The laws of contacts by kinds of elements, and the radii of the elements.
 struct ContactConstants {
-    Array<const double, 3> between;  // `ContactRow` of pairs of each two kinds, (kinds, kinds, 7)
-    Array<const double, 3> at_walls;  // that of each kind at each wall, (kinds, walls, 7)
+    Array<const double, 3> between;  // `ContactRow` of pairs of each two kinds, (kinds, kinds, 9)
+    Array<const double, 3> at_walls;  // that of each kind at each wall, (kinds, walls, 9)
     Array<const Byte, 1> kind;  // of each element, (n,)
     Index hertzian;  // whether they are those of Hertz and Mindlin
     Array<const double, 1> radius;  // [m], (n,)
@@ -53,6 +54,11 @@ struct NearPairs {
     Array<double, 2> output;  // (c, 8)
     Array<Index, 2> counts;  // of near and of close pairs of each portion, (portions, 2)
     double width;  // motion of an element after which distances are measured anew [m]
+    double beyond;  // gap up to which pairs that do not touch act [m]
+};
+// Adhesion of near pairs: force on the later element [N], (c, 3).
+struct AdheringPairs {
+    Array<double, 2> force;
 };
 // What resists rolling: R̄ times the rotation that the spring of each pair stores [m], (c, 3), and the moment on its later
 // element [N·m] and the energy lost to friction [J], (c, 4).

@@ -8,6 +8,7 @@ from bondem._device import IndexPass, Launch
 from bondem.boundary.wall_rows import no_rows
 from bondem.dynamics.cohesive_tables import CrackLists
 from bondem.dynamics.contact_tables import (
+    AdheringPairs,
     ContactConstants,
     ContactEnergies,
     ContactPairs,
@@ -85,6 +86,17 @@ _sum_rolling = IndexPass(
 _sum_rolling_at_walls = IndexPass(
     "sum_portion_of_rolling_at_walls", DeviceSpan, ContactConstants, WallContacts, RolledWalls, ContactEnergies
 )
+_adhere_pair = IndexPass("adhere_one_pair", Moving, ContactConstants, ContactPairs, AdheringPairs)
+_add_adhesion = IndexPass("add_adhesion_of_element", ContactPairs, EarlierPairs, AdheringPairs, ContactSums)
+_adhere_at_walls = IndexPass(
+    "adhere_element_at_walls", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, ContactSums
+)
+_sum_adhesion = IndexPass(
+    "sum_portion_of_adhesion", DeviceSpan, Moving, ContactConstants, ContactPairs, ContactEnergies
+)
+_sum_adhesion_at_walls = IndexPass(
+    "sum_portion_of_adhesion_at_walls", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, ContactEnergies
+)
 _write_energy = IndexPass("write_energy_of_contacts", DeviceSpan, ContactEnergies, HistoryRows)
 _write_work = IndexPass("write_work_of_walls", DeviceSpan, Walls, HistoryRows)
 _write_gauge = IndexPass("write_gauge_of_wall", DeviceSpan, Walls, Gauges, HistoryRows)
@@ -161,6 +173,20 @@ def _rolling_energies_at_walls(
     return [(_sum_rolling_at_walls, len(energies.energy), (run.span, law, contacts, of, energies))]
 
 
+def _adhere(
+    _: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, __: NearPairs, of: AdheringPairs
+) -> list[Launch]:
+    return [(_adhere_pair, len(pairs.first), (moving, law, pairs, of))]
+
+
+def _add_adhering(
+    run: Translation, pairs: ContactPairs, _: NearPairs, of: AdheringPairs, sums: ContactSums
+) -> list[Launch]:
+    if len(pairs.first) == 0:
+        return []
+    return [(_add_adhesion, run.span.n, (pairs, earlier_pairs(run, pairs), of, sums))]
+
+
 def _press_with_faces(
     run: Translation,
     moving: Moving,
@@ -198,16 +224,17 @@ def _begin_by_faces(
     ]
 
 
-def _press_at_walls(
-    run: Translation,
-    moving: Moving,
-    law: ContactConstants,
-    contacts: WallContacts,
-    walls: Walls,
-    sums: ContactSums,
-) -> list[Launch]:
-    count = run.span.n if len(contacts.wall) else 0
-    return [(_press_walls, count, (run.span, moving, law, contacts, walls, sums))]
+def _at_walls(by: IndexPass) -> Counterpart:
+    """Return what contacts of elements with walls add to the sums of the elements, by one pass."""
+
+    def launch(
+        run: Translation, moving: Moving, law: ContactConstants, contacts: WallContacts, walls: Walls,
+        sums: ContactSums,
+    ) -> list[Launch]:  # fmt: skip
+        count = run.span.n if len(contacts.wall) else 0
+        return [(by, count, (run.span, moving, law, contacts, walls, sums))]
+
+    return launch
 
 
 def _load(run: Translation, contacts: WallContacts, motions: WallMotions, walls: Walls) -> list[Launch]:
@@ -240,10 +267,15 @@ def _begin(
     ]
 
 
-def _pair_energies(
-    run: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, energies: ContactEnergies
-) -> list[Launch]:
-    return [(_sum_pairs, len(energies.energy), (run.span, moving, law, pairs, energies))]
+def _pair_energies(by: IndexPass) -> Counterpart:
+    """Return what pairs add to the energy of each portion, by one pass."""
+
+    def launch(
+        run: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, energies: ContactEnergies
+    ) -> list[Launch]:
+        return [(by, len(energies.energy), (run.span, moving, law, pairs, energies))]
+
+    return launch
 
 
 def _face_energies(
@@ -257,15 +289,16 @@ def _face_energies(
     return [(_sum_faces, len(energies.energy), (run.span, moving, law, pairs, faces, energies))]
 
 
-def _wall_energies(
-    run: Translation,
-    moving: Moving,
-    law: ContactConstants,
-    contacts: WallContacts,
-    walls: Walls,
-    energies: ContactEnergies,
-) -> list[Launch]:
-    return [(_sum_at_walls, len(energies.energy), (run.span, moving, law, contacts, walls, energies))]
+def _wall_energies(by: IndexPass) -> Counterpart:
+    """Return what contacts with walls add to the energy of each portion, by one pass."""
+
+    def launch(
+        run: Translation, moving: Moving, law: ContactConstants, contacts: WallContacts, walls: Walls,
+        energies: ContactEnergies,
+    ) -> list[Launch]:  # fmt: skip
+        return [(by, len(energies.energy), (run.span, moving, law, contacts, walls, energies))]
+
+    return launch
 
 
 def _energy(run: Translation, energies: ContactEnergies, history: HistoryRows) -> list[Launch]:
@@ -294,14 +327,19 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "add_face_loads": _add_by_faces,
     "sum_face_energies": _face_energies,
     "begin_face_contacts": _begin_by_faces,
-    "press_walls": _press_at_walls,
+    "adhere_pairs": _adhere,
+    "add_adhesion_loads": _add_adhering,
+    "adhere_at_walls": _at_walls(_adhere_at_walls),
+    "sum_adhesion_energies": _pair_energies(_sum_adhesion),
+    "sum_adhesion_at_walls": _wall_energies(_sum_adhesion_at_walls),
+    "press_walls": _at_walls(_press_walls),
     "measure_wall_overlaps": lambda *_: [],  # with the overlaps of pairs, at the guard
     "keep_measures": lambda *_: [],
     "load_walls": _load,
     "add_contact_loads": _contact_loads,
     "begin_contacts": _begin,
-    "sum_pair_energies": _pair_energies,
-    "sum_wall_energies": _wall_energies,
+    "sum_pair_energies": _pair_energies(_sum_pairs),
+    "sum_wall_energies": _wall_energies(_sum_at_walls),
     "write_contact_energy": _energy,
     "write_walls": _walls,
     "count_wall_work": lambda *_: [],  # the CPU adds it
@@ -331,7 +369,7 @@ def _none(n: int) -> WallContacts:
 
 def lists_of_contacts(passes: Passes) -> list[Any]:
     """Return the tables of the passes of a step that are made anew with a list of contacts."""
-    kinds = ContactPairs, FacePairs, NearPairs, RolledPairs, RolledWalls, Travel, WallContacts
+    kinds = AdheringPairs, ContactPairs, FacePairs, NearPairs, RolledPairs, RolledWalls, Travel, WallContacts
     return list({id(table): table for _, *tables in passes for table in tables if isinstance(table, kinds)}.values())
 
 

@@ -9,6 +9,7 @@ from bondem.boundary.wall_rows import named_rows, no_rows, wall_rows
 from bondem.dynamics.cohesive_tables import CohesiveCracks, CrackLists, PartedReach
 from bondem.dynamics.contact_check import ContactCheck, ListedContacts
 from bondem.dynamics.contact_tables import (
+    AdheringPairs,
     ContactConstants,
     ContactEnergies,
     ContactPairs,
@@ -87,6 +88,14 @@ _sum_rolling_at_walls = StepPass(
     "sum_rolling_at_walls", ContactConstants, WallContacts, RolledWalls, ContactEnergies
 )
 
+_adhere_pairs = StepPass("adhere_pairs", Moving, ContactConstants, ContactPairs, NearPairs, AdheringPairs)
+_add_adhesion = StepPass("add_adhesion_loads", ContactPairs, NearPairs, AdheringPairs, ContactSums)
+_adhere_at_walls = StepPass("adhere_at_walls", Moving, ContactConstants, WallContacts, Walls, ContactSums)
+_sum_adhesion = StepPass("sum_adhesion_energies", Moving, ContactConstants, ContactPairs, ContactEnergies)
+_sum_adhesion_at_walls = StepPass(
+    "sum_adhesion_at_walls", Moving, ContactConstants, WallContacts, Walls, ContactEnergies
+)
+
 # Distances of all pairs are measured again when an element has moved this share of the reach of the list.
 _FRESH = 0.1
 
@@ -121,7 +130,7 @@ class ContactTables:
         laws = contacts.laws
         kind = np.ascontiguousarray(laws.kind[model.layout.order])
         self._law = ContactConstants(*laws.rows, kind, laws.hertzian, contacts.radius)
-        self._rolls = laws.rolls
+        self._rolls, self._beyond = laws.rolls, laws.beyond
         self._sums = ContactSums(lines(n))
         self._energies = ContactEnergies(np.zeros(portions))
         walls = contacts.walls
@@ -152,7 +161,7 @@ class ContactTables:
         )  # fmt: skip
         self._near = NearPairs(
             np.zeros(c + 1, dtype=np.uint32), np.zeros(c + 1, dtype=np.uint32), np.empty((c, 8)),
-            np.zeros((portions, 2), dtype=np.int64), _FRESH * found.reach,
+            np.zeros((portions, 2), dtype=np.int64), _FRESH * found.reach, self._beyond,
         )  # fmt: skip
         self._travel = Travel(
             found.position, found.position.copy(), np.zeros((portions, 3)),
@@ -164,6 +173,7 @@ class ContactTables:
         )  # fmt: skip
         self._rolled = RolledPairs(found.rolled, np.zeros((c, 4))) if self._rolls else None
         self._rolled_walls = RolledWalls(found.wall_rolled)
+        self._adhering = AdheringPairs(np.zeros((c, 3)))
         self._walls.keep_places(found.position, self._turning)
 
     def part(self) -> Part:
@@ -184,12 +194,17 @@ class ContactTables:
                 (_roll_pairs, s.moving, law, self._pairs, self._near, self._rolled),
                 (_add_rolling, self._pairs, self._near, self._rolled, self._sums),
             ]
+        if self._beyond > 0.0:
+            contacts += [
+                (_adhere_pairs, s.moving, law, self._pairs, self._near, self._adhering),
+                (_add_adhesion, self._pairs, self._near, self._adhering, self._sums),
+            ]
         guard: Passes = []
         if walled:
             travel.insert(0, (_move_walls, self._motions, walls))
             contacts += [
                 (_press_walls, s.moving, law, self._at_walls, walls, self._sums),
-                *self._rolling_at_walls(),
+                *self._beside_pressure_at_walls(),
                 (_measure_walls, s.moving, law, self._at_walls, walls, self._near, self._travel),
                 (_load_walls, self._at_walls, self._motions, walls),
             ]
@@ -199,11 +214,13 @@ class ContactTables:
         stages = {**self._after_failure(), "travel": travel, "contacts": contacts, "add": loads, "guard": guard}
         return Part(stages, record=self._record, keep=self._keep, renewed=self._renewed)
 
-    def _rolling_at_walls(self) -> Passes:
-        if self._rolled is None:
-            return []
-        at = self._at_walls
-        return [(_roll_at_walls, self._shared.moving, self._law, at, self._walls, self._rolled_walls, self._sums)]
+    def _beside_pressure_at_walls(self) -> Passes:
+        at, passes = (self._shared.moving, self._law, self._at_walls, self._walls), Passes()
+        if self._rolled is not None:
+            passes.append((_roll_at_walls, *at, self._rolled_walls, self._sums))
+        if self._beyond > 0.0:
+            passes.append((_adhere_at_walls, *at, self._sums))
+        return passes
 
     def _after_failure(self) -> dict[str, Passes]:
         """Return the passes that begin contact where bonds have failed."""
@@ -248,6 +265,9 @@ class ContactTables:
         if self._rolled is not None:
             passes.append((_sum_rolling, law, self._pairs, self._rolled, energies))
             passes.append((_sum_rolling_at_walls, law, self._at_walls, self._rolled_walls, energies))
+        if self._beyond > 0.0:
+            passes.append((_sum_adhesion, moving, law, self._pairs, energies))
+            passes.append((_sum_adhesion_at_walls, moving, law, self._at_walls, self._walls, energies))
         return [*passes, (_write_contact_energy, energies, history)]
 
     def _keep(self) -> None:

@@ -11,7 +11,7 @@ from bondem._checks import instance, shown
 from bondem._types import Floats, Ints, Mask, PerElement
 from bondem.boundary.walls import Wall
 from bondem.errors import InputError
-from bondem.interactions.contact.contact_law import ContactLaw
+from bondem.interactions.contact.contact_law import KISSING, ContactLaw
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.regions import Region, as_region
 
@@ -61,6 +61,7 @@ class ContactLaws:
             by_region = _by_region(lattice, contact, walls, laws)
             if len(laws) > 1:  # else as if it had been given alone
                 kind, between, at_walls = by_region
+        _check_reach(laws, lattice)
         given = np.array([math.nan if wall.friction is None else wall.friction for wall in walls], dtype=float)
         own = np.array([law.friction for law in laws])[at_walls]
         return cls(laws, kind, between, at_walls, np.where(np.isnan(given), own, given))
@@ -86,9 +87,19 @@ class ContactLaws:
         return self.laws[0].parallel
 
     @property
+    def of_beams(self) -> str:
+        """An option of the laws that only spheres have, "parallel" or "adhesion"; empty if there is none."""
+        return "parallel" if self.parallel else "adhesion" if self.beyond > 0.0 else ""
+
+    @property
     def rolls(self) -> bool:
         """True if some contacts resist rolling or twisting."""
         return any(law.rolls for law in self.laws)
+
+    @property
+    def beyond(self) -> float:
+        """Largest gap at which contacts act, 0 without adhesion [m]."""
+        return max(0.0 if law.adhesion is None else law.adhesion.reach for law in self.laws)
 
     @property
     def deepest(self) -> float:
@@ -97,7 +108,7 @@ class ContactLaws:
 
     @property
     def rows(self) -> tuple[Floats, Floats]:
-        """Rows of `ContactRow` of pairs, (kinds, kinds, 7), and at walls with their friction, (kinds, w, 7)."""
+        """Rows of `ContactRow` of pairs, (kinds, kinds, 9), and at walls with their friction, (kinds, w, 9)."""
         rows = np.array([law.parameters for law in self.laws])
         at_walls = rows[self.at_walls]
         at_walls[:, :, 2] = self.friction
@@ -137,6 +148,15 @@ class ContactLaws:
                     least = min(least, law.shortest(radius[some], mass[some], platens, walled=walled))
         return least
 
+    def released(self, radius: PerElement) -> float:
+        """Return a bound of the energy that adhesion releases as elements meet, of radii in user's order [J]."""
+        total = 0.0
+        for number, law in enumerate(self.laws):
+            if law.adhesion is not None:  # a well of F_c D / 2 at each contact
+                some = self._pressed_by(self.between == number) | self._pressed_by(self.at_walls == number)
+                total += 0.5 * KISSING * law.adhesion.reach * float(law.adhesion.pull_off(radius[some]).sum())
+        return total
+
     def _pressed_by(self, where: np.ndarray) -> Mask:
         """Return a mask of the elements of kinds for which a mask of kinds and others holds somewhere, (n,)."""
         return np.any(where, axis=1)[self.kind]
@@ -156,6 +176,17 @@ def _checked(contact: object) -> tuple[ContactLaw, ...]:
         if len({getattr(law, name) for law in found}) > 1:
             raise InputError(f"contact= has laws with and without {name}=True; give all laws the same {name}=")
     return found
+
+
+def _check_reach(laws: tuple[ContactLaw, ...], lattice: Lattice) -> None:
+    """Refuse adhesion over gaps that others fill."""
+    least = float(lattice.particles.radius.min())
+    for law in laws:
+        if law.adhesion is not None and law.adhesion.reach > least:
+            raise InputError(
+                f"Adhesion: reach = {law.adhesion.reach:.4g} m is more than the smallest radius, {least:.4g} m; give"
+                " less, as elements beyond that stand between"
+            )
 
 
 def _by_region(

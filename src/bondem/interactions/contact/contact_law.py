@@ -5,9 +5,9 @@
 with u the overlap and ξ the stretch of the tangential spring, which turns with the pair and slides where Coulomb's
 limit holds it. Stiffness of the linear law follows from an effective modulus, kn = E A / L with A = π min(Ri, Rj)²
 and L = Ri + Rj (at a wall A = π R², L = R), as that of a bond does; that of `HertzMindlin` grows with the overlap.
-Repulsion only. A pair whose bond is broken carries compression as the bond did: from its rest length on, with its kn
-(docs/decisions/0020-contact-after-breakage.md). References: Cundall and Strack, Géotechnique 29 (1979) 47–65; Luding,
-Granular Matter 10 (2008) 235–246, for the turning of the spring.
+Repulsion only, unless there is `Adhesion`. A pair whose bond is broken carries compression as the bond did: from its
+rest length on, with its kn (docs/decisions/0020-contact-after-breakage.md). References: Cundall and Strack,
+Géotechnique 29 (1979) 47–65; Luding, Granular Matter 10 (2008) 235–246, for the turning of the spring.
 """
 
 import math
@@ -19,6 +19,7 @@ import numpy as np
 from bondem._checks import instance, number
 from bondem._plausibility import physical
 from bondem._types import Floats
+from bondem.interactions.contact.adhesion import Adhesion, numbers_of
 
 # Contacts a sphere can have with spheres of its size: the kissing number bounds the stiffness around it.
 KISSING = 12
@@ -52,12 +53,17 @@ class ContactLaw(ABC):
         return False
 
     @property
+    def adhesion(self) -> Adhesion | None:
+        """Attraction beside the contact; None for repulsion only."""
+        return None
+
+    @property
     @abstractmethod
     def parameters(self) -> Floats:
-        """Parameters of the law that the compiled core reads as a `ContactRow`, (7,).
+        """Parameters of the law that the compiled core reads as a `ContactRow`, (9,).
 
-        They are the modulus [Pa], ks / kn, μ and β, μ_r and μ_w of rolling and twisting, and the overlap over the
-        radius at which the stiffness against rolling is taken.
+        They are the modulus [Pa], ks / kn, μ and β, μ_r and μ_w of rolling and twisting, the overlap over the radius
+        at which the stiffness against rolling is taken, and strength [Pa] and reach [m] of adhesion.
         """
 
     @property
@@ -156,10 +162,30 @@ def slowest_root(pair: Floats, wall: Floats, mass: Floats, platens: Floats, *, w
     return math.sqrt(least)
 
 
-def check_rolling(law: str, rolling: float, twisting: float) -> None:
-    """Check coefficients of resistance to rolling and twisting."""
+def passage(
+    adhesion: Adhesion | None, radius: Floats, mass: Floats, platens: Floats, *, walled: bool
+) -> float:  # fmt: skip
+    """Return the time that the reach of adhesion takes, π √(m̄ D / F_c), as a collision does; infinite without [s].
+
+    Args:
+        adhesion: adhesion of the law.
+        radius: radii of the spheres [m], (n,).
+        mass: masses of the spheres [kg], (n,).
+        platens: masses of the walls that a force moves [kg], (s,).
+        walled: True if there are walls.
+    """
+    if adhesion is None:
+        return math.inf
+    slope = adhesion.pull_off(radius) / adhesion.reach
+    return math.pi * slowest_root(slope, slope, mass, platens, walled=walled)
+
+
+def check_options(law: str, rolling: float, twisting: float, adhesion: Adhesion | None) -> None:
+    """Check coefficients of resistance to rolling and twisting, and adhesion."""
     for name, value in (("rolling", rolling), ("twisting", twisting)):
         number(law, name, value, least=0.0, advice="a coefficient of zero or more")
+    if adhesion is not None:
+        instance(law, "adhesion", adhesion, Adhesion, "bd.Adhesion(strength=, reach=), or None")
 
 
 @dataclass(frozen=True)
@@ -184,6 +210,7 @@ class LinearContact(ContactLaw):
             sphere on the other, 1/R̄ = 1/Ri + 1/Rj (at a wall R̄ = R), with the limit μ_r R̄ F_n and without a dashpot
             (type C of Ai et al., Powder Technology 206 (2011) 269–282). 0 for none.
         twisting: coefficient of resistance to rotation about the normal of the contact, of the same form [-].
+        adhesion: attraction up to a gap, beside the contact; None for repulsion only. For beams and loose spheres.
     """
 
     E: float
@@ -194,6 +221,7 @@ class LinearContact(ContactLaw):
     parallel: bool = False
     rolling: float = 0.0
     twisting: float = 0.0
+    adhesion: Adhesion | None = None
 
     def __post_init__(self) -> None:
         law = "LinearContact"
@@ -203,7 +231,7 @@ class LinearContact(ContactLaw):
         number(law, "damping", self.damping, least=0.0, below=1.0, advice="a share of critical damping in [0, 1)")
         instance(law, "stress_free", self.stress_free, bool, "True or False")
         instance(law, "parallel", self.parallel, bool, "True or False")
-        check_rolling(law, self.rolling, self.twisting)
+        check_options(law, self.rolling, self.twisting, self.adhesion)
 
     @property
     def restitution(self) -> float:
@@ -213,7 +241,8 @@ class LinearContact(ContactLaw):
     @property
     def parameters(self) -> Floats:
         """Parameters of the law that the compiled core reads; see `ContactLaw.parameters`."""
-        return np.array([self.E, 1.0 / self.kappa, self.friction, self.damping, self.rolling, self.twisting, 0.0])
+        own = [self.E, 1.0 / self.kappa, self.friction, self.damping, self.rolling, self.twisting, 0.0]
+        return np.array([*own, *numbers_of(self.adhesion)])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
         """Return bounds of the fastest motions of spheres in contact; arguments as for `ContactLaw.stiffest`."""
@@ -232,4 +261,5 @@ class LinearContact(ContactLaw):
         It is π √(m / k) at every speed.
         """
         kn = 0.5 * math.pi * self.E * radius
-        return math.pi * slowest_root(kn, 2.0 * kn, mass, platens, walled=walled)
+        elastic = math.pi * slowest_root(kn, 2.0 * kn, mass, platens, walled=walled)
+        return min(elastic, passage(self.adhesion, radius, mass, platens, walled=walled))

@@ -13,11 +13,13 @@ from bondem._names import users_line
 from bondem._plausibility import physical
 from bondem._types import Floats
 from bondem.errors import ContactWarning
+from bondem.interactions.contact.adhesion import Adhesion, numbers_of
 from bondem.interactions.contact.contact_law import (
     HERTZIAN_DASHPOT,
     ContactLaw,
-    check_rolling,
+    check_options,
     fastest,
+    passage,
     rebound,
     slowest_root,
 )
@@ -61,6 +63,7 @@ class HertzMindlin(ContactLaw):
         stress_free: see `LinearContact`.
         rolling: see `LinearContact`; ks of its spring is that at the overlap `overlap`, a constant of each pair.
         twisting: see `LinearContact`.
+        adhesion: see `LinearContact`.
     """
 
     E: float
@@ -71,12 +74,14 @@ class HertzMindlin(ContactLaw):
     stress_free: bool = True
     rolling: float = 0.0
     twisting: float = 0.0
+    adhesion: Adhesion | None = None
 
     if TYPE_CHECKING:
 
         def __init__(
             self, E: float | Material, nu: float | Material = ..., friction: float = 0.0, restitution: float = 1.0,
             overlap: float = 0.01, stress_free: bool = True, rolling: float = 0.0, twisting: float = 0.0,
+            adhesion: Adhesion | None = None,
         ) -> None: ...  # fmt: skip
 
     def __post_init__(self) -> None:
@@ -88,7 +93,7 @@ class HertzMindlin(ContactLaw):
         number(law, "restitution", e, least=_LEAST_REBOUND, below=most, advice="one in [0.01, 1]")
         number(law, "overlap", self.overlap, above=0.0, below=1.0, advice="a share of the radius in (0, 1)")
         instance(law, "stress_free", self.stress_free, bool, "True or False")
-        check_rolling(law, self.rolling, self.twisting)
+        check_options(law, self.rolling, self.twisting, self.adhesion)
         most = math.sqrt(1.5 / self.kappa)
         if self.friction > most:
             warnings.warn(
@@ -128,7 +133,8 @@ class HertzMindlin(ContactLaw):
     def parameters(self) -> Floats:
         """Parameters of the law that the compiled core reads; see `ContactLaw.parameters`."""
         soft, mu, beta = 1.0 / self.kappa, self.friction, self.damping
-        return np.array([self.modulus, soft, mu, beta, self.rolling, self.twisting, self.overlap])
+        own = [self.modulus, soft, mu, beta, self.rolling, self.twisting, self.overlap]
+        return np.array([*own, *numbers_of(self.adhesion)])
 
     def stiffest(self, radius: Floats, mass: Floats, platens: Floats) -> tuple[tuple[float, float], ...]:
         """Return bounds of the fastest motions of spheres at the deepest overlap; see `ContactLaw.stiffest`."""
@@ -150,4 +156,5 @@ class HertzMindlin(ContactLaw):
         See `ContactLaw.shortest`.
         """
         kn = 2.0 * self.modulus * radius * math.sqrt(0.5 * self.overlap)
-        return _DURATION * slowest_root(kn, 2.0 * math.sqrt(2.0) * kn, mass, platens, walled=walled)
+        elastic = _DURATION * slowest_root(kn, 2.0 * math.sqrt(2.0) * kn, mass, platens, walled=walled)
+        return min(elastic, passage(self.adhesion, radius, mass, platens, walled=walled))

@@ -29,7 +29,7 @@ void list_near(const Turn &turn, const Moving &all, const ContactConstants &c, c
         if (bonded(pairs, k)) continue;
         const Vector d = branch_of(all.pose.data, pairs, k);
         const double square = dot(d, d), reach = (1.0 + rounding) * pairs.reach(k);
-        const double limit = most(reach, outer(k)) + 2.0 * near.width;
+        const double limit = most(reach, outer(k)) + near.beyond + 2.0 * near.width;
         near.near(begin + count) = Short(k);
         count += (square <= limit * limit) | (pairs.touch(k) != separate);
         if (square < reach * reach && pairs.touch(k) != facing) {

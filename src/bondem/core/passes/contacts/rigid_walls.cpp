@@ -120,8 +120,10 @@ void press_wall(const Moving &all, const ContactConstants &c, const WallContacts
     const double rest = contacts.gap(e);
     const WallSurface now = surface_of(all, c, contacts, walls, e);
     WallLoad &output = contacts.output.row<WallLoad>(e);
-    output = {};
-    if (!(rest - now.gap > 0.0 || contacts.touch(e) == touching)) return;
+    if (!(rest - now.gap > 0.0 || contacts.touch(e) == touching)) {
+        output = {};
+        return;
+    }
     const double radius = c.radius(p);
     const Vector place = centre(all.pose.data, p), at = minus(place, radius + now.gap, now.normal) - wall.pivot();
     Vector *const memory = &contacts.memory.row<Vector>(e);
@@ -186,16 +188,8 @@ void measure_wall_overlaps(const Turn &turn, const Moving &all, const ContactCon
 
 void begin_loads(WallRow &row, double half) {
     row.work -= half * (moving_power(row) + turning_power(row));
-    row.force = row.torque = {};
-    row.growth_force = row.normal_force = 0.0;
-}
-
-void add_to_wall(WallRow &row, const WallLoad &load) {
-    for (Index c = 0; c < 3; c++) {
-        row.force[c] += load.force[c];
-        row.torque[c] += load.torque[c];
-    }
-    row.normal_force += load.normal;
+    put_load(row, {});
+    row.growth_force = 0.0;
 }
 
 void end_loads(const Walls &walls, Index w, double half) {
@@ -208,8 +202,14 @@ void end_loads(const Walls &walls, Index w, double half) {
 void load_walls(const Turn &turn, const WallContacts &contacts, const WallMotions &motions, const Walls &walls) {
     const double half = 0.5 * turn.clock.dt;
     for (Index w = 0; w < walls.body.size(); w++) begin_loads(walls.body.row<WallRow>(w), half);
-    for (Index e = 0; e < contacts.wall.size(); e++)
-        add_to_wall(walls.body.row<WallRow>(contacts.wall(e)), contacts.output.row<const WallLoad>(e));
+    // contacts that follow each other at one wall are summed in registers, in the same order
+    for (Index e = 0, count = contacts.wall.size(); e < count;) {
+        const Index w = contacts.wall(e);
+        WallRow &row = walls.body.row<WallRow>(w);
+        WallLoad sum = load_of(row);
+        for (; e < count && contacts.wall(e) == w; e++) sum = sum + contacts.output.row<const WallLoad>(e);
+        put_load(row, sum);
+    }
     for (Index w = 0; w < walls.body.size(); w++) end_loads(walls, w, half);
     for (Index e = 0; e < motions.free_wall.size(); e++) {
         kick_free(motions, walls, e, half);

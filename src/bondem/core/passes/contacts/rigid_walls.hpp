@@ -11,7 +11,6 @@ void kick_free(const WallMotions &motions, const Walls &walls, Index e, double d
 void show_free_spin(const Walls &walls, Index w);
 // Half a step of the work of a wall by its loads before, and after they have been summed.
 void begin_loads(WallRow &row, double half);
-void add_to_wall(WallRow &row, const WallLoad &load);
 void end_loads(const Walls &walls, Index w, double half);
 // Adds forces of walls to the elements of a portion, and keeps their memory.
 void press_walls(const Turn &turn, const Moving &all, const ContactConstants &c,

@@ -67,28 +67,35 @@ struct WallPlace {
     Vector pivot() const { return shape.about + row.displacement; }
     // From its point to a place [m].
     BONDEM_INLINE Vector from_point(Vector place) const {
-        return turned() ? from_turned_point(place) : place - shape.point - row.displacement;
+        return turned() ? from_turned_point(place) : from_resting_point(place);
     }
     // Speed at which the wall grows towards the elements [m/s].
     double growing() const { return among() ? row.growth_rate : -row.growth_rate; }
     double towards_elements() const { return flat() ? dot(row.velocity, axis()) : growing(); }
 
-    WallSurface surface(Vector centre, double radius) const {
-        const Vector d = from_point(centre), n = axis();  // zero of a sphere
+    BONDEM_INLINE WallSurface surface(Vector centre, double radius) const {
+        const bool turns = turned();
+        const Vector d = turns ? from_turned_point(centre) : from_resting_point(centre);
+        const Vector n = turns ? turned_axis() : shape.axis;  // zero of a sphere
         const double along = dot(d, n);
         if (kind() == plane_wall) return {along - radius, n};
+        return beside_axis(d, n, along, radius);
+    }
+
+  private:
+    BONDEM_INLINE Vector from_resting_point(Vector place) const { return place - shape.point - row.displacement; }
+    // Apart, so that walls that have not turned cost what they did.
+    __attribute__((noinline)) Vector turned_axis() const { return rotate(row.orientation, shape.axis); }
+    __attribute__((noinline)) Vector from_turned_point(Vector place) const {
+        return place - pivot() - rotate(row.orientation, shape.point - shape.about);
+    }
+    // That of walls that are not planes, from a place that is so far along their axis.
+    __attribute__((noinline)) WallSurface beside_axis(const Vector &d, const Vector &n, double along, double radius) const {
         const Vector across = minus(d, along, n);
         const double distance = length(across);
         if (kind() == disc_wall) return disc(n, along, across, distance, radius);
         const double sign = among() ? 1.0 : -1.0, scale = distance > 0.0 ? sign / distance : 0.0;
         return {sign * (distance - shape.radius - row.growth) - radius, scale * across};
-    }
-
-  private:
-    // Apart, so that walls that have not turned cost what they did.
-    __attribute__((noinline)) Vector turned_axis() const { return rotate(row.orientation, shape.axis); }
-    __attribute__((noinline)) Vector from_turned_point(Vector place) const {
-        return place - pivot() - rotate(row.orientation, shape.point - shape.about);
     }
     // Beside a disc the nearest place is its rim, or that of its hole.
     WallSurface disc(Vector n, double along, Vector across, double distance, double radius) const {

@@ -1,0 +1,77 @@
+#include "adhesion.hpp"
+
+namespace bondem {
+namespace {
+
+// An element at a wall.
+struct NearWall {
+    Short p;
+    double radius, gap;  // gap from which adhesion counts [m]
+    WallSurface at;
+    Adhesion adhesion;
+
+    NearWall(const Moving &all, const ContactConstants &c, const WallContacts &contacts, const Walls &walls, Index e)
+        : p(contacts.element(e)), radius(c.radius(p)),
+          at(WallPlace(walls, contacts.wall(e)).surface(centre(all.pose.data, p), radius)),
+          adhesion(adhesion_of(c.at_wall(p, contacts.wall(e)), radius, radius)) {
+        gap = at.gap - contacts.gap(e);
+    }
+};
+
+}  // namespace
+
+void adhere_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
+                  const AdheringPairs &of) {
+    const Index begin = pairs.start(turn.first), end = begin + near.counts(turn.block, 0);
+    for (Index e = begin; e < end; e++) adhere_pair(all, c, pairs, of, near.near(e));
+}
+
+void add_adhesion_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const AdheringPairs &of,
+                        const ContactSums &to) {
+    const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };
+    for (Index q = turn.first / elements_of_portion; q < near.counts.size(); q++) {
+        const Index begin = pairs.start(elements_of_portion * q), end = begin + near.counts(q, 0);
+        for (Index e = begin; e < end; e++) {
+            const Short k = near.near(e), a = pairs.first(k), b = pairs.second(k);
+            if (mine(a)) add_adhesion(of, k, false, &to.sums(a, 0));
+            if (mine(b)) add_adhesion(of, k, true, &to.sums(b, 0));
+        }
+    }
+}
+
+void adhere_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+                     const Walls &walls, const ContactSums &to) {
+    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+        const NearWall near(all, c, contacts, walls, e);
+        const double pull = near.adhesion.force(near.gap);
+        if (pull == 0.0) continue;
+        const Vector n = near.at.normal, f = -pull * n;
+        const Vector place = minus(centre(all.pose.data, near.p), near.radius + near.at.gap, n);
+        WallLoad &output = contacts.output.row<WallLoad>(e);
+        output.force = output.force - f;
+        output.normal -= pull;
+        output.torque = output.torque - cross(place - WallPlace(walls, contacts.wall(e)).pivot(), f);
+        for (Index x = 0; x < 3; x++) to.sums(near.p, x) += f[x];
+    }
+}
+
+void sum_adhesion_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                           const ContactEnergies &energies) {
+    double sum = 0.0;
+    for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++)
+        if (pairs.bond(k) < 0)
+            sum += adhesion_of(c, pairs, k).energy(length(branch_of(all.pose.data, pairs, k)) - pairs.reach(k));
+    energies.energy(turn.block) += sum;
+}
+
+void sum_adhesion_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+                           const Walls &walls, const ContactEnergies &energies) {
+    double sum = 0.0;
+    for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++) {
+        const NearWall near(all, c, contacts, walls, e);
+        sum += near.adhesion.energy(near.gap);
+    }
+    energies.energy(turn.block) += sum;
+}
+
+}  // namespace bondem

@@ -1,0 +1,47 @@
+// Adhesion of spheres that touch or are near, and of spheres at walls: a force along the normal that remembers nothing.
+//
+// Pairs that a bond joins or joined do not adhere: broken surfaces do not heal.
+#pragma once
+#include "../../laws/adhesion.hpp"
+#include "../../steps.hpp"
+#include "../../tables/contact_tables.hpp"
+#include "pairs.hpp"
+#include "wall_shapes.hpp"
+
+namespace bondem {
+
+inline Adhesion adhesion_of(const ContactRow &of, double ra, double rb) { return {of.strength, of.reach, ra, rb}; }
+inline Adhesion adhesion_of(const ContactConstants &c, const ContactPairs &pairs, Index k) {
+    return adhesion_of(law_of(c, pairs, k), c.radius(pairs.first(k)), c.radius(pairs.second(k)));
+}
+// Force of pair k on its later element [N].
+inline void adhere_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const AdheringPairs &of, Index k) {
+    Vector force = {};
+    if (pairs.bond(k) < 0) {
+        const Vector d = branch_of(all.pose.data, pairs, k);
+        const double distance = length(d);
+        force = (-adhesion_of(c, pairs, k).force(distance - pairs.reach(k)) / distance) * d;
+    }
+    of.force.row<Vector>(k) = force;
+}
+// Adds what pair k does to its later or its earlier element.
+inline void add_adhesion(const AdheringPairs &of, Index k, bool later, double *row) {
+    for (Index x = 0; x < 3; x++) row[x] += later ? of.force(k, x) : -of.force(k, x);
+}
+
+// Adhesion of the near pairs of a portion of elements.
+void adhere_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
+                  const AdheringPairs &of);
+// Adds it to the elements of a range.
+void add_adhesion_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const AdheringPairs &of,
+                        const ContactSums &to);
+// Adhesion of a portion of elements at walls.
+void adhere_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+                     const Walls &walls, const ContactSums &to);
+// Adds the energy of adhesion of a portion, below 0 [J].
+void sum_adhesion_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
+                           const ContactEnergies &energies);
+void sum_adhesion_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
+                           const Walls &walls, const ContactEnergies &energies);
+
+}  // namespace bondem
