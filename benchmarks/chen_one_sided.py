@@ -14,8 +14,9 @@ import numpy as np
 
 import bondem as bd
 from bondem._core import Pass
+from bondem._tables.step_tables import Beams, BeamSums, Poses
 from bondem.dynamics.timestep import critical_step
-from bondem.interactions.beams.beam_tables import Beams, BeamSums, Poses, beam_tables
+from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.beams.bond_law import BondLaw
 from chen_specimens import cantilever
 

@@ -5,9 +5,9 @@ for this CPU: the highest level of instructions that the CPU offers, or the one 
 "v4"). In a source tree whose sources have changed since, it compiles them again first. BONDEM_CORE names another
 library, such as one with sanitizers. No other module imports ctypes.
 
-A pass takes tables, named tuples of arrays and numbers. The C++ headers declare them, the library describes itself,
-and each `Pass` compares the named tuples with the description when it is made. A call checks type, contiguity and
-lengths of the arrays. Passes do not check them again.
+A pass takes tables, named tuples of arrays and numbers. The C++ headers declare them, `bondem._tables` is written
+from these headers, the library describes itself, and each `Pass` compares the named tuples with the description when
+it is made. A call checks type, contiguity and lengths of the arrays. Passes do not check them again.
 """
 
 import ctypes
@@ -331,7 +331,8 @@ def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[Field, ...]:
     """
     fields = _library().tables[kind.__name__]
     if kind._fields != tuple(field.name for field in fields):
-        raise ImportError(f"{kind.__name__} has the fields {', '.join(field.name for field in fields)}")
+        listed = ", ".join(field.name for field in fields)
+        raise ImportError(f"{kind.__name__} has the fields {listed}; run: python -m tests.core.tables")
     return fields
 
 

@@ -9,6 +9,10 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Mask = NDArray[np.bool_]
+Bytes = NDArray[np.uint8]
+Int32s = NDArray[np.int32]
+Uint32s = NDArray[np.uint32]
+Singles = NDArray[np.float32]
 
 PerElement = Annotated[Floats, "(n,)"]
 PerElement3 = Annotated[Floats, "(n, 3)"]
@@ -25,7 +29,9 @@ Axis = Literal["x", "y", "z"]
 __all__ = [
     "ArrayLike",
     "Axis",
+    "Bytes",
     "Floats",
+    "Int32s",
     "Ints",
     "Mask",
     "Pairs",
@@ -34,6 +40,8 @@ __all__ = [
     "PerElement",
     "PerElement3",
     "PerElement6",
+    "Singles",
     "Triple",
+    "Uint32s",
     "Vector",
 ]

@@ -28,10 +28,11 @@ _SHAPES = frozenset({"Cells", "Facets", "CellElements"})
 # Names of variables for a lattice, and for the section of a study about its bonds; others are models.
 _LATTICES = frozenset({"lattice", "body", "bar", "own", "o", "one"})
 _SECTION = "bond"
-_NON_LOCAL = re.compile(r"non_?local", re.IGNORECASE)
+_NON_LOCAL = re.compile(r"non_local|NonLocal")
+_OWN_OF_NON_LOCAL = re.compile(r"interactions/non_local/|/_tables/")
 _LOWERED = re.compile(r"\bintegrity\(\w+\) [-*]?= ")
-# Sources that a command writes: the stub of the public names, and the version.
-_GENERATED = re.compile(r"__init__\.pyi|_version\.py")
+# Sources that a command writes: the stub of the public names, the version, and tables.
+_GENERATED = re.compile(r"__init__\.pyi|_version\.py|/_tables/|described_tables\.hpp")
 
 
 @dataclass(frozen=True)
@@ -145,7 +146,7 @@ def _tests_for_none() -> list[str]:
 
 def _files_of_the_non_local_law() -> list[str]:
     named = (path for path in sources(".py") if _NON_LOCAL.search(path.read_text()))
-    return [str(path.relative_to(SOURCE)) for path in named if "interactions/non_local/" not in str(path)]
+    return [str(path.relative_to(SOURCE)) for path in named if not _OWN_OF_NON_LOCAL.search(str(path))]
 
 
 def _lowered() -> list[str]:
@@ -197,10 +198,10 @@ CAPS = (
     Cap("questions to a lattice about its shape", lambda: _questions()["lattice"], 28),
     Cap("questions to a study about its law", lambda: _questions()["study"], 11),
     Cap("tests of a part for None", _tests_for_none, 246),
-    Cap("files of Python that name the non-local law", _files_of_the_non_local_law, 39),
+    Cap("files of Python that name the non-local law", _files_of_the_non_local_law, 35),
     Cap("places of the core that lower integrity", _lowered, 7),
-    Cap("lines of Python", lambda: _lines(".py"), 61500, step=500),
-    Cap("lines of C++", lambda: _lines(".hpp", ".cpp", ".cu"), 20500, step=500),
+    Cap("lines of Python", lambda: _lines(".py"), 59500, step=500),
+    Cap("lines of C++", lambda: _lines(".hpp", ".cpp", ".cu"), 20000, step=500),
     Cap("lines of the longest function", _longest_function, 148),
     Cap("names of an upper layer in strings", _named_from_below, 6),
 )

@@ -4,14 +4,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.interactions.beams.beam_tables import (
-    BeamSums,
-    beam_energies,
-    beam_tables,
-    count_turned,
-    load_beams,
-    loads_of_each,
-)
+from bondem._tables.step_tables import BeamSums
+from bondem.interactions.beams.beam_tables import beam_energies, beam_tables, count_turned, load_beams, loads_of_each
 from bondem.model.state import State
 from tests.core.test_steps import LAWS, crooked
 

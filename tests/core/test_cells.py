@@ -7,12 +7,13 @@ import pytest
 
 import bondem as bd
 from bondem._cache_lines import lines
+from bondem._tables.cell_tables import CellPoses
 from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import ExplicitResult, integrate
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
-from bondem.interactions.cells.cell_tables import STRESS, CellPoses, body_energies
+from bondem.interactions.cells.cell_tables import STRESS, body_energies
 from bondem.model.cell_tangent import BodyTables
 from bondem.model.state import State
 from tests.bits import assert_same_bits

@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem._tables.contact_tables import PairSources
 from bondem.dynamics import core_loop
 from bondem.dynamics import neighbour_list as lists
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
 from bondem.interactions.contact.contact_model import grid_of
-from bondem.interactions.contact.contact_search import PairSources, Walls, WallSources, found_pairs, found_walls
+from bondem.interactions.contact.contact_search import found_pairs, found_walls, new_wall_sources, walls_at
 from bondem.model.state import State
 from tests.bits import assert_same_bits
 from tests.core.contact_cases import BEAM, CASES, HERTZIAN, LINEAR, STEPS, E, all_walls, cloud, moving_beams, plan_of
@@ -229,9 +230,9 @@ def test_the_list_has_all_walls_in_reach():
     contacts = model.contacts
     assert contacts is not None
     pose, table, radius, skin = state.pose, contacts.walls, contacts.radius, 0.5
-    sources = WallSources.without_memory(radius, skin)
+    sources = new_wall_sources(radius, skin)
     state.walls[:, :4] = rng.uniform(-0.2, 0.2, (len(walls), 4))
-    found = found_walls(pose, Walls.of(table, state.walls), sources)
+    found = found_walls(pose, walls_at(table, state.walls), sources)
     centre = pose[:, :3] + state.origin - state.walls[:, None, :3]  # (walls, n, 3)
     middle = 4.6
     gaps = np.stack([

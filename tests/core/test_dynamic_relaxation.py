@@ -5,9 +5,11 @@ import pytest
 
 import bondem as bd
 from bondem._cache_lines import lines
-from bondem.interactions.beams.beam_tables import BeamSums, beam_tables
+from bondem._tables.statics_tables import DynamicRelaxation
+from bondem._tables.step_tables import BeamSums
+from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.model.state import State
-from bondem.statics.relaxation import DynamicRelaxation, masses, relaxed
+from bondem.statics.relaxation import masses, relaxed
 from tests.core.former_loop import FormerLoop
 from tests.core.test_steps import LAWS, X_MAX, X_MIN, crooked
 

@@ -5,15 +5,24 @@ import pytest
 
 import bondem as bd
 from bondem._core import Pass
+from bondem._tables.packing_tables import Near, PackingWalls, Relaxing, Spheres
 from bondem.packing.growth import _fly
-from bondem.packing.packing_tables import MEAN_OVERLAP, STEPS, Flight, Growing, Near, PackingWalls, Relaxing, Spheres
+from bondem.packing.packing_tables import MEAN_OVERLAP, STEPS, new_flight, new_growing, new_relaxing
 from bondem.packing.start import thrown
 from bondem.packing.wall_contacts import walls
 from bondem.specimen.particles import Particles, filled
 from bondem.specimen.tessellation.cutting import tessellate
-from bondem.specimen.tessellation.laguerre import CellRequest, CellRoom, _make_cells, bins, plain_cells, usual_reach
-from bondem.specimen.tessellation.polygon_buffer import new_pile
-from bondem.specimen.tessellation.solids import bulk
+from bondem.specimen.tessellation.laguerre import (
+    _make_cells,
+    bins,
+    new_cell_request,
+    new_cell_room,
+    plain_cells,
+    roomier_request,
+    usual_reach,
+)
+from bondem.specimen.tessellation.polygon_buffer import new_pile, pile_corners, pile_size, roomier_pile
+from bondem.specimen.tessellation.solids import bulk, solid_count
 
 relax = Pass("relax_spheres", Spheres, PackingWalls, Near, Relaxing)
 BOX = bd.Box(size=(1.0, 1.0, 1.0))
@@ -42,14 +51,15 @@ def test_full_piles_and_lists_change_nothing():
     half = np.full(len(chosen), 2.0)
     made = []
     for polygons, corners, room in ((2000, 20000, 256), (8, 30, 1)):
-        request, pile, seen = CellRequest.of(chosen, half), new_pile(polygons, corners), set()
+        request, pile, seen = new_cell_request(chosen, half), new_pile(polygons, corners), set()
         request = request._replace(
             found=np.empty(room, np.int64), offset=np.empty((room, 4)), order=np.empty(room, np.int64)
         )
-        while (ended := _make_cells(centres, request, CellRoom.empty(), pile)) != "cells_made":
+        while (ended := _make_cells(centres, request, new_cell_room(), pile)) != "cells_made":
             seen.add(ended)
-            request, pile = (request.roomier(), pile) if ended == "lists_full" else (request, pile.roomier())
-        made.append((request.end, pile.what[: pile.size], pile.plane[: pile.size], pile.corners))
+            full = ended == "lists_full"
+            request, pile = (roomier_request(request), pile) if full else (request, roomier_pile(pile))
+        made.append((request.end, pile.what[: pile_size(pile)], pile.plane[: pile_size(pile)], pile_corners(pile)))
         assert seen == (set() if room == 256 else {"lists_full", "pile_full"})
     for ample, scarce in zip(*made, strict=True):
         np.testing.assert_array_equal(ample, scarce)
@@ -60,8 +70,8 @@ def test_a_swallowed_cell_is_named():
     centres = cell_bins(particles)._replace(
         position=np.array([[0.5, 0.5, 0.5], [0.55, 0.5, 0.5]]), radius=np.array([0.4, 0.01]), bound=np.full(2, 0.4)
     )
-    request = CellRequest.of(np.arange(2), np.full(2, 2.0))
-    assert _make_cells(centres, request, CellRoom.empty(), new_pile(100, 1000)) == "swallowed"
+    request = new_cell_request(np.arange(2), np.full(2, 2.0))
+    assert _make_cells(centres, request, new_cell_room(), new_pile(100, 1000)) == "swallowed"
     assert request.done.tolist() == [1, 1]
 
 
@@ -78,7 +88,7 @@ def test_pieces_of_cut_cells_fill_the_shape(shape):
 
 def test_no_cells_are_no_solids():
     none = plain_cells(cell_bins(points(5, BOX)), np.zeros(0, np.int64), np.zeros(0))
-    assert none.number == 0
+    assert solid_count(none) == 0
     assert bulk(none).volume.shape == (0,)
 
 
@@ -89,7 +99,7 @@ def relaxing_spheres(fraction: float, shape: bd.Shape):
 
 def test_every_ending_of_a_relaxation():
     spheres, near = relaxing_spheres(0.7, BOX)
-    some = Relaxing.of(60, 1e-3, 0.0)
+    some = new_relaxing(60, 1e-3, 0.0)
     assert relax(spheres.table, spheres.walls, near, some._replace(steps=2)) == "exhausted"
     assert some.report[STEPS] == 2
     assert relax(spheres.table, spheres.walls, near._replace(slack=0.0), some._replace(steps=2)) == "out_of_date"
@@ -101,7 +111,7 @@ def test_every_ending_of_a_relaxation():
     assert ended == "converged"
     assert steps < 20_000
     spheres, near = relaxing_spheres(0.01, BOX)
-    few = Relaxing.of(60, 0.0, 1.0)._replace(steps=5, tolerance=-1.0)
+    few = new_relaxing(60, 0.0, 1.0)._replace(steps=5, tolerance=-1.0)
     assert relax(spheres.table, spheres.walls, near, few) == "loose"
     assert few.report[MEAN_OVERLAP] < 1.0
 
@@ -110,7 +120,7 @@ def test_spheres_between_walls_on_a_grid_stay_inside():
     shape = BOX - bd.Ball(radius=0.5)
     spheres, near = relaxing_spheres(0.5, shape)
     assert walls(shape, spheres.unit).depth.size
-    relax(spheres.table, spheres.walls, near, Relaxing.of(60, 1e-9, 0.0)._replace(steps=10), threads=2)
+    relax(spheres.table, spheres.walls, near, new_relaxing(60, 1e-9, 0.0)._replace(steps=10), threads=2)
     inside = shape.depth(spheres.sphere[:, :3]) - spheres.sphere[:, 3]
     assert inside.min() > -0.1 * spheres.mean_radius
 
@@ -122,7 +132,8 @@ def test_flying_spheres_end_when_their_lists_do():
     spheres.table.unit[:] *= 0.9
     spheres.table.velocity[:] = np.random.default_rng(2).standard_normal((60, 3))
     near = spheres.near(0.5 * spheres.mean_radius, 0.3)
-    ended = _fly(spheres.table, spheres.walls, near, Growing.of(1.0, 0.0, 1e3, 10**6), Flight.of(60))
+    ended = _fly(spheres.table, spheres.walls, near, new_growing(1.0, 0.0, 1e3, 10**6), new_flight(60))
     assert ended == "list_out_of_date"
     near = near._replace(slack=1e9)
-    assert _fly(spheres.table, spheres.walls, near, Growing.of(1.0, 0.0, 1e3, 3), Flight.of(60)) == "too_many_events"
+    few = new_growing(1.0, 0.0, 1e3, 3)
+    assert _fly(spheres.table, spheres.walls, near, few, new_flight(60)) == "too_many_events"

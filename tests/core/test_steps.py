@@ -5,15 +5,14 @@ import pytest
 
 import bondem as bd
 from bondem._core_steps import Composer, StepPass
+from bondem._tables.step_tables import Moving, Portions, Rows, StepCut
 from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import Plan
-from bondem.dynamics.step_tables import Moving, Portions
+from bondem.dynamics.step_tables import new_portions
 from bondem.dynamics.timestep import critical_step
 from bondem.errors import InputError
-from bondem.model.constraints import Rows
-from bondem.model.domain_blocks import StepCut
 from bondem.model.state import State
 from tests.bits import assert_same_bits
 
@@ -146,7 +145,7 @@ def test_arrays_that_do_not_fit_a_list_are_refused():
         Composer()([(opening, table._replace(motion=table.motion[:7]))])
     energies = StepPass("sum_element_energies", Moving, Portions)
     composer = Composer()
-    assert composer([(opening, table), (energies, table, Portions.of(8, 12))]).shape == (2, 8)
+    assert composer([(opening, table), (energies, table, new_portions(8, 12))]).shape == (2, 8)
     assert composer([]).shape == (0, 8)
 
 

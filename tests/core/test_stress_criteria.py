@@ -9,7 +9,7 @@ import bondem as bd
 from bondem._core_steps import Composer
 from bondem.damage.criteria.drucker_prager import cone_index
 from bondem.damage.criteria.hydrostatic import mean_index
-from bondem.damage.stress_passes import StressCandidates, StressPasses
+from bondem.damage.stress_passes import StressPasses, new_stress_candidates
 
 
 def stresses(count: int) -> np.ndarray:
@@ -89,7 +89,7 @@ def test_a_function_of_another_shape_is_an_error():
 def test_candidates_of_portions_are_moved_together():
     """A step evaluates the candidates of all portions of bonds in one call, in the order of the bonds."""
     m, calls = 5000, []
-    candidates = StressCandidates.of(m)
+    candidates = new_stress_candidates(m)
     some = stresses(4)
     for place, bond, stress in zip((0, 1, 2048, 4096), (7, 30, 2100, 4999), some, strict=True):
         candidates.bond[place], candidates.stress[place] = bond, stress

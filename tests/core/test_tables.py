@@ -7,9 +7,9 @@ import pytest
 
 from bondem import _core
 from bondem._core import Pass, compiled_level, room_for, table_fields
+from bondem._tables.packing_tables import NeighbourLists, SphereGrid
+from bondem._tables.surface_tables import Nearest, TriangleTree
 from bondem.errors import InputError
-from bondem.geometry.neighbours import NeighbourLists, SphereGrid
-from bondem.geometry.triangles import Nearest, TriangleTree
 
 find_nearest = Pass("find_nearest_triangles", TriangleTree, Nearest)
 

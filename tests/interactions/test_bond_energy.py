@@ -10,7 +10,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.interactions.beams.beam_tables import Beams, beam_energies, beam_tables, count_turned, loads_of_each
+from bondem._tables.step_tables import Beams
+from bondem.interactions.beams.beam_tables import beam_energies, beam_tables, count_turned, loads_of_each
 from bondem.model.stiffness_matrices import stiffness_matrix
 from tests.beam_theory import beam_stiffness
 from tests.recording import Record

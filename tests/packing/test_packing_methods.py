@@ -5,10 +5,11 @@ import pytest
 import trimesh
 
 import bondem as bd
+from bondem._tables.packing_tables import Near, PackingWalls, Spheres
 from bondem.errors import InputError
 from bondem.packing import soft_spheres
 from bondem.packing.growth import _fly
-from bondem.packing.packing_tables import COLLISIONS, TIME, VIRIAL, Flight, Growing, Near, PackingWalls, Spheres
+from bondem.packing.packing_tables import COLLISIONS, TIME, VIRIAL, new_flight, new_growing
 from tests.bits import most_threads, threads
 
 METHODS = ("quench", "growth", "compression")
@@ -113,9 +114,9 @@ def test_two_growing_spheres_meet_when_they_must_and_gain_the_speed_of_their_sur
     sphere = np.array([[0.0, 0.0, 0.0, 1.0], [3.0, 0.0, 0.0, 1.0]])
     velocity = np.array([[0.5, 0.0, 0.0], [-0.5, 0.0, 0.0]])
     near = Near(np.array([0, 1, 2]), np.array([1, 0], np.uint32), sphere[:, :3].copy(), 10.0)
-    growing = Growing.of(1.0, 0.25, 1.0, 10)
+    growing = new_growing(1.0, 0.25, 1.0, 10)
     spheres = Spheres(sphere, np.ones(2), velocity, np.zeros((2, 3)), np.zeros(3), np.ones(2))
-    assert _fly(spheres, NO_WALLS, near, growing, Flight.of(2)) == "grown"
+    assert _fly(spheres, NO_WALLS, near, growing, new_flight(2)) == "grown"
     assert growing.report[COLLISIONS] == 1.0
     # Relative to the surfaces (0.25 each) they met at 0.75 and part at 0.75: at speed 1.0.
     np.testing.assert_allclose(velocity, [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]], atol=1e-12)
@@ -132,10 +133,10 @@ def test_pressure_of_the_hard_sphere_gas_is_that_of_carnahan_and_starling():
     sphere = np.column_stack([gas.position, gas.radius])
     every = np.arange(n, dtype=np.uint32)
     neighbour = np.concatenate([np.delete(every, i) for i in range(n)])
-    heat, growing = (velocity**2).sum(), Growing.of(1.0, 0.0, 10.0 * gas.radius.mean(), 10**7)
+    heat, growing = (velocity**2).sum(), new_growing(1.0, 0.0, 10.0 * gas.radius.mean(), 10**7)
     near = Near((n - 1) * np.arange(n + 1), neighbour, sphere[:, :3].copy(), 0.2)
     spheres = Spheres(sphere, gas.radius.copy(), velocity, np.zeros((n, 3)), np.ones(3), np.ones(n))
-    _fly(spheres, NO_WALLS, near, growing, Flight.of(len(gas)))
+    _fly(spheres, NO_WALLS, near, growing, new_flight(len(gas)))
     assert (velocity**2).sum() == pytest.approx(heat, rel=1e-9)
     pressure = 1.0 + growing.report[VIRIAL] / (heat * growing.report[TIME])
     assert pressure == pytest.approx((1.0 + phi + phi**2 - phi**3) / (1.0 - phi) ** 3, rel=0.05)

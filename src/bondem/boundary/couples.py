@@ -2,25 +2,13 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
+from bondem._tables.step_tables import CoupleTable
 from bondem._types import Floats, Ints, PerElement6
 from bondem.boundary.balanced_forces import balanced_forces
 from bondem.geometry.rotations import turned_vectors
-
-
-class CoupleTable(NamedTuple):
-    """Moments of loads on points of elements, c of them."""
-
-    start: np.ndarray  #: where the points of each begin, (c + 1,)
-    schedule: np.ndarray  #: (c,)
-    moment: np.ndarray  #: [N·m], (c, 3)
-    element: np.ndarray  #: of each point
-    row: np.ndarray  #: of the boundary, that the element owns
-    arm: np.ndarray  #: from its centre [m], (…, 3)
-    share: np.ndarray  #: of the moment's forces [-]
 
 
 @dataclass(frozen=True, eq=False)

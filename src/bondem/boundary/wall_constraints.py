@@ -7,10 +7,10 @@ the facet stays free.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
 
+from bondem._tables.cell_tables import WallConstraints
 from bondem._types import Floats, Ints, Mask, PerElement, PerElement3, PerElement6
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
 from bondem.boundary.loads import facet_numbers, is_face
@@ -99,31 +99,6 @@ def holds_wall(condition: Fix | Drive) -> bool:
     """Return True if a condition holds a wall: one on a face that prescribes translations."""
     first = condition.components if isinstance(condition, Fix) else [dof for dof, *_ in condition.motion]
     return is_face(condition.region) and min(first) < 3
-
-
-class WallConstraints(NamedTuple):
-    """Facets on the surface that walls hold, g of them, each by the half facet of its cell."""
-
-    cell: Ints  #: (g,)
-    row: Ints  #: row of the boundary that the cell owns, (g,)
-    k: Floats  #: 2 G A / d [N/m], (g,)
-    lever: Floats  #: from the centre of the cell to the facet in the reference [m], (g, 3)
-    arm: Floats  #: the same with stress-free and plastic strains of the cell [m], (g, 3)
-    share: Floats  #: A m along the held axes [m²], (g, 3)
-    H: Floats  #: resistance to rotation, xx, yy, zz, xy, xz, yz [N·m], (g, 6)
-    base: Floats  #: origin of the motion of the wall [m], and the quaternion of the cell there, (g, 7)
-    axes: Floats  #: 1 where held, along x, y, z, (g, 3)
-    drive: Ints  #: schedule that moves the wall along x, y, z, or -1, (g, 3)
-    rate: np.ndarray  #: 1 for schedules of velocities, uint8
-    times: Floats  #: schedules, one after the other
-    values: Floats
-    start: Ints
-    place: int  #: of the walls in the list of works
-    wall: Floats  #: displacement of the wall now [m], (g, 3)
-    came: Floats  #: its increment in this step [m], (g, 3)
-    load: Floats  #: force and torque on the cell [N, N·m], (g, 6)
-    friction: Floats  #: μ of a wall on which the facet may slide, NaN for one that holds it, (g,)
-    inward: Floats  #: axis along which such a wall presses on the cell, (g, 3)
 
 
 @dataclass(frozen=True, eq=False)

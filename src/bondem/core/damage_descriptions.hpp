@@ -1,6 +1,6 @@
 // How the tables and passes of the damage pipeline describe themselves to Python.
 #pragma once
-#include "described.hpp"
+#include "described_tables.hpp"
 #include "passes/damage/beam_failure.hpp"
 #include "passes/damage/beam_softening.hpp"
 #include "passes/damage/pipeline.hpp"
@@ -8,28 +8,6 @@
 
 namespace bondem {
 
-#define F BONDEM_FIELD
-
-BONDEM_TABLE(FailureBounds, F(limit, "m"), F(of_force, ""), F(of_moment, ""))
-BONDEM_TABLE(Strengths, F(coefficient, "bonds 4"), F(station, "bonds"))
-BONDEM_TABLE(Candidates, F(begin, "blocks+1"), F(marked, "bonds"), F(mode, "bonds"), F(count, "blocks"), F(any, "1"))
-BONDEM_TABLE(Postponed, F(held, "n"), F(element, "n"), F(row, "n"), F(first_row, ""), F(kept, "n 8"))
-BONDEM_TABLE(EventLog, F(event, "bonds 10"), F(written, "2"), F(released, "1"), F(crushed, "1"))
-BONDEM_TABLE(BeamIntegrity, F(integrity, "m"), F(hold, "*"))
-BONDEM_TABLE(SofteningBounds, F(limit, "m"), F(of_force, ""), F(of_moment, ""), F(coefficient, "bonds 4"),
-             F(station, "bonds"), F(tear, "bonds"), F(slide, "bonds"), F(integrity, "m"), F(hold, "*"), F(press, "m"),
-             F(onset, "bonds 4"))
-BONDEM_TABLE(SofteningBeams, F(row, "bonds 7"), F(begun, "1"), F(listed, "bonds"), F(number, "bond_portions"), F(parted, "bond_portions"), F(lost, "bond_portions"))
-BONDEM_TABLE(FailureIndices, F(index, "m"))
-BONDEM_TABLE(StressCandidates, F(bond, "candidates"), F(stress, "candidates 3 3"), F(found, "candidates"),
-             F(number, "bond_portions"), F(total, "1"))
-BONDEM_TABLE(StressFunction, F(address, ""), F(parameter, "parameters"))
-
-#undef F
-
-#define BONDEM_DAMAGE_TABLES \
-    described<FailureBounds>(), described<Strengths>(), described<Candidates>(), described<Postponed>(), \
-        described<EventLog>(), described<BeamIntegrity>(), described<SofteningBounds>(), described<SofteningBeams>(), described<FailureIndices>(), described<StressCandidates>(), described<StressFunction>()
 #define BONDEM_JUDGED_BEAMS(_, name, Criterion) S(bonds_of_blocks, judge_beams_by_##name),
 #define BONDEM_SOFTENING_LOADS(_, name, Criterion)              \
     S(bonds_of_blocks, add_beam_loads_softening_by_##name),     \

@@ -1,7 +1,7 @@
 // What Python finds in the library: its tables, its passes, and what the CPU is capable of.
 #include "cell_descriptions.hpp"
 #include "crack_descriptions.hpp"
-#include "described.hpp"
+#include "described_tables.hpp"
 #include "device_descriptions.hpp"
 #include "exported.hpp"
 #include "instructions.hpp"
@@ -24,82 +24,9 @@
 
 namespace bondem {
 
-#define F BONDEM_FIELD
-
-BONDEM_TABLE(Spheres, F(sphere, "n 4"), F(unit, "n"), F(velocity, "n 3"), F(force, "n 3"), F(period, "3"), F(ease, "n"))
-BONDEM_TABLE(PackingWalls, F(lower, "3"), F(upper, "3"), F(weight, "3"), F(radius, ""), F(corner, "3"), F(spacing, ""),
-             F(depth, "grid_x grid_y grid_z"))
-BONDEM_TABLE(Near, F(start, "n+1"), F(neighbour, "neighbours"), F(listed, "n 3"), F(slack, ""))
-BONDEM_TABLE(Relaxing, F(tolerance, ""), F(loose, ""), F(steps, ""), F(fire, "3"), F(part, "blocks 8"), F(report, "5"))
-BONDEM_TABLE(Growing, F(scale, ""), F(rate, ""), F(duration, ""), F(events, ""), F(report, "3"))
-BONDEM_TABLE(Flight, F(since, "n"), F(when, "n"), F(what, "n"), F(heap, "n"), F(place, "n"))
-BONDEM_TABLE(SphereGrid, F(sphere, "n 4"), F(lower, "3"), F(edge, "3"), F(period, "3"), F(cells, "3"), F(skin, ""),
-             F(cell, "n"), F(first, "cells+1"), F(member, "n"), F(place, "4 n+8"), F(start, "n+1"))
-BONDEM_TABLE(NeighbourLists, F(neighbour, "neighbours"))
-
-BONDEM_TABLE(Bins, F(position, "n 3"), F(radius, "n"), F(lower, "3"), F(upper, "3"), F(period, "3"), F(boxes, "3"),
-             F(start, "boxes+1"), F(member, "n"), F(bound, "n"), F(first, "n"), F(reach, ""), F(tolerance, ""))
-BONDEM_TABLE(Solids, F(cell, "solids"), F(face, "solids+1"), F(tag, "faces"), F(plane, "faces 4"),
-             F(corner, "faces+1"), F(vertex, "corners 3"))
-BONDEM_TABLE(Pile, F(what, "* 4"), F(plane, "* 4"), F(vertex, "* 3"), F(used, "3"))
-BONDEM_TABLE(CellRequest, F(chosen, "cells"), F(half, "cells"), F(found, "room"), F(offset, "room 4"),
-             F(order, "room"), F(end, "cells+1"), F(done, "2"))
-BONDEM_TABLE(CellRoom, F(plane, "402 4"), F(tag, "402"), F(size, "402"), F(vertex, "205824 3"), F(work, "512 3"),
-             F(other, "512 3"))
-BONDEM_TABLE(WallTree, F(corner, "triangles 3 3"), F(plane, "triangles 4"), F(lower, "boxes 3"), F(upper, "boxes 3"),
-             F(owner, "leaves"))
-BONDEM_TABLE(Splitting, F(position, "n 3"), F(tolerance, ""), F(found, "*"), F(below, "*"), F(lid, "512 3"),
-             F(work, "512 3"), F(other, "512 3"), F(cell, "pieces"), F(end, "pieces"), F(done, "2"))
-BONDEM_TABLE(Dividing, F(sphere, "n 4"), F(near, "claims"), F(start, "solids+1"), F(tolerance, ""), F(lid, "512 3"),
-             F(work, "512 3"), F(cell, "parts"), F(owner, "parts"), F(end, "parts"), F(done, "2"))
-BONDEM_TABLE(FaceGroups, F(of_face, "faces"), F(plus, "forth"), F(first, "groups+1"), F(minus, "back"),
-             F(second, "groups+1"), F(shift, "groups 3"), F(tolerance, ""), F(work, "512 3"), F(other, "512 3"),
-             F(done, "1"))
-BONDEM_TABLE(PolygonMeasures, F(corner, "polygons+1"), F(vertex, "corners 3"), F(area, "polygons"),
-             F(centroid, "polygons 3"), F(moment, "polygons 3 3"))
-BONDEM_TABLE(Bulk, F(volume, "solids"), F(first, "solids 3"), F(second, "solids 3 3"), F(middle, "solids 3"),
-             F(farthest, "solids"), F(beyond, "solids"))
-BONDEM_TABLE(CellBranches, F(start, "n+1"), F(other, "sides"), F(branch, "sides 3"))
-BONDEM_TABLE(BalanceField, F(given, "n 6"), F(found, "n 6"))
-
-BONDEM_TABLE(BeamRows, F(i, "m"), F(j, "m"), F(direction, "3 m"), F(length, "m"), F(lever, "m"), F(kn, "m"), F(ks, "m"),
-             F(kb, "m"), F(kt, "m"))
-BONDEM_TABLE(FacetRows, F(i, "m"), F(j, "m"), F(k, "m"), F(lever_i, "m 3"), F(lever_j, "m 3"), F(H, "m 3 3"),
-             F(share_i, "m 3"), F(share_j, "m 3"))
-BONDEM_TABLE(BlockRows, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "m"), F(indptr, "n+1"),
-             F(indices, "blocks"), F(data, "blocks 6 6"))
-BONDEM_TABLE(DilatationRows, F(forms, "blocks 1 6"))
-
-BONDEM_TABLE(TriangleTree, F(lower, "boxes 3"), F(upper, "boxes 3"), F(owner, "pieces"), F(corner, "triangles 3 3"),
-             F(side, "triangles 3 3"), F(normal, "triangles 3"))
-BONDEM_TABLE(Nearest, F(points, "points 3"), F(triangle, "points"))
-
-#undef F
-
 namespace {
 
-const TableDescription tables[] = {
-    described<Spheres>(), described<PackingWalls>(), described<Near>(), described<Relaxing>(), described<Growing>(),
-    described<Flight>(), described<SphereGrid>(), described<NeighbourLists>(), described<Bins>(), described<Solids>(),
-    described<Pile>(), described<CellRequest>(), described<CellRoom>(), described<WallTree>(), described<Splitting>(),
-    described<Dividing>(), described<FaceGroups>(), described<PolygonMeasures>(), described<Bulk>(),
-    described<CellBranches>(), described<BalanceField>(),
-    described<BeamRows>(), described<FacetRows>(), described<BlockRows>(), described<DilatationRows>(),
-    described<TriangleTree>(), described<Nearest>(),
-    described<Moving>(), described<Beams>(), described<AlikeBeams>(), described<Dashpots>(), described<StepCut>(),
-    described<StepScheme>(), described<Rows>(), described<Timeline>(), described<Drives>(), described<RowLoads>(),
-    described<CoupleTable>(), described<BodyForces>(), described<Resistance>(), described<Strain>(),
-    described<Poses>(), described<BeamSums>(), described<BeamEnergies>(), described<BeamTurns>(),
-    described<Portions>(), described<Gauges>(), described<HistoryRows>(), described<StepPasses>(), described<StepSpan>(),
-    BONDEM_DEVICE_TABLES,
-    BONDEM_LAGGED_TABLES,
-    BONDEM_STATICS_TABLES,
-    BONDEM_DAMAGE_TABLES,
-    BONDEM_CELL_TABLES,
-    BONDEM_QUASISTATIC_TABLES,
-    BONDEM_CONTACT_TABLES,
-    BONDEM_CRACK_TABLES,
-};
+const TableDescription tables[] = {BONDEM_TABLES};
 
 #define P(pass, outcomes) described(#pass, outcomes, pass)
 const PassDescription passes[] = {

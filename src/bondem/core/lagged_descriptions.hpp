@@ -11,26 +11,9 @@
 
 namespace bondem {
 
-#define F BONDEM_FIELD
-
-BONDEM_TABLE(StoredLoads, F(kb, "m"), F(history, "6 m"))
-BONDEM_TABLE(LoadsOfEach, F(found, "9 m"))
-BONDEM_TABLE(NonLocalBonds, F(area, "m"), F(kn, "m"), F(kt, "m"), F(normal, "3 m"), F(lever_i, "3 m"),
-             F(lever_j, "3 m"), F(nu, ""), F(limited, ""), F(history, "7 m"), F(output, "9 m"))
-BONDEM_TABLE(LaggedStresses, F(inverse, "n"), F(stress, "n 6"), F(space, "n 8"), F(moment, "* 8"), F(to_i, "m"))
-BONDEM_TABLE(NonLocalWork, F(taken, "bond_portions"))
-BONDEM_TABLE(SmallPairs, F(pairs, "m 2"), F(area, "m"), F(kt, "m"), F(nu, ""), F(limited, ""), F(normal, "m 3"),
-             F(stress, "n 6"), F(gap, "m 3"))
-BONDEM_TABLE(ExtraForces, F(force, "m 3"))
-
-#undef F
-
 }  // namespace bondem
 
 // What `index.cpp` lists of them.
-#define BONDEM_LAGGED_TABLES                                                                                     \
-    described<StoredLoads>(), described<LoadsOfEach>(), described<NonLocalBonds>(), described<LaggedStresses>(), \
-        described<NonLocalWork>(), described<SmallPairs>(), described<ExtraForces>()
 #define BONDEM_LAGGED_LOADS                                                                             \
     P(load_stored_beams, ""), P(load_non_local_bonds, ""), P(find_small_extra_forces, ""),              \
         P(turn_all_stresses, ""), P(index_pairs, "")

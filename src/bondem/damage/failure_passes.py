@@ -3,17 +3,16 @@
 `core/tables/damage_tables.hpp` declares types and shapes.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 
 from bondem._core import Pass
+from bondem._tables.cell_tables import ElasticFacets
+from bondem._tables.damage_tables import FailureIndices, Strengths
+from bondem._tables.step_tables import Beams, Poses
 from bondem._types import Floats, PerBond
 from bondem.damage.criteria.criterion import BondCriterion
 from bondem.damage.criteria.criterion_catalogue import CRITERIA
 from bondem.damage.failure_table import FailureTable
-from bondem.interactions.beams.beam_tables import Beams, Poses
-from bondem.interactions.cells.cell_tables import ElasticFacets
 
 _OF_BONDS = [one for one in CRITERIA.values() if issubclass(one, BondCriterion)]
 #: Names of the criteria of beams in the passes of the core (`BondCriterion.kind`).
@@ -24,19 +23,6 @@ FACET_CRITERIA = tuple(one.kind for one in _OF_BONDS if not one.needs_beams)
 SOFTENING_CRITERIA = tuple(
     one.kind for one in _OF_BONDS if one.pulled_and_sheared is not BondCriterion.pulled_and_sheared
 )
-
-
-class Strengths(NamedTuple):
-    """Coefficients of the criterion of each bond."""
-
-    coefficient: Floats  #: (m, 4)
-    station: Floats  #: place where the moment counts, from i over the length; below 0 for the larger end, (m,)
-
-
-class FailureIndices(NamedTuple):
-    """Index of the criterion of each bond."""
-
-    index: Floats  #: 1 at failure, 0 of broken bonds [-], (m,)
 
 
 _index_beams = {

@@ -5,43 +5,27 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from bondem._core import Pass
 from bondem._core_functions import StressCallback
 from bondem._core_steps import StepPass
-from bondem._types import Floats, Ints
+from bondem._tables.damage_tables import StressCandidates, StressFunction
+from bondem._types import Floats
 
 # Bonds of a portion, as in `core/steps.hpp`.
 _PORTION = 2048
 
 
-class StressCandidates(NamedTuple):
-    """Bonds of which a criterion evaluates a stress."""
-
-    bond: Ints  #: those of a portion of bonds from its first bond on, (m,)
-    stress: Floats  #: symmetric [Pa], (m, 3, 3)
-    found: Floats  #: index of each, at 1 a bond fails [-], (m,)
-    number: Ints  #: number of candidates of each portion
-    total: Ints  #: number in all portions, (1,)
-
-    @classmethod
-    def of(cls, m: int) -> "StressCandidates":
-        """Return room for those of m bonds; memory is used as they are written."""
-        portions = -(-m // _PORTION)
-        return cls(
-            np.empty(m, dtype=np.int64), np.empty((m, 3, 3)), np.empty(m), np.zeros(portions, dtype=np.int64),
-            np.zeros(1, dtype=np.int64),
-        )  # fmt: skip
-
-
-class StressFunction(NamedTuple):
-    """A criterion that is a function of a stress."""
-
-    address: int  #: address of a C function, 0 for a criterion of the core
-    parameter: Floats
+def new_stress_candidates(m: int) -> StressCandidates:
+    """Return room for the candidates among m bonds; memory is used as they are written."""
+    portions = -(-m // _PORTION)
+    return StressCandidates(
+        np.empty(m, dtype=np.int64), np.empty((m, 3, 3)), np.empty(m), np.zeros(portions, dtype=np.int64),
+        np.zeros(1, dtype=np.int64),
+    )  # fmt: skip
 
 
 #: Criteria of the core by their names; "function" is that of a user.
@@ -112,6 +96,6 @@ def stress_indices(name: str, stress: Floats, table: StressFunction) -> Floats:
         stress: stresses [Pa], (k, 3, 3).
         table: address and parameters of the criterion.
     """
-    candidates = StressCandidates.of(len(stress))._replace(stress=np.ascontiguousarray(stress, dtype=float))
+    candidates = new_stress_candidates(len(stress))._replace(stress=np.ascontiguousarray(stress, dtype=float))
     _index_stresses[name](candidates, table)
     return candidates.found

@@ -7,7 +7,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._names import users_line
-from bondem._types import Floats, Ints
+from bondem._types import Floats, Ints, Uint32s
 from bondem.damage.crack_columns import FACET, PARTED, STATUS
 from bondem.errors import ContactWarning
 from bondem.geometry.rotations import turned_vectors
@@ -29,7 +29,7 @@ class ListedContacts(NamedTuple):
     second: np.ndarray
     bond: Ints  #: the bond of each pair, or -1, (c,)
     joined: Floats  #: above 0 of bonds that join their elements
-    element: Ints  #: element of each contact with a wall, (b,)
+    element: Uint32s  #: element of each contact with a wall, (b,)
     velocity: Floats  #: velocity of its wall there [m/s], (b, 3)
     deepest: float  #: deepest overlap so far over the smaller radius [-]
 

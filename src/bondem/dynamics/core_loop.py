@@ -4,6 +4,7 @@ import numpy as np
 
 from bondem._core import Pass
 from bondem._core_steps import Composer
+from bondem._tables.step_tables import HistoryRows, Portions, StepCut, StepPasses, StepScheme, StepSpan
 from bondem._threads import current_threads
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.gauge_tables import gauge_tables
@@ -11,8 +12,7 @@ from bondem.dynamics.history import CONTACT, FIXED_COLUMNS, TRANSLATION
 from bondem.dynamics.parts.part import FORCES, STAGES, composed
 from bondem.dynamics.parts.parts_of_model import parts_of
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Plan
-from bondem.dynamics.step_tables import HistoryRows, Portions, StepPasses, StepScheme, StepSpan
-from bondem.model.domain_blocks import Blocks, StepCut
+from bondem.model.domain_blocks import Blocks
 from bondem.model.model import Model
 from bondem.model.state import State
 

@@ -1,6 +1,5 @@
 """Cracks of a state: joints of their cells, and quantities that the parts of cracking bodies need."""
 
-
 import numpy as np
 
 from bondem._types import Floats, PerBond

@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from bondem._tables.contact_tables import ContactPairs, FacePairs
 from bondem._types import Floats, PerElement
 from bondem.damage.crack_columns import FACET, PARTED, STATUS
-from bondem.dynamics.contact_tables import ContactPairs, FacePairs
 from bondem.dynamics.parts.damage_part import CrackJoints
 from bondem.model.state import State
 

@@ -11,6 +11,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from bondem._device import Device, DeviceTables, Enqueue, HostCall, Launch, passes_of
+from bondem._tables.device_tables import Tick
+from bondem._tables.step_tables import HistoryRows, StepScheme
 from bondem.boundary.wall_rows import wall_rows
 from bondem.dynamics.core_loop import noticeable
 from bondem.dynamics.damping import DampingTerms
@@ -19,13 +21,12 @@ from bondem.dynamics.history import CONTACT, FIXED_COLUMNS, TRANSLATION
 from bondem.dynamics.on_device.breakage_counterparts import Postponement, end, resuming
 from bondem.dynamics.on_device.contact_counterparts import deepest_overlaps, lists_of_contacts, walls_listed
 from bondem.dynamics.on_device.counterparts import FURTHER, launches_of
-from bondem.dynamics.on_device.device_tables import FURTHER_COLUMNS, SUM_COLUMNS, Tick
+from bondem.dynamics.on_device.device_tables import FURTHER_COLUMNS, SUM_COLUMNS
 from bondem.dynamics.on_device.translation import Translation, count_record, names_of, set_clock
 from bondem.dynamics.parts.part import FORCES, RESUME, Part, Passes, composed
 from bondem.dynamics.parts.parts_of_model import parts_of
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Plan
-from bondem.dynamics.step_tables import HistoryRows, StepScheme
 from bondem.model.domain_blocks import Blocks
 from bondem.model.model import Model
 from bondem.model.state import State

@@ -1,9 +1,8 @@
 """Gauges of a plan as the core takes them."""
 
-from typing import NamedTuple
-
 import numpy as np
 
+from bondem._tables.step_tables import Gauges
 from bondem.boundary.gauges import AnyGauge, Gauge, StrainGauge
 from bondem.dynamics.plan import Plan
 from bondem.errors import InputError
@@ -16,15 +15,6 @@ _WALL_QUANTITIES = {
     "power": 12,
 }  # fmt: skip
 _REDUCTIONS = {"mean": 0, "sum": 1, "max_abs": 2}
-
-
-class Gauges(NamedTuple):
-    """Elements, quantities and reductions of the gauges of a run, g of them."""
-
-    start: np.ndarray  #: start of the elements of each gauge, (g + 1,)
-    element: np.ndarray  #: elements, or the number of a wall
-    quantity: np.ndarray  #: number of the quantity, (g,)
-    reduction: np.ndarray  #: number of the reduction, (g,)
 
 
 def gauge_tables(model: Model, plan: Plan) -> Gauges:

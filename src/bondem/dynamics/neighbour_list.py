@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._tables.contact_tables import ContactPairs, FoundPairs, FoundWalls, PairSources, WallContacts, WallSources
 from bondem._types import Floats, Ints, PerBond, PerElement
-from bondem.dynamics.contact_tables import ContactPairs, WallContacts
 from bondem.interactions.contact.contact_columns import BETWEEN, FACES, KIND, LINE_COLUMNS, NOT_YET, START
 from bondem.interactions.contact.contact_model import ContactModel, grid_of
 from bondem.interactions.contact.contact_search import (
@@ -14,13 +14,9 @@ from bondem.interactions.contact.contact_search import (
     JUST_PARTED,
     LATE,
     TOUCHING,
-    FoundPairs,
-    FoundWalls,
-    PairSources,
-    Walls,
-    WallSources,
     found_pairs,
     found_walls,
+    walls_at,
 )
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -123,7 +119,7 @@ class ContactSearch:
         whole = radius[pairs.first] + radius[pairs.second] + pairs.gap
         least = _recalled(pairs, whole)
         rest, kept = contacts.at_walls, state.wall_touching
-        walls = Walls.of(contacts.walls, state.walls)
+        walls = walls_at(contacts.walls, state.walls)
         at_walls = WallSources(
             radius, rest.start, rest.partner, rest.gap, _starts(kept[:, 0], n), kept[:, 1].astype(np.uint32),
             state.wall_stretch, listed, np.empty(n + 1, dtype=np.int64),

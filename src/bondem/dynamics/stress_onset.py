@@ -1,37 +1,21 @@
 """Tables of facets that crack by a function of the stress, as `core/tables/stress_onset_tables.hpp` declares them."""
 
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem._types import Floats, Ints
+from bondem._tables.cell_tables import ElasticFacets, FacetForces
+from bondem._tables.crack_tables import CrackOnset, FacetStrengths, StressesOfCells
+from bondem._tables.damage_tables import StressCandidates, StressFunction
+from bondem._tables.step_tables import Moving
+from bondem._tables.stress_onset_tables import CandidateFacets
 from bondem.damage.criteria.drucker_prager import cone_index
 from bondem.damage.criteria.hydrostatic import mean_index
-from bondem.damage.stress_passes import StressCandidates, StressFunction, StressPasses
-from bondem.dynamics.cohesive_tables import CrackOnset, FacetStrengths, StressesOfCells
-from bondem.dynamics.step_tables import Moving
+from bondem.damage.stress_passes import StressPasses, new_stress_candidates
 from bondem.interactions.beams.bond_table import with_twins
-from bondem.interactions.cells.cell_tables import ElasticFacets, FacetForces
 from bondem.model.model import Model
-
-
-class CandidateFacets(NamedTuple):
-    """Facets that begin to crack by a function of the stress."""
-
-    scale: Floats  #: f_t without scatter over f_t of each facet, 0 of material planes [-], (m,)
-    area: Floats  #: [m²], (m,)
-    tension: float  #: f_t without scatter [Pa]
-    least: float  #: size √(σ:σ) below which no stress reaches the criterion [Pa]
-    hot: float  #: f_t below which the facets of a cell are not evaluated [Pa]
-    along: Floats  #: largest principal stress at which a facet began to crack, else its f_t [Pa], (m,)
-    bond: Ints  #: arrays of `StressCandidates`
-    stress: Floats
-    found: Floats
-    number: Ints
-    total: Ints
-
 
 _OF_CORE: dict[Any, str] = {mean_index: "mean_stress", cone_index: "cone"}
 _judge_cells = {
@@ -71,7 +55,7 @@ class OnsetByStress:
         name = _OF_CORE.get(function)
         passes = StressPasses.of_core(name, values) if name else StressPasses.of_function(function, values)
         m = len(strengths.strength)
-        candidates = StressCandidates.of(m)._replace(number=np.zeros(portions, dtype=np.int64))
+        candidates = new_stress_candidates(m)._replace(number=np.zeros(portions, dtype=np.int64))
         scale = with_twins(np.where(table.plane, 0.0, table.tension / table.strength))
         along = strengths.strength.copy()
         onset = CandidateFacets(scale, strengths.area, table.tension, table.least, table.hot, along, *candidates)

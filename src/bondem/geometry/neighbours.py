@@ -1,36 +1,13 @@
 """Neighbours of spheres: the lists over which every short-range force runs."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from bondem._core import Pass
+from bondem._tables.packing_tables import NeighbourLists, SphereGrid
 from bondem._types import Floats, Ints, Vector
 
 # More cells along an axis would cost memory only; so would more cells a sphere, where spheres fly apart.
 _MOST_CELLS, _EACH = 1024, 8
-
-
-class SphereGrid(NamedTuple):
-    """Spheres sorted into the cells of a grid; `core/tables/packing_tables.hpp` declares types and shapes."""
-
-    sphere: Floats  #: centres and radii [m], (n, 4)
-    lower: Vector  #: corner of the grid [m]
-    edge: Vector  #: edges of its cells [m]
-    period: Vector  #: periodic edge lengths [m], 0 where there is none
-    cells: Ints  #: along each axis, (3,)
-    skin: float  #: largest gap of neighbours [m]
-    cell: Ints  #: of each sphere, (n,)
-    first: Ints  #: where the members of each cell begin, (cells + 1,)
-    member: np.ndarray  #: spheres, cell by cell, uint32, (n,)
-    place: Floats  #: their centres and radii [m], in that order, (4, n + 8): several are read at once
-    start: Ints  #: where the neighbours of each sphere begin, (n + 1,)
-
-
-class NeighbourLists(NamedTuple):
-    """The lists of all spheres one after the other."""
-
-    neighbour: np.ndarray  #: uint32
 
 
 _sort = Pass("sort_into_cells", SphereGrid)

@@ -1,30 +1,10 @@
 """Rotations: vectors that turn with their elements, rotation vectors, and moments of forces about centres."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from bondem._core import Pass
+from bondem._tables.cell_tables import MomentsOfForces, TurnedVectors
 from bondem._types import Floats, Ints
-
-
-class TurnedVectors(NamedTuple):
-    """Vectors, k of them, and the same rotated by unit quaternions."""
-
-    quaternion: Floats  #: w x y z, (k, 4)
-    vector: Floats  #: (k, 3)
-    turned: Floats  #: (k, 3)
-
-
-class MomentsOfForces(NamedTuple):
-    """Forces on elements, k of them, and V σ of the elements."""
-
-    moment: Floats  #: xx, yy, zz, xy, yz, zx [J], (n, 6)
-    owner: Ints  #: element that each force acts on, (k,)
-    arm: Floats  #: from its centre [m], (k, 3)
-    force: Floats  #: [N], (k, 3)
-    sign: float
-
 
 _turn_vectors = Pass("turn_vectors", TurnedVectors)
 _add_moments = Pass("add_moments", MomentsOfForces)

@@ -6,37 +6,15 @@ At edges and corners it is the mean of the adjacent normals, weighted by angle, 
 (Bærentzen & Aanæs, IEEE Trans. Vis. Comput. Graph. 11, 2005).
 """
 
-from typing import NamedTuple
-
 import numpy as np
 
 from bondem._core import Pass
+from bondem._tables.surface_tables import Nearest, TriangleTree
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerElement, PerElement3, Vector
 
 _PIECES = 10_000  # more pieces: tighter boxes, more levels
 _FACING = 0.9  # cosine of the largest angle between a triangle and a wall that it may be
-
-
-class TriangleTree(NamedTuple):
-    """Triangles, t of them, and a tree of boxes around p pieces of them, as `core/tables/surface_tables.hpp` has it.
-
-    Box 1 holds all, box b boxes 2 b and 2 b + 1, and the last p boxes one piece each.
-    """
-
-    lower: Floats  #: lower corners of the boxes [m], (2 p, 3)
-    upper: Floats  #: upper corners of the boxes [m], (2 p, 3)
-    owner: Ints  #: which triangle each piece is of, (p,)
-    corner: Floats  #: of the triangles [m], (t, 3, 3)
-    side: Floats  #: from each corner to the next [m], (t, 3, 3)
-    normal: Floats  #: unit normals, 0 where there is none, (t, 3)
-
-
-class Nearest(NamedTuple):
-    """Points, and the triangle nearest to each."""
-
-    points: PerElement3  #: [m], (n, 3)
-    triangle: Ints  #: (n,)
 
 
 _find_nearest = Pass("find_nearest_triangles", TriangleTree, Nearest)

@@ -6,23 +6,13 @@ import numpy as np
 from scipy.sparse import bsr_array, csr_array
 
 from bondem._cache_lines import lines
+from bondem._tables.cell_tables import CellDilatation, CellPoses, DilatationGradients, ElasticFacets, WallConstraints
+from bondem._tables.step_tables import BeamSums
 from bondem._types import Floats, PerBond
 from bondem.geometry.rotations import relative_rotations, turned_vectors
-from bondem.interactions.beams.beam_tables import BeamSums
 from bondem.interactions.beams.bond_table import with_twins
 from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.interactions.cells.cell_tables import (
-    STRESS,
-    CellDilatation,
-    CellPoses,
-    DilatationGradients,
-    ElasticFacets,
-    WallConstraints,
-    cell_tables,
-    gradient_tables,
-    load_all_facets,
-    load_body,
-)
+from bondem.interactions.cells.cell_tables import STRESS, cell_tables, gradient_tables, load_all_facets, load_body
 from bondem.model.model import Model
 from bondem.specimen.local_origin import local_rest
 

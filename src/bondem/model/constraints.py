@@ -7,28 +7,16 @@ from typing import NamedTuple
 import numpy as np
 
 from bondem._checks import shown
+from bondem._tables.step_tables import CoupleTable, Rows
 from bondem._types import Floats, PerBond, PerElement
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix, Load
-from bondem.boundary.couples import Couple, CoupleTable, couple_table
+from bondem.boundary.couples import Couple, couple_table
 from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure, is_face
 from bondem.boundary.schedules import Schedule
 from bondem.errors import InputError
 from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
-
-
-class Rows(NamedTuple):
-    """Rows of the elements that are held, driven or loaded, r of them; passes write all but `of` and `fixed`."""
-
-    of: np.ndarray  #: row of each element, or -1, (n,)
-    fixed: np.ndarray  #: degrees of freedom with prescribed motion, uint8, (r, 6)
-    force: np.ndarray  #: of loads now [N, N·m], (r, 6)
-    half: np.ndarray  #: prescribed velocities over the step [m/s, rad/s], (r, 6)
-    full: np.ndarray  #: prescribed velocities now, (r, 6)
-    reaction: np.ndarray  #: minus the bond forces [N, N·m], (r, 6)
-    grip: np.ndarray  #: of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any
-    work: np.ndarray  #: of loads and drives on each row [J], then of body forces, strains and walls that hold cells
 
 
 class Schedules(NamedTuple):

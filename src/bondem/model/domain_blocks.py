@@ -11,33 +11,14 @@ The division, and with it the number of threads, therefore changes no bit.
 """
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
 from bondem._cache_lines import lines
+from bondem._tables.step_tables import StepCut
 from bondem._types import Ints, Mask
 from bondem.interactions.beams.bond_table import GROUP, with_twins
 from bondem.specimen.ordering import Layout
-
-
-class StepCut(NamedTuple):
-    """Division of a step in the form of the core (attributes of `Blocks`), and the sums that it adds to."""
-
-    domain: np.ndarray
-    bond: np.ndarray
-    move: np.ndarray
-    held: np.ndarray
-    ready: np.ndarray
-    ready_row: np.ndarray
-    row_i: np.ndarray
-    row_j: np.ndarray
-    shared: np.ndarray
-    shared_row: np.ndarray
-    shared_held: int
-    part: np.ndarray
-    parts: int
-    sums: np.ndarray  #: force and torque of the bonds on each element [N, N·m], (rows, 8)
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,8 +10,9 @@ from scipy.sparse import csr_array
 
 from bondem._blas import one_blas_thread
 from bondem._cache_lines import lines
+from bondem._tables.step_tables import BeamSums
 from bondem._types import Floats, PerBond, PerElement
-from bondem.interactions.beams.beam_tables import BeamSums, beam_tables, load_beams
+from bondem.interactions.beams.beam_tables import beam_tables, load_beams
 from bondem.interactions.beams.bond_table import BondTable
 from bondem.interactions.cells.corrected_mass import largest_share
 from bondem.model.cell_tangent import BodyTables

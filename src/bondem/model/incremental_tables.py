@@ -3,30 +3,16 @@
 `core/tables/incremental_tables.hpp` declares types and shapes.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 
 from bondem._core import Pass
+from bondem._tables.incremental_tables import LoadsOfEach, StoredLoads
+from bondem._tables.step_tables import Beams, Poses
 from bondem._types import Floats
-from bondem.interactions.beams.beam_tables import Beams, Poses, beam_tables
+from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.beams.bond_table import with_zeros
 from bondem.model.model import Model
 from bondem.model.state import State
-
-
-class StoredLoads(NamedTuple):
-    """Data that m beams store from step to step."""
-
-    kb: Floats  #: bending stiffness [N·m], (m,)
-    history: Floats  #: force [N] and moment [N·m] on i at the contact point, (6, m)
-
-
-class LoadsOfEach(NamedTuple):
-    """Force on j and torques on i and j of each beam."""
-
-    found: Floats  #: [N, N·m], (9, m)
-
 
 _load_stored_beams = Pass("load_stored_beams", Poses, Beams, StoredLoads, LoadsOfEach)
 

@@ -3,71 +3,21 @@
 `core/tables/non_local_tables.hpp` declares types and shapes.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 
 from bondem._cache_lines import lines
 from bondem._core import Pass
+from bondem._tables.damage_tables import FailureIndices, Strengths
+from bondem._tables.non_local_tables import ExtraForces, LaggedStresses, NonLocalBonds, SmallPairs
+from bondem._tables.step_tables import Beams, Poses
 from bondem._types import Floats, PerBond
-from bondem.damage.failure_passes import FailureIndices, Strengths, strengths_of
+from bondem.damage.failure_passes import strengths_of
 from bondem.damage.failure_table import FailureTable
-from bondem.interactions.beams.beam_tables import Beams, Poses, beam_tables
+from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.beams.bond_table import with_twins, with_zeros
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
 from bondem.model.model import Model
 from bondem.model.state import State
-
-
-class NonLocalBonds(NamedTuple):
-    """Bonds of the non-local law, m of them, the data that they store, and their present loads."""
-
-    area: Floats  #: [m²], (m,)
-    kn: Floats  #: [N/m]
-    kt: Floats
-    normal: Floats  #: from i to j in the reference [-], (3, m)
-    lever_i: Floats  #: from the element i to the contact point in the reference [m], (3, m)
-    lever_j: Floats
-    nu: float  #: ν [-]
-    limited: bool  #: whether the extra shear force is limited
-    history: Floats  #: gap [m], extra force [N] and its work [J], in the frame of element i, (7, m)
-    output: Floats  #: force on i, torque on i, minus torque on j, now [N, N·m], (9, m)
-
-
-class LaggedStresses(NamedTuple):
-    """Stresses of n elements."""
-
-    inverse: Floats  #: 1 / V [1/m³], (n,)
-    stress: Floats  #: in the element's own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
-    space: Floats  #: in space, and bounds of σ1 and σ3 [Pa], (n, 8)
-    moment: Floats  #: contributions of forces to V σ, zero between steps; rows of shared elements follow [N·m]
-    to_i: np.ndarray  #: row of the moment of element i of each bond, uint32, (m,)
-
-
-class NonLocalWork(NamedTuple):
-    """Work of extra forces."""
-
-    taken: Floats  #: in each portion of bonds [J]
-
-
-class SmallPairs(NamedTuple):
-    """Bonds at small strain, and the stresses and gaps of the iteration before."""
-
-    pairs: np.ndarray  #: elements of each bond, int64, (m, 2)
-    area: Floats  #: [m²], (m,)
-    kt: Floats  #: [N/m], (m,)
-    nu: float  #: ν [-]
-    limited: bool  #: whether the extra shear force is limited
-    normal: Floats  #: [-], (m, 3)
-    stress: Floats  #: of the elements, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
-    gap: Floats  #: [m], (m, 3)
-
-
-class ExtraForces(NamedTuple):
-    """Extra forces of bonds."""
-
-    force: Floats  #: [N], (m, 3)
-
 
 _find_small_extra_forces = Pass("find_small_extra_forces", SmallPairs, ExtraForces)
 _load_non_local_bonds = Pass("load_non_local_bonds", Poses, Beams, NonLocalBonds)

@@ -1,69 +1,24 @@
 """Matrices of a model at rest: stiffness and mass, in internal order."""
 
-from typing import NamedTuple
-
 import numpy as np
 from scipy.sparse import bsr_array
 
 from bondem._core import Pass
+from bondem._tables.stiffness_tables import BeamRows, BlockRows, DilatationRows, FacetRows
 from bondem._threads import current_threads
-from bondem._types import Floats, Ints, PerBond, PerBond3
+from bondem._types import Floats
 from bondem.interactions.non_local.local_stiffness import local_stiffness
 from bondem.model.model import Model
 from bondem.model.stiffness import Stiffness
 from bondem.specimen.ordering import Layout
 
 
-class BeamRows(NamedTuple):
-    """Beams at rest, m of them; `core/tables/stiffness_tables.hpp` declares types and shapes."""
-
-    i: np.ndarray  #: elements, i < j, uint32, (m,)
-    j: np.ndarray
-    direction: Floats  #: reference direction i→j [-], (3, m)
-    length: PerBond  #: at rest [m]
-    lever: PerBond  #: of the contact point from i [m]
-    kn: PerBond  #: [N/m]
-    ks: PerBond  #: [N/m]
-    kb: PerBond  #: [N·m]
-    kt: PerBond  #: [N·m]
-
-
-class FacetRows(NamedTuple):
-    """Constants of m facets, a row each; see `bondem.interactions.cells.cell_constants`."""
-
-    i: np.ndarray  #: cells, i < j, uint32, (m,)
-    j: np.ndarray
-    k: PerBond
-    lever_i: PerBond3
-    lever_j: PerBond3
-    H: Floats  #: (m, 3, 3)
-    share_i: PerBond3
-    share_j: PerBond3
-
-
-class BlockRows(NamedTuple):
-    """Block rows of a matrix, one per element: earlier neighbours, the diagonal, later neighbours."""
-
-    in_start: Ints  #: bonds in_start[p] … in_start[p + 1] - 1 end in p, (n + 1,)
-    out_start: Ints  #: those that begin in p are in …, (n + 1,)
-    out_bond: np.ndarray  #: … this, from out_start[p] to out_start[p + 1] - 1, uint32, (m,)
-    indptr: np.ndarray  #: where the blocks of each row begin, int32, (n + 1,)
-    indices: np.ndarray  #: column of each block, int32, (b,)
-    data: Floats  #: blocks of (u, θ) [N/m, N, N·m], (b, 6, 6)
-
-    @classmethod
-    def of(cls, layout: Layout) -> "BlockRows":
-        """Room for the rows of a layout."""
-        n = len(layout.out_start) - 1
-        indptr = (layout.in_start + layout.out_start + np.arange(n + 1)).astype(np.int32)
-        indices, data = np.empty(indptr[-1], np.int32), np.empty((indptr[-1], 6, 6))
-        return cls(layout.in_start, layout.out_start, layout.out_bond, indptr, indices, data)
-
-
-class DilatationRows(NamedTuple):
-    """Forms whose sum is the dilatation of each cell, in the same rows."""
-
-    forms: Floats  #: V θ under unit motions [m², m³], (b, 1, 6)
+def new_block_rows(layout: Layout) -> BlockRows:
+    """Room for the rows of a layout."""
+    n = len(layout.out_start) - 1
+    indptr = (layout.in_start + layout.out_start + np.arange(n + 1)).astype(np.int32)
+    indices, data = np.empty(indptr[-1], np.int32), np.empty((indptr[-1], 6, 6))
+    return BlockRows(layout.in_start, layout.out_start, layout.out_bond, indptr, indices, data)
 
 
 _assemble_beams = Pass("assemble_beams", BeamRows, BlockRows)
@@ -80,7 +35,7 @@ def stiffness_matrix(model: Model) -> Stiffness:
     size = 6 * len(layout.order)
     if model.non_local is not None:
         return Stiffness(local_stiffness(model.non_local, layout))
-    rows = BlockRows.of(layout)
+    rows = new_block_rows(layout)
     if model.cells is None:
         b = model.bonds
         columns = b.direction, b.length, b.lever, b.kn, b.ks, b.kb, b.kt

@@ -4,20 +4,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._tables.cell_tables import CellPoses
+from bondem._tables.step_tables import Beams
 from bondem._types import Floats, PerBond, PerElement3
 from bondem.damage.event_columns import SOFT_BOND
 from bondem.errors import InputError
-from bondem.interactions.beams.beam_tables import Beams, beam_energies, beam_tables
+from bondem.interactions.beams.beam_tables import beam_energies, beam_tables
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_strain import CellStrain
-from bondem.interactions.cells.cell_tables import (
-    CellPoses,
-    body_energies,
-    cell_tables,
-    gradient_tables,
-    place_held_walls,
-)
+from bondem.interactions.cells.cell_tables import body_energies, cell_tables, gradient_tables, place_held_walls
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.facet_loads import loads_on_facets

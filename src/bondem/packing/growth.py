@@ -10,11 +10,12 @@ import numpy as np
 
 from bondem._checks import shown
 from bondem._core import Pass
+from bondem._tables.packing_tables import Flight, Growing, Near, PackingWalls, Spheres
 from bondem._types import Floats
 from bondem.errors import InputError, PackingError
 from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
 from bondem.packing import packing_tables as tables
-from bondem.packing.packing_tables import Flight, Growing, Near, PackingWalls, Spheres
+from bondem.packing.packing_tables import new_flight, new_growing
 from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 from bondem.packing.targets import Fraction, Target
@@ -84,8 +85,8 @@ def grow(
         # Two neighbours may grow by this much before spheres that are not in the list can meet.
         gain = min(0.5 * _GROWTH_SHARE * skin / float(spheres.unit.max()), last - spheres.scale)
         heat = float((velocity**2).sum())
-        growing = Growing.of(spheres.scale, _RATE, gain / _RATE, 20 * n)
-        _fly(spheres.table, spheres.walls, near, growing, Flight.of(n))
+        growing = new_growing(spheres.scale, _RATE, gain / _RATE, 20 * n)
+        _fly(spheres.table, spheres.walls, near, growing, new_flight(n))
         gone, virial, met = (float(growing.report[k]) for k in (tables.TIME, tables.VIRIAL, tables.COLLISIONS))
         spheres.scale += _RATE * gone
         if last - spheres.scale < 1e-12:

@@ -7,12 +7,13 @@ import numpy as np
 
 from bondem._checks import shown
 from bondem._core import Pass
+from bondem._tables.packing_tables import Near, PackingWalls, Relaxing, Spheres
 from bondem._threads import current_threads
 from bondem._types import Floats
 from bondem.geometry.elementary_shapes import Shape
 from bondem.geometry.neighbours import neighbours
 from bondem.packing import packing_tables as tables
-from bondem.packing.packing_tables import Near, PackingWalls, Relaxing, Spheres
+from bondem.packing.packing_tables import new_relaxing
 from bondem.packing.wall_contacts import walls
 
 _relax = Pass("relax_spheres", Spheres, PackingWalls, Near, Relaxing)
@@ -118,7 +119,7 @@ class SoftSpheres:
         self.scale = scale
         self.sphere[:, 3] = scale * self.unit
         self.table.velocity[:] = 0.0
-        begun = Relaxing.of(len(self.sphere), float(tolerance), float(loose * self.mean_radius))
+        begun = new_relaxing(len(self.sphere), float(tolerance), float(loose * self.mean_radius))
         threads = 1 if len(self.sphere) < _THREADED else current_threads()
         taken, ended = 0, "out_of_date"
         while ended == "out_of_date":

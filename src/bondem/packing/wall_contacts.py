@@ -15,6 +15,7 @@ import numpy as np
 from scipy.ndimage import map_coordinates, minimum_filter
 
 from bondem._checks import shown
+from bondem._tables.packing_tables import PackingWalls
 from bondem._types import Floats, PerElement, PerElement3
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
@@ -22,7 +23,6 @@ from bondem.geometry.planes import Planes, box_planes
 from bondem.geometry.shape import Cut, Overlap, Placed
 from bondem.geometry.shape_boundary import BOX_FACES
 from bondem.geometry.surface import Surface
-from bondem.packing.packing_tables import PackingWalls
 
 # Spacing of the grid of depths over the mean radius. Where the shape has an edge the wall is rounded by about
 # this much, and walls as curved as a sphere are off by 1/8 of its square: 2 % of the radius.

@@ -1,17 +1,17 @@
 """Equilibrium by dynamic relaxation, with damping by the present frequency and masses that speed it up."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from bondem._cache_lines import lines
 from bondem._checks import count, instance, number
 from bondem._core import Pass
 from bondem._progress import staged
-from bondem._types import Floats, Ints, PerElement
+from bondem._tables.statics_tables import DynamicRelaxation, RelaxationSpan
+from bondem._tables.step_tables import AlikeBeams, Beams, BeamSums
+from bondem._types import Floats, PerElement
 from bondem.errors import ConvergenceError, InputError
 from bondem.geometry.rotations import rotation_vector
-from bondem.interactions.beams.beam_tables import AlikeBeams, Beams, BeamSums, beam_tables, count_turned
+from bondem.interactions.beams.beam_tables import beam_tables, count_turned
 from bondem.model.highest_frequency import stiffest
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -28,32 +28,6 @@ _PACE = 0.01
 _CHUNK = 2_000
 # The same where forces of moments turn.
 _TURNING = 20
-
-
-class DynamicRelaxation(NamedTuple):
-    """Elements that relax, n of them, as `core/tables/statics_tables.hpp` declares them."""
-
-    pose: Floats  #: (n, 8)
-    velocity: Floats  #: of centres and rotations, (n, 6)
-    before: Floats  #: forces and torques of the bonds in the step before [N, N·m], (n, 6)
-    load: Floats  #: at the end of the ramp [N, N·m], (n, 6)
-    inverse: Floats  #: 1 / mass and 1 / moment of inertia, 0 where nothing is bonded, (n, 2)
-    free: np.ndarray  #: degrees of freedom that nothing prescribes, uint8, (n, 6)
-    motion: Floats  #: prescribed displacements and rotations at the end of the ramp [m, rad], (n, 6)
-    memory: Floats  #: running means Σ v·ΔF and Σ m v² of the steps so far, (2,)
-    ramp: int  #: steps in which loads and prescribed motions grow
-    length: float  #: by which torques become forces [m]
-    tolerance: float  #: unbalanced force over applied and supporting force at which to stop [-]
-    noise: float  #: force that rounding leaves [N]
-
-
-class RelaxationSpan(NamedTuple):
-    """Steps of one call of the core."""
-
-    first: int  #: number of the first step
-    steps: int  #: how many at most
-    done: Ints  #: how many were done, (1,)
-    ratio: Floats  #: unbalanced force over applied and supporting force [-], (1,)
 
 
 _relax_beams = Pass("relax_beams", Beams, BeamSums, DynamicRelaxation, RelaxationSpan)

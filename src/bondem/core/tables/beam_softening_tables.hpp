@@ -1,4 +1,4 @@
-// What passes over beams that soften take. Named once more in `bondem/dynamics/damage_tables.py`.
+// What passes over beams that soften take.
 #pragma once
 #include "damage_tables.hpp"
 
@@ -6,25 +6,27 @@ namespace bondem {
 
 // Beams that may soften: bounds of those that have not begun, their criterion, and what softening changes.
 struct SofteningBounds {
-    Array<float, 1> limit;  // as of `FailureBounds`, inf of beams that have begun [-], (m,)
-    double of_force, of_moment;  // [1/N², 1/(N·m)²]
+    Array<float, 1> limit;  // as of `FailureBounds`, inf of beams that have begun, (m,)
+    double of_force;  // [1/N²]
+    double of_moment;  // [1/(N·m)²]
     Array<const double, 2> coefficient;  // as of `Strengths`, (bonds, 4)
     Array<const double, 1> station;  // (bonds,)
-    Array<const double, 1> tear, slide;  // G_f A and G_II A [J], (bonds,)
+    Array<const double, 1> tear;  // G_f A [J], (bonds,)
+    Array<const double, 1> slide;  // G_II A [J], (bonds,)
     Array<double, 1> integrity;  // 1 whole … 0 broken [-], (m,)
-    Array<double, 1> hold;  // integrity over rest length of beams that differ in length only [1/m], (m,), or (0,)
-    Array<double, 1> press;  // (1 - s) kn, the stiffness of the softened part in compression [N/m], (m,)
-    // of beams that begin in this step: λ0 and λf [√J], -∂U/∂s and the energy dissipated [J], (bonds, 4)
-    Array<double, 2> onset;
+    Array<double, 1> hold;  // integrity over rest length of beams that share their constants [1/m], (*,)
+    Array<double, 1> press;  // stiffness of the softened part of a beam in compression, (1 - s) kn [N/m], (m,)
+    Array<double, 2> onset;  // openings [√J] and energies [J] of beams that begin in this step, (bonds, 4)
 };
-// Beams that soften. A row has: bond, opening λ0 at the beginning and λf at the end [√J], -∂U/∂s a step ago [J], energy
-// dissipated [J], mode, step of onset.
+// Beams that soften.
 struct SofteningBeams {
-    Array<double, 2> row;  // beams in the order in which they began, (bonds, 7)
+    // beams in the order in which they began, columns of `bondem.damage.event_columns`
+    Array<double, 2> row;  // (bonds, 7)
     Array<Index, 1> begun;  // number of rows, (1,)
     Array<Index, 1> listed;  // rows that have not broken, those of a portion of bonds from its first bond on, (bonds,)
-    Array<Index, 1> number, parted;  // of rows of each portion, and of those behind them that break in this step
-    Array<double, 1> lost;  // energy that each portion dissipates in this step [J]
+    Array<Index, 1> number;  // number of rows of each portion, (bond_portions,)
+    Array<Index, 1> parted;  // number of those that break in this step, behind the others, (bond_portions,)
+    Array<double, 1> lost;  // energy that each portion dissipates in this step [J], (bond_portions,)
 };
 
 }  // namespace bondem

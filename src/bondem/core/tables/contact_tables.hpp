@@ -1,4 +1,4 @@
-// What contacts of elements and walls take. Named once more in `bondem/dynamics/contact_tables.py`.
+// What contacts of elements and walls take.
 //
 // Pairs stand once, sorted by their later element and then by their earlier one, as bonds are. A portion of elements
 // (`steps.hpp`) owns the pairs whose later element is in it.
@@ -16,173 +16,191 @@ struct ContactRow {
     double soft;  // ks / kn [-]
     double friction;  // μ [-]
     double damping;  // β [-]
-    double rolling, twisting;  // μ_r and μ_w [-]
+    double rolling;  // μ_r and μ_w [-]
+    double twisting;  // μ_r and μ_w [-]
     double deep;  // overlap over the radius at which the stiffness against rolling is taken [-]
-    double strength, reach;  // of adhesion, 0 for none [Pa, m]
+    double strength;  // of adhesion, 0 for none [Pa, m]
+    double reach;  // of adhesion, 0 for none [Pa, m]
 };
 // The laws of contacts by kinds of elements, and the radii of the elements.
 struct ContactConstants {
-    Array<const double, 3> between;  // `ContactRow` of pairs of each two kinds, (kinds, kinds, 9)
+    Array<const double, 3> between;  // rows of `ContactRow` of pairs of each two kinds, (kinds, kinds, 9)
     Array<const double, 3> at_walls;  // that of each kind at each wall, (kinds, walls, 9)
     Array<const Byte, 1> kind;  // of each element, (n,)
     Index hertzian;  // whether they are those of Hertz and Mindlin
     Array<const double, 1> radius;  // [m], (n,)
-
     const ContactRow &of(Short a, Short b) const { return between.row<const ContactRow>(kind(a), kind(b)); }
     const ContactRow &at_wall(Short p, Index w) const { return at_walls.row<const ContactRow>(kind(p), w); }
 };
-// Pairs that may touch before their list is made anew, c of them.
+// Pairs that may touch before their list is renewed, c of them.
 struct ContactPairs {
-    Array<const Short, 1> first, second;  // (c,)
-    Array<const Index, 1> start;  // where the pairs of each later element begin, (n + 1,)
-    Array<double, 1> reach;  // distance of the centres at which a pair touches [m], (c,)
-    Array<const double, 1> own;  // kn of a pair that does not have that of the law, or 0 [N/m], (c,)
-    // tangential stretch [m] and force of the dashpots [N]; of faces the overlap u0 [m] and kn a step ago [N/m], (c, 8)
-    Array<double, 2> memory;
-    Array<Byte, 1> touch;  // `TouchState`, (c,)
-    Array<const Index, 1> bond;  // the bond of each pair, or -1; while it joins them they do not touch, (c,)
-    Array<double, 1> joined;  // above 0 of bonds that join their elements
-    Array<const Index, 1> of_bond;  // the pair of each bond, or -1, (m,)
+    Array<const Short, 1> first;  // (pairs,)
+    Array<const Short, 1> second;  // (pairs,)
+    Array<const Index, 1> start;  // start of the pairs of each later element, (n + 1,)
+    Array<double, 1> reach;  // distance of the centres at which a pair touches [m], (pairs,)
+    Array<const double, 1> own;  // kn of a pair that does not have that of the law, or 0 [N/m], (pairs,)
+    // tangential stretch [m] and force of the dashpots [N]; of faces the overlap u0 [m] and kn a step ago [N/m]
+    Array<double, 2> memory;  // (pairs, 8)
+    Array<Byte, 1> touch;  // `TouchState`, (pairs,)
+    Array<const Index, 1> bond;  // the bond of each pair, or -1; while it joins them they do not touch, (pairs,)
+    Array<double, 1> joined;  // above 0 of bonds that join their elements, which then do not touch, (*,)
+    Array<const Index, 1> of_bond;  // the pair of each bond, or -1, (*,)
     Array<const double, 1> period;  // edges of the periodic cell and their inverses, zero where there is none, (6,)
 };
-// Pairs that are looked at in every step, until an element has moved so far that distances are measured anew. Those of a
-// portion stand from its first pair on.
+// Pairs that every step examines, until distances are measured again.
 struct NearPairs {
-    Array<Short, 1> near;  // pairs that may touch, ascending, (c,)
-    Array<Short, 1> close;  // those of them that touch or have just parted, (c,)
-    // of these: force on the later element [N], lost to dashpots [J], torque over the radius [N], lost to friction [J]
-    Array<double, 2> output;  // (c, 8)
-    Array<Index, 2> counts;  // of near and of close pairs of each portion, (portions, 2)
-    double width;  // motion of an element after which distances are measured anew [m]
+    Array<Short, 1> near;  // pairs that may touch, (pairs + 1,)
+    Array<Short, 1> close;  // pairs that touch or have just parted, (pairs + 1,)
+    // of these: force on the later element [N], lost to dashpots [J], torque over the radius [N], lost to friction
+    // [J]
+    Array<double, 2> output;  // (pairs, 8)
+    Array<Index, 2> counts;  // of near and of close pairs of each portion of elements, (element_portions, 2)
+    double width;  // motion of an element after which distances are measured again [m]
     double beyond;  // gap up to which pairs that do not touch act [m]
 };
-// Adhesion of near pairs: force on the later element [N], (c, 3).
+// Adhesion of near pairs.
 struct AdheringPairs {
-    Array<double, 2> force;
+    Array<double, 2> force;  // on the later element [N], (pairs, 3)
 };
-// What resists rolling: R̄ times the rotation that the spring of each pair stores [m], (c, 3), and the moment on its later
-// element [N·m] and the energy lost to friction [J], (c, 4).
+// Resistance of pairs to rolling.
 struct RolledPairs {
-    Array<double, 2> rolled, output;
+    Array<double, 2> rolled;  // R̄ times the rotation that the spring of each pair stores [m], (pairs, 3)
+    Array<double, 2> output;  // moment on the later element [N·m], lost to friction [J], (pairs, 4)
 };
-// The same at walls, (b, 3).
+// Resistance of elements at walls to rolling.
 struct RolledWalls {
-    Array<double, 2> rolled;
+    Array<double, 2> rolled;  // R times the rotation that the spring of each contact stores [m], (wall_contacts, 3)
 };
-// Faces of cells on material planes whose facet has cracked, and the pairs that touch by them (`laws/face_contact.hpp`).
+// Faces of cells on material planes whose facet has cracked, and the pairs that touch by them.
 struct FacePairs {
-    Array<const Index, 1> in_start, out_start;  // facets of each cell, as `FacetsOfCells` has them, (n + 1,)
-    Array<const Short, 1> out_bond;
-    Array<const int32_t, 2> lever_i, lever_j;  // as `ElasticFacets` has them, (3, m)
-    Array<const double, 1> pitch;
-    Array<const double, 2> normal;
+    Array<const Index, 1> in_start;  // facets of each cell, as `FacetsOfCells` has them, (n + 1,)
+    Array<const Index, 1> out_start;  // facets of each cell, as `FacetsOfCells` has them, (n + 1,)
+    Array<const Short, 1> out_bond;  // (*,)
+    Array<const int32_t, 2> lever_i;  // those of `ElasticFacets`, (3, m)
+    Array<const int32_t, 2> lever_j;  // as `ElasticFacets` has them, (3, m)
+    Array<const double, 1> pitch;  // (3,)
+    Array<const double, 2> normal;  // (3, m)
     Array<const Short, 1> j;  // later cell, (m,)
-    Array<const double, 1> k, area;  // [N/m, m²], (m,)
-    Array<const Byte, 1> listed;  // that of `CohesiveCracks`: 0 for whole facets, (m,)
+    Array<const double, 1> k;  // [N/m, m²], (m,)
+    Array<const double, 1> area;  // [m²], (m,)
+    Array<const Byte, 1> listed;  // that of `CohesiveCracks`, (m,)
     Array<const double, 1> plane;  // 1 for facets of material planes, (m,)
     Array<Byte, 1> open;  // 1 for facets whose faces have parted, 2 in the step in which they do, (m,)
-    Array<Byte, 1> faced;  // the same of cells that have such a facet, (n,)
+    Array<Byte, 1> faced;  // 1 for cells with such a facet, (n,)
     Array<const double, 1> outer;  // distance within which two cells touch by faces, as a sum of both [m], (n,)
-    Array<const Index, 1> earlier_start;  // pairs whose earlier element is p, (n + 1,)
-    Array<const Short, 1> earlier;  // (c,)
-    Array<double, 1> chosen;  // the two faces by which each pair touches (`ChosenFaces`), 0 for none, (c,)
-    Array<double, 1> whole;  // reach of the spheres of pairs whose faces have not lain between them [m], (c,)
-    Array<Short, 1> close;  // pairs that touch by faces or did a step ago, ascending, those of a portion from its first on, (c,)
-    // of pair k: force on the later element [N], lost to dashpots [J], torque on it [N·m], lost to friction [J], torque on
-    // the earlier one [N·m], (c, 12)
-    Array<double, 2> output;
-    Array<double, 1> gained;  // energy taken over from facets that part in this step [J], (c,)
-    Array<Index, 1> count;  // of close pairs of each portion, (portions,)
+    Array<const Index, 1> earlier_start;  // start of the pairs whose earlier element each element is, (n + 1,)
+    Array<const Short, 1> earlier;  // these pairs, (pairs,)
+    Array<double, 1> chosen;  // the two faces by which each pair touches as one number, 0 for none, (pairs,)
+    Array<double, 1> whole;  // reach of the spheres of pairs whose faces have not lain between them [m], (pairs,)
+    // pairs that touch by faces or did a step ago, ascending, those of a portion from its first on
+    Array<Short, 1> close;  // (pairs,)
+    // of pair k: force on the later element [N], lost to dashpots [J], torque on it [N·m], lost to friction [J],
+    // torque on the earlier one [N·m]
+    Array<double, 2> output;  // (pairs, 12)
+    Array<double, 1> gained;  // energy taken over from facets that part [J], (pairs,)
+    Array<Index, 1> count;  // close pairs of each portion of elements, (element_portions,)
 };
-// How far elements have moved since their distances were measured, and since the list was made.
+// Motion of the elements since their distances were measured, and since the list was made.
 struct Travel {
     Array<const double, 2> listed;  // centres when the list was made [m], (n, 3)
     Array<double, 2> measured;  // centres when distances were measured [m], (n, 3)
-    // squares of both largest distances [m²], and the deepest overlap over the smaller radius [-], (portions, 3)
-    Array<double, 2> portion;
-    // largest distance since distances were measured, and when they were since the list was made, below 0 before that [m]
-    Array<double, 1> far;  // (2,)
+    // squares of both largest distances [m²], and the deepest overlap [-]
+    Array<double, 2> portion;  // (element_portions, 3)
+    Array<double, 1> far;  // both largest distances; the second is below 0 before the first measurement [m], (2,)
     double reach;  // motion of an element or a wall for which the list is made [m]
 };
-// What contacts do to elements, zero between steps.
+// Forces and losses of contacts of elements, zero between steps.
 struct ContactSums {
     Array<double, 2> sums;  // force [N], lost to dashpots [J], torque [N·m], lost to friction [J], (n, 8)
 };
-// Elastic energy of contacts.
+// Elastic energy of the contacts of each portion of elements.
 struct ContactEnergies {
-    Array<double, 1> energy;  // of each portion [J], (portions,)
+    Array<double, 1> energy;  // [J], (element_portions,)
 };
 
-// Contacts of elements with walls, b of them, sorted by element.
+// Contacts of elements with walls, b of them.
 struct WallContacts {
-    Array<const Index, 1> start;  // where those of each element begin, (n + 1,)
-    Array<const Short, 1> element, wall;  // (b,)
-    Array<const double, 1> gap;  // from which the overlap counts [m], (b,)
-    Array<double, 2> memory;  // as that of pairs, (b, 6)
-    Array<Byte, 1> touch;  // (b,)
-    Array<double, 2> output;  // `WallLoad`, (b, 7)
+    Array<const Index, 1> start;  // start of the contacts of each element, (n + 1,)
+    Array<const Short, 1> element;  // (wall_contacts,)
+    Array<const Short, 1> wall;  // (wall_contacts,)
+    Array<const double, 1> gap;  // gap from which the overlap counts [m], (wall_contacts,)
+    Array<double, 2> memory;  // as that of pairs, (wall_contacts, 6)
+    Array<Byte, 1> touch;  // (wall_contacts,)
+    Array<double, 2> output;  // rows of `WallLoad`, (wall_contacts, 7)
 };
 // Walls, w of them.
 struct Walls {
-    Array<const double, 2> shape;  // `WallShape`, (w, 12)
-    Array<double, 2> body;  // `WallRow`, (w, 27)
-    Array<const double, 2> inertia;  // `WallInertia`, (w, 8)
-    Array<double, 2> listed;  // `WallListed`, (w, 8)
+    Array<const double, 2> shape;  // rows of `WallShape`, (walls, 12)
+    Array<double, 2> body;  // positions, velocities and loads of the walls, as `State.walls`, (walls, 27)
+    Array<const double, 2> inertia;  // rows of `WallInertia`, (walls, 8)
+    Array<double, 2> listed;  // where the walls were when the list was made, rows of `WallListed`, (walls, 8)
 };
 // Prescribed motions of walls, servos, and free walls.
 struct WallMotions {
-    Array<const double, 1> times, values;  // schedules, as those of `Timeline`
-    Array<const Index, 1> start;
-    Array<const Index, 1> drive_wall, drive_component, drive_schedule;
-    Array<const Byte, 1> drive_rate;  // 1 for a velocity, 0 for a displacement
-    Array<const double, 2> drive_axis;  // of what turns, zero for other components, (d, 3)
-    Array<const Index, 1> servo_wall, servo_schedule;
-    Array<const double, 1> servo_speed, servo_mass, servo_damping;  // largest speed [m/s], mass [kg], damping [-]
-    Array<const Index, 1> free_wall;
-    Array<const double, 1> free_mass;  // [kg]
-    Array<const double, 2> free_force, free_torque;  // beside those of elements [N, N·m], (f, 3)
+    Array<const double, 1> times;  // schedules, as those of `Timeline`, (wall_times,)
+    Array<const double, 1> values;  // schedules, as those of `Timeline`, (wall_times,)
+    Array<const Index, 1> start;  // (wall_schedules + 1,)
+    Array<const Index, 1> drive_wall;  // (wall_drives,)
+    Array<const Index, 1> drive_component;  // (wall_drives,)
+    Array<const Index, 1> drive_schedule;  // (wall_drives,)
+    Array<const Byte, 1> drive_rate;  // 1 for a velocity, 0 for a displacement, (wall_drives,)
+    Array<const double, 2> drive_axis;  // of what turns, zero for other components, (wall_drives, 3)
+    Array<const Index, 1> servo_wall;  // (servos,)
+    Array<const Index, 1> servo_schedule;  // (servos,)
+    Array<const double, 1> servo_speed;  // largest speed [m/s], (servos,)
+    Array<const double, 1> servo_mass;  // [kg], (servos,)
+    Array<const double, 1> servo_damping;  // share of the missing force that resists the motion [-], (servos,)
+    Array<const Index, 1> free_wall;  // (free_walls,)
+    Array<const double, 1> free_mass;  // [kg], (free_walls,)
+    Array<const double, 2> free_force;  // on each beside that of elements [N], (free_walls, 3)
+    Array<const double, 2> free_torque;  // on each beside that of elements [N·m], (free_walls, 3)
 };
 
 // ---- the search
 
-// Bonds and memories that the list of pairs is made of; partners of each element are the earlier ones, ascending.
+// Bonds and memories of contacts, of which the list of pairs is made.
 struct PairSources {
-    Array<const Index, 1> bond_start;  // bonds whose later element is p, (n + 1,)
-    Array<const Short, 1> bond_first;
-    Array<const Byte, 1> wanted;  // whether the pair of a bond is listed, however far apart
-    Array<const Index, 1> rest_start;  // pairs that overlap in the reference, (n + 1,)
-    Array<const Short, 1> rest_first;
-    Array<const double, 1> rest_gap;  // [m]
-    Array<const Index, 1> kept_start;  // pairs that touch, (n + 1,)
-    Array<const Short, 1> kept_first;
-    Array<const double, 2> kept_memory;  // (…, 8)
+    Array<const Index, 1> bond_start;  // start of the bonds of each later element, (n + 1,)
+    Array<const Short, 1> bond_first;  // their earlier elements, (m,)
+    Array<const Byte, 1> wanted;  // whether the pair of a bond is listed, however far apart, (m,)
+    // start of the pairs of each later element that overlap in the reference
+    Array<const Index, 1> rest_start;  // (n + 1,)
+    Array<const Short, 1> rest_first;  // (rest,)
+    Array<const double, 1> rest_gap;  // [m], (rest,)
+    Array<const Index, 1> kept_start;  // start of the pairs of each later element that touch, (n + 1,)
+    Array<const Short, 1> kept_first;  // (kept,)
+    Array<const double, 2> kept_memory;  // (kept, 8)
 };
-// The list, with room for all pairs.
+// The list of pairs, c of them, sorted by the later element, then by the earlier one.
 struct FoundPairs {
-    Array<Short, 1> first, second;
-    Array<Index, 1> bond;  // or -1
-    Array<Index, 1> start;  // (n + 1,)
-    Array<double, 1> gap;  // from which the overlap counts [m]
-    Array<double, 2> memory;  // (room, 8)
-    Array<Byte, 1> touch;
+    Array<Short, 1> first;  // (room,)
+    Array<Short, 1> second;  // (room,)
+    Array<Index, 1> bond;  // the bond of each pair, or -1, (room,)
+    Array<Index, 1> start;  // start of the pairs of each later element, (n + 1,)
+    Array<double, 1> gap;  // gap from which the overlap counts, at most 0 [m], (room,)
+    Array<double, 2> memory;  // as `State.stretch`, (room, 8)
+    Array<Byte, 1> touch;  // (room,)
 };
-// Memories that the list of contacts with walls is made of.
+// Memories of contacts with walls, of which their list is made.
 struct WallSources {
-    Array<const double, 1> radius;  // of elements [m], (n,)
-    Array<const Index, 1> rest_start;  // contacts that overlap in the reference, (n + 1,)
-    Array<const Short, 1> rest_wall;
-    Array<const double, 1> rest_gap;  // [m]
-    Array<const Index, 1> kept_start;  // contacts that touch, (n + 1,)
-    Array<const Short, 1> kept_wall;
-    Array<const double, 2> kept_memory;  // (…, 6)
+    Array<const double, 1> radius;  // radii of the elements [m], (n,)
+    Array<const Index, 1> rest_start;  // start of the contacts of each element that overlap in the reference, (n + 1,)
+    Array<const Short, 1> rest_wall;  // (rest,)
+    Array<const double, 1> rest_gap;  // [m], (rest,)
+    Array<const Index, 1> kept_start;  // start of the contacts of each element that touch, (n + 1,)
+    Array<const Short, 1> kept_wall;  // (kept,)
+    Array<const double, 2> kept_memory;  // (kept, 6)
     double skin;  // largest gap [m]
-    Array<Index, 1> start;  // where those found of each element begin, (n + 1,)
+    Array<Index, 1> start;  // start of the found contacts of each element, (n + 1,)
 };
+// The list of contacts with walls, b of them, sorted by element, then by wall.
 struct FoundWalls {
-    Array<Short, 1> element, wall;
-    Array<double, 1> gap, now;  // from which the overlap counts, and the present one [m]
-    Array<double, 2> memory;  // (room, 6)
-    Array<Byte, 1> touch;
+    Array<Short, 1> element;  // (room,)
+    Array<Short, 1> wall;  // (room,)
+    Array<double, 1> gap;  // gap from which the overlap counts, at most 0 [m], (room,)
+    Array<double, 1> now;  // present gap [m], (room,)
+    Array<double, 2> memory;  // tangential stretch [m] and force of the dashpots [N], (room, 6)
+    Array<Byte, 1> touch;  // (room,)
 };
 
 }  // namespace bondem

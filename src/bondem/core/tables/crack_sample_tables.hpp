@@ -7,24 +7,26 @@ namespace bondem {
 
 // Facets that follow the softening curve (`laws/softening.hpp`).
 struct SofteningSamples {
-    // traction [Pa], normal, T_b [Pa], mean stress of both cells xx, yy, zz, xy, xz, yz [Pa]; f_t, 1 / T_l, c, 1 / T_l of
-    // slip [Pa, 1/Pa], tan φ, 1 where one integrity goes for all directions; axes e_1, e_2, e_3; s_1, s_2, s_3, grip;
-    // slip as a traction [Pa], distance of the faces over that of the cells [-]: (36, m)
-    Array<const double, 2> given;
-    double kink, steep;  // of the softening curve
+    // traction [Pa], normal, T_b [Pa], mean stress of both cells xx, yy, zz, xy, xz, yz [Pa]; f_t, 1 / T_l, c, 1 /
+    // T_l of slip [Pa, 1/Pa], tan φ, 1 where one integrity goes for all directions; axes e_1, e_2, e_3; s_1, s_2,
+    // s_3, grip; slip as a traction [Pa], distance of the faces over that of the cells [-]
+    Array<const double, 2> given;  // (36, m)
+    double kink;  // of the softening curve
+    double steep;  // of the softening curve
     Index wide;  // whether lanes are used
-    Array<double, 2> left;  // what is left of s_1, s_2, s_3, grip, and the traction below which a plane loses none [Pa], (5, m)
+    // what is left of s_1, s_2, s_3, grip, and the traction below which a plane loses none [Pa]
+    Array<double, 2> left;  // (5, m)
 };
 // Cracks (`laws/crack.hpp`).
 struct CrackSamples {
-    // branch, orientations of i and j, levers of i and j, shares of i and j, normal; H, k, w; axes as a quaternion, s_1, s_2,
-    // s_3, grip, 1 with friction; σ of i and j [Pa], slip in the frame of i [m], friction; integrities, their rates and
-    // friction force before: (60, m)
-    Array<const double, 2> given;
+    // branch, orientations of i and j, levers of i and j, shares of i and j, normal; H, k, w; axes as a quaternion,
+    // s_1, s_2, s_3, grip, 1 with friction; σ of i and j [Pa], slip in the frame of i [m], friction; integrities,
+    // their rates and friction force before
+    Array<const double, 2> given;  // (60, m)
     Index wide;
     // force, torques on i and j, friction force, slip; four rates, bending [J], torque of bending; energy across and
-    // along; energy dissipated by the crack and by friction; V θ of the halves of i and j [m³]: (29, m)
-    Array<double, 2> found;
+    // along; energy dissipated by the crack and by friction; V θ of the halves of i and j [m³]
+    Array<double, 2> found;  // (29, m)
 };
 // Cells that yield (`laws/plasticity.hpp`).
 struct YieldSamples {
@@ -32,14 +34,16 @@ struct YieldSamples {
     Array<const double, 2> strength;  // cohesion [Pa], slope, dilation, stiffness [Pa], slip held, (5, m)
     Index cone;  // whether by Drucker and Prager
     Index wide;
-    Array<double, 2> found;  // bound of F [Pa], Δγ, what is held, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa], (12, m)
+    // bound of F [Pa], Δγ, what is held, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa]
+    Array<double, 2> found;  // (12, m)
 };
 // Bounds of principal stresses, and of what bending opens of a facet (`laws/stress.hpp`).
 struct StressBoundSamples {
     Array<const double, 2> stress;  // [Pa], (6, m)
-    Array<const double, 1> bent;    // T_b [Pa]
+    Array<const double, 1> bent;  // T_b [Pa], (m,)
     Index wide;
-    Array<double, 2> found;  // bounds of σ_1 and σ_3, another of σ_1; T_b less the pressure, and its bound [Pa], (5, m)
+    // bounds of σ_1 and σ_3, another of σ_1; T_b less the pressure, and its bound [Pa]
+    Array<double, 2> found;  // (5, m)
 };
 
 }  // namespace bondem

@@ -1,11 +1,10 @@
-// What passes over beams of the incremental formulation take beside `Beams`. Named once more in
-// `bondem/model/incremental_tables.py`.
+// What passes over beams of the incremental formulation take beside `Beams`.
 #pragma once
 #include "../array.hpp"
 
 namespace bondem {
 
-// What m beams store from step to step.
+// Data that m beams store from step to step.
 struct StoredLoads {
     Array<const double, 1> kb;  // bending stiffness [N·m], (m,)
     Array<double, 2> history;  // force [N] and moment [N·m] on i at the contact point, (6, m)

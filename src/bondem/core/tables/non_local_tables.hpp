@@ -1,43 +1,47 @@
-// What passes over bonds of the non-local law take beside `Beams`, which has their ends and their integrity. Named
-// once more in `bondem/model/non_local_tables.py`.
+// What passes over bonds of the non-local law take beside `Beams`, which has their ends and their integrity.
 #pragma once
 #include "../array.hpp"
 
 namespace bondem {
 
-// Bonds of the non-local law, m of them, what they store, and what they do now.
+// Bonds of the non-local law, m of them, the data that they store, and their present loads.
 struct NonLocalBonds {
-    Array<const double, 1> area, kn, kt;  // [m², N/m], (m,)
+    Array<const double, 1> area;  // [m²], (m,)
+    Array<const double, 1> kn;  // [N/m], (m,)
+    Array<const double, 1> kt;  // [m², N/m], (m,)
     Array<const double, 2> normal;  // from i to j in the reference [-], (3, m)
-    Array<const double, 2> lever_i, lever_j;  // from the elements to the contact point in the reference [m], (3, m)
+    Array<const double, 2> lever_i;  // from the element i to the contact point in the reference [m], (3, m)
+    Array<const double, 2> lever_j;  // from the elements to the contact point in the reference [m], (3, m)
     double nu;  // ν [-]
     Index limited;  // whether the extra shear force is limited
     Array<double, 2> history;  // gap [m], extra force [N] and its work [J], in the frame of element i, (7, m)
     Array<double, 2> output;  // force on i, torque on i, minus torque on j, now [N, N·m], (9, m)
 };
-// Stresses of n elements of the non-local law.
+// Stresses of n elements.
 struct LaggedStresses {
     Array<const double, 1> inverse;  // 1 / V [1/m³], (n,)
     Array<double, 2> stress;  // in the element's own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
     Array<double, 2> space;  // in space, and bounds of σ1 and σ3 [Pa], (n, 8)
-    // contributions of forces to V σ, zero between steps; rows of shared elements follow [N·m], (*, 8)
-    Array<double, 2> moment;
+    // contributions of forces to V σ, zero between steps; rows of shared elements follow [N·m]
+    Array<double, 2> moment;  // (*, 8)
     Array<const Short, 1> to_i;  // row of the moment of element i of each bond, (m,)
 };
-// Work of extra forces, over portions of bonds [J].
+// Work of extra forces.
 struct NonLocalWork {
-    Array<double, 1> taken;
+    Array<double, 1> taken;  // in each portion of bonds [J], (bond_portions,)
 };
-// Bonds at small strain, and what their extra forces follow from, those of the iteration before.
+// Bonds at small strain, and the stresses and gaps of the iteration before.
 struct SmallPairs {
     Array<const Index, 2> pairs;  // elements of each bond, (m, 2)
-    Array<const double, 1> area, kt;  // [m², N/m], (m,)
+    Array<const double, 1> area;  // [m²], (m,)
+    Array<const double, 1> kt;  // [N/m], (m,)
     double nu;  // ν [-]
     Index limited;  // whether the extra shear force is limited
     Array<const double, 2> normal;  // [-], (m, 3)
     Array<const double, 2> stress;  // of the elements, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
     Array<const double, 2> gap;  // [m], (m, 3)
 };
+// Extra forces of bonds.
 struct ExtraForces {
     Array<double, 2> force;  // [N], (m, 3)
 };

@@ -1,38 +1,40 @@
-// What the passes of a packing take. Named and explained once more in `bondem/packing/packing_tables.py`.
+// What the passes of a packing take.
 #pragma once
 #include "../array.hpp"
 
 namespace bondem {
 
-// Spheres, n of them; passes write all but `unit` and `period`.
+// Spheres, n of them; passes write all but `unit`, `period` and `ease`.
 struct Spheres {
     Array<double, 2> sphere;  // centres and radii [m], (n, 4)
     Array<const double, 1> unit;  // radii at scale 1 [m], (n,)
-    Array<double, 2> velocity;  // (n, 3), kept between calls
+    Array<double, 2> velocity;  // kept between calls, (n, 3)
     Array<double, 2> force;  // overlap forces [m], less what walls carry, (n, 3)
     Array<const double, 1> period;  // periodic edge lengths [m], 0 where there is none, (3,)
-    Array<const double, 1> ease;  // 1 / √mass of each sphere [-], (n,)
+    Array<const double, 1> ease;  // 1 / √mass of each sphere in a relaxation [-], (n,)
 };
 
 // A box, infinite where it has no wall, and a round wall; any other shape is given by its depth on a grid.
 struct PackingWalls {
-    Array<const double, 1> lower, upper;  // corners of the box [m], (3,)
-    Array<const double, 1> weight;  // 1 for the axes in the distance from the axis or centre of the round wall, (3,)
+    Array<const double, 1> lower;  // corner of the box [m], (3,)
+    Array<const double, 1> upper;  // corner of the box [m], (3,)
+    // 1 for the axes in the distance from the centre line or centre of the round wall
+    Array<const double, 1> weight;  // (3,)
     double radius;  // of the round wall [m], infinite without one
     Array<const double, 1> corner;  // first node of the grid [m], (3,)
     double spacing;  // of its nodes [m]
-    Array<const double, 3> depth;  // at its nodes [m], (a, b, c); empty without a grid
+    Array<const double, 3> depth;  // at its nodes [m], (a, b, c); empty without a grid, (grid_x, grid_y, grid_z)
 };
 
 // Neighbour lists, and how long they are valid.
 struct Near {
     Array<const Index, 1> start;  // where the neighbours of each sphere begin, (n + 1,)
-    Array<const Short, 1> neighbour;
+    Array<const Short, 1> neighbour;  // (neighbours,)
     Array<const double, 2> listed;  // centres when the list was made [m], (n, 3)
     double slack;  // how far a centre may move before the list is out of date [m]
 };
 
-// When a relaxation ends, and what the descent keeps between calls.
+// Criteria for the end of a relaxation, and data that the descent keeps between calls.
 struct Relaxing {
     double tolerance;  // converged when the rms force is below this share of the mean contact force [-]
     double loose;  // spheres with a mean overlap below this do not press on each other [m]
@@ -42,16 +44,16 @@ struct Relaxing {
     Array<double, 1> report;  // rms force [m], mean overlap [m], contacts, largest overlap [m], steps, (5,)
 };
 
-// How spheres grow while they fly, and how that ended.
+// Growth of flying spheres, and a report of its end.
 struct Growing {
-    double scale;  // of the radii at first [-]
+    double scale;  // of the radii at the beginning [-]
     double rate;  // scale gained per unit of time
-    double duration;  // of the growth
+    double duration;  // how long to go on
     Index events;  // most collisions
     Array<double, 1> report;  // time gone by, sum of distance times exchanged momentum [m²], collisions, (3,)
 };
 
-// What is known of each of n flying spheres; passes write all.
+// Times and next events of n flying spheres; passes write all.
 struct Flight {
     Array<double, 1> since;  // when its centre was true, (n,)
     Array<double, 1> when;  // time of its next event, (n,)
@@ -60,23 +62,25 @@ struct Flight {
     Array<Index, 1> place;  // of each sphere in the heap, (n,)
 };
 
-// Spheres sorted into the cells of a grid, to find those that are near each other.
+// Spheres sorted into the cells of a grid.
 struct SphereGrid {
     Array<const double, 2> sphere;  // centres and radii [m], (n, 4)
-    Array<const double, 1> lower, edge;  // corner of the grid and edges of its cells [m], (3,)
+    Array<const double, 1> lower;  // corner of the grid [m], (3,)
+    Array<const double, 1> edge;  // edges of its cells [m], (3,)
     Array<const double, 1> period;  // periodic edge lengths [m], 0 where there is none, (3,)
     Array<const Index, 1> cells;  // along each axis, (3,)
     double skin;  // largest gap of neighbours [m]
     Array<Index, 1> cell;  // of each sphere, (n,)
     Array<Index, 1> first;  // where the members of each cell begin, (cells + 1,)
     Array<Short, 1> member;  // spheres, cell by cell, (n,)
-    Array<double, 2> place;  // their centres and radii [m], in that order, (4, n + 8): several are read at once
+    // their centres and radii [m], in that order, (4, n + 8): several are read at once
+    Array<double, 2> place;  // (4, n + 8)
     Array<Index, 1> start;  // where the neighbours of each sphere begin, (n + 1,)
 };
 
-// The lists of neighbours, one after the other.
+// The lists of all spheres one after the other.
 struct NeighbourLists {
-    Array<Short, 1> neighbour;
+    Array<Short, 1> neighbour;  // (neighbours,)
 };
 
 }  // namespace bondem

@@ -1,10 +1,10 @@
-// What passes that seek equilibrium take. Named once more in `bondem/statics/relaxation.py`.
+// What passes that seek equilibrium take.
 #pragma once
 #include "step_tables.hpp"
 
 namespace bondem {
 
-// What relaxes, n elements.
+// Elements that relax, n of them.
 struct DynamicRelaxation {
     Array<double, 2> pose;  // (n, 8)
     Array<double, 2> velocity;  // of centres and rotations, (n, 6)
@@ -19,9 +19,10 @@ struct DynamicRelaxation {
     double tolerance;  // unbalanced force over applied and supporting force at which to stop [-]
     double noise;  // force that rounding leaves [N]
 };
-// Steps of one call.
+// Steps of one call of the core.
 struct RelaxationSpan {
-    Index first, steps;  // number of the first step, how many at most
+    Index first;  // number of the first step
+    Index steps;  // how many at most
     Array<Index, 1> done;  // how many were done, (1,)
     Array<double, 1> ratio;  // unbalanced force over applied and supporting force [-], (1,)
 };

@@ -1,4 +1,4 @@
-// What the passes of a step take. Named once more in `bondem/dynamics/step_tables.py`.
+// What the passes of a step take.
 //
 // Rows of eight are one cache line: pose (x, y, z, spare, quaternion w x y z), motion (velocity, 1/m, angular velocity,
 // 1/I) and sums (force, 0, torque, 0).
@@ -9,9 +9,10 @@ namespace bondem {
 
 using Byte = uint8_t;
 
-// The motion of n elements.
+// The motion of n elements; arrays of a state.
 struct Moving {
-    Array<double, 2> pose, motion;  // (n, 8)
+    Array<double, 2> pose;  // (n, 8)
+    Array<double, 2> motion;  // (n, 8)
     Array<double, 2> acceleration;  // at a pause [m/s², rad/s²], (n, 6)
     Array<double, 2> loss;  // taken by damping [J], its present power [W], lost to friction [J], (n, 3)
     Array<const double, 2> rest;  // centres in the reference [m], (n, 3)
@@ -19,33 +20,45 @@ struct Moving {
 
 constexpr Index rubbed_loss = 2;  // column of the losses of an element
 
-// Beams, m of them, sorted by j; a few may follow that have no force, so that lanes can be filled.
+// Beams, m of them, and a few without force behind them where they are fewer than a group.
 struct Beams {
-    Array<const Short, 1> i, j;
-    Array<const double, 1> X0, Y0, Z0;  // reference direction i→j [-]
-    Array<double, 1> length;  // at rest, L (1 + ε*) [m]
-    Array<const double, 1> kn, A, B, C, kt;  // constants of the energy [N/m, N·m]
-    Array<double, 1> ks, lever;  // [N/m], and of the contact point from i [m]
-    Array<const double, 1> integrity;  // 1 intact … 0 broken [-]
+    Array<const Short, 1> i;  // (m,)
+    Array<const Short, 1> j;  // (m,)
+    Array<const double, 1> X0;  // reference direction i→j [-], (m,)
+    Array<const double, 1> Y0;  // reference direction i→j [-], (m,)
+    Array<const double, 1> Z0;  // reference direction i→j [-], (m,)
+    Array<double, 1> length;  // at rest, L (1 + ε*) [m], (m,)
+    Array<const double, 1> kn;  // [N/m], (m,)
+    Array<const double, 1> A;  // constants of the energy [N·m], (m,)
+    Array<const double, 1> B;  // constants of the energy [N·m], (m,)
+    Array<const double, 1> C;  // constants of the energy [N·m], (m,)
+    Array<const double, 1> kt;  // [N·m], (m,)
+    Array<double, 1> ks;  // [N/m], (m,)
+    Array<double, 1> lever;  // of the contact point from i [m], (m,)
+    Array<const double, 1> integrity;  // 1 intact … 0 broken [-], (m,)
     Array<const double, 1> period;  // edges of the periodic cell and their inverses, zero where there is none, (6,)
 };
-// What all beams share that differ in length only.
+// Constants that all beams share that differ in length only.
 struct AlikeBeams {
     Array<const double, 1> hold;  // integrity over rest length [1/m], (m,)
-    double knL, AL, BL, ktL;  // kn L [N]; A L = C L, B L and kt L [N·m²]
+    double knL;  // kn L [N]
+    double AL;  // A L = C L [N·m²]
+    double BL;  // B L [N·m²]
+    double ktL;  // kt L [N·m²]
 };
-// Where elements are, whether they move there or not.
+// Places and orientations of elements.
 struct Poses {
     Array<const double, 2> pose;  // (n, 8)
 };
-// Where the forces of beams on their two ends are added.
+// Sums that beams add the forces on their two ends to.
 struct BeamSums {
-    Array<const Short, 1> row_i, row_j;  // (m,)
-    Array<double, 2> sums;  // force, 0, torque, 0 [N, N·m], (rows, 8)
+    Array<const Short, 1> row_i;  // (m,)
+    Array<const Short, 1> row_j;  // (m,)
+    Array<double, 2> sums;  // force, 0, torque, 0 [N, N·m], (sums, 8)
 };
-// Normal, shear, bending and twisting energy of all beams.
+// Energies of all beams.
 struct BeamEnergies {
-    Array<double, 1> energy;  // [J], (4,)
+    Array<double, 1> energy;  // normal, shear, bending, twisting [J], (4,)
 };
 // Unbroken beams turned wide and lost, and 1 where a number is not finite.
 struct BeamTurns {
@@ -55,127 +68,153 @@ struct BeamTurns {
 struct Dashpots {
     Array<const double, 2> c;  // cn, cs [N·s/m], cb, ct [N·m·s], (4, m)
     Array<const double, 1> share;  // where the contact point divides a beam, from i [-], (m,)
-    Array<double, 2> sums;  // force and torque on each element, in rows as `StepCut` has them, (rows, 8)
+    Array<double, 2> sums;  // on each element, in rows as `StepCut.sums`, (*, 8)
 };
 
-// How a step is cut into blocks and domains (`bondem/model/domain_blocks.py`), and the sums of forces.
+// Division of a step in the form of the core (attributes of `Blocks`), and the sums that it adds to.
 struct StepCut {
-    Array<const Index, 1> domain, bond, move, held;
-    Array<const Short, 1> ready, ready_row, row_i, row_j, shared, shared_row;
+    Array<const Index, 1> domain;  // (domains + 1,)
+    Array<const Index, 1> bond;  // (blocks + 1,)
+    Array<const Index, 1> move;  // (blocks + 1,)
+    Array<const Index, 1> held;  // (blocks,)
+    Array<const Short, 1> ready;  // (ready,)
+    Array<const Short, 1> ready_row;  // (ready,)
+    Array<const Short, 1> row_i;  // (m,)
+    Array<const Short, 1> row_j;  // (m,)
+    Array<const Short, 1> shared;  // (shared,)
+    Array<const Short, 1> shared_row;  // (shared,)
     Index shared_held;
-    Array<const Index, 1> part;
+    Array<const Index, 1> part;  // (shared + 1,)
     Index parts;
-    Array<double, 2> sums;  // (rows, 8)
+    Array<double, 2> sums;  // force and torque of the bonds on each element [N, N·m], (sums, 8)
 };
-// Coefficients of a step, see `bondem/dynamics/schemes.py`.
+// One step of time integration; see `bondem.dynamics.schemes`.
 struct StepScheme {
-    double dt, finish, begin;  // [s]
+    double dt;  // [s]
+    double finish;  // [s]
+    double begin;  // [s]
     double extra;  // [s²]
     double gamma;  // of local damping [-]
     double origin;  // time of step 0 [s]
 };
 
-// Elements that are held, driven or loaded own a row, r of them.
+// Rows of the elements that are held, driven or loaded, r of them; passes write all but `of` and `fixed`.
 struct Rows {
     Array<const Index, 1> of;  // row of each element, or -1, (n,)
-    Array<const Byte, 2> fixed;  // degrees of freedom with prescribed motion, (r, 6)
-    Array<double, 2> force;  // of loads now [N, N·m], (r, 6)
-    Array<double, 2> half, full;  // prescribed velocities over the step, and now [m/s, rad/s], (r, 6)
-    Array<double, 2> reaction;  // minus the bond forces [N, N·m], (r, 6)
-    Array<double, 2> grip;  // force and torque of walls that hold facets of cells [N, N·m], (r, 6), or none
-    Array<double, 1> work;  // of loads and drives on each row [J], then of body forces and strains
+    Array<const Byte, 2> fixed;  // degrees of freedom with prescribed motion, (rows, 6)
+    Array<double, 2> force;  // of loads now [N, N·m], (rows, 6)
+    Array<double, 2> half;  // prescribed velocities over the step [m/s, rad/s], (rows, 6)
+    Array<double, 2> full;  // prescribed velocities now, (rows, 6)
+    Array<double, 2> reaction;  // minus the bond forces [N, N·m], (rows, 6)
+    Array<double, 2> grip;  // of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any, (*, 6)
+    // of loads and drives on each row [J], then of body forces, strains and walls that hold cells
+    Array<double, 1> work;  // (works,)
 };
 // Piecewise linear functions of time, one after the other.
 struct Timeline {
-    Array<const double, 1> times, values;  // [s], and what they are of
+    Array<const double, 1> times;  // [s], (times,)
+    Array<const double, 1> values;  // [s], and what they are of, (times,)
     Array<const Index, 1> start;  // where each begins, (schedules + 1,)
 };
 // Degrees of freedom that follow schedules.
 struct Drives {
-    Array<const Index, 1> row, dof, schedule;
-    Array<const Byte, 1> rate;  // 1 for a velocity, 0 for a displacement
+    Array<const Index, 1> row;  // (drives,)
+    Array<const Index, 1> dof;  // (drives,)
+    Array<const Index, 1> schedule;  // (drives,)
+    Array<const Byte, 1> rate;  // 1 for a velocity, 0 for a displacement, (drives,)
 };
 // Forces and torques that follow schedules.
 struct RowLoads {
-    Array<const Index, 1> row, schedule;
+    Array<const Index, 1> row;  // (loads,)
+    Array<const Index, 1> schedule;  // (loads,)
     Array<const double, 2> value;  // [N, N·m], (loads, 6)
-    Array<const Index, 1> turns;  // element with which each turns, or -1
+    Array<const Index, 1> turns;  // element with which each turns, or -1, (loads,)
 };
-// Moments on points of elements, c of them, as forces that turn with their regions.
+// Moments of loads on points of elements, c of them.
 struct CoupleTable {
-    Array<const Index, 1> start;  // where the points of each begin, (c + 1,)
-    Array<const Index, 1> schedule;
-    Array<const double, 2> moment;  // [N·m], (c, 3)
-    Array<const Index, 1> element, row;  // of each point
-    Array<const double, 2> arm;  // from the centre of its element [m]
-    Array<const double, 1> share;  // of the moment's forces [-]
+    Array<const Index, 1> start;  // where the points of each begin, (couples + 1,)
+    Array<const Index, 1> schedule;  // (couples,)
+    Array<const double, 2> moment;  // [N·m], (couples, 3)
+    Array<const Index, 1> element;  // of each point, (points,)
+    Array<const Index, 1> row;  // of the boundary, that the element owns, (points,)
+    Array<const double, 2> arm;  // from its centre [m], (points, 3)
+    Array<const double, 1> share;  // of the moment's forces [-], (points,)
 };
 // Body forces, b of them, on g groups of elements.
 struct BodyForces {
     Array<const Short, 1> group;  // of each element, (n,)
-    Array<const double, 2> member;  // whether each acts on a group, (g, b)
-    Array<const double, 2> pull;  // accelerations [m/s²], (b, 3)
-    Array<const Index, 1> schedule;  // (b,)
-    Array<double, 2> present;  // acceleration of each group now [m/s²], (g, 3)
-    Array<double, 1> factor;  // of which factors it is, (b,)
+    Array<const double, 2> member;  // whether each acts on a group, (groups, bodies)
+    Array<const double, 2> pull;  // accelerations [m/s²], (bodies, 3)
+    Array<const Index, 1> schedule;  // (bodies,)
+    Array<double, 2> present;  // acceleration of each group now [m/s²], (groups, 3)
+    Array<double, 1> factor;  // of which factors it is, (bodies,)
     Array<double, 2> work;  // on each element [J], (n, 1)
 };
-// What resists the motion of elements.
+// Damping and dashpots that resist the motion of elements.
 struct Resistance {
     double gamma;  // of local damping [-]
     double alpha;  // of mass damping [1/s]
     Index viscous;  // whether there is mass damping or any dashpot
-    Array<double, 2> dashed;  // the sums of `Dashpots`, or none, (…, 8)
-    Array<const double, 2> absorbing;  // dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], (r, 6), or none
+    Array<double, 2> dashed;  // the sums of `Dashpots`, or, (*, 8)
+    Array<const double, 2> absorbing;  // dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], or, (*, 6)
 };
-// Stress-free strains that change in time, g of them on e bonds.
+// Stress-free strains that change in time; e bonds, g strains.
 struct Strain {
-    Array<const Index, 1> schedule;
-    Array<const Short, 1> bond;
-    Array<const double, 2> part;  // strain of each bond at factor 1 [-], (g, e)
-    Array<const double, 1> still, length, shear, lever;  // 1 and what does not change [-]; L [m], ks [N/m], a [m]
-    Array<double, 2> factor;  // factors now and to come, energy by factor [J] a step ago and now, (4, g)
+    Array<const Index, 1> schedule;  // (strains,)
+    Array<const Short, 1> bond;  // (strained,)
+    Array<const double, 2> part;  // strain of each bond at factor 1 [-], (strains, strained)
+    Array<const double, 1> still;  // 1 and what does not change [-], (strained,)
+    Array<const double, 1> length;  // L [m], (strained,)
+    Array<const double, 1> shear;  // ks [N/m], (strained,)
+    Array<const double, 1> lever;  // a [m], (strained,)
+    // rows: present factors, those to come, energy by factor [J] a step ago and now
+    Array<double, 2> factor;  // (4, strains)
     Index place;  // in the list of works
 };
 
-// Sums over portions of elements and bonds, which do not depend on threads, and what is made of them.
+// Sums over portions of elements and bonds, and what is made of them.
 struct Portions {
-    Array<double, 2> elements;  // translation, rotation, damped, rubbed [J]
-    Array<double, 2> bonds;  // energy of the four modes [J]
-    Array<Index, 2> turned;  // unbroken bonds turned wide, and lost; and whether a number was not finite
-    // energy at the start, the most that was put in since, and what walls have supplied [J], (3,)
-    Array<double, 1> budget;
-    // bonds turned wide and lost; 1 for a number that is not finite, 2 for a runaway; 1 for a list out of date; (4,)
-    Array<Index, 1> found;
+    Array<double, 2> elements;  // translation, rotation, damped, rubbed [J], (element_portions, 4)
+    Array<double, 2> bonds;  // energy of the four modes [J], (bond_portions, 4)
+    // unbroken bonds turned wide, and lost; whether a number was not finite
+    Array<Index, 2> turned;  // (bond_portions, 3)
+    Array<double, 1> budget;  // energy at the start, the most that was put in since, and the supply of walls [J], (3,)
+    Array<Index, 1> found;  // bonds turned wide, and lost; 1 not finite, 2 a runaway; 1 for a list out of date, (4,)
 };
-// What is read off for the history.
+// Elements, quantities and reductions of the gauges of a run, g of them.
 struct Gauges {
-    Array<const Index, 1> start, element, quantity, reduction;
+    Array<const Index, 1> start;  // start of the elements of each gauge, (gauges + 1,)
+    Array<const Index, 1> element;  // elements, or the number of a wall, (gauged,)
+    Array<const Index, 1> quantity;  // number of the quantity, (gauges,)
+    Array<const Index, 1> reduction;  // number of the reduction, (gauges,)
 };
-// The rows of the history of one call.
+// Rows of the history.
 struct HistoryRows {
-    Array<double, 2> record;  // (records, columns)
+    Array<double, 2> record;  // (*, columns)
 };
 
-// Lists of passes, eight words each: address, kind, and six tables.
+// Lists of passes (`bondem._core_steps.Composer`).
 struct StepPasses {
-    Array<const Index, 2> present;  // bring boundary conditions to the time of the clock
-    Array<const Index, 2> opening;  // elements open a step after a pause
-    Array<const Index, 2> travel;  // walls move, and lists of contacts may be out of date
-    Array<const Index, 2> forces;  // forces, and what elements do with them
-    Array<const Index, 2> resume;  // postponed elements find their acceleration without what failed
-    Array<const Index, 2> reopening;  // and open the next step
-    Array<const Index, 2> guard;  // whether the run is sound
-    Array<const Index, 2> record;  // a row of the history
+    Array<const Index, 2> present;  // bring boundary conditions to the time of the clock, (*, 8)
+    Array<const Index, 2> opening;  // elements open a step after a pause, (*, 8)
+    Array<const Index, 2> travel;  // walls move, and lists of contacts may be out of date, (*, 8)
+    Array<const Index, 2> forces;  // forces, and what elements do with them, (*, 8)
+    // elements that a failure has delayed find their acceleration without what failed
+    Array<const Index, 2> resume;  // (*, 8)
+    Array<const Index, 2> reopening;  // and open the next step, (*, 8)
+    Array<const Index, 2> guard;  // whether the run is sound, (*, 8)
+    Array<const Index, 2> record;  // a row of the history, (*, 8)
 };
-// Which steps a call takes.
+// Steps that a call takes, and counts of what it did.
 struct StepSpan {
-    Index step, steps;  // number of the present one, how many to go
+    Index step;  // number of the present one
+    Index steps;  // how many to go
     Index every;  // steps between records, 0 for none
     Index looks;  // whether it takes none, and records the present
     Index stale;  // whether the acceleration is to be found for that
     Index moved;  // whether elements and walls have moved already in the first step, whose list was out of date
-    Index n, m;  // elements, and bonds without those that fill lanes
+    Index n;  // elements
+    Index m;  // bonds, without those that fill a group
     Array<Index, 1> done;  // steps done, records written, bonds turned wide at most and lost, (4,)
 };
 

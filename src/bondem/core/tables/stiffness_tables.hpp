@@ -1,24 +1,32 @@
-// What the passes that assemble stiffness matrices take. Named once more in `bondem/model/stiffness_matrices.py`.
+// What the passes that assemble stiffness matrices take.
 #pragma once
 #include "../array.hpp"
 
 namespace bondem {
 
-// Beams at rest, m of them between n elements; see `bondem/interactions/beams/bond_table.py`.
+// Beams at rest, m of them.
 struct BeamRows {
-    Array<const Short, 1> i, j;  // elements, i < j, (m,)
+    Array<const Short, 1> i;  // elements, i < j, (m,)
+    Array<const Short, 1> j;  // elements, i < j, (m,)
     Array<const double, 2> direction;  // reference direction i→j [-], (3, m)
-    Array<const double, 1> length, lever;  // rest length, and lever of the contact point from i [m], (m,)
-    Array<const double, 1> kn, ks, kb, kt;  // stiffnesses [N/m, N/m, N·m, N·m], (m,)
+    Array<const double, 1> length;  // at rest [m], (m,)
+    Array<const double, 1> lever;  // of the contact point from i [m], (m,)
+    Array<const double, 1> kn;  // [N/m], (m,)
+    Array<const double, 1> ks;  // [N/m], (m,)
+    Array<const double, 1> kb;  // [N·m], (m,)
+    Array<const double, 1> kt;  // [N·m], (m,)
 };
 
-// Facets between cells, m of them; see `bondem/interactions/cells/cell_constants.py`.
+// Constants of m facets, a row each; see `bondem.interactions.cells.cell_constants`.
 struct FacetRows {
-    Array<const Short, 1> i, j;  // cells, i < j, (m,)
+    Array<const Short, 1> i;  // cells, i < j, (m,)
+    Array<const Short, 1> j;  // cells, i < j, (m,)
     Array<const double, 1> k;  // [N/m], (m,)
-    Array<const double, 2> lever_i, lever_j;  // from the centres to the facet [m], (m, 3)
+    Array<const double, 2> lever_i;  // from the centres to the facet [m], (m, 3)
+    Array<const double, 2> lever_j;  // from the centres to the facet [m], (m, 3)
     Array<const double, 3> H;  // [N·m], (m, 3, 3)
-    Array<const double, 2> share_i, share_j;  // of each side in the dilatation of its cell [m²], (m, 3)
+    Array<const double, 2> share_i;  // of each side in the dilatation of its cell [m²], (m, 3)
+    Array<const double, 2> share_j;  // of each side in the dilatation of its cell [m²], (m, 3)
 };
 
 // Block rows of a matrix, one per element: earlier neighbours, the diagonal, later neighbours.
@@ -27,13 +35,13 @@ struct BlockRows {
     Array<const Index, 1> out_start;  // those that begin in p are in …, (n + 1,)
     Array<const Short, 1> out_bond;  // … this, from out_start[p] to out_start[p + 1] - 1, (m,)
     Array<const int32_t, 1> indptr;  // where the blocks of each row begin, (n + 1,)
-    Array<int32_t, 1> indices;  // column of each block, (b,)
-    Array<double, 3> data;  // blocks of (u, θ), (b, 6, 6)
+    Array<int32_t, 1> indices;  // column of each block, (blocks,)
+    Array<double, 3> data;  // blocks of (u, θ) [N/m, N, N·m], (blocks, 6, 6)
 };
 
-// What the dilatation of each cell is a sum of, in the same rows.
+// Forms whose sum is the dilatation of each cell, in the same rows.
 struct DilatationRows {
-    Array<double, 3> forms;  // V θ under unit motions [m², m³], (b, 1, 6)
+    Array<double, 3> forms;  // V θ under unit motions [m², m³], (blocks, 1, 6)
 };
 
 }  // namespace bondem

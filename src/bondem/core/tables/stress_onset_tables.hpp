@@ -1,4 +1,4 @@
-// What passes over facets that crack by a function of the stress take. Named once more in `bondem/dynamics/stress_onset.py`.
+// What passes over facets that crack by a function of the stress take.
 #pragma once
 #include "damage_tables.hpp"
 
@@ -12,11 +12,11 @@ struct CandidateFacets {
     double least;  // size √(σ:σ) below which no stress reaches the criterion [Pa]
     double hot;  // f_t below which the facets of a cell are not evaluated [Pa]
     Array<double, 1> along;  // largest principal stress at which a facet began to crack, else its f_t [Pa], (m,)
-    Array<Index, 1> bond;  // arrays of `StressCandidates`
-    Array<double, 3> stress;
-    Array<const double, 1> found;
-    Array<Index, 1> number;
-    Array<const Index, 1> total;
+    Array<Index, 1> bond;  // arrays of `StressCandidates`, (candidates,)
+    Array<double, 3> stress;  // (candidates, 3, 3)
+    Array<const double, 1> found;  // (candidates,)
+    Array<Index, 1> number;  // (bond_portions,)
+    Array<const Index, 1> total;  // (1,)
 };
 
 }  // namespace bondem

@@ -1,23 +1,25 @@
-// What the search of the nearest triangle takes. Named once more in `bondem/geometry/triangles.py`.
+// What the search of the nearest triangle takes.
 #pragma once
 #include "../array.hpp"
 
 namespace bondem {
 
-// Triangles, and a tree of boxes around pieces of them: box 1 holds all, box b boxes 2 b and 2 b + 1, and the last p
-// boxes one piece each.
+// Triangles, t of them, and a tree of boxes around p pieces of them.
+//
+// Box 1 holds all, box b boxes 2 b and 2 b + 1, and the last p boxes one piece each.
 struct TriangleTree {
-    Array<const double, 2> lower, upper;  // corners of the boxes [m], (2 p, 3)
-    Array<const Index, 1> owner;  // which triangle each piece is of, (p,)
-    Array<const double, 3> corner;  // of the triangles [m], (t, 3, 3)
-    Array<const double, 3> side;  // from each corner to the next [m], (t, 3, 3)
-    Array<const double, 2> normal;  // unit normals, 0 where there is none, (t, 3)
+    Array<const double, 2> lower;  // lower corners of the boxes [m], (boxes, 3)
+    Array<const double, 2> upper;  // upper corners of the boxes [m], (boxes, 3)
+    Array<const Index, 1> owner;  // which triangle each piece is of, (pieces,)
+    Array<const double, 3> corner;  // of the triangles [m], (triangles, 3, 3)
+    Array<const double, 3> side;  // from each corner to the next [m], (triangles, 3, 3)
+    Array<const double, 2> normal;  // unit normals, 0 where there is none, (triangles, 3)
 };
 
 // Points, and the triangle nearest to each.
 struct Nearest {
-    Array<const double, 2> points;  // [m], (n, 3)
-    Array<Index, 1> triangle;  // (n,)
+    Array<const double, 2> points;  // [m], (points, 3)
+    Array<Index, 1> triangle;  // (points,)
 };
 
 }  // namespace bondem

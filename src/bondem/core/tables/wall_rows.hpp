@@ -21,8 +21,11 @@ struct WallRow {
 };
 // Its shape in the reference, of a kind of `WallKind`.
 struct WallShape {
-    Vector point, axis;  // a point of it [m], and its normal or axis, zero of a sphere
-    double radius, kind, hole;  // radius, and that of the hole of a disc [m]
+    Vector point;  // a point of it [m], and its normal or axis, zero of a sphere
+    Vector axis;  // a point of it [m], and its normal or axis, zero of a sphere
+    double radius;  // radius, and that of the hole of a disc [m]
+    double kind;  // radius, and that of the hole of a disc [m]
+    double hole;  // radius, and that of the hole of a disc [m]
     Vector about;  // the point about which it turns [m]
 };
 // How a free wall resists; zero for other walls.
@@ -33,7 +36,8 @@ struct WallInertia {
 };
 // Where a wall was when the list of contacts was made.
 struct WallListed {
-    Vector point, axis;
+    Vector point;
+    Vector axis;
     double growth;  // [m]
     double farthest;  // distance of an element from the point [m]
 };

@@ -3,12 +3,10 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.dynamics.on_device.device_tables import WORKS, DeviceSpan, LoadsOfBonds, StrainPortions
+from bondem._tables.device_tables import DeviceSpan, LoadsOfBonds, StrainPortions
+from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, Portions, Rows, StepCut, Strain, Timeline
+from bondem.dynamics.on_device.device_tables import WORKS
 from bondem.dynamics.on_device.translation import Counterpart, Translation
-from bondem.dynamics.step_tables import Dashpots, Moving, Portions, Strain, Timeline
-from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
-from bondem.model.constraints import Rows
-from bondem.model.domain_blocks import StepCut
 
 _follow_factors = IndexPass("follow_strain_factors", DeviceSpan, Timeline, Strain, StrainPortions)
 _strain_portion = IndexPass("strain_portion", Moving, Strain, Beams, StrainPortions)

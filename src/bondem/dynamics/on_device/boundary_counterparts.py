@@ -1,12 +1,9 @@
 """Boundary conditions and body forces on a device."""
 
 from bondem._device import IndexPass, Launch
-from bondem.boundary.couples import CoupleTable
-from bondem.dynamics.on_device.device_tables import DeviceSpan, RowOrder
+from bondem._tables.device_tables import DeviceSpan, RowOrder
+from bondem._tables.step_tables import BodyForces, CoupleTable, Drives, Moving, RowLoads, Rows, StepCut, Timeline
 from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
-from bondem.dynamics.step_tables import BodyForces, Drives, Moving, RowLoads, Timeline
-from bondem.model.constraints import Rows
-from bondem.model.domain_blocks import StepCut
 
 _clear_row = IndexPass("clear_row", Rows)
 _follow_loads_of_row = IndexPass("follow_loads_of_row", DeviceSpan, Timeline, RowLoads, RowOrder, Moving, Rows)

@@ -5,14 +5,21 @@ from typing import Any
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.damage.failure_passes import BEAM_CRITERIA, Strengths
-from bondem.dynamics.damage_tables import BeamIntegrity, Candidates, EventLog, FailureBounds, Postponed
-from bondem.dynamics.on_device.device_tables import BondMarks, BondsOfElements, DeviceSpan, LoadsOfBonds
+from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, FailureBounds, Postponed, Strengths
+from bondem._tables.device_tables import BondMarks, BondsOfElements, DeviceSpan, LoadsOfBonds
+from bondem._tables.step_tables import (
+    AlikeBeams,
+    Beams,
+    BodyForces,
+    Dashpots,
+    HistoryRows,
+    Moving,
+    Resistance,
+    Rows,
+    StepCut,
+)
+from bondem.damage.failure_passes import BEAM_CRITERIA
 from bondem.dynamics.on_device.translation import Counterpart, Translation
-from bondem.dynamics.step_tables import BodyForces, Dashpots, HistoryRows, Moving, Resistance
-from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
-from bondem.model.constraints import Rows
-from bondem.model.domain_blocks import StepCut
 
 _MARKS = LoadsOfBonds, FailureBounds, BondMarks
 _load_marked_beam = IndexPass("load_marked_beam", Moving, Beams, *_MARKS)

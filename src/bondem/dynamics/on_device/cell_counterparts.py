@@ -3,18 +3,7 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.dynamics.on_device.device_tables import (
-    WORKS,
-    BondsOfElements,
-    DeviceSpan,
-    LoadsOfBonds,
-    RowOrder,
-    WallEnergy,
-)
-from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
-from bondem.dynamics.step_tables import Moving, Portions, Timeline
-from bondem.interactions.beams.beam_tables import Beams
-from bondem.interactions.cells.cell_tables import (
+from bondem._tables.cell_tables import (
     CellDilatation,
     CellStrains,
     CorrectedMass,
@@ -24,8 +13,10 @@ from bondem.interactions.cells.cell_tables import (
     FacetTractions,
     WallConstraints,
 )
-from bondem.model.constraints import Rows
-from bondem.model.domain_blocks import StepCut
+from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LoadsOfBonds, RowOrder, WallEnergy
+from bondem._tables.step_tables import Beams, Moving, Portions, Rows, StepCut, Timeline
+from bondem.dynamics.on_device.device_tables import WORKS
+from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
 
 _dilate_facet = IndexPass("dilate_facet", Moving, ElasticFacets, LoadsOfBonds)
 _gather_dilatation = IndexPass("gather_dilatation", CellDilatation, BondsOfElements, LoadsOfBonds)

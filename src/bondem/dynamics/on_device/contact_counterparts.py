@@ -5,9 +5,7 @@ from typing import Any
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.boundary.wall_rows import no_rows
-from bondem.dynamics.cohesive_tables import CrackLists
-from bondem.dynamics.contact_tables import (
+from bondem._tables.contact_tables import (
     AdheringPairs,
     ContactConstants,
     ContactEnergies,
@@ -20,23 +18,17 @@ from bondem.dynamics.contact_tables import (
     Travel,
     WallContacts,
     WallMotions,
+    Walls,
 )
-from bondem.dynamics.damage_tables import EventLog, Postponed
-from bondem.dynamics.gauge_tables import Gauges
+from bondem._tables.crack_tables import CrackLists
+from bondem._tables.damage_tables import EventLog, Postponed
+from bondem._tables.device_tables import BegunFaces, BondMarks, BondsOfElements, DeviceSpan, EarlierPairs, RowOrder
+from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, StepCut
+from bondem.boundary.wall_rows import no_rows
 from bondem.dynamics.on_device.breakage_counterparts import marks_of
-from bondem.dynamics.on_device.device_tables import (
-    BegunFaces,
-    BondMarks,
-    BondsOfElements,
-    DeviceSpan,
-    EarlierPairs,
-    RowOrder,
-)
+from bondem.dynamics.on_device.device_tables import new_row_order
 from bondem.dynamics.on_device.translation import Counterpart, Translation
 from bondem.dynamics.parts.part import Passes
-from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
-from bondem.interactions.contact.contact_search import Walls
-from bondem.model.domain_blocks import StepCut
 
 _move_walls = IndexPass("move_all_walls", DeviceSpan, WallMotions, Walls)
 _check_element = IndexPass("check_travel_of_element", DeviceSpan, Moving, Travel)
@@ -239,7 +231,7 @@ def _at_walls(by: IndexPass) -> Counterpart:
 
 def _load(run: Translation, contacts: WallContacts, motions: WallMotions, walls: Walls) -> list[Launch]:
     run.walls = walls.body
-    order = run.once(contacts, lambda: RowOrder.of(contacts.wall, len(walls.body)))
+    order = run.once(contacts, lambda: new_row_order(contacts.wall, len(walls.body)))
     return [
         (_load_wall, len(walls.body), (run.span, contacts, order, walls)),
         (_kick_free_wall, len(motions.free_wall), (run.span, motions, walls)),

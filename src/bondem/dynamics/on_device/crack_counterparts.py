@@ -3,8 +3,9 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.dynamics.cohesive_tables import (
-    BEGAN,
+from bondem._tables.cell_tables import CellDilatation, ElasticFacets, FacetForces
+from bondem._tables.contact_tables import ContactPairs, NearPairs
+from bondem._tables.crack_tables import (
     CellSlack,
     CohesiveCracks,
     CrackLists,
@@ -12,13 +13,11 @@ from bondem.dynamics.cohesive_tables import (
     PartedReach,
     StressesOfCells,
 )
-from bondem.dynamics.contact_tables import ContactPairs, NearPairs
-from bondem.dynamics.damage_tables import EventLog
-from bondem.dynamics.on_device.device_tables import BondsOfElements, DeviceSpan, LossesOfCracks
+from bondem._tables.damage_tables import EventLog
+from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LossesOfCracks
+from bondem._tables.step_tables import Moving, StepCut
+from bondem.dynamics.cohesive_tables import BEGAN
 from bondem.dynamics.on_device.translation import Counterpart, Translation, bonds, elements, over
-from bondem.dynamics.step_tables import Moving
-from bondem.interactions.cells.cell_tables import CellDilatation, ElasticFacets, FacetForces
-from bondem.model.domain_blocks import StepCut
 
 # Facets of a portion of what cracks dissipate, and portions of a group, as in `core/gpu/cracks.hpp`.
 _PORTION, _GROUP = 256, 64

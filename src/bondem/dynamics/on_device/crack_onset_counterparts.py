@@ -3,16 +3,17 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.dynamics.cohesive_tables import (
-    CohesiveCracks,
-    CrackEnergies,
-    CrackOnset,
-    FacetStrengths,
-    StressesOfCells,
+from bondem._tables.cell_tables import (
+    CellDilatation,
+    ElasticFacets,
+    FacetForces,
+    FacetsOfCells,
+    FacetTractions,
+    WallConstraints,
 )
-from bondem.dynamics.damage_tables import EventLog
-from bondem.dynamics.on_device.cell_counterparts import energy_of_walls
-from bondem.dynamics.on_device.device_tables import (
+from bondem._tables.crack_tables import CohesiveCracks, CrackEnergies, CrackOnset, FacetStrengths, StressesOfCells
+from bondem._tables.damage_tables import EventLog
+from bondem._tables.device_tables import (
     BondsOfElements,
     CrackPortions,
     CrushingPortions,
@@ -22,17 +23,10 @@ from bondem.dynamics.on_device.device_tables import (
     RowOrder,
     WallEnergy,
 )
+from bondem._tables.step_tables import HistoryRows, Moving, Portions, StepCut
+from bondem.dynamics.on_device.cell_counterparts import energy_of_walls
+from bondem.dynamics.on_device.device_tables import new_row_order
 from bondem.dynamics.on_device.translation import Counterpart, Translation, bonds, elements, over
-from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
-from bondem.interactions.cells.cell_tables import (
-    CellDilatation,
-    ElasticFacets,
-    FacetForces,
-    FacetsOfCells,
-    FacetTractions,
-    WallConstraints,
-)
-from bondem.model.domain_blocks import StepCut
 
 _load_facet = IndexPass("load_kept_facet", Moving, ElasticFacets, FacetForces, LoadsOfBonds, FacetArms)
 _gather_facet_moments = IndexPass("gather_facet_moments", FacetForces, BondsOfElements, LoadsOfBonds, FacetArms)
@@ -83,7 +77,7 @@ def _moments(run: Translation, kept: FacetForces) -> list[Launch]:
 
 def on_surface(run: Translation, walls: WallConstraints) -> RowOrder:
     """Return the walls of each cell."""
-    return run.once(walls.cell, lambda: RowOrder.of(walls.cell, run.span.n))
+    return run.once(walls.cell, lambda: new_row_order(walls.cell, run.span.n))
 
 
 def _surface(

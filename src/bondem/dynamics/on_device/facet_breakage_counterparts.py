@@ -1,14 +1,13 @@
 """Breakage of facets of cells on a device."""
 
 from bondem._device import IndexPass, Launch
-from bondem.damage.failure_passes import FACET_CRITERIA, Strengths
-from bondem.dynamics.damage_tables import Candidates, EventLog, FailureBounds, Postponed
+from bondem._tables.cell_tables import ElasticFacets, FacetRelease, WallConstraints
+from bondem._tables.damage_tables import Candidates, EventLog, FailureBounds, Postponed, Strengths
+from bondem._tables.device_tables import BondMarks, DeviceSpan, LoadsOfBonds, RowOrder
+from bondem._tables.step_tables import Moving, Rows
+from bondem.damage.failure_passes import FACET_CRITERIA
 from bondem.dynamics.on_device.breakage_counterparts import counted, marking, marks_of, ranked
-from bondem.dynamics.on_device.device_tables import BondMarks, DeviceSpan, LoadsOfBonds, RowOrder
 from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
-from bondem.dynamics.step_tables import Moving
-from bondem.interactions.cells.cell_tables import ElasticFacets, FacetRelease, WallConstraints
-from bondem.model.constraints import Rows
 
 _dilate_marked_facet = IndexPass("dilate_marked_facet", Moving, ElasticFacets, LoadsOfBonds, FailureBounds, BondMarks)
 _JUDGED = DeviceSpan, Moving, ElasticFacets, Strengths, BondMarks, Candidates, Postponed

@@ -3,11 +3,9 @@
 from typing import Any
 
 from bondem._device import IndexPass, Launch
-from bondem.dynamics.on_device.device_tables import BondsOfElements, DeviceSpan, LoadsOfBonds
+from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LoadsOfBonds
+from bondem._tables.step_tables import Dashpots, Moving, Resistance, Rows, StepCut
 from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
-from bondem.dynamics.step_tables import Dashpots, Moving, Resistance
-from bondem.model.constraints import Rows
-from bondem.model.domain_blocks import StepCut
 
 _open_element = IndexPass("open_element", DeviceSpan, Moving)
 _open_element_or_row = IndexPass("open_element_or_row", DeviceSpan, Moving, Rows)

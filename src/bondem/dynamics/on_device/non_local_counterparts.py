@@ -1,18 +1,14 @@
 """Bonds of the non-local law on a device: forces, stresses of elements, and breakage."""
 
 from bondem._device import IndexPass, Launch
-from bondem.damage.failure_passes import Strengths
-from bondem.dynamics.contact_tables import ContactConstants, ContactPairs, NearPairs, WallContacts
-from bondem.dynamics.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
+from bondem._tables.contact_tables import ContactConstants, ContactPairs, NearPairs, WallContacts, Walls
+from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed, Strengths
+from bondem._tables.device_tables import BondMarks, BondsOfElements, DeviceSpan, EarlierPairs, LoadsOfBonds
+from bondem._tables.non_local_tables import LaggedStresses, NonLocalBonds, NonLocalWork
+from bondem._tables.step_tables import Beams, HistoryRows, Moving, Portions, StepCut
 from bondem.dynamics.on_device.breakage_counterparts import counted, marks_of, ranked
 from bondem.dynamics.on_device.contact_counterparts import earlier_pairs
-from bondem.dynamics.on_device.device_tables import BondMarks, BondsOfElements, DeviceSpan, EarlierPairs, LoadsOfBonds
 from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
-from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
-from bondem.interactions.beams.beam_tables import Beams
-from bondem.interactions.contact.contact_search import Walls
-from bondem.model.domain_blocks import StepCut
-from bondem.model.non_local_tables import LaggedStresses, NonLocalBonds, NonLocalWork
 
 _OF_PAIRS = DeviceSpan, Moving, Beams, NonLocalBonds
 _turn_stress = IndexPass("turn_stress_of_element", Moving, LaggedStresses)

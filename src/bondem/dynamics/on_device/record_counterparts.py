@@ -3,11 +3,10 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.dynamics.gauge_tables import Gauges
-from bondem.dynamics.on_device.device_tables import SUM_COLUMNS, DeviceSpan, FoldedPortions, GaugeParts
+from bondem._tables.device_tables import DeviceSpan, FoldedPortions, GaugeParts
+from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, Rows
+from bondem.dynamics.on_device.device_tables import SUM_COLUMNS
 from bondem.dynamics.on_device.translation import Counterpart, Translation
-from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
-from bondem.model.constraints import Rows
 
 # Elements of a part of a gauge, about, and parts of a gauge at most.
 _GAUGED, _PARTS = 256, 1024

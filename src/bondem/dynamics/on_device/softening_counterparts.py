@@ -5,14 +5,14 @@ from typing import Any
 import numpy as np
 
 from bondem._device import IndexPass, Launch
+from bondem._tables.beam_softening_tables import SofteningBeams, SofteningBounds
+from bondem._tables.contact_tables import ContactConstants, ContactPairs, ContactSums, NearPairs
+from bondem._tables.damage_tables import Candidates, EventLog
+from bondem._tables.device_tables import BondMarks, DeviceSpan, LoadsOfBonds, SofteningLosses
+from bondem._tables.step_tables import AlikeBeams, Beams, HistoryRows, Moving, Portions
 from bondem.damage.failure_passes import SOFTENING_CRITERIA
-from bondem.dynamics.contact_tables import ContactConstants, ContactPairs, ContactSums, NearPairs
-from bondem.dynamics.damage_tables import Candidates, EventLog, SofteningBeams, SofteningBounds
 from bondem.dynamics.on_device.breakage_counterparts import marks_of, ranked
-from bondem.dynamics.on_device.device_tables import BondMarks, DeviceSpan, LoadsOfBonds, SofteningLosses
 from bondem.dynamics.on_device.translation import Counterpart, Translation, over
-from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
-from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
 
 _soften_listed = IndexPass(
     "soften_listed", DeviceSpan, Moving, Beams, SofteningBounds, SofteningBeams, SofteningLosses

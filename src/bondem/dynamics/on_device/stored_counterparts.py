@@ -1,12 +1,10 @@
 """Beams of the incremental formulation on a device."""
 
 from bondem._device import IndexPass, Launch
-from bondem.dynamics.on_device.device_tables import DeviceSpan, LoadsOfBonds
+from bondem._tables.device_tables import DeviceSpan, LoadsOfBonds
+from bondem._tables.incremental_tables import StoredLoads
+from bondem._tables.step_tables import Beams, Moving, Portions, StepCut
 from bondem.dynamics.on_device.translation import Counterpart, Translation
-from bondem.dynamics.step_tables import Moving, Portions
-from bondem.interactions.beams.beam_tables import Beams
-from bondem.model.domain_blocks import StepCut
-from bondem.model.incremental_tables import StoredLoads
 
 _load_stored_beam = IndexPass("load_stored_beam", DeviceSpan, Moving, Beams, StoredLoads, LoadsOfBonds)
 _sum_portion = IndexPass("sum_portion_of_stored", DeviceSpan, Moving, Beams, StoredLoads, Portions)

@@ -3,13 +3,14 @@
 import numpy as np
 
 from bondem._device import DeviceTables, HostCall, IndexPass, Launch
-from bondem.damage.stress_passes import StressCandidates, StressFunction, stress_indices
-from bondem.dynamics.cohesive_tables import CrackOnset, StressesOfCells
-from bondem.dynamics.on_device.device_tables import DeviceSpan
+from bondem._tables.cell_tables import ElasticFacets, FacetForces
+from bondem._tables.crack_tables import CrackOnset, StressesOfCells
+from bondem._tables.damage_tables import StressCandidates, StressFunction
+from bondem._tables.device_tables import DeviceSpan
+from bondem._tables.step_tables import Moving
+from bondem._tables.stress_onset_tables import CandidateFacets
+from bondem.damage.stress_passes import stress_indices
 from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
-from bondem.dynamics.step_tables import Moving
-from bondem.dynamics.stress_onset import CandidateFacets
-from bondem.interactions.cells.cell_tables import ElasticFacets, FacetForces
 
 _OF_CORE = "mean_stress", "cone"
 _judge_by = {

@@ -6,11 +6,8 @@ from typing import Any, TypeVar
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.dynamics.damage_tables import EventLog
-from bondem.dynamics.on_device.device_tables import (
-    GROUP,
-    SUM_COLUMNS,
-    WORKS,
+from bondem._tables.damage_tables import EventLog
+from bondem._tables.device_tables import (
     BondsOfElements,
     DeviceSpan,
     FoldedPortions,
@@ -19,9 +16,8 @@ from bondem.dynamics.on_device.device_tables import (
     Tick,
     WorkPortions,
 )
-from bondem.dynamics.step_tables import Portions, StepScheme
-from bondem.model.constraints import Rows
-from bondem.model.domain_blocks import StepCut
+from bondem._tables.step_tables import Portions, Rows, StepCut, StepScheme
+from bondem.dynamics.on_device.device_tables import GROUP, SUM_COLUMNS, WORKS, new_row_order
 from bondem.specimen.ordering import Layout
 
 _T = TypeVar("_T")
@@ -100,7 +96,7 @@ class Translation:
 
     def order_of(self, row: np.ndarray) -> RowOrder:
         """Return the order of what acts on rows of the boundary."""
-        return self.once(row, lambda: RowOrder.of(row, self._rows))
+        return self.once(row, lambda: new_row_order(row, self._rows))
 
     def fold(self, rows: Rows, portions: Portions) -> list[Launch]:
         """Return the launches that sum works, and all sums over portions."""

@@ -3,19 +3,7 @@
 import numpy as np
 
 from bondem._device import IndexPass, Launch
-from bondem.dynamics.cohesive_tables import (
-    CohesiveCracks,
-    CrackEnergies,
-    CrackOnset,
-    FacetStrengths,
-    StressesOfCells,
-    YieldingCells,
-)
-from bondem.dynamics.on_device.crack_onset_counterparts import on_surface
-from bondem.dynamics.on_device.device_tables import DeviceSpan, RowOrder, StrainPortions
-from bondem.dynamics.on_device.translation import Counterpart, Translation, bonds, elements, over
-from bondem.dynamics.step_tables import Moving
-from bondem.interactions.cells.cell_tables import (
+from bondem._tables.cell_tables import (
     CellStrains,
     ElasticFacets,
     FacetForces,
@@ -23,8 +11,18 @@ from bondem.interactions.cells.cell_tables import (
     FacetTractions,
     WallConstraints,
 )
-from bondem.model.constraints import Rows
-from bondem.model.domain_blocks import StepCut
+from bondem._tables.crack_tables import (
+    CohesiveCracks,
+    CrackEnergies,
+    CrackOnset,
+    FacetStrengths,
+    StressesOfCells,
+    YieldingCells,
+)
+from bondem._tables.device_tables import DeviceSpan, RowOrder, StrainPortions
+from bondem._tables.step_tables import Moving, Rows, StepCut
+from bondem.dynamics.on_device.crack_onset_counterparts import on_surface
+from bondem.dynamics.on_device.translation import Counterpart, Translation, bonds, elements, over
 
 _find_still_stress = IndexPass("find_still_stress", DeviceSpan, Moving, FacetForces, StressesOfCells)
 _add_still_surface_stress = IndexPass(

@@ -5,17 +5,16 @@ from typing import Any
 import numpy as np
 
 from bondem._core_steps import StepPass
+from bondem._tables.beam_softening_tables import SofteningBounds
+from bondem._tables.damage_tables import Candidates, FailureBounds
+from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, Portions, Rows, StepCut, Strain, Timeline
 from bondem.damage.failure_passes import SOFTENING_CRITERIA
-from bondem.dynamics.damage_tables import Candidates, FailureBounds, SofteningBounds
 from bondem.dynamics.parts.breakage_part import breakage
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.parts.softening_part import SofteningTables, softening
-from bondem.dynamics.step_tables import Dashpots, Moving, Portions, Strain, Timeline
-from bondem.interactions.beams.beam_tables import AlikeBeams, Beams, beam_tables
-from bondem.model.constraints import Rows
-from bondem.model.domain_blocks import StepCut
+from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.model.model import Model
 from bondem.model.state import State
 

@@ -3,10 +3,9 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
+from bondem._tables.step_tables import BodyForces, Moving, StepCut, Timeline
 from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import BodyForces, Moving, Timeline
-from bondem.model.domain_blocks import StepCut
 from bondem.model.model import Model
 from bondem.model.state import State
 

@@ -3,11 +3,10 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.boundary.couples import CoupleTable
+from bondem._tables.step_tables import CoupleTable, Drives, Moving, RowLoads, Rows, Timeline
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import Drives, Moving, RowLoads, Timeline
-from bondem.model.constraints import Rows, Schedules
+from bondem.model.constraints import Schedules
 
 _clear_row_forces = StepPass("clear_row_forces", Rows)
 _follow_loads = StepPass("follow_loads", Timeline, RowLoads, Moving, Rows)

@@ -3,13 +3,12 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.damage.failure_passes import BEAM_CRITERIA, Strengths, strengths_of
-from bondem.dynamics.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
+from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed, Strengths
+from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving
+from bondem.damage.failure_passes import BEAM_CRITERIA, strengths_of
 from bondem.dynamics.parts.damage_part import DamageTables
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import Dashpots, Moving
-from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
 from bondem.model.state import State
 
 _judge_beams = {

@@ -6,15 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem._types import Ints
-from bondem.dynamics.damage_tables import Candidates, FailureBounds
-from bondem.dynamics.parts.damage_part import DamageTables
-from bondem.dynamics.parts.part import Part, Passes
-from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import Dashpots, Moving, Portions, Timeline
-from bondem.interactions.beams.beam_tables import Beams, beam_tables
-from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.interactions.cells.cell_tables import (
+from bondem._tables.cell_tables import (
     CellDilatation,
     CellStrains,
     DilatationEnergy,
@@ -23,11 +15,16 @@ from bondem.interactions.cells.cell_tables import (
     FacetForces,
     FacetTractions,
     WallConstraints,
-    cell_tables,
-    gradient_tables,
 )
-from bondem.model.constraints import Rows
-from bondem.model.domain_blocks import StepCut
+from bondem._tables.damage_tables import Candidates, FailureBounds
+from bondem._tables.step_tables import Beams, Dashpots, Moving, Portions, Rows, StepCut, Timeline
+from bondem._types import Ints
+from bondem.dynamics.parts.damage_part import DamageTables
+from bondem.dynamics.parts.part import Part, Passes
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.interactions.beams.beam_tables import beam_tables
+from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.interactions.cells.cell_tables import cell_tables, gradient_tables
 from bondem.model.model import Model
 from bondem.model.state import State
 

@@ -4,11 +4,8 @@ import numpy as np
 
 from bondem._cache_lines import lines
 from bondem._core_steps import StepPass
-from bondem._types import Floats
-from bondem.boundary.wall_rows import named_rows, no_rows, wall_rows
-from bondem.dynamics.cohesive_tables import CohesiveCracks, CrackLists, PartedReach
-from bondem.dynamics.contact_check import ContactCheck, ListedContacts
-from bondem.dynamics.contact_tables import (
+from bondem._tables.beam_softening_tables import SofteningBounds
+from bondem._tables.contact_tables import (
     AdheringPairs,
     ContactConstants,
     ContactEnergies,
@@ -21,20 +18,23 @@ from bondem.dynamics.contact_tables import (
     Travel,
     WallContacts,
     WallMotions,
+    Walls,
 )
+from bondem._tables.crack_tables import CohesiveCracks, CrackLists, PartedReach
+from bondem._tables.damage_tables import EventLog, Postponed
+from bondem._tables.non_local_tables import LaggedStresses
+from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, StepCut
+from bondem._types import Floats
+from bondem.boundary.wall_rows import named_rows, no_rows, wall_rows
+from bondem.dynamics.contact_check import ContactCheck, ListedContacts
 from bondem.dynamics.cracked_faces import CrackedFaces
-from bondem.dynamics.damage_tables import EventLog, Postponed, SofteningBounds
-from bondem.dynamics.gauge_tables import Gauges
 from bondem.dynamics.neighbour_list import ContactSearch, FoundContacts
 from bondem.dynamics.parts.damage_part import Joints
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
 from bondem.interactions.contact.contact_model import ContactModel
-from bondem.interactions.contact.contact_search import Walls
-from bondem.model.domain_blocks import StepCut
+from bondem.interactions.contact.contact_search import keep_wall_places, walls_at
 from bondem.model.model import Model
-from bondem.model.non_local_tables import LaggedStresses
 from bondem.model.state import State
 
 _move_walls = StepPass("move_walls", WallMotions, Walls)
@@ -134,7 +134,7 @@ class ContactTables:
         self._sums = ContactSums(lines(n))
         self._energies = ContactEnergies(np.zeros(portions))
         walls = contacts.walls
-        self._walls, self._turning = Walls.of(walls, state.walls), walls.turning
+        self._walls, self._turning = walls_at(walls, state.walls), walls.turning
         self._motions = WallMotions(
             walls.times, walls.values, walls.start, walls.drive_wall, walls.drive_component, walls.drive_schedule,
             walls.drive_rate, walls.drive_axis, walls.servo_wall, walls.servo_schedule, walls.servo_speed,
@@ -174,7 +174,7 @@ class ContactTables:
         self._rolled = RolledPairs(found.rolled, np.zeros((c, 4))) if self._rolls else None
         self._rolled_walls = RolledWalls(found.wall_rolled)
         self._adhering = AdheringPairs(np.zeros((c, 3)))
-        self._walls.keep_places(found.position, self._turning)
+        keep_wall_places(self._walls, found.position, self._turning)
 
     def part(self) -> Part:
         """Return the part of contacts with their present list."""

@@ -4,30 +4,7 @@ import numpy as np
 
 from bondem._cache_lines import lines
 from bondem._core_steps import StepPass
-from bondem.damage.crack_columns import FACET
-from bondem.dynamics.cohesive_tables import (
-    CellSlack,
-    CohesiveCracks,
-    CrackEnergies,
-    CrackLists,
-    CrackOnset,
-    FacetStrengths,
-    StressesOfCells,
-    YieldingCells,
-    facet_forces,
-    facet_strengths,
-    yielding_of,
-)
-from bondem.dynamics.crack_joints import LOSS, pressed_moments
-from bondem.dynamics.damage_tables import EventLog
-from bondem.dynamics.parts.cell_part import BodyOfCells, cells, constants_of
-from bondem.dynamics.parts.damage_part import CrackJoints
-from bondem.dynamics.parts.part import Part, Passes
-from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import Dashpots, HistoryRows, Moving, Portions
-from bondem.dynamics.stress_onset import OnsetByStress
-from bondem.interactions.beams.bond_table import with_zeros
-from bondem.interactions.cells.cell_tables import (
+from bondem._tables.cell_tables import (
     CellDilatation,
     CellStrains,
     ElasticFacets,
@@ -36,8 +13,35 @@ from bondem.interactions.cells.cell_tables import (
     FacetTractions,
     WallConstraints,
 )
-from bondem.model.constraints import Rows
-from bondem.model.domain_blocks import StepCut
+from bondem._tables.crack_tables import (
+    CellSlack,
+    CohesiveCracks,
+    CrackEnergies,
+    CrackLists,
+    CrackOnset,
+    FacetStrengths,
+    StressesOfCells,
+    YieldingCells,
+)
+from bondem._tables.damage_tables import EventLog
+from bondem._tables.step_tables import Dashpots, HistoryRows, Moving, Portions, Rows, StepCut
+from bondem.damage.crack_columns import FACET
+from bondem.dynamics.cohesive_tables import (
+    facet_forces,
+    facet_strengths,
+    keep_cracks,
+    new_cohesive_cracks,
+    new_crack_lists,
+    yielding_of,
+)
+from bondem.dynamics.crack_joints import LOSS, pressed_moments
+from bondem.dynamics.damage_tables import new_event_log
+from bondem.dynamics.parts.cell_part import BodyOfCells, cells, constants_of
+from bondem.dynamics.parts.damage_part import CrackJoints
+from bondem.dynamics.parts.part import Part, Passes
+from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.stress_onset import OnsetByStress
+from bondem.interactions.beams.bond_table import with_zeros
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -124,7 +128,7 @@ class CrackingBody:
         listed = np.zeros(len(body.facets.k), dtype=np.uint8)
         listed[m:] = 1  # no facets: they fill a group of lanes
         self.by_stress = OnsetByStress.of(model, self.strengths, len(shared.portions.bonds))
-        self.cracks = CohesiveCracks.of(state, listed, _SLIDE if model.contacts is None else _SLIDE_TO_NEXT)
+        self.cracks = new_cohesive_cracks(state, listed, _SLIDE if model.contacts is None else _SLIDE_TO_NEXT)
         cracked, facet = np.zeros(n, dtype=np.uint8), state.cracks[:, FACET].astype(np.int64)
         cracked[layout.i[facet]] = cracked[layout.j[facet]] = 1
         self.onset = CrackOnset(
@@ -137,11 +141,11 @@ class CrackingBody:
             with_zeros(constants.slack_j), constants.weight,
         )  # fmt: skip
         self.of_cells = FacetsOfCells(*adjacency)
-        self.lists = CrackLists.of(n, m)
+        self.lists = new_crack_lists(n, m)
         self.yielding = yielding_of(model, state, table, body.facets, body.walls, constants)
         portions = len(shared.portions.elements)
         self.energies = CrackEnergies(np.zeros(portions), np.zeros(portions), np.zeros(3))
-        self.log = EventLog.of(state)
+        self.log = new_event_log(state)
         none = np.zeros(0, dtype=np.int64)
         self.tractions = body.tractions or FacetTractions(np.zeros((0, n)), none, 0, np.zeros(0), np.zeros(0))
 
@@ -270,7 +274,7 @@ class CrackingBody:
         """Write cracks, forces and events of the last call into the state."""
         if self.by_stress is not None:
             self.by_stress.passes.check()
-        self.cracks.keep(self.kept, self.state)
+        keep_cracks(self.cracks, self.kept, self.state)
         count = int(self.log.written[0])
         if count:
             self.state.broken = np.concatenate([self.state.broken, self.log.event[:count]])

@@ -6,20 +6,20 @@ from typing import NamedTuple
 import numpy as np
 
 from bondem._core_steps import StepPass
+from bondem._tables.beam_softening_tables import SofteningBounds
+from bondem._tables.cell_tables import ElasticFacets, FacetsOfCells
+from bondem._tables.crack_tables import CohesiveCracks, CrackLists, FacetStrengths
+from bondem._tables.damage_tables import Candidates, EventLog, FailureBounds, Postponed
+from bondem._tables.non_local_tables import LaggedStresses
+from bondem._tables.step_tables import Dashpots, HistoryRows, Rows, StepCut
 from bondem._types import PerBond
 from bondem.damage.event_columns import SOFT_BOND
 from bondem.damage.failure_table import FailureTable
-from bondem.dynamics.cohesive_tables import CohesiveCracks, CrackLists, FacetStrengths
 from bondem.dynamics.crack_joints import joints
-from bondem.dynamics.damage_tables import Candidates, EventLog, FailureBounds, Postponed, SofteningBounds
+from bondem.dynamics.damage_tables import new_event_log
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import Dashpots, HistoryRows
-from bondem.interactions.cells.cell_tables import ElasticFacets, FacetsOfCells
-from bondem.model.constraints import Rows
-from bondem.model.domain_blocks import StepCut
 from bondem.model.model import Model
-from bondem.model.non_local_tables import LaggedStresses
 from bondem.model.state import State
 
 _postpone_elements = StepPass("postpone_elements", StepCut, Candidates, Postponed)
@@ -73,7 +73,7 @@ class DamageTables:
                 held=np.zeros(n, dtype=np.uint8), element=np.empty(n, dtype=np.uint32),
                 row=np.empty(n, dtype=np.uint32), first_row=first, kept=cut.sums[first:],
             ),
-            log=EventLog.of(state),
+            log=new_event_log(state),
         )  # fmt: skip
 
     def part(self, shared: SharedTables, judge: Passes, remove: Passes, dashpots: Dashpots | None) -> Part:

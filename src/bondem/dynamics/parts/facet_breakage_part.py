@@ -1,17 +1,16 @@
 """Breakage of facets of cells by the damage pipeline of the core."""
 
 from bondem._core_steps import StepPass
-from bondem.damage.failure_passes import FACET_CRITERIA, Strengths, strengths_of
-from bondem.dynamics.damage_tables import Candidates, EventLog, Postponed
+from bondem._tables.cell_tables import ElasticFacets, FacetRelease, WallConstraints
+from bondem._tables.damage_tables import Candidates, EventLog, Postponed, Strengths
+from bondem._tables.step_tables import Beams, Dashpots, Moving, Rows
+from bondem.damage.failure_passes import FACET_CRITERIA, strengths_of
 from bondem.dynamics.parts.cell_part import BodyOfCells, cells
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
 from bondem.dynamics.parts.mass_part import mass_of_waves
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import Dashpots, Moving
-from bondem.interactions.beams.beam_tables import Beams
-from bondem.interactions.cells.cell_tables import ElasticFacets, FacetRelease, WallConstraints, facet_release
-from bondem.model.constraints import Rows
+from bondem.interactions.cells.cell_tables import facet_release
 from bondem.model.model import Model
 from bondem.model.state import State
 

@@ -1,11 +1,9 @@
 """Rows of the history: the energies of a run and its gauges, and the guard of its energy."""
 
 from bondem._core_steps import StepPass
-from bondem.dynamics.gauge_tables import Gauges
+from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, Rows
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import HistoryRows, Moving, Portions
-from bondem.model.constraints import Rows
 
 _sum_element_energies = StepPass("sum_element_energies", Moving, Portions)
 _judge_energy = StepPass("judge_energy", Rows, Portions)

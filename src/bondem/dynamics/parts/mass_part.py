@@ -3,13 +3,11 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
+from bondem._tables.cell_tables import CorrectedMass, ElasticFacets, WallConstraints
+from bondem._tables.step_tables import Moving, Portions, Rows, StepCut
 from bondem.dynamics.parts.cell_part import BodyOfCells
 from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import Moving, Portions
-from bondem.interactions.cells.cell_tables import CorrectedMass, ElasticFacets, WallConstraints
-from bondem.model.constraints import Rows
-from bondem.model.domain_blocks import StepCut
 from bondem.model.model import Model
 
 _OF_CELLS = Moving, ElasticFacets, WallConstraints, CorrectedMass

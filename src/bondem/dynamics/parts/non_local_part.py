@@ -3,22 +3,15 @@
 import numpy as np
 
 from bondem._core_steps import StepPass
-from bondem.damage.failure_passes import Strengths, strengths_of
-from bondem.dynamics.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
+from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed, Strengths
+from bondem._tables.non_local_tables import LaggedStresses, NonLocalBonds, NonLocalWork
+from bondem._tables.step_tables import Beams, Dashpots, HistoryRows, Moving, Portions, StepCut
+from bondem.damage.failure_passes import strengths_of
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import Dashpots, HistoryRows, Moving, Portions
-from bondem.interactions.beams.beam_tables import Beams
-from bondem.model.domain_blocks import StepCut
 from bondem.model.model import Model
-from bondem.model.non_local_tables import (
-    LaggedStresses,
-    NonLocalBonds,
-    NonLocalWork,
-    lagged_stresses,
-    non_local_tables,
-)
+from bondem.model.non_local_tables import lagged_stresses, non_local_tables
 from bondem.model.state import State
 
 _turn_stresses = StepPass("turn_stresses", Moving, LaggedStresses)

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from bondem.dynamics.step_tables import HistoryRows
+from bondem._tables.step_tables import HistoryRows
 
 #: Pairs of a pass and its tables, in the order in which the core calls them.
 Passes = list[tuple[Any, ...]]

@@ -1,8 +1,8 @@
 """Parts of the step of a model."""
 
+from bondem._tables.step_tables import Dashpots, Gauges, StepCut
 from bondem.dynamics.crack_joints import joints
 from bondem.dynamics.damping import DampingTerms
-from bondem.dynamics.gauge_tables import Gauges
 from bondem.dynamics.parts.beam_part import beams
 from bondem.dynamics.parts.body_force_part import body_forces
 from bondem.dynamics.parts.boundary_part import boundary
@@ -16,8 +16,6 @@ from bondem.dynamics.parts.non_local_part import non_local
 from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.parts.stored_beam_part import stored_beams
-from bondem.dynamics.step_tables import Dashpots
-from bondem.model.domain_blocks import StepCut
 from bondem.model.model import Model
 from bondem.model.state import State
 

@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from bondem.dynamics.step_tables import Moving, Portions, Timeline
-from bondem.model.constraints import Rows, Schedules
-from bondem.model.domain_blocks import StepCut
+from bondem._tables.step_tables import Moving, Portions, Rows, StepCut, Timeline
+from bondem.dynamics.step_tables import new_portions
+from bondem.model.constraints import Schedules
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -40,7 +40,7 @@ class SharedTables:
             moving=Moving(state.pose, state.motion, state.acceleration, state.loss, state.rest),
             rows=held.rows(state.reaction, state.work),
             cut=cut,
-            portions=Portions.of(len(state.pose), len(model.layout.i)),
+            portions=new_portions(len(state.pose), len(model.layout.i)),
             schedules=times,
             timeline=Timeline(times.times, times.values, times.start),
             owned=len(held.element) > 0,

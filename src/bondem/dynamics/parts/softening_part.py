@@ -5,15 +5,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._core_steps import StepPass
+from bondem._tables.beam_softening_tables import SofteningBeams, SofteningBounds
+from bondem._tables.damage_tables import Candidates, EventLog
+from bondem._tables.step_tables import AlikeBeams, Beams, HistoryRows, Moving, Portions
 from bondem.damage.beam_softening import BeamSoftening
 from bondem.damage.event_columns import SOFT_BOND, SOFT_COLUMNS
 from bondem.damage.failure_passes import strengths_of
-from bondem.dynamics.damage_tables import Candidates, EventLog, SofteningBeams, SofteningBounds
 from bondem.dynamics.parts.damage_part import DamageTables, write_released
 from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import BONDS_OF_PORTION, HistoryRows, Moving, Portions
-from bondem.interactions.beams.beam_tables import AlikeBeams, Beams
+from bondem.dynamics.step_tables import BONDS_OF_PORTION
 from bondem.model.state import State
 
 _soften_beams = StepPass("soften_beams", Moving, Beams, SofteningBounds, SofteningBeams)

@@ -1,12 +1,11 @@
 """Beams of the incremental formulation, which store force and moment from step to step."""
 
 from bondem._core_steps import StepPass
+from bondem._tables.incremental_tables import StoredLoads
+from bondem._tables.step_tables import Beams, Dashpots, Moving, Portions, StepCut
 from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import Dashpots, Moving, Portions
-from bondem.interactions.beams.beam_tables import Beams
-from bondem.model.domain_blocks import StepCut
-from bondem.model.incremental_tables import StoredLoads, stored_beam_tables
+from bondem.model.incremental_tables import stored_beam_tables
 from bondem.model.model import Model
 from bondem.model.state import State
 

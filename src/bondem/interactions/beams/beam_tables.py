@@ -3,72 +3,14 @@
 `core/tables/step_tables.hpp` declares types and shapes.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 
 from bondem._cache_lines import lines
 from bondem._core import Pass
-from bondem._types import Floats, Ints, PerBond
+from bondem._tables.step_tables import AlikeBeams, BeamEnergies, Beams, BeamSums, BeamTurns, Poses
+from bondem._types import Floats, PerBond
 from bondem.interactions.beams.bond_table import BondTable, with_twins, with_zeros
 from bondem.specimen.ordering import Layout
-
-
-class Beams(NamedTuple):
-    """Beams, m of them, and a few without force behind them where they are fewer than a group."""
-
-    i: np.ndarray  #: uint32
-    j: np.ndarray
-    X0: Floats  #: reference direction i→j [-]
-    Y0: Floats
-    Z0: Floats
-    length: Floats  #: at rest, L (1 + ε*) [m]
-    kn: Floats  #: [N/m]
-    A: Floats  #: constants of the energy [N·m]
-    B: Floats
-    C: Floats
-    kt: Floats  #: [N·m]
-    ks: Floats  #: [N/m]
-    lever: Floats  #: of the contact point from i [m]
-    integrity: Floats  #: 1 intact … 0 broken [-]
-    period: Floats  #: edges of the periodic cell and their inverses, (6,)
-
-
-class AlikeBeams(NamedTuple):
-    """Constants that all beams share that differ in length only."""
-
-    hold: Floats  #: integrity over rest length [1/m], (m,)
-    knL: float  #: kn L [N]
-    AL: float  #: A L = C L [N·m²]
-    BL: float
-    ktL: float
-
-
-class Poses(NamedTuple):
-    """Places and orientations of elements."""
-
-    pose: Floats  #: (n, 8)
-
-
-class BeamSums(NamedTuple):
-    """Sums that beams add the forces on their two ends to."""
-
-    row_i: np.ndarray  #: uint32, (m,)
-    row_j: np.ndarray
-    sums: Floats  #: force, 0, torque, 0 [N, N·m], (rows, 8)
-
-
-class BeamEnergies(NamedTuple):
-    """Energies of all beams."""
-
-    energy: Floats  #: normal, shear, bending, twisting [J], (4,)
-
-
-class BeamTurns(NamedTuple):
-    """Unbroken beams turned wide and lost, and 1 where a number is not finite."""
-
-    found: Ints  #: (3,)
-
 
 _load_beams = Pass("load_beams", Poses, Beams, BeamSums)
 _load_alike_beams = Pass("load_alike_beams", Poses, Beams, AlikeBeams, BeamSums)

@@ -5,13 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._cache_lines import lines
+from bondem._tables.packing_tables import SphereGrid
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerBond, PerElement
 from bondem.boundary.wall_rows import walls_at_rest
 from bondem.boundary.wall_table import WallTable
-from bondem.geometry.neighbours import SphereGrid, neighbours, sphere_grid
+from bondem.geometry.neighbours import neighbours, sphere_grid
 from bondem.interactions.contact.contact_assignment import ContactLaws
-from bondem.interactions.contact.contact_search import Walls, WallSources, found_walls
+from bondem.interactions.contact.contact_search import found_walls, new_wall_sources, walls_at
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.local_origin import local_rest
 from bondem.specimen.ordering import Layout
@@ -91,10 +92,10 @@ class ContactModel:
         )
         # one place for the geometry of walls: the core, asked for walls within reach of a sphere at rest
         count = len(walls.shape)
-        still = Walls.of(walls, walls_at_rest(count))
+        still = walls_at(walls, walls_at_rest(count))
         pose = lines(n)
         pose[:, :3] = position
-        sources = WallSources.without_memory(radius, 0.0)
+        sources = new_wall_sources(radius, 0.0)
         touching = found_walls(pose, still, sources)
         return cls(laws, radius, walls, pairs, RestGaps(sources.start, touching.wall, touching.now), own)
 

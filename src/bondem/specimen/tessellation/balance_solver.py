@@ -6,8 +6,6 @@ preconditioner is the diagonal of that, plus the same Laplacian between groups o
 errors of long wavelength.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 from scipy.sparse import coo_array, csc_array, dia_array
 from scipy.sparse.csgraph import connected_components
@@ -15,8 +13,9 @@ from scipy.sparse.linalg import LinearOperator, cg, splu
 
 from bondem._blas import one_blas_thread
 from bondem._core import Pass
+from bondem._tables.tessellation_tables import BalanceField, CellBranches
 from bondem._threads import current_threads
-from bondem._types import Floats, Ints, Pairs, PerBond3, PerElement3
+from bondem._types import Floats, Pairs, PerBond3, PerElement3
 from bondem.geometry.morton import morton_code
 
 # Iterations that are carried out at most; bodies of 1e5 cells take about 130.
@@ -29,21 +28,6 @@ _RESISTED = 1e-11
 #: Components of a symmetric tensor in the order of the core, and their scale in rows: √2 off the diagonal.
 ROW, COLUMN = np.array([0, 1, 2, 0, 0, 1]), np.array([0, 1, 2, 1, 2, 2])
 SCALE = np.where(ROW == COLUMN, 1.0, np.sqrt(2.0))
-
-
-class CellBranches(NamedTuple):
-    """Facets of each cell."""
-
-    start: Ints  #: facets of cell p are start[p] … start[p + 1] - 1, (n + 1,)
-    other: np.ndarray  #: cell on the other side, uint32, (2 m,)
-    branch: Floats  #: b of each facet [m^1.5], (2 m, 3)
-
-
-class BalanceField(NamedTuple):
-    """A symmetric tensor of each cell, and the operator applied to it."""
-
-    given: Floats  #: (n, 6)
-    found: Floats  #: (n, 6)
 
 
 _apply_balance = Pass("apply_balance", CellBranches, BalanceField)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from bondem._tables.tessellation_tables import Bins, Bulk, Solids, WallTree
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, Mask, Pairs, PerElement, PerElement3
 from bondem.errors import InputError
@@ -16,11 +17,20 @@ from bondem.specimen.tessellation.clip_to_shape import trimmed
 from bondem.specimen.tessellation.facet_tables import Polygons, facets, free_facets, together
 from bondem.specimen.tessellation.facets import Cells, Facets
 from bondem.specimen.tessellation.interfaces import patches
-from bondem.specimen.tessellation.laguerre import Bins, bins, plain_cells, usual_reach
+from bondem.specimen.tessellation.laguerre import bins, plain_cells, usual_reach
 from bondem.specimen.tessellation.ownership import Owned, owned
 from bondem.specimen.tessellation.raster import CENTRE_BITS, on_raster, pitch
-from bondem.specimen.tessellation.shape_walls import WallTree, faceted, wall_tree, wall_triangles
-from bondem.specimen.tessellation.solids import LOCAL, Bulk, Solids, bulk, joined, polygon_measures
+from bondem.specimen.tessellation.shape_walls import faceted, wall_tree, wall_triangles
+from bondem.specimen.tessellation.solids import (
+    LOCAL,
+    bulk,
+    chosen_bulk,
+    chosen_solids,
+    joined,
+    polygon_measures,
+    solid_count,
+    solid_of_face,
+)
 
 # Cells that are made at once, in memory as well as between two words about the progress.
 _BATCH = 4096
@@ -109,7 +119,7 @@ def _walls(particles: Particles, shape: Shape, reach: float) -> _Walls | None:
 
 def _kept_faces(plain: Solids, kept: np.ndarray, position: PerElement3) -> Polygons:
     """Return the faces of whole cells on walls, and those to elements of higher number."""
-    of_face = plain.of_face
+    of_face = solid_of_face(plain)
     cell = plain.cell[of_face]
     rows = np.flatnonzero(kept[of_face] & ((plain.tag < 0) | (plain.tag > cell)))
     own = plain.cell[of_face[rows]]
@@ -122,7 +132,7 @@ def _batch(centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats) -> _
     """Compute some cells."""
     plain = plain_cells(centres, chosen, half)
     measures = bulk(plain)
-    local = np.bincount(plain.of_face, weights=plain.tag == LOCAL, minlength=len(chosen)) > 0
+    local = np.bincount(solid_of_face(plain), weights=plain.tag == LOCAL, minlength=len(chosen)) > 0
     clear = np.ones(len(chosen), dtype=bool)
     if walls is not None:
         clear = measures.farthest < walls.clear[chosen]
@@ -131,18 +141,19 @@ def _batch(centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats) -> _
     pieces, piece_bulk = joined([]), bulk(joined([]))
     if walls is not None and not clear.all():
         tolerance = max(_REACHED * centres.reach, centres.tolerance)
-        pieces = trimmed(plain.chosen(np.flatnonzero(~clear)), centres.position, walls.tree, tolerance)
+        pieces = trimmed(chosen_solids(plain, np.flatnonzero(~clear)), centres.position, walls.tree, tolerance)
         piece_bulk = bulk(pieces)
         inside = walls.shape.depth(piece_bulk.middle + centres.position[pieces.cell]) >= 0.0
-        open_ended = np.bincount(pieces.of_face, weights=pieces.tag == LOCAL, minlength=pieces.number) > 0
+        count = solid_count(pieces)
+        open_ended = np.bincount(solid_of_face(pieces), weights=pieces.tag == LOCAL, minlength=count) > 0
         redo = np.unique(pieces.cell[inside & open_ended])
         again = np.concatenate([again, redo])
         good = np.flatnonzero(inside & ~np.isin(pieces.cell, redo))
-        pieces, piece_bulk = pieces.chosen(good), piece_bulk.chosen(good)
+        pieces, piece_bulk = chosen_solids(pieces, good), chosen_bulk(piece_bulk, good)
     rows = np.flatnonzero(kept)
     return _Batch(
-        plain.chosen(rows), _kept_faces(plain, kept, centres.position), chosen[rows], measures.chosen(rows), pieces,
-        piece_bulk, again, np.setdiff1d(chosen[~clear & local], again),
+        chosen_solids(plain, rows), _kept_faces(plain, kept, centres.position), chosen[rows],
+        chosen_bulk(measures, rows), pieces, piece_bulk, again, np.setdiff1d(chosen[~clear & local], again),
     )  # fmt: skip
 
 
@@ -189,8 +200,8 @@ def tessellation(
         half[early] *= 2.0
         more = list(_batches(centres, walls, early, half, lambda share: None))
         kept = np.flatnonzero(~np.isin(pieces.cell, early))
-        pieces = joined([pieces.chosen(kept), *(batch.pieces for batch in more)])
-        measures = _joined_bulk([measures.chosen(kept), *(batch.piece_bulk for batch in more)])
+        pieces = joined([chosen_solids(pieces, kept), *(batch.pieces for batch in more)])
+        measures = _joined_bulk([chosen_bulk(measures, kept), *(batch.piece_bulk for batch in more)])
         ended = np.concatenate([np.setdiff1d(ended, early), *(batch.ended for batch in more)])
     sphere = np.column_stack([centres.position, centres.radius])
     all_pieces = owned(pieces, measures, found, sphere, centres.reach, sliver)

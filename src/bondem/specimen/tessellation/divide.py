@@ -1,33 +1,25 @@
 """Division among elements of pieces that a wall separates from the centre of their cell."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from bondem._core import Pass, room_for
+from bondem._tables.tessellation_tables import Dividing, Pile, Solids
 from bondem._types import Floats, Ints
-from bondem.specimen.tessellation.polygon_buffer import TAG, Pile, new_pile, polygon_buffer
-from bondem.specimen.tessellation.solids import Solids
+from bondem.specimen.tessellation.polygon_buffer import (
+    TAG,
+    new_pile,
+    pile_corner,
+    pile_corners,
+    pile_size,
+    polygon_buffer,
+    roomier_pile,
+)
 
 
-class Dividing(NamedTuple):
-    """Solids, the elements among which they are divided, and room for the parts."""
-
-    sphere: Floats  #: centres and radii of all elements [m], (n, 4)
-    near: Ints  #: solid s is divided among near[start[s]] … near[start[s + 1] - 1]
-    start: Ints  #: (solids + 1,)
-    tolerance: float  #: planes that reach in less do not divide [m]
-    lid: Floats  #: polygons, (MOST_CORNERS, 3)
-    work: Floats
-    cell: Ints  #: of which element's cell each part is part, (parts,)
-    owner: Ints  #: the element it belongs to, (parts,)
-    end: Ints  #: polygons up to the end of each part, (parts,)
-    done: Ints  #: solids divided, parts made, (2,)
-
-    def with_more_parts(self) -> "Dividing":
-        """Return a copy with room for more parts."""
-        cell, owner, end = (room_for(values, 2 * len(values)) for values in (self.cell, self.owner, self.end))
-        return self._replace(cell=cell, owner=owner, end=end)
+def with_more_parts(dividing: Dividing) -> Dividing:
+    """Return a copy with room for more parts."""
+    cell, owner, end = (room_for(values, 2 * len(values)) for values in (dividing.cell, dividing.owner, dividing.end))
+    return dividing._replace(cell=cell, owner=owner, end=end)
 
 
 _divide = Pass("divide_solids", Solids, Dividing, Pile, Pile, Pile)
@@ -52,12 +44,12 @@ def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: 
     part, spare, pile = new_pile(256, 2048), new_pile(256, 2048), new_pile(1024, 8192)
     while (ended := _divide(solids, dividing, part, spare, pile)) != "all_divided":
         if ended == "parts_full":
-            dividing, pile = dividing.with_more_parts(), pile.roomier()
+            dividing, pile = with_more_parts(dividing), roomier_pile(pile)
         else:
-            part, spare = part.roomier(), spare.roomier()
-    faces, parts = pile.size, int(dividing.done[1])
+            part, spare = roomier_pile(part), roomier_pile(spare)
+    faces, parts = pile_size(pile), int(dividing.done[1])
     made = Solids(
         dividing.cell[:parts], np.append(0, dividing.end[:parts]), pile.what[:faces, TAG].copy(), pile.plane[:faces],
-        pile.corner, pile.corners,
+        pile_corner(pile), pile_corners(pile),
     )  # fmt: skip
     return made, dividing.owner[:parts]

@@ -9,25 +9,19 @@ from typing import NamedTuple
 import numpy as np
 
 from bondem._core import Pass
+from bondem._tables.tessellation_tables import FaceGroups, Pile, Solids
 from bondem._types import Floats, Ints, PerElement3
-from bondem.specimen.tessellation.polygon_buffer import KIND, TAG, Pile, new_pile, polygon_buffer
-from bondem.specimen.tessellation.solids import SPLIT, Solids, polygon_measures, ranges
-
-
-class FaceGroups(NamedTuple):
-    """Faces in one plane: those of group g begin at plus[first[g]] on one side, minus[second[g]] on the other."""
-
-    of_face: Ints  #: the solid that each face is of, (f,)
-    plus: Ints
-    first: Ints  #: (groups + 1,)
-    minus: Ints
-    second: Ints  #: (groups + 1,)
-    shift: Floats  #: from the centre that corners of the first are measured from to that of the others, (groups, 3)
-    tolerance: float  #: patches of less area are left out [m²]
-    work: Floats  #: polygons, (MOST_CORNERS, 3)
-    other: Floats
-    done: Ints  #: groups matched, (1,)
-
+from bondem.specimen.tessellation.polygon_buffer import (
+    KIND,
+    TAG,
+    new_pile,
+    pile_corner,
+    pile_corners,
+    pile_size,
+    polygon_buffer,
+    roomier_pile,
+)
+from bondem.specimen.tessellation.solids import SPLIT, polygon_measures, ranges, solid_of_face
 
 _match_faces = Pass("match_faces", Solids, FaceGroups, Pile, Pile, Pile)
 
@@ -66,11 +60,11 @@ def _match(solids: Solids, groups: FaceGroups) -> tuple[Ints, Ints, Ints, Floats
     rest, left, pile = new_pile(64, 512), new_pile(64, 512), new_pile(1024, 8192)
     while (ended := _match_faces(solids, groups, rest, left, pile)) != "all_matched":
         if ended == "patches_full":
-            pile = pile.roomier()
+            pile = roomier_pile(pile)
         else:
-            rest, left = rest.roomier(), left.roomier()
-    count = pile.size
-    return pile.what[:count, KIND].copy(), pile.what[:count, TAG].copy(), pile.corner, pile.corners
+            rest, left = roomier_pile(rest), roomier_pile(left)
+    count = pile_size(pile)
+    return pile.what[:count, KIND].copy(), pile.what[:count, TAG].copy(), pile_corner(pile), pile_corners(pile)
 
 
 def _grouped(
@@ -104,7 +98,7 @@ def patches(pieces: Solids, position: PerElement3, tolerance: float) -> Patches:
         position: centres of all elements [m], shape (n, 3).
         tolerance: area below which patches are left out [m²].
     """
-    of_face = pieces.of_face
+    of_face = solid_of_face(pieces)
     cell, tag = pieces.cell[of_face], pieces.tag
     is_cut = np.zeros(len(position), dtype=bool)
     is_cut[pieces.cell] = True

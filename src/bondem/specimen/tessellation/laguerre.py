@@ -8,17 +8,25 @@ far from large ones: no radius is above B + κ L, with B a bound around each ele
 """
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._core import Pass
+from bondem._tables.tessellation_tables import Bins, CellRequest, CellRoom, Pile, Solids
 from bondem._types import Floats, Ints, Vector
 from bondem.errors import InputError
 from bondem.specimen.particles import Particles
-from bondem.specimen.tessellation.polygon_buffer import MOST_CORNERS, TAG, Pile, new_pile, polygon_buffer
-from bondem.specimen.tessellation.solids import Solids
+from bondem.specimen.tessellation.polygon_buffer import (
+    MOST_CORNERS,
+    TAG,
+    new_pile,
+    pile_corner,
+    pile_corners,
+    pile_size,
+    polygon_buffer,
+    roomier_pile,
+)
 
 # Most faces of one cell.
 _FACES = 400
@@ -28,37 +36,6 @@ _CROWD = 8.0
 _SLOPE = 0.5
 # A plane that reaches less deep does not cut, over the spacing of the centres; rounding of coordinates, over extents.
 _SHALLOW, _ROUNDING = 1e-12, 4e-15
-
-
-class Bins(NamedTuple):
-    """Centres sorted into boxes, for the search of neighbours.
-
-    Attributes:
-        position: centres [m], shape (n, 3).
-        radius: radii [m], shape (n,).
-        lower, upper: the box around all cells [m], (3,).
-        period: edge lengths of the periodic cell, or 0 [m], (3,).
-        boxes: number of boxes along each axis, (3,).
-        start: start of the members of each box, (boxes + 1,).
-        member: elements, box by box, (n,).
-        bound: B of each element: no sphere at distance L has a radius above B + κ L [m], (n,).
-        first: initial search distance of neighbours, less in crowded boxes [m], (n,).
-        reach: usual distance of the farthest neighbour [m].
-        tolerance: depth to which planes do not cut [m].
-    """
-
-    position: Floats
-    radius: Floats
-    lower: Vector
-    upper: Vector
-    period: Vector
-    boxes: Ints
-    start: Ints
-    member: Ints
-    bound: Floats
-    first: Floats
-    reach: float
-    tolerance: float
 
 
 def usual_reach(particles: Particles) -> float:
@@ -122,49 +99,27 @@ def _bounds(radius: Floats, box: Ints, count: Ints, width: Vector) -> Floats:
     return most.ravel()[box]
 
 
-class CellRequest(NamedTuple):
-    """The required cells, and lists in which their neighbours are sorted."""
+def new_cell_request(chosen: Ints, half: Floats) -> CellRequest:
+    """Return a request of which no cell is made yet."""
+    return CellRequest(chosen, half, *_lists(256), np.zeros(len(chosen) + 1, np.int64), np.zeros(2, np.int64))
 
-    chosen: Ints  #: elements, (k,)
-    half: Floats  #: half the widths of the boxes that their cells begin as [m], (k,)
-    found: Ints  #: elements listed, (room,)
-    offset: Floats  #: from the centre to them, and distance [m], (room, 4)
-    order: Ints  #: the nearest first, (room,)
-    end: Ints  #: polygons up to the end of each cell, (k + 1,)
-    done: Ints  #: cells made; the element at which it ended, (2,)
 
-    @classmethod
-    def of(cls, chosen: Ints, half: Floats) -> "CellRequest":
-        """Return a request of which no cell is made yet."""
-        return cls(chosen, half, *_lists(256), np.zeros(len(chosen) + 1, np.int64), np.zeros(2, np.int64))
-
-    def roomier(self) -> "CellRequest":
-        """Return the request with longer lists."""
-        return CellRequest(*self[:2], *_lists(2 * len(self.found)), *self[5:])
+def roomier_request(request: CellRequest) -> CellRequest:
+    """Return the request with longer lists."""
+    return CellRequest(*request[:2], *_lists(2 * len(request.found)), *request[5:])
 
 
 def _lists(room: int) -> tuple[Ints, Floats, Ints]:
     return np.empty(room, np.int64), np.empty((room, 4)), np.empty(room, np.int64)
 
 
-class CellRoom(NamedTuple):
-    """A cell under construction: face f has size[f] corners, from row f · MOST_CORNERS on."""
-
-    plane: Floats  #: (faces, 4)
-    tag: Ints  #: (faces,)
-    size: Ints  #: (faces,)
-    vertex: Floats  #: (faces · MOST_CORNERS, 3)
-    work: Floats  #: a polygon, (MOST_CORNERS, 3)
-    other: Floats  #: a polygon, (MOST_CORNERS, 3)
-
-    @classmethod
-    def empty(cls) -> "CellRoom":
-        """Room for the largest cell."""
-        faces = _FACES + 2
-        return cls(
-            np.empty((faces, 4)), np.empty(faces, np.int64), np.empty(faces, np.int64),
-            np.empty((faces * MOST_CORNERS, 3)), polygon_buffer(), polygon_buffer(),
-        )  # fmt: skip
+def new_cell_room() -> CellRoom:
+    """Room for the largest cell."""
+    faces = _FACES + 2
+    return CellRoom(
+        np.empty((faces, 4)), np.empty(faces, np.int64), np.empty(faces, np.int64),
+        np.empty((faces * MOST_CORNERS, 3)), polygon_buffer(), polygon_buffer(),
+    )  # fmt: skip
 
 
 _make_cells = Pass("make_cells", Bins, CellRequest, CellRoom, Pile)
@@ -181,13 +136,13 @@ def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
     Raises:
         InputError: A cell has no volume, or reaches half a period.
     """
-    request, room = CellRequest.of(chosen, half), CellRoom.empty()
+    request, room = new_cell_request(chosen, half), new_cell_room()
     pile = new_pile(20 * len(chosen) + 20, 100 * len(chosen) + 100)
     while (ended := _make_cells(centres, request, room, pile)) in ("lists_full", "pile_full"):
         if ended == "lists_full":
-            request = request.roomier()
+            request = roomier_request(request)
         else:
-            pile = pile.roomier()
+            pile = roomier_pile(pile)
     where = request.done[1]
     if ended == "swallowed":
         raise InputError(
@@ -201,7 +156,7 @@ def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
         )
     if ended == "crowded":
         raise InputError(f"the cell of element {where} has more than {_FACES} faces; make radii more alike")
-    faces = pile.size
+    faces = pile_size(pile)
     return Solids(
-        chosen, request.end, pile.what[:faces, TAG].copy(), pile.plane[:faces], pile.corner, pile.corners
+        chosen, request.end, pile.what[:faces, TAG].copy(), pile.plane[:faces], pile_corner(pile), pile_corners(pile)
     )

@@ -11,11 +11,12 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from bondem._tables.tessellation_tables import Bulk, Solids
 from bondem._types import Floats, Ints, Mask, PerElement3
 from bondem.errors import InputError
 from bondem.specimen.tessellation.divide import divided
 from bondem.specimen.tessellation.interfaces import Patches, patches
-from bondem.specimen.tessellation.solids import Bulk, Solids, bulk, joined
+from bondem.specimen.tessellation.solids import bulk, chosen_solids, joined, solid_count
 
 # Parts of less volume, over that of a cell, that hang together with nothing are rounding.
 _NOTHING = 1e-9
@@ -64,9 +65,9 @@ def owned(pieces: Solids, measures: Bulk, found: Patches, sphere: Floats, width:
             _refuse_lost(pieces, measures, lost, sphere[:, :3], width)
             owner[lost] = pieces.cell[lost]
             break
-        parts, theirs = divided(pieces.chosen(lone), sphere, near, start, 1e-12 * width)
-        kept = np.setdiff1d(np.arange(pieces.number), lone)
-        pieces, owner = joined([pieces.chosen(kept), parts]), np.concatenate([owner[kept], theirs])
+        parts, theirs = divided(chosen_solids(pieces, lone), sphere, near, start, 1e-12 * width)
+        kept = np.setdiff1d(np.arange(solid_count(pieces)), lone)
+        pieces, owner = joined([chosen_solids(pieces, kept), parts]), np.concatenate([owner[kept], theirs])
         measures = bulk(pieces)
         found = patches(pieces, sphere[:, :3], sliver)
     return Owned(pieces, measures, found, owner)

@@ -10,7 +10,7 @@ from bondem.specimen.joining import parts
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.tessellation.cutting import tessellation
-from bondem.specimen.tessellation.solids import ranges
+from bondem.specimen.tessellation.solids import ranges, solid_of_face
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +71,7 @@ def _of_body(particles: Particles) -> Polyhedra:
     made = tessellation(particles, outlines=True)
     position, plain = made.centres.position, made.outlines
     found, owner = made.cut.found, made.cut.owner
-    own = plain.cell[plain.of_face]
+    own = plain.cell[solid_of_face(plain)]
     behind = np.maximum(plain.tag, -1)
     kept = np.flatnonzero((behind < 0) | ~made.is_cut[np.maximum(behind, 0)])
     corners, begin = ranges(plain.corner, kept)

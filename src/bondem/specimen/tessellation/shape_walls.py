@@ -3,12 +3,12 @@
 import math
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 
 from bondem._checks import shown
-from bondem._types import Floats, Ints, PerElement, PerElement3, Vector
+from bondem._tables.tessellation_tables import WallTree
+from bondem._types import Floats, PerElement, PerElement3, Vector
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Ball, BoundingBox, Box, Cylinder
 from bondem.geometry.shape import Cut, Joined, Overlap, Placed, Shape
@@ -161,24 +161,6 @@ def _geodesic(shape: Ball, quartered: int) -> Surface:
     inscribed = Surface(vertices=vertices, triangles=triangles)
     scale = shape.radius * (4.0 / 3.0 * math.pi / inscribed.volume) ** (1.0 / 3.0)
     return Surface(vertices=scale * vertices, triangles=triangles)
-
-
-class WallTree(NamedTuple):
-    """Triangles in a tree of boxes, for the search of those near a cell.
-
-    Attributes:
-        corner: corners of the triangles [m], shape (t, 3, 3).
-        plane: unit normal of each and its product with a point of the plane, shape (t, 4) [-, m].
-        lower, upper: corners of the boxes [m], shape (2 p, 3): box 1 holds all, box b boxes 2 b and 2 b + 1, the last
-            p one triangle each or none.
-        owner: triangle in each of the last p boxes, shape (p,).
-    """
-
-    corner: Floats
-    plane: Floats
-    lower: Floats
-    upper: Floats
-    owner: Ints
 
 
 def wall_tree(corner: Floats) -> WallTree:

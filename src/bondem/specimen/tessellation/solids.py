@@ -4,53 +4,32 @@ Corners are relative to the centre of the element of the cell, so that no digits
 """
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 
 from bondem._core import Pass
+from bondem._tables.tessellation_tables import Bulk, PolygonMeasures, Solids
 from bondem._types import Floats, Ints
 
 # What is behind a face: an element from 0 up, or one of these; from SPLIT down, a plane that cut the cell.
 BOX, LOCAL, SPLIT = -1, -7, -16
 
 
-class Solids(NamedTuple):
-    """Convex solids, k of them, with f faces and v corners.
+def solid_count(every: Solids) -> int:
+    """Number k of solids."""
+    return len(every.cell)
 
-    Attributes:
-        cell: element of the cell that each solid is part of, shape (k,).
-        face: faces of solid s are face[s] … face[s + 1] - 1, shape (k + 1,).
-        tag: neighbour behind each face, shape (f,): an element; BOX - 0 … BOX - 5, the sides of the box around the
-            shape (x_min, x_max, y_min …); LOCAL, an arbitrary end; or SPLIT - 2 s and SPLIT - 2 s - 1, the two sides
-            of split s of the cell.
-        plane: outward unit normal and distance from the centre, shape (f, 4) [-, m].
-        corner: corners of face g are corner[g] … corner[g + 1] - 1, shape (f + 1,).
-        vertex: corners relative to the centre of the element [m], shape (v, 3).
-    """
 
-    cell: Ints
-    face: Ints
-    tag: Ints
-    plane: Floats
-    corner: Ints
-    vertex: Floats
+def solid_of_face(every: Solids) -> Ints:
+    """Solid of each face, shape (f,)."""
+    return np.repeat(np.arange(solid_count(every)), np.diff(every.face))
 
-    @property
-    def number(self) -> int:
-        """Number k of solids."""
-        return len(self.cell)
 
-    @property
-    def of_face(self) -> Ints:
-        """Solid of each face, shape (f,)."""
-        return np.repeat(np.arange(self.number), np.diff(self.face))
-
-    def chosen(self, solids: Ints) -> "Solids":
-        """Return some of the solids, by number."""
-        faces, face = ranges(self.face, solids)
-        corners, corner = ranges(self.corner, faces)
-        return Solids(self.cell[solids], face, self.tag[faces], self.plane[faces], corner, self.vertex[corners])
+def chosen_solids(every: Solids, solids: Ints) -> Solids:
+    """Return some of the solids, by number."""
+    faces, face = ranges(every.face, solids)
+    corners, corner = ranges(every.corner, faces)
+    return Solids(every.cell[solids], face, every.tag[faces], every.plane[faces], corner, every.vertex[corners])
 
 
 def ranges(start: Ints, chosen: Ints) -> tuple[Ints, Ints]:
@@ -75,16 +54,6 @@ def joined(parts: Sequence[Solids]) -> Solids:
     )
 
 
-class PolygonMeasures(NamedTuple):
-    """Polygons, f of them, and what is measured of each."""
-
-    corner: Ints  #: corners of polygon q are corner[q] … corner[q + 1] - 1, (f + 1,)
-    vertex: Floats  #: corners [m], (v, 3)
-    area: Floats  #: [m²], (f,)
-    centroid: Floats  #: [m], (f, 3)
-    moment: Floats  #: second moments about the centroid [m⁴], (f, 3, 3)
-
-
 _measure_polygons = Pass("measure_polygons", PolygonMeasures)
 
 
@@ -96,28 +65,9 @@ def polygon_measures(corner: Ints, vertex: Floats) -> tuple[Floats, Floats, Floa
     return measures[2:]
 
 
-class Bulk(NamedTuple):
-    """Volumes, surfaces and moments of solids, all about the centre of the element.
-
-    Attributes:
-        volume: ∫ dV [m³], shape (k,).
-        first: ∫ x dV [m⁴], shape (k, 3).
-        second: ∫ x⊗x dV [m⁵], shape (k, 3, 3).
-        middle: a point inside, also of a thin solid [m], shape (k, 3).
-        farthest: distance of the farthest corner [m], shape (k,).
-        beyond: distance of the centre outside the solid, at most 0 if it lies inside [m], shape (k,).
-    """
-
-    volume: Floats
-    first: Floats
-    second: Floats
-    middle: Floats
-    farthest: Floats
-    beyond: Floats
-
-    def chosen(self, solids: Ints) -> "Bulk":
-        """Return the values of some solids, by number."""
-        return Bulk(*(values[solids] for values in self))
+def chosen_bulk(every: Bulk, solids: Ints) -> Bulk:
+    """Return the values of some solids, by number."""
+    return Bulk(*(values[solids] for values in every))
 
 
 _measure_solids = Pass("measure_solids", Solids, Bulk)
@@ -125,7 +75,7 @@ _measure_solids = Pass("measure_solids", Solids, Bulk)
 
 def bulk(solids: Solids) -> Bulk:
     """Compute volumes and moments of solids."""
-    k = solids.number
+    k = solid_count(solids)
     found = Bulk(np.empty(k), np.empty((k, 3)), np.empty((k, 3, 3)), np.empty((k, 3)), np.empty(k), np.empty(k))
     _measure_solids(solids, found)
     return found

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bondem._tables.quasistatic_tables import WeakenedFacets
 from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement3
 from bondem.damage.opened_facets import Opened
 from bondem.damage.softening_table import SofteningTable
@@ -22,7 +23,7 @@ from bondem.observables.facet_loads import loads_on_facets
 from bondem.observables.posed_state import in_equilibrium
 from bondem.statics.linear import System
 from bondem.statics.quasistatic.facet_matrix import FacetMatrix, facet_stiffness
-from bondem.statics.quasistatic.facet_passes import OpenedFacets, WeakenedFacets
+from bondem.statics.quasistatic.facet_passes import OpenedFacets
 from bondem.statics.quasistatic.taken_cracks import CrackedHalves, taken_cracks
 from bondem.statics.quasistatic.tensors import full_tensor
 

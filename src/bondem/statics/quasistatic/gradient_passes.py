@@ -3,15 +3,14 @@
 `core/tables/quasistatic_tables.hpp` declares types and shapes.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 from scipy.linalg import cholesky_banded
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 
 from bondem._core import Pass
-from bondem._types import Floats, Ints
+from bondem._tables.quasistatic_tables import ClumpCorrection, ConjugateGradients, ScaledMatrix
+from bondem._types import Floats
 from bondem.statics.linear import Iteration
 from bondem.statics.quasistatic.facet_matrix import FacetMatrix
 
@@ -19,60 +18,23 @@ from bondem.statics.quasistatic.facet_matrix import FacetMatrix
 _ROUNDS = 5000
 
 
-class ScaledMatrix(NamedTuple):
-    """Sᵀ K S = B + Fᵀ W F of n cells, in b blocks."""
-
-    start: Ints  #: first block of each row, (n + 1,)
-    column: Ints  #: (b,)
-    diagonal: Ints  #: block on the diagonal of each row, (n,)
-    block: Floats  #: B, (b, 6, 6)
-    form: Floats  #: F, (b, 6)
-    rounded_block: np.ndarray  #: B in half the memory, float32, (b, 6, 6)
-    rounded_form: np.ndarray  #: F, float32, (b, 6)
-    weight: Floats  #: W, (n,)
-
-
-class ClumpCorrection(NamedTuple):
-    """Correction by clumps that move rigidly, with c unknowns and a factor L of half-width w - 1."""
-
-    place: Ints  #: first coarse unknown of the clump of each cell, (n,)
-    order: Ints  #: place of each coarse unknown in L, (c,)
-    basis: Floats  #: motion of each cell per motion of its clump, (n, 6, 6)
-    factor: Floats  #: columns of L from the diagonal down, (c, w)
-    rigid: Floats  #: rigid motions that are free, orthonormal, (r, 6 n)
-    coarse: Floats  #: (c,)
-
-    @classmethod
-    def of(cls, begun: Iteration) -> "ClumpCorrection":
-        """Return the correction of an iteration, with the banded Cholesky factor of its coarse matrix."""
-        clumps = begun.coarse
-        matrix = coo_array(clumps.regular)
-        sequence = reverse_cuthill_mckee(clumps.regular.tocsr(), symmetric_mode=True)
-        order = np.empty(len(sequence), dtype=np.int64)
-        order[sequence] = np.arange(len(sequence))
-        row, column = order[matrix.row], order[matrix.col]
-        low = row >= column
-        band = np.zeros((int((row - column).max()) + 1, len(order)))
-        band[(row - column)[low], column[low]] = matrix.data[low]
-        factor = np.ascontiguousarray(cholesky_banded(band, lower=True, overwrite_ab=True).T)
-        basis = clumps.prolongation
-        return cls(
-            6 * basis.indices.astype(np.int64), order, basis.data, factor, np.ascontiguousarray(begun.rigid.T),
-            np.zeros(len(order)),
-        )  # fmt: skip
-
-
-class ConjugateGradients(NamedTuple):
-    """State of conjugate gradients in 6 n unknowns."""
-
-    limits: Floats  #: |r| and r·z at which they end, (2,)
-    most: int  #: largest number of rounds
-    residual: Floats  #: right-hand side before, residual afterwards, (6 n,)
-    found: Floats  #: guess before, solution afterwards, (6 n,)
-    work: Floats  #: (4, 6 n)
-    stress: Floats  #: W F p, (n,)
-    rounds: Ints  #: number of rounds, (1,)
-    first: Floats  #: r·z at the beginning, (1,)
+def new_clump_correction(begun: Iteration) -> ClumpCorrection:
+    """Return the correction of an iteration, with the banded Cholesky factor of its coarse matrix."""
+    clumps = begun.coarse
+    matrix = coo_array(clumps.regular)
+    sequence = reverse_cuthill_mckee(clumps.regular.tocsr(), symmetric_mode=True)
+    order = np.empty(len(sequence), dtype=np.int64)
+    order[sequence] = np.arange(len(sequence))
+    row, column = order[matrix.row], order[matrix.col]
+    low = row >= column
+    band = np.zeros((int((row - column).max()) + 1, len(order)))
+    band[(row - column)[low], column[low]] = matrix.data[low]
+    factor = np.ascontiguousarray(cholesky_banded(band, lower=True, overwrite_ab=True).T)
+    basis = clumps.prolongation
+    return ClumpCorrection(
+        6 * basis.indices.astype(np.int64), order, basis.data, factor, np.ascontiguousarray(begun.rigid.T),
+        np.zeros(len(order)),
+    )  # fmt: skip
 
 
 _solve = Pass("conjugate_gradients", ScaledMatrix, ClumpCorrection, ConjugateGradients)
@@ -100,7 +62,7 @@ class GradientSolver:
             np.zeros(2), _ROUNDS, np.zeros(6 * n), np.zeros(6 * n), np.zeros((4, 6 * n)), np.zeros(n),
             np.zeros(1, dtype=np.int64), np.zeros(1),
         )  # fmt: skip
-        self._solve = _solve.bound(scaled, ClumpCorrection.of(begun), self._search)
+        self._solve = _solve.bound(scaled, new_clump_correction(begun), self._search)
         self.rounds, self.first = 0, 0.0
 
     def solve(self, right: Floats, guess: Floats, *, stop: float, energy: float) -> Floats | None:

@@ -4,12 +4,13 @@ from typing import Protocol
 
 import numpy as np
 
+from bondem._tables.quasistatic_tables import LoadedFacets
 from bondem._types import Floats, Ints, PerBond
 from bondem.damage.failure_table import FailureTable
 from bondem.damage.opened_facets import Opened
 from bondem.damage.softening_table import SofteningTable
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
-from bondem.statics.quasistatic.facet_passes import LoadedFacets, factors_by_stress
+from bondem.statics.quasistatic.facet_passes import factors_by_stress
 from bondem.statics.quasistatic.sawtooth_softening import SofteningLine, Teeth
 from bondem.statics.quasistatic.tensors import agreed, largest
 

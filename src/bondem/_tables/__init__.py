@@ -1,0 +1,1 @@
+"""Tables of the core, written by `python -m tests.core.tables`."""

@@ -1,0 +1,226 @@
+"""Tables of `core/tables/contact_tables.hpp`, written by `python -m tests.core.tables` from the header."""
+
+from typing import NamedTuple
+
+from bondem._types import Bytes, Floats, Int32s, Ints, Uint32s
+
+
+class ContactRow(NamedTuple):
+    """The law of a contact."""
+
+    modulus: float  #: [Pa]
+    soft: float  #: ks / kn [-]
+    friction: float  #: μ [-]
+    damping: float  #: β [-]
+    rolling: float  #: μ_r and μ_w [-]
+    twisting: float  #: μ_r and μ_w [-]
+    deep: float  #: overlap over the radius at which the stiffness against rolling is taken [-]
+    strength: float  #: of adhesion, 0 for none [Pa, m]
+    reach: float  #: of adhesion, 0 for none [Pa, m]
+
+
+class ContactConstants(NamedTuple):
+    """The laws of contacts by kinds of elements, and the radii of the elements."""
+
+    between: Floats  #: rows of `ContactRow` of pairs of each two kinds, (kinds, kinds, 9)
+    at_walls: Floats  #: that of each kind at each wall, (kinds, walls, 9)
+    kind: Bytes  #: of each element, (n,)
+    hertzian: int  #: whether they are those of Hertz and Mindlin
+    radius: Floats  #: [m], (n,)
+
+
+class ContactPairs(NamedTuple):
+    """Pairs that may touch before their list is renewed, c of them."""
+
+    first: Uint32s  #: (pairs,)
+    second: Uint32s  #: (pairs,)
+    start: Ints  #: start of the pairs of each later element, (n + 1,)
+    reach: Floats  #: distance of the centres at which a pair touches [m], (pairs,)
+    own: Floats  #: kn of a pair that does not have that of the law, or 0 [N/m], (pairs,)
+    #: tangential stretch [m] and force of the dashpots [N]; of faces the overlap u0 [m] and kn a step ago [N/m],
+    #: (pairs, 8)
+    memory: Floats
+    touch: Bytes  #: `TouchState`, (pairs,)
+    bond: Ints  #: the bond of each pair, or -1; while it joins them they do not touch, (pairs,)
+    joined: Floats  #: above 0 of bonds that join their elements, which then do not touch, (*,)
+    of_bond: Ints  #: the pair of each bond, or -1, (*,)
+    period: Floats  #: edges of the periodic cell and their inverses, zero where there is none, (6,)
+
+
+class NearPairs(NamedTuple):
+    """Pairs that every step examines, until distances are measured again."""
+
+    near: Uint32s  #: pairs that may touch, (pairs + 1,)
+    close: Uint32s  #: pairs that touch or have just parted, (pairs + 1,)
+    #: of these: force on the later element [N], lost to dashpots [J], torque over the radius [N], lost to friction
+    #: [J], (pairs, 8)
+    output: Floats
+    counts: Ints  #: of near and of close pairs of each portion of elements, (element_portions, 2)
+    width: float  #: motion of an element after which distances are measured again [m]
+    beyond: float  #: gap up to which pairs that do not touch act [m]
+
+
+class AdheringPairs(NamedTuple):
+    """Adhesion of near pairs."""
+
+    force: Floats  #: on the later element [N], (pairs, 3)
+
+
+class RolledPairs(NamedTuple):
+    """Resistance of pairs to rolling."""
+
+    rolled: Floats  #: R̄ times the rotation that the spring of each pair stores [m], (pairs, 3)
+    output: Floats  #: moment on the later element [N·m], lost to friction [J], (pairs, 4)
+
+
+class RolledWalls(NamedTuple):
+    """Resistance of elements at walls to rolling."""
+
+    rolled: Floats  #: R times the rotation that the spring of each contact stores [m], (wall_contacts, 3)
+
+
+class FacePairs(NamedTuple):
+    """Faces of cells on material planes whose facet has cracked, and the pairs that touch by them."""
+
+    in_start: Ints  #: facets of each cell, as `FacetsOfCells` has them, (n + 1,)
+    out_start: Ints  #: facets of each cell, as `FacetsOfCells` has them, (n + 1,)
+    out_bond: Uint32s  #: (*,)
+    lever_i: Int32s  #: those of `ElasticFacets`, (3, m)
+    lever_j: Int32s  #: as `ElasticFacets` has them, (3, m)
+    pitch: Floats  #: (3,)
+    normal: Floats  #: (3, m)
+    j: Uint32s  #: later cell, (m,)
+    k: Floats  #: [N/m, m²], (m,)
+    area: Floats  #: [m²], (m,)
+    listed: Bytes  #: that of `CohesiveCracks`, (m,)
+    plane: Floats  #: 1 for facets of material planes, (m,)
+    open: Bytes  #: 1 for facets whose faces have parted, 2 in the step in which they do, (m,)
+    faced: Bytes  #: 1 for cells with such a facet, (n,)
+    outer: Floats  #: distance within which two cells touch by faces, as a sum of both [m], (n,)
+    earlier_start: Ints  #: start of the pairs whose earlier element each element is, (n + 1,)
+    earlier: Uint32s  #: these pairs, (pairs,)
+    chosen: Floats  #: the two faces by which each pair touches as one number, 0 for none, (pairs,)
+    whole: Floats  #: reach of the spheres of pairs whose faces have not lain between them [m], (pairs,)
+    #: pairs that touch by faces or did a step ago, ascending, those of a portion from its first on, (pairs,)
+    close: Uint32s
+    #: of pair k: force on the later element [N], lost to dashpots [J], torque on it [N·m], lost to friction [J],
+    #: torque on the earlier one [N·m], (pairs, 12)
+    output: Floats
+    gained: Floats  #: energy taken over from facets that part [J], (pairs,)
+    count: Ints  #: close pairs of each portion of elements, (element_portions,)
+
+
+class Travel(NamedTuple):
+    """Motion of the elements since their distances were measured, and since the list was made."""
+
+    listed: Floats  #: centres when the list was made [m], (n, 3)
+    measured: Floats  #: centres when distances were measured [m], (n, 3)
+    portion: Floats  #: squares of both largest distances [m²], and the deepest overlap [-], (element_portions, 3)
+    far: Floats  #: both largest distances; the second is below 0 before the first measurement [m], (2,)
+    reach: float  #: motion of an element or a wall for which the list is made [m]
+
+
+class ContactSums(NamedTuple):
+    """Forces and losses of contacts of elements, zero between steps."""
+
+    sums: Floats  #: force [N], lost to dashpots [J], torque [N·m], lost to friction [J], (n, 8)
+
+
+class ContactEnergies(NamedTuple):
+    """Elastic energy of the contacts of each portion of elements."""
+
+    energy: Floats  #: [J], (element_portions,)
+
+
+class WallContacts(NamedTuple):
+    """Contacts of elements with walls, b of them."""
+
+    start: Ints  #: start of the contacts of each element, (n + 1,)
+    element: Uint32s  #: (wall_contacts,)
+    wall: Uint32s  #: (wall_contacts,)
+    gap: Floats  #: gap from which the overlap counts [m], (wall_contacts,)
+    memory: Floats  #: as that of pairs, (wall_contacts, 6)
+    touch: Bytes  #: (wall_contacts,)
+    output: Floats  #: rows of `WallLoad`, (wall_contacts, 7)
+
+
+class Walls(NamedTuple):
+    """Walls, w of them."""
+
+    shape: Floats  #: rows of `WallShape`, (walls, 12)
+    body: Floats  #: positions, velocities and loads of the walls, as `State.walls`, (walls, 27)
+    inertia: Floats  #: rows of `WallInertia`, (walls, 8)
+    listed: Floats  #: where the walls were when the list was made, rows of `WallListed`, (walls, 8)
+
+
+class WallMotions(NamedTuple):
+    """Prescribed motions of walls, servos, and free walls."""
+
+    times: Floats  #: schedules, as those of `Timeline`, (wall_times,)
+    values: Floats  #: schedules, as those of `Timeline`, (wall_times,)
+    start: Ints  #: (wall_schedules + 1,)
+    drive_wall: Ints  #: (wall_drives,)
+    drive_component: Ints  #: (wall_drives,)
+    drive_schedule: Ints  #: (wall_drives,)
+    drive_rate: Bytes  #: 1 for a velocity, 0 for a displacement, (wall_drives,)
+    drive_axis: Floats  #: of what turns, zero for other components, (wall_drives, 3)
+    servo_wall: Ints  #: (servos,)
+    servo_schedule: Ints  #: (servos,)
+    servo_speed: Floats  #: largest speed [m/s], (servos,)
+    servo_mass: Floats  #: [kg], (servos,)
+    servo_damping: Floats  #: share of the missing force that resists the motion [-], (servos,)
+    free_wall: Ints  #: (free_walls,)
+    free_mass: Floats  #: [kg], (free_walls,)
+    free_force: Floats  #: on each beside that of elements [N], (free_walls, 3)
+    free_torque: Floats  #: on each beside that of elements [N·m], (free_walls, 3)
+
+
+class PairSources(NamedTuple):
+    """Bonds and memories of contacts, of which the list of pairs is made."""
+
+    bond_start: Ints  #: start of the bonds of each later element, (n + 1,)
+    bond_first: Uint32s  #: their earlier elements, (m,)
+    wanted: Bytes  #: whether the pair of a bond is listed, however far apart, (m,)
+    rest_start: Ints  #: start of the pairs of each later element that overlap in the reference, (n + 1,)
+    rest_first: Uint32s  #: (rest,)
+    rest_gap: Floats  #: [m], (rest,)
+    kept_start: Ints  #: start of the pairs of each later element that touch, (n + 1,)
+    kept_first: Uint32s  #: (kept,)
+    kept_memory: Floats  #: (kept, 8)
+
+
+class FoundPairs(NamedTuple):
+    """The list of pairs, c of them, sorted by the later element, then by the earlier one."""
+
+    first: Uint32s  #: (room,)
+    second: Uint32s  #: (room,)
+    bond: Ints  #: the bond of each pair, or -1, (room,)
+    start: Ints  #: start of the pairs of each later element, (n + 1,)
+    gap: Floats  #: gap from which the overlap counts, at most 0 [m], (room,)
+    memory: Floats  #: as `State.stretch`, (room, 8)
+    touch: Bytes  #: (room,)
+
+
+class WallSources(NamedTuple):
+    """Memories of contacts with walls, of which their list is made."""
+
+    radius: Floats  #: radii of the elements [m], (n,)
+    rest_start: Ints  #: start of the contacts of each element that overlap in the reference, (n + 1,)
+    rest_wall: Uint32s  #: (rest,)
+    rest_gap: Floats  #: [m], (rest,)
+    kept_start: Ints  #: start of the contacts of each element that touch, (n + 1,)
+    kept_wall: Uint32s  #: (kept,)
+    kept_memory: Floats  #: (kept, 6)
+    skin: float  #: largest gap [m]
+    start: Ints  #: start of the found contacts of each element, (n + 1,)
+
+
+class FoundWalls(NamedTuple):
+    """The list of contacts with walls, b of them, sorted by element, then by wall."""
+
+    element: Uint32s  #: (room,)
+    wall: Uint32s  #: (room,)
+    gap: Floats  #: gap from which the overlap counts, at most 0 [m], (room,)
+    now: Floats  #: present gap [m], (room,)
+    memory: Floats  #: tangential stretch [m] and force of the dashpots [N], (room, 6)
+    touch: Bytes  #: (room,)

@@ -1,0 +1,51 @@
+"""Tables of `core/tables/crack_sample_tables.hpp`, written by `python -m tests.core.tables` from the header."""
+
+from typing import NamedTuple
+
+from bondem._types import Floats
+
+
+class SofteningSamples(NamedTuple):
+    """Facets that follow the softening curve (`laws/softening.hpp`)."""
+
+    #: traction [Pa], normal, T_b [Pa], mean stress of both cells xx, yy, zz, xy, xz, yz [Pa]; f_t, 1 / T_l, c, 1 /
+    #: T_l of slip [Pa, 1/Pa], tan φ, 1 where one integrity goes for all directions; axes e_1, e_2, e_3; s_1, s_2,
+    #: s_3, grip; slip as a traction [Pa], distance of the faces over that of the cells [-], (36, m)
+    given: Floats
+    kink: float  #: of the softening curve
+    steep: float  #: of the softening curve
+    wide: int  #: whether lanes are used
+    left: Floats  #: what is left of s_1, s_2, s_3, grip, and the traction below which a plane loses none [Pa], (5, m)
+
+
+class CrackSamples(NamedTuple):
+    """Cracks (`laws/crack.hpp`)."""
+
+    #: branch, orientations of i and j, levers of i and j, shares of i and j, normal; H, k, w; axes as a quaternion,
+    #: s_1, s_2, s_3, grip, 1 with friction; σ of i and j [Pa], slip in the frame of i [m], friction; integrities,
+    #: their rates and friction force before, (60, m)
+    given: Floats
+    wide: int
+    #: force, torques on i and j, friction force, slip; four rates, bending [J], torque of bending; energy across and
+    #: along; energy dissipated by the crack and by friction; V θ of the halves of i and j [m³], (29, m)
+    found: Floats
+
+
+class YieldSamples(NamedTuple):
+    """Cells that yield (`laws/plasticity.hpp`)."""
+
+    stress: Floats  #: [Pa], (6, m)
+    strength: Floats  #: cohesion [Pa], slope, dilation, stiffness [Pa], slip held, (5, m)
+    cone: int  #: whether by Drucker and Prager
+    wide: int
+    #: bound of F [Pa], Δγ, what is held, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa], (12, m)
+    found: Floats
+
+
+class StressBoundSamples(NamedTuple):
+    """Bounds of principal stresses, and of what bending opens of a facet (`laws/stress.hpp`)."""
+
+    stress: Floats  #: [Pa], (6, m)
+    bent: Floats  #: T_b [Pa], (m,)
+    wide: int
+    found: Floats  #: bounds of σ_1 and σ_3, another of σ_1; T_b less the pressure, and its bound [Pa], (5, m)

@@ -1,0 +1,79 @@
+"""Tables of `core/tables/damage_tables.hpp`, written by `python -m tests.core.tables` from the header."""
+
+from typing import NamedTuple
+
+from bondem._types import Bytes, Floats, Ints, Singles, Uint32s
+
+
+class FailureBounds(NamedTuple):
+    """Bounds that bonds do not reach as long as they cannot fail."""
+
+    limit: Singles  #: of of_force |F|² + of_moment |M|²; inf of bonds that cannot fail, (m,)
+    of_force: float  #: [1/N²]
+    of_moment: float  #: [1/(N·m)²]
+
+
+class Strengths(NamedTuple):
+    """Coefficients of the criterion of each bond."""
+
+    coefficient: Floats  #: (bonds, 4)
+    station: Floats  #: place where the moment counts, from i over the length; below 0 for the larger end, (bonds,)
+
+
+class Candidates(NamedTuple):
+    """Bonds that are near to failure, and then those of them that fail, in the order of the bonds."""
+
+    begin: Ints  #: first bond of each block, (blocks + 1,)
+    marked: Ints  #: those of a block from begin[block] on, (bonds,)
+    mode: Ints  #: of those that fail, (bonds,)
+    count: Ints  #: number of each block, (blocks,)
+    any: Ints  #: 1 where a bond fails in this step, (1,)
+
+
+class Postponed(NamedTuple):
+    """Elements that close a step with all bonds, and open the next without those that failed."""
+
+    held: Bytes  #: not 0 for elements that are postponed, (n,)
+    element: Uint32s  #: lists of these elements, (n,)
+    row: Uint32s  #: rows of their sums, (n,)
+    first_row: int  #: of the sums of a step that keep those of the postponed, one row per element
+    kept: Floats  #: these rows, (n, 8)
+
+
+class EventLog(NamedTuple):
+    """Failures of one call of the core, in the order of time."""
+
+    event: Floats  #: time [s], step, bond, mode, gap [m], energy [J], place [m], steps since onset, (bonds, 10)
+    written: Ints  #: number of events, and of those before the present step, (2,)
+    released: Floats  #: energy released since the start of the run [J], (1,)
+    crushed: Floats  #: what bonds had released before it beyond their fracture energy [J], (1,)
+
+
+class BeamIntegrity(NamedTuple):
+    """Integrity of beams, which failure changes."""
+
+    integrity: Floats  #: 1 intact … 0 broken [-], (m,)
+    hold: Floats  #: integrity over rest length of beams that share their constants [1/m], (*,)
+
+
+class FailureIndices(NamedTuple):
+    """Index of the criterion of each bond."""
+
+    index: Floats  #: 1 at failure, 0 of broken bonds [-], (m,)
+
+
+class StressCandidates(NamedTuple):
+    """Bonds of which a criterion evaluates a stress."""
+
+    bond: Ints  #: those of a portion of bonds from its first bond on, (candidates,)
+    stress: Floats  #: symmetric [Pa], (candidates, 3, 3)
+    found: Floats  #: index of each, at 1 a bond fails [-], (candidates,)
+    number: Ints  #: number of candidates of each portion, (bond_portions,)
+    total: Ints  #: of all portions, where they have been moved together, (1,)
+
+
+class StressFunction(NamedTuple):
+    """A criterion that is a function of a stress."""
+
+    address: int  #: of a C function (`passes/damage/stress_criteria.hpp`), 0 for a criterion of the core
+    parameter: Floats  #: (parameters,)

@@ -1,0 +1,56 @@
+"""Tables of `core/tables/non_local_tables.hpp`, written by `python -m tests.core.tables` from the header."""
+
+from typing import NamedTuple
+
+from bondem._types import Floats, Ints, Uint32s
+
+
+class NonLocalBonds(NamedTuple):
+    """Bonds of the non-local law, m of them, the data that they store, and their present loads."""
+
+    area: Floats  #: [m²], (m,)
+    kn: Floats  #: [N/m], (m,)
+    kt: Floats  #: [m², N/m], (m,)
+    normal: Floats  #: from i to j in the reference [-], (3, m)
+    lever_i: Floats  #: from the element i to the contact point in the reference [m], (3, m)
+    lever_j: Floats  #: from the elements to the contact point in the reference [m], (3, m)
+    nu: float  #: ν [-]
+    limited: int  #: whether the extra shear force is limited
+    history: Floats  #: gap [m], extra force [N] and its work [J], in the frame of element i, (7, m)
+    output: Floats  #: force on i, torque on i, minus torque on j, now [N, N·m], (9, m)
+
+
+class LaggedStresses(NamedTuple):
+    """Stresses of n elements."""
+
+    inverse: Floats  #: 1 / V [1/m³], (n,)
+    stress: Floats  #: in the element's own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+    space: Floats  #: in space, and bounds of σ1 and σ3 [Pa], (n, 8)
+    #: contributions of forces to V σ, zero between steps; rows of shared elements follow [N·m], (*, 8)
+    moment: Floats
+    to_i: Uint32s  #: row of the moment of element i of each bond, (m,)
+
+
+class NonLocalWork(NamedTuple):
+    """Work of extra forces."""
+
+    taken: Floats  #: in each portion of bonds [J], (bond_portions,)
+
+
+class SmallPairs(NamedTuple):
+    """Bonds at small strain, and the stresses and gaps of the iteration before."""
+
+    pairs: Ints  #: elements of each bond, (m, 2)
+    area: Floats  #: [m²], (m,)
+    kt: Floats  #: [N/m], (m,)
+    nu: float  #: ν [-]
+    limited: int  #: whether the extra shear force is limited
+    normal: Floats  #: [-], (m, 3)
+    stress: Floats  #: of the elements, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+    gap: Floats  #: [m], (m, 3)
+
+
+class ExtraForces(NamedTuple):
+    """Extra forces of bonds."""
+
+    force: Floats  #: [N], (m, 3)

@@ -1,0 +1,249 @@
+"""Tables of `core/tables/step_tables.hpp`, written by `python -m tests.core.tables` from the header."""
+
+from typing import NamedTuple
+
+from bondem._types import Bytes, Floats, Ints, Uint32s
+
+
+class Moving(NamedTuple):
+    """The motion of n elements; arrays of a state."""
+
+    pose: Floats  #: (n, 8)
+    motion: Floats  #: (n, 8)
+    acceleration: Floats  #: at a pause [m/s², rad/s²], (n, 6)
+    loss: Floats  #: taken by damping [J], its present power [W], lost to friction [J], (n, 3)
+    rest: Floats  #: centres in the reference [m], (n, 3)
+
+
+class Beams(NamedTuple):
+    """Beams, m of them, and a few without force behind them where they are fewer than a group."""
+
+    i: Uint32s  #: (m,)
+    j: Uint32s  #: (m,)
+    X0: Floats  #: reference direction i→j [-], (m,)
+    Y0: Floats  #: reference direction i→j [-], (m,)
+    Z0: Floats  #: reference direction i→j [-], (m,)
+    length: Floats  #: at rest, L (1 + ε*) [m], (m,)
+    kn: Floats  #: [N/m], (m,)
+    A: Floats  #: constants of the energy [N·m], (m,)
+    B: Floats  #: constants of the energy [N·m], (m,)
+    C: Floats  #: constants of the energy [N·m], (m,)
+    kt: Floats  #: [N·m], (m,)
+    ks: Floats  #: [N/m], (m,)
+    lever: Floats  #: of the contact point from i [m], (m,)
+    integrity: Floats  #: 1 intact … 0 broken [-], (m,)
+    period: Floats  #: edges of the periodic cell and their inverses, zero where there is none, (6,)
+
+
+class AlikeBeams(NamedTuple):
+    """Constants that all beams share that differ in length only."""
+
+    hold: Floats  #: integrity over rest length [1/m], (m,)
+    knL: float  #: kn L [N]
+    AL: float  #: A L = C L [N·m²]
+    BL: float  #: B L [N·m²]
+    ktL: float  #: kt L [N·m²]
+
+
+class Poses(NamedTuple):
+    """Places and orientations of elements."""
+
+    pose: Floats  #: (n, 8)
+
+
+class BeamSums(NamedTuple):
+    """Sums that beams add the forces on their two ends to."""
+
+    row_i: Uint32s  #: (m,)
+    row_j: Uint32s  #: (m,)
+    sums: Floats  #: force, 0, torque, 0 [N, N·m], (sums, 8)
+
+
+class BeamEnergies(NamedTuple):
+    """Energies of all beams."""
+
+    energy: Floats  #: normal, shear, bending, twisting [J], (4,)
+
+
+class BeamTurns(NamedTuple):
+    """Unbroken beams turned wide and lost, and 1 where a number is not finite."""
+
+    found: Ints  #: (3,)
+
+
+class Dashpots(NamedTuple):
+    """Dashpots beside the springs of beams, and their forces."""
+
+    c: Floats  #: cn, cs [N·s/m], cb, ct [N·m·s], (4, m)
+    share: Floats  #: where the contact point divides a beam, from i [-], (m,)
+    sums: Floats  #: on each element, in rows as `StepCut.sums`, (*, 8)
+
+
+class StepCut(NamedTuple):
+    """Division of a step in the form of the core (attributes of `Blocks`), and the sums that it adds to."""
+
+    domain: Ints  #: (domains + 1,)
+    bond: Ints  #: (blocks + 1,)
+    move: Ints  #: (blocks + 1,)
+    held: Ints  #: (blocks,)
+    ready: Uint32s  #: (ready,)
+    ready_row: Uint32s  #: (ready,)
+    row_i: Uint32s  #: (m,)
+    row_j: Uint32s  #: (m,)
+    shared: Uint32s  #: (shared,)
+    shared_row: Uint32s  #: (shared,)
+    shared_held: int
+    part: Ints  #: (shared + 1,)
+    parts: int
+    sums: Floats  #: force and torque of the bonds on each element [N, N·m], (sums, 8)
+
+
+class StepScheme(NamedTuple):
+    """One step of time integration; see `bondem.dynamics.schemes`."""
+
+    dt: float  #: [s]
+    finish: float  #: [s]
+    begin: float  #: [s]
+    extra: float  #: [s²]
+    gamma: float  #: of local damping [-]
+    origin: float  #: time of step 0 [s]
+
+
+class Rows(NamedTuple):
+    """Rows of the elements that are held, driven or loaded, r of them; passes write all but `of` and `fixed`."""
+
+    of: Ints  #: row of each element, or -1, (n,)
+    fixed: Bytes  #: degrees of freedom with prescribed motion, (rows, 6)
+    force: Floats  #: of loads now [N, N·m], (rows, 6)
+    half: Floats  #: prescribed velocities over the step [m/s, rad/s], (rows, 6)
+    full: Floats  #: prescribed velocities now, (rows, 6)
+    reaction: Floats  #: minus the bond forces [N, N·m], (rows, 6)
+    grip: Floats  #: of walls that hold facets of cells [N, N·m], (r, 6), or (0, 6) without any, (*, 6)
+    #: of loads and drives on each row [J], then of body forces, strains and walls that hold cells, (works,)
+    work: Floats
+
+
+class Timeline(NamedTuple):
+    """Piecewise linear functions of time, one after the other."""
+
+    times: Floats  #: [s], (times,)
+    values: Floats  #: [s], and what they are of, (times,)
+    start: Ints  #: where each begins, (schedules + 1,)
+
+
+class Drives(NamedTuple):
+    """Degrees of freedom that follow schedules."""
+
+    row: Ints  #: (drives,)
+    dof: Ints  #: (drives,)
+    schedule: Ints  #: (drives,)
+    rate: Bytes  #: 1 for a velocity, 0 for a displacement, (drives,)
+
+
+class RowLoads(NamedTuple):
+    """Forces and torques that follow schedules."""
+
+    row: Ints  #: (loads,)
+    schedule: Ints  #: (loads,)
+    value: Floats  #: [N, N·m], (loads, 6)
+    turns: Ints  #: element with which each turns, or -1, (loads,)
+
+
+class CoupleTable(NamedTuple):
+    """Moments of loads on points of elements, c of them."""
+
+    start: Ints  #: where the points of each begin, (couples + 1,)
+    schedule: Ints  #: (couples,)
+    moment: Floats  #: [N·m], (couples, 3)
+    element: Ints  #: of each point, (points,)
+    row: Ints  #: of the boundary, that the element owns, (points,)
+    arm: Floats  #: from its centre [m], (points, 3)
+    share: Floats  #: of the moment's forces [-], (points,)
+
+
+class BodyForces(NamedTuple):
+    """Body forces, b of them, on g groups of elements."""
+
+    group: Uint32s  #: of each element, (n,)
+    member: Floats  #: whether each acts on a group, (groups, bodies)
+    pull: Floats  #: accelerations [m/s²], (bodies, 3)
+    schedule: Ints  #: (bodies,)
+    present: Floats  #: acceleration of each group now [m/s²], (groups, 3)
+    factor: Floats  #: of which factors it is, (bodies,)
+    work: Floats  #: on each element [J], (n, 1)
+
+
+class Resistance(NamedTuple):
+    """Damping and dashpots that resist the motion of elements."""
+
+    gamma: float  #: of local damping [-]
+    alpha: float  #: of mass damping [1/s]
+    viscous: int  #: whether there is mass damping or any dashpot
+    dashed: Floats  #: the sums of `Dashpots`, or, (*, 8)
+    absorbing: Floats  #: dashpots of each row, xx, yy, zz, xy, xz, yz [N·s/m], or, (*, 6)
+
+
+class Strain(NamedTuple):
+    """Stress-free strains that change in time; e bonds, g strains."""
+
+    schedule: Ints  #: (strains,)
+    bond: Uint32s  #: (strained,)
+    part: Floats  #: strain of each bond at factor 1 [-], (strains, strained)
+    still: Floats  #: 1 and what does not change [-], (strained,)
+    length: Floats  #: L [m], (strained,)
+    shear: Floats  #: ks [N/m], (strained,)
+    lever: Floats  #: a [m], (strained,)
+    factor: Floats  #: rows: present factors, those to come, energy by factor [J] a step ago and now, (4, strains)
+    place: int  #: in the list of works
+
+
+class Portions(NamedTuple):
+    """Sums over portions of elements and bonds, and what is made of them."""
+
+    elements: Floats  #: translation, rotation, damped, rubbed [J], (element_portions, 4)
+    bonds: Floats  #: energy of the four modes [J], (bond_portions, 4)
+    turned: Ints  #: unbroken bonds turned wide, and lost; whether a number was not finite, (bond_portions, 3)
+    budget: Floats  #: energy at the start, the most that was put in since, and the supply of walls [J], (3,)
+    found: Ints  #: bonds turned wide, and lost; 1 not finite, 2 a runaway; 1 for a list out of date, (4,)
+
+
+class Gauges(NamedTuple):
+    """Elements, quantities and reductions of the gauges of a run, g of them."""
+
+    start: Ints  #: start of the elements of each gauge, (gauges + 1,)
+    element: Ints  #: elements, or the number of a wall, (gauged,)
+    quantity: Ints  #: number of the quantity, (gauges,)
+    reduction: Ints  #: number of the reduction, (gauges,)
+
+
+class HistoryRows(NamedTuple):
+    """Rows of the history."""
+
+    record: Floats  #: (*, columns)
+
+
+class StepPasses(NamedTuple):
+    """Lists of passes (`bondem._core_steps.Composer`)."""
+
+    present: Ints  #: bring boundary conditions to the time of the clock, (*, 8)
+    opening: Ints  #: elements open a step after a pause, (*, 8)
+    travel: Ints  #: walls move, and lists of contacts may be out of date, (*, 8)
+    forces: Ints  #: forces, and what elements do with them, (*, 8)
+    resume: Ints  #: elements that a failure has delayed find their acceleration without what failed, (*, 8)
+    reopening: Ints  #: and open the next step, (*, 8)
+    guard: Ints  #: whether the run is sound, (*, 8)
+    record: Ints  #: a row of the history, (*, 8)
+
+
+class StepSpan(NamedTuple):
+    """Steps that a call takes, and counts of what it did."""
+
+    step: int  #: number of the present one
+    steps: int  #: how many to go
+    every: int  #: steps between records, 0 for none
+    looks: int  #: whether it takes none, and records the present
+    stale: int  #: whether the acceleration is to be found for that
+    moved: int  #: whether elements and walls have moved already in the first step, whose list was out of date
+    n: int  #: elements
+    m: int  #: bonds, without those that fill a group
+    done: Ints  #: steps done, records written, bonds turned wide at most and lost, (4,)

@@ -1,0 +1,49 @@
+"""Tables of `core/tables/stiffness_tables.hpp`, written by `python -m tests.core.tables` from the header."""
+
+from typing import NamedTuple
+
+from bondem._types import Floats, Int32s, Ints, Uint32s
+
+
+class BeamRows(NamedTuple):
+    """Beams at rest, m of them."""
+
+    i: Uint32s  #: elements, i < j, (m,)
+    j: Uint32s  #: elements, i < j, (m,)
+    direction: Floats  #: reference direction i→j [-], (3, m)
+    length: Floats  #: at rest [m], (m,)
+    lever: Floats  #: of the contact point from i [m], (m,)
+    kn: Floats  #: [N/m], (m,)
+    ks: Floats  #: [N/m], (m,)
+    kb: Floats  #: [N·m], (m,)
+    kt: Floats  #: [N·m], (m,)
+
+
+class FacetRows(NamedTuple):
+    """Constants of m facets, a row each; see `bondem.interactions.cells.cell_constants`."""
+
+    i: Uint32s  #: cells, i < j, (m,)
+    j: Uint32s  #: cells, i < j, (m,)
+    k: Floats  #: [N/m], (m,)
+    lever_i: Floats  #: from the centres to the facet [m], (m, 3)
+    lever_j: Floats  #: from the centres to the facet [m], (m, 3)
+    H: Floats  #: [N·m], (m, 3, 3)
+    share_i: Floats  #: of each side in the dilatation of its cell [m²], (m, 3)
+    share_j: Floats  #: of each side in the dilatation of its cell [m²], (m, 3)
+
+
+class BlockRows(NamedTuple):
+    """Block rows of a matrix, one per element: earlier neighbours, the diagonal, later neighbours."""
+
+    in_start: Ints  #: bonds in_start[p] … in_start[p + 1] - 1 end in p, (n + 1,)
+    out_start: Ints  #: those that begin in p are in …, (n + 1,)
+    out_bond: Uint32s  #: … this, from out_start[p] to out_start[p + 1] - 1, (m,)
+    indptr: Int32s  #: where the blocks of each row begin, (n + 1,)
+    indices: Int32s  #: column of each block, (blocks,)
+    data: Floats  #: blocks of (u, θ) [N/m, N, N·m], (blocks, 6, 6)
+
+
+class DilatationRows(NamedTuple):
+    """Forms whose sum is the dilatation of each cell, in the same rows."""
+
+    forms: Floats  #: V θ under unit motions [m², m³], (blocks, 1, 6)
