@@ -17,7 +17,7 @@ def bondem(command: str, encoding: str = "utf-8", **options) -> subprocess.Compl
     program = f'bondem() {{ {sys.executable} -c "from bondem.cli import main; main()" "$@"; }}; {command}'
     return subprocess.run(
         ["bash", "-c", program], capture_output=True, timeout=100, check=False,
-        env=os.environ | {"PYTHONIOENCODING": encoding}, **options,
+        env=os.environ | {"PYTHONIOENCODING": encoding, "PYTHONUNBUFFERED": ""}, **options,
     )  # fmt: skip
 
 

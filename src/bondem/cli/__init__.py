@@ -77,6 +77,8 @@ def leave_with(command: click.Command) -> NoReturn:
     with warnings.catch_warnings():
         warnings.showwarning = _warn
         status = _status(command)
+    with contextlib.suppress(OSError):  # where nobody can be told, the status is
+        flush(sys.stderr)
     sys.exit(status)
 
 
@@ -87,7 +89,7 @@ def _status(command: click.Command) -> int:
         except click.exceptions.Exit as stop:
             return stop.exit_code
         finally:
-            flush()
+            flush(sys.stdout)
     except BrokenPipeError:  # the reader, such as `head`, has seen enough
         return UNREAD
     except OSError as error:

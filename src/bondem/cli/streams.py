@@ -5,6 +5,7 @@ import io
 import os
 import sys
 import unicodedata
+from typing import TextIO
 
 _ERRORS = "bondem-plain"
 # Characters without a decomposition into plain ones.
@@ -37,18 +38,18 @@ def accept_all_characters() -> None:
             stream.reconfigure(errors=_ERRORS)
 
 
-def flush() -> None:
-    """Write what is buffered for stdout; a failure is raised here, and not at the end of the process.
+def flush(stream: TextIO | None) -> None:
+    """Write what is buffered for stdout or stderr; a failure is raised here, and not at the end of the process.
 
     Raises:
-        OSError: stdout cannot be written to.
+        OSError: The stream cannot be written to.
     """
     try:
-        if sys.stdout is not None:
-            sys.stdout.flush()
+        if stream is not None:
+            stream.flush()
     except OSError:
-        # the interpreter would try again at its end, and print a traceback
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        # the interpreter would try again at its end, print a traceback and leave with a status of its own
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
         raise
 
 
