@@ -44,9 +44,10 @@ def flush(stream: TextIO | None) -> None:
     Raises:
         OSError: The stream cannot be written to.
     """
+    if stream is None:  # a process without a console
+        return
     try:
-        if stream is not None:
-            stream.flush()
+        stream.flush()
     except OSError:
         # the interpreter would try again at its end, print a traceback and leave with a status of its own
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
