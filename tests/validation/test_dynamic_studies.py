@@ -11,7 +11,6 @@ import bondem as bd
 from bondem.errors import InputError
 from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.cantilever import mass_gyration
-from bondem.labtests.vibration import ramped_vibration
 from bondem.labtests.wave import first_passage, strike
 from tests.specimens import chain, loose, spheres
 from validation.__main__ import validation
@@ -19,6 +18,7 @@ from validation.frame.files import plain, thinned
 from validation.measures.effective_section import SectionRadii, implied_radius, section_profile
 from validation.measures.explicit_tension import ExplicitTension, explicit_tension
 from validation.measures.inertia import inertia_excess, stiffness_effect
+from validation.measures.ramped_vibration import ramped_vibration
 from validation.studies.section import PAPER, carried_over
 from validation.studies.wave import WaveStudy
 

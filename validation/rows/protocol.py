@@ -12,12 +12,12 @@ from bondem.geometry.elementary_shapes import Cylinder
 from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
 from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.faces import specimen_faces
-from bondem.labtests.vibration import ramped_vibration
 from bondem.labtests.wave import first_passage, strike
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.materials import fused_silica
 from validation.frame.files import plain
 from validation.measures.ramped_loads import KINDS, ramped_load
+from validation.measures.ramped_vibration import ramped_vibration
 from validation.rows.packings import PackingTest, kept_lattice
 
 #: Table 2 of the paper.

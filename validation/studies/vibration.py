@@ -11,13 +11,14 @@ from bondem._checks import count, number
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
-from bondem.labtests.vibration import FreeVibration, ramped_vibration
+from bondem.labtests.vibration import FreeVibration
 from bondem.model.model import Model
 from bondem.specimen.materials import fused_silica
 from validation.figures.energy import draw_breakdown, draw_inertia, draw_vibration_energy
 from validation.frame.files import in_percent, mean_and_scatter, table, thinned
 from validation.frame.study import Row
 from validation.measures.inertia import inertia_excess, stiffness_effect
+from validation.measures.ramped_vibration import ramped_vibration
 from validation.rows.bar import BarStudy, BarTest, CalibratedBar
 from validation.rows.packings import PackingRequest
 from validation.studies.quasistatic import shares

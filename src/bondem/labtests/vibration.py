@@ -11,9 +11,9 @@ from bondem._progress import staged
 from bondem._types import Floats
 from bondem.boundary.conditions import Fix, Load
 from bondem.boundary.gauges import Gauge
-from bondem.boundary.schedules import Constant, Ramp, Schedule
-from bondem.dynamics.plan import ExplicitResult, Plan, settled
-from bondem.errors import InputError, UnstableRunError
+from bondem.boundary.schedules import Constant, Schedule
+from bondem.dynamics.plan import ExplicitResult
+from bondem.errors import UnstableRunError
 from bondem.labtests.arguments import AnyLaw, check
 from bondem.labtests.beam_tests import CrossSection
 from bondem.labtests.cantilever import Cantilever
@@ -21,7 +21,6 @@ from bondem.labtests.frequency import dominant_frequency
 from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.run import solve_explicit
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material, constant
 from bondem.specimen.regions import Face
@@ -29,7 +28,7 @@ from bondem.statics.static import solve_static
 
 # Steps between records: a wave crosses less than an element radius a step, so no first mode has fewer than a
 # dozen samples a period.
-_EVERY = 8
+RECORD_INTERVAL = 8
 _AT_ONCE = Constant(1.0)
 
 
@@ -135,67 +134,10 @@ def free_vibration(
         position=state.position + start.displacement, orientation=_quaternions(start.rotation)
     )
     return run_test(
-        "free_vibration", model, lambda run: _recorded(run, 0.0, start.energy.total),
-        duration=periods / bar.bending_frequency_timoshenko, every=_EVERY, out=out, state=state,
-        gauges=_gauges(depth), progress=progress,
+        "free_vibration", model, lambda run: recorded_vibration(run, 0.0, start.energy.total),
+        duration=periods / bar.bending_frequency_timoshenko, every=RECORD_INTERVAL, out=out, state=state,
+        gauges=end_gauges(depth), progress=progress,
     )  # fmt: skip
-
-
-def ramped_vibration(
-    lattice: Lattice,
-    law: AnyLaw,
-    *,
-    density: float,
-    steps: int = 50_000,
-    ramp: float = 0.4,
-    stress: float = 1e5,
-    depth: float = 0.02,
-    safety: float = 0.9,
-    progress: Callable[[float], None] | None = None,
-) -> FreeVibration:
-    """Load a clamped specimen gradually, release it and record the whole motion, as in the paper.
-
-    The loads are those of `free_vibration`. They increase from zero and are removed within one step.
-
-    Args:
-        lattice: the specimen.
-        law: bond law, cell law or non-local law of the specimen.
-        density: density of the elements, ρ_μ [kg/m³].
-        steps: number of steps.
-        ramp: share of the steps in which the loads increase [-].
-        stress: approximate final stress from each load [Pa].
-        depth: depth of the two face regions, in mean radii [-].
-        safety: time step over the critical time step [-].
-        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
-
-    Raises:
-        InputError: fewer than 1000 steps, or a ramp that leaves no steps for the vibration.
-    """
-    if steps < 1000:
-        raise InputError(f"steps = {steps}: too few for a few oscillations; give at least 1000")
-    growing = round(ramp * steps / _EVERY) * _EVERY
-    if not 0 < growing < steps:
-        raise InputError(f"ramp = {ramp}: not in (0, 1); give the share of the steps in which the loads increase")
-    held = Fix(Face("x_min", depth))
-    model = Model(lattice, law, density=density, boundary=[held])
-    dt = settled(model, Plan(duration=0.0, safety=safety)).dt
-    assert dt is not None
-    tell = progress or (lambda share: None)
-    released = growing * dt
-    section = CrossSection.of(lattice.particles.envelope)
-    load = combined_load(section, stress=stress, depth=depth, schedule=Ramp(0.0, 1.0, released))
-    loaded = solve_explicit(
-        model.with_boundary([held, load]), duration=released, dt=dt, gauges=_gauges(depth), every=_EVERY,
-        progress=lambda share: tell(share * growing / steps),
-    )  # fmt: skip
-    energy = float(loaded.history.energy["work"][-1])
-    before = _recorded(loaded, 0.0, energy)
-    # a run of its own: the kick that closes its last step is the load's, the one that opens the next is not
-    free = solve_explicit(
-        model, duration=(steps - growing) * dt, dt=dt, gauges=_gauges(depth), every=_EVERY, state=loaded.state,
-        progress=lambda share: tell((growing + share * (steps - growing)) / steps),
-    )  # fmt: skip
-    return _joined(before, _recorded(free, released, energy))
 
 
 def combined_load(
@@ -210,16 +152,18 @@ def combined_load(
     return Load(Face("x_max", depth), force=force, moment=moment, schedule=schedule)
 
 
-def _gauges(depth: float) -> dict[str, Gauge]:
+def end_gauges(depth: float) -> dict[str, Gauge]:
+    """Return gauges of the mean displacement [m] and rotation [rad] of the face x_max."""
     end = Face("x_max", depth)
     return {"shift": Gauge(end, "displacement"), "turn": Gauge(end, "rotation")}
 
 
-def _recorded(run: ExplicitResult, released: float, energy: float) -> FreeVibration:
+def recorded_vibration(run: ExplicitResult, released: float, energy: float) -> FreeVibration:
+    """Return the motion of a run with `end_gauges`; time of release [s] and energy at release [J] are given."""
     if run.status.failed:
         raise UnstableRunError(run.message)
     history = run.history
-    whole = slice(0, run.steps // _EVERY + 1)  # the last record of a run may come early
+    whole = slice(0, run.steps // RECORD_INTERVAL + 1)  # the last record of a run may come early
     shift, turn = history["shift"][whole], history["turn"][whole]
     ledger = history.energy
     return FreeVibration(
@@ -230,24 +174,6 @@ def _recorded(run: ExplicitResult, released: float, energy: float) -> FreeVibrat
         dt=run.dt,
         steps=run.steps,
         released=released,
-    )
-
-
-def _joined(before: FreeVibration, after: FreeVibration) -> FreeVibration:
-    """Join two runs, without the first record of the second, which equals the last record of the first."""
-    carried = {name: before.energy[name][-1] for name in ("work", "loss", "friction", "balance")}
-    energy = {
-        name: np.concatenate([values, after.energy[name][1:] + carried.get(name, 0.0)])
-        for name, values in before.energy.items()
-    }
-    return FreeVibration(
-        time=np.concatenate([before.time, after.time[1:]]),
-        signal={kind: np.concatenate([values, after.signal[kind][1:]]) for kind, values in before.signal.items()},
-        energy=energy,
-        energy_error=float(np.abs(energy["balance"]).max() / energy["work"].max()),
-        dt=before.dt,
-        steps=before.steps + after.steps,
-        released=after.released,
     )
 
 

@@ -1,0 +1,98 @@
+"""Free vibration of a clamped specimen after a slow ramp of its loads (André et al. 2012)."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from bondem.boundary.conditions import Fix
+from bondem.boundary.schedules import Ramp
+from bondem.dynamics.plan import Plan, settled
+from bondem.errors import InputError
+from bondem.labtests.arguments import AnyLaw
+from bondem.labtests.beam_tests import CrossSection
+from bondem.labtests.vibration import (
+    RECORD_INTERVAL,
+    FreeVibration,
+    combined_load,
+    end_gauges,
+    recorded_vibration,
+)
+from bondem.model.model import Model
+from bondem.run import solve_explicit
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.regions import Face
+
+
+def ramped_vibration(
+    lattice: Lattice,
+    law: AnyLaw,
+    *,
+    density: float,
+    steps: int = 50_000,
+    ramp: float = 0.4,
+    stress: float = 1e5,
+    depth: float = 0.02,
+    safety: float = 0.9,
+    progress: Callable[[float], None] | None = None,
+) -> FreeVibration:
+    """Load a clamped specimen gradually, release it and record the whole motion, as in the paper.
+
+    The loads are those of `free_vibration`. They increase from zero and are removed within one step.
+
+    Args:
+        lattice: the specimen.
+        law: bond law, cell law or non-local law of the specimen.
+        density: density of the elements, ρ_μ [kg/m³].
+        steps: number of steps.
+        ramp: share of the steps in which the loads increase [-].
+        stress: approximate final stress from each load [Pa].
+        depth: depth of the two face regions, in mean radii [-].
+        safety: time step over the critical time step [-].
+        progress: callback, called at intervals with the completed share of the run [-], 0 … 1.
+
+    Raises:
+        InputError: fewer than 1000 steps, or a ramp that leaves no steps for the vibration.
+    """
+    if steps < 1000:
+        raise InputError(f"steps = {steps}: too few for a few oscillations; give at least 1000")
+    growing = round(ramp * steps / RECORD_INTERVAL) * RECORD_INTERVAL
+    if not 0 < growing < steps:
+        raise InputError(f"ramp = {ramp}: not in (0, 1); give the share of the steps in which the loads increase")
+    held = Fix(Face("x_min", depth))
+    model = Model(lattice, law, density=density, boundary=[held])
+    dt = settled(model, Plan(duration=0.0, safety=safety)).dt
+    assert dt is not None
+    tell = progress or (lambda share: None)
+    released = growing * dt
+    section = CrossSection.of(lattice.particles.envelope)
+    load = combined_load(section, stress=stress, depth=depth, schedule=Ramp(0.0, 1.0, released))
+    loaded = solve_explicit(
+        model.with_boundary([held, load]), duration=released, dt=dt, gauges=end_gauges(depth), every=RECORD_INTERVAL,
+        progress=lambda share: tell(share * growing / steps),
+    )  # fmt: skip
+    energy = float(loaded.history.energy["work"][-1])
+    before = recorded_vibration(loaded, 0.0, energy)
+    # a run of its own: the kick that closes its last step is the load's, the one that opens the next is not
+    free = solve_explicit(
+        model, duration=(steps - growing) * dt, dt=dt, gauges=end_gauges(depth), every=RECORD_INTERVAL,
+        state=loaded.state, progress=lambda share: tell((growing + share * (steps - growing)) / steps),
+    )  # fmt: skip
+    return _joined(before, recorded_vibration(free, released, energy))
+
+
+def _joined(before: FreeVibration, after: FreeVibration) -> FreeVibration:
+    """Join two runs, without the first record of the second, which equals the last record of the first."""
+    carried = {name: before.energy[name][-1] for name in ("work", "loss", "friction", "balance")}
+    energy = {
+        name: np.concatenate([values, after.energy[name][1:] + carried.get(name, 0.0)])
+        for name, values in before.energy.items()
+    }
+    return FreeVibration(
+        time=np.concatenate([before.time, after.time[1:]]),
+        signal={kind: np.concatenate([values, after.signal[kind][1:]]) for kind, values in before.signal.items()},
+        energy=energy,
+        energy_error=float(np.abs(energy["balance"]).max() / energy["work"].max()),
+        dt=before.dt,
+        steps=before.steps + after.steps,
+        released=after.released,
+    )
