@@ -102,6 +102,7 @@ _PUBLIC = {
     "bondem.observables.energy": ("EnergyParts",),
     "bondem.observables.fracture_energy": ("FractureEnergy",),
     "bondem.observables.principal_stresses": ("principal_stresses", "von_mises_stress"),
+    "bondem.dynamics.explained_step": ("ExplainedPass", "ExplainedStep", "explain_step"),
     "bondem.dynamics.schemes": ("Scheme", "TchamwaWielgosz", "VelocityVerlet"),
     "bondem.dynamics.events": ("AtRest", "Event", "LoadDrop"),
     "bondem.dynamics.history": ("History",),

@@ -63,6 +63,9 @@ from bondem.dynamics.damping import MassDamping as MassDamping
 from bondem.dynamics.events import AtRest as AtRest
 from bondem.dynamics.events import Event as Event
 from bondem.dynamics.events import LoadDrop as LoadDrop
+from bondem.dynamics.explained_step import ExplainedPass as ExplainedPass
+from bondem.dynamics.explained_step import ExplainedStep as ExplainedStep
+from bondem.dynamics.explained_step import explain_step as explain_step
 from bondem.dynamics.history import History as History
 from bondem.dynamics.plan import Callback as Callback
 from bondem.dynamics.plan import ExplicitResult as ExplicitResult

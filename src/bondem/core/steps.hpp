@@ -2,17 +2,10 @@
 //
 // A pass is a function over tables. What a model lacks is a pass that is not in its list. `take_steps` calls each pass
 // with a `Turn`, which says for what part of the step it is called, and with the tables that its entry names. Where it
-// stands in the list decides when, and its kind decides for what:
-//
-//     serial     once, on the calling thread
-//     bonds      for each block of a domain: the bonds of the block
-//     elements   for each block of a domain: the elements whose last bond is in the block; and then for shared ones
-//     parts      for elements that domains share, before `elements`: collects what each domain has for them
-//     divides    divides the elements of a block into those that continue and those that are postponed (`passes/damage/`):
-//                further passes over elements are called for either, for the latter with a clock that stands still
-//     postponed  for the elements of a block that are postponed
-//     of_elements, of_bonds    for portions of all elements or bonds
-//     of_ranges  for as many ranges of all elements as there are threads
+// stands in the list decides when, and its kind decides for what
+// (`PassKind`). The elements of a block are those whose last bond is in the block. A pass that divides them separates those
+// that continue from those that are postponed (`passes/damage/`): further passes over elements are called for either, for
+// the latter with a clock that stands still.
 //
 // Passes over blocks that follow each other go block by block, so that a block stays in the cache from its bonds to the
 // motion of its elements; each domain is on a thread of its own. Bonds that follow elements in the list begin when all
@@ -54,16 +47,17 @@ struct Turn {
     Index threads;  // that a serial pass may share tasks of its own with; 0 for all others
 };
 
+// What a pass runs over.
 enum PassKind : Index {
-    serial,
-    bonds_of_blocks,
-    elements_of_blocks,
-    parts_of_shared,
-    of_elements,
-    of_bonds,
-    divides_elements,
-    postponed_of_blocks,
-    of_ranges
+    serial,  // once
+    bonds_of_blocks,  // bonds of a block
+    elements_of_blocks,  // elements of a block, then shared ones
+    parts_of_shared,  // elements that domains share
+    of_elements,  // elements, in portions
+    of_bonds,  // bonds, in portions
+    divides_elements,  // elements of a block, which it divides
+    postponed_of_blocks,  // postponed elements of a block
+    of_ranges  // elements, in a range a thread
 };
 
 // Elements and bonds of a portion.

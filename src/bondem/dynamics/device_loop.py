@@ -16,18 +16,15 @@ from bondem._tables.step_tables import HistoryRows, StepScheme
 from bondem.boundary.wall_rows import wall_rows
 from bondem.dynamics.core_loop import noticeable
 from bondem.dynamics.damping import DampingTerms
-from bondem.dynamics.gauge_tables import gauge_tables
 from bondem.dynamics.history import CONTACT, FIXED_COLUMNS, TRANSLATION
 from bondem.dynamics.on_device.breakage_counterparts import Postponement, end, resuming
 from bondem.dynamics.on_device.contact_counterparts import deepest_overlaps, lists_of_contacts, walls_listed
 from bondem.dynamics.on_device.counterparts import FURTHER, launches_of
 from bondem.dynamics.on_device.device_tables import FURTHER_COLUMNS, SUM_COLUMNS
 from bondem.dynamics.on_device.translation import Translation, count_record, names_of, set_clock
-from bondem.dynamics.parts.part import FORCES, RESUME, Part, Passes, composed
-from bondem.dynamics.parts.parts_of_model import parts_of
-from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.parts.part import FORCES, RESUME, Passes, composed
+from bondem.dynamics.parts.parts_of_model import parts_in_one_block
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Plan
-from bondem.model.domain_blocks import Blocks
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -46,14 +43,6 @@ _WIDE, _LOST, _SICK, _SUPPLIED = (SUM_COLUMNS.index(name) for name in ("wide", "
 _STEP = 5
 
 
-def _composed(model: Model, plan: Plan, state: State, dt: float) -> tuple[SharedTables, list[Part]]:
-    """Return the tables and the parts of a step that is one block."""
-    block = max(len(state.pose), 1)
-    kept = 0 if model.breaking is None else len(state.pose)
-    cut = Blocks.of(model.layout, block, 1, model.constraints.row_of >= 0).table(kept)
-    return parts_of(model, DampingTerms.of(plan.damping), state, cut, gauge_tables(model, plan), dt)
-
-
 def _postponement(passes: Passes) -> Postponement | None:
     """Return bonds that fail in a step and elements that this postpones, or None where nothing fails."""
     found = [(candidates, postponed) for one, *tables in passes if one.name == "postpone_elements"
@@ -69,7 +58,7 @@ class DeviceLoop:
         self._every = int(plan.every)
         terms = DampingTerms.of(plan.damping)
         self._scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, state.time - state.step * dt)
-        self._shared, self._parts = _composed(model, plan, state, dt)
+        self._shared, self._parts = parts_in_one_block(model, plan, state, dt)
         late = _postponement(composed(self._parts, *FORCES))
         names = names_of(composed(self._parts, *FORCES))
         self._run = Translation(

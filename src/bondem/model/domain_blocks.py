@@ -122,14 +122,6 @@ class Blocks:
             sums=lines(self.rows + more),
         )  # fmt: skip
 
-    def own_places(self, layout: Layout) -> np.ndarray:
-        """Return the row where each bond adds to the own sum of its element i, or one behind all n, uint32, (m,).
-
-        Behind them are the contributions of bonds between domains, part[e] … part[e + 1] for shared element e.
-        """
-        row = self.row_i[: len(layout.i)].astype(np.int64)
-        return np.where(row < self.parts, layout.i, len(layout.order) + row - self.parts).astype(np.uint32)
-
     @property
     def rows(self) -> int:
         """Total number of rows of sums."""

@@ -13,28 +13,38 @@ from bondem._tables.step_tables import HistoryRows
 #: Pairs of a pass and its tables, in the order in which the core calls them.
 Passes = list[tuple[Any, ...]]
 
-#: Stages of forces and motion, in the order of a step.
-FORCES = (
-    "contacts",  # forces of contacts and walls
-    "prepare",  # quantities of elements that bonds need
-    "stress",  # stresses of elements, from all that "prepare" has added
-    "constrain",  # walls and conditions that depend on these
-    "loads",  # forces of bonds; marks bonds near to failure
-    "judge",  # finds which marked bonds fail
-    "gather",  # sums of the elements that domains share
-    "add",  # further forces on elements
-    "correct",  # forces that depend on the sums of all others
-    "keep",  # sums of the elements that a failure delays
-    "move",  # closes the step of elements, and opens the next one
-    "settle",  # works and losses of the motion
-    "apply",  # failure of bonds, after the motion
-    "hand_over",  # contact where bonds have failed
-)
-#: Stages of elements that a failure has delayed: they find their acceleration, and open the next step.
-RESUME = ("resume", "reopening")
-#: Other stages: the beginning of a run, boundary conditions at the present time, opening of a step after a pause,
-#: what moves with the elements and may put lists of contacts out of date, guard.
-STAGES = ("begin", "present", "opening", "travel", *FORCES, *RESUME, "guard")
+#: Stages of forces and motion, in the order of a step, and what each does.
+FORCES = {
+    "contacts": "forces of contacts and walls",
+    "prepare": "quantities of elements that bonds need",
+    "stress": "stresses of elements, from all that the passes before have added",
+    "constrain": "walls and conditions that depend on these stresses",
+    "loads": "forces of bonds; marks bonds near to failure",
+    "judge": "finds which marked bonds fail",
+    "gather": "sums of the elements that domains share",
+    "add": "further forces on elements",
+    "correct": "forces that depend on the sums of all others",
+    "keep": "sums of the elements that a failure delays",
+    "move": "closes the step of elements, and opens the next one",
+    "settle": "works and losses of the motion",
+    "apply": "failure of bonds, after the motion",
+    "hand_over": "contact where bonds have failed",
+}
+#: Stages of elements that a failure has delayed.
+RESUME = {
+    "resume": "elements that a failure has delayed find their acceleration",
+    "reopening": "elements that a failure has delayed open the next step",
+}
+#: All stages of parts, in the order of a step.
+STAGES = {
+    "begin": "once, as a run begins",
+    "opening": "elements open a step after a pause, behind a record or a guard",
+    "travel": "walls move; lists of contacts may be out of date",
+    "present": "boundary conditions at the present time",
+    **FORCES,
+    **RESUME,
+    "guard": "whether the run is sound, every 100 steps",
+}
 
 
 def _nothing(_: HistoryRows) -> Passes:

@@ -3,6 +3,7 @@
 from bondem._tables.step_tables import Dashpots, Gauges, StepCut
 from bondem.dynamics.crack_joints import joints
 from bondem.dynamics.damping import DampingTerms
+from bondem.dynamics.gauge_tables import gauge_tables
 from bondem.dynamics.parts.beam_part import beams
 from bondem.dynamics.parts.body_force_part import body_forces
 from bondem.dynamics.parts.boundary_part import boundary
@@ -16,6 +17,8 @@ from bondem.dynamics.parts.non_local_part import non_local
 from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.parts.stored_beam_part import stored_beams
+from bondem.dynamics.plan import Plan
+from bondem.model.domain_blocks import Blocks
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -44,6 +47,14 @@ def parts_of(
         parts.append(pulled)  # its work is that at the velocities after the kick
     kinetic = [one for part in parts for one in part.kinetic]
     return shared, [*parts, history(shared, gauges, kinetic)]
+
+
+def parts_in_one_block(model: Model, plan: Plan, state: State, dt: float) -> tuple[SharedTables, list[Part]]:
+    """Return the tables and the parts of a step that is one block."""
+    block = max(len(state.pose), 1)
+    kept = 0 if model.breaking is None else len(state.pose)
+    cut = Blocks.of(model.layout, block, 1, model.constraints.row_of >= 0).table(kept)
+    return parts_of(model, DampingTerms.of(plan.damping), state, cut, gauge_tables(model, plan), dt)
 
 
 def _bonds(

@@ -7,7 +7,7 @@ namespace bondem {
 // Computes the accelerations of the elements by their loads alone.
 void find_accelerations(const Turn &turn, const Moving &all, const Rows &rows, const StepCut &cut,
                         const CorrectedMass &mass);
-// Computes ρ β θ̈ of the cells by these accelerations.
+// Computes ρ β θ̈ of the cells by the accelerations of the elements.
 void find_dilatation_inertia(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass);
 // Computes the forces of the correction on the elements.
 void find_inertia_forces(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass);

@@ -7,10 +7,10 @@ namespace bondem {
 
 // Adds what the facets of a block contribute to V θ of their cells.
 void accumulate_dilatation(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells);
-// The same where many facets have no integrity left.
+// Adds what facets contribute to V θ of their cells, where many facets have no integrity left.
 void accumulate_left_dilatation(const Turn &turn, const Moving &all, const ElasticFacets &facets,
                                 const CellDilatation &cells);
-// Marks facets near to failure as well.
+// Adds what facets contribute to V θ of their cells, and marks facets near to failure.
 void accumulate_and_mark(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                          const FailureBounds &bounds, const Candidates &candidates);
 // Adds to V θ of shared cells what facets of other domains have for them, and leaves zeros there.

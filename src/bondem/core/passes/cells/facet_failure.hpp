@@ -27,8 +27,8 @@ void restore_facets(const Turn &turn, const Moving &all, const ElasticFacets &fa
 void renew_wall_rows(const Turn &turn, const WallConstraints &walls, const Rows &rows, const Candidates &candidates);
 // Weighs all cells by the facets that they have left, as a run begins.
 Index weigh_cells(Index threads, const ElasticFacets &facets, const FacetRelease &release);
-// Of each criterion: finds which of the marked facets fail, by the present stresses, and holds their cells and the
-// neighbours of these; and its index of every facet, at the stresses in the poses.
+// Finds which of the marked facets fail by a criterion, at the present stresses, and holds their cells and the neighbours of
+// these. The second function gives the index of every facet, at the stresses in the poses.
 #define BONDEM_DECLARED(_, name, Criterion)                                                                             \
     void judge_facets_by_##name(const Turn &turn, const Moving &all, const ElasticFacets &facets,                       \
                                 const FacetRelease &release, const Strengths &strengths, const Candidates &candidates,  \

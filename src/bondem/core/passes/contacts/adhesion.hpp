@@ -29,18 +29,19 @@ inline void add_adhesion(const AdheringPairs &of, Index k, bool later, double *r
     for (Index x = 0; x < 3; x++) row[x] += later ? of.force(k, x) : -of.force(k, x);
 }
 
-// Adhesion of the near pairs of a portion of elements.
+// Finds the adhesion of the near pairs of a portion of elements.
 void adhere_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
                   const AdheringPairs &of);
-// Adds it to the elements of a range.
+// Adds adhesion to the elements of a range.
 void add_adhesion_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const AdheringPairs &of,
                         const ContactSums &to);
-// Adhesion of a portion of elements at walls.
+// Finds the adhesion of a portion of elements at walls.
 void adhere_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                      const Walls &walls, const ContactSums &to);
-// Adds the energy of adhesion of a portion, below 0 [J].
+// Adds the energy of adhesion of the pairs of a portion, below 0 [J].
 void sum_adhesion_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                            const ContactEnergies &energies);
+// Adds the energy of adhesion at walls of a portion of elements, below 0 [J].
 void sum_adhesion_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                            const Walls &walls, const ContactEnergies &energies);
 

@@ -4,11 +4,11 @@
 
 namespace bondem {
 
-// Forces and memory of the pairs of a portion of elements; lists those that may touch where elements have moved too far
-// since that was done.
+// Finds forces and memory of the pairs of a portion of elements; lists those that may touch where elements have moved
+// too far since that was done.
 void press_pairs(const Turn &turn, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
                  const NearPairs &near, const Travel &travel);
-// The same of bodies of cells with cracks, whose pairs touch by faces too.
+// Finds forces and memory of the pairs of a portion of cells with cracks, which touch by faces too.
 void press_pairs_and_faces(const Turn &turn, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
                            const NearPairs &near, const Travel &travel, const FacePairs &faces);
 // Adds what pairs do to the elements of a range, in the order of the pairs.

@@ -50,9 +50,10 @@ double let_touch(const Moving &all, const ContactPairs &pairs, const NearPairs &
 void begin_contacts(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                     const NearPairs &near, const EventLog &log, const Postponed &postponed);
 
-// Beams that soften and have broken at the beginning of this step: contact takes the place of the pressure on them, which
-// `release_pressure` ends. Its energy was that of the pressure.
+// Ends the pressure on beams that soften and have broken at the beginning of this step.
 void release_pressure(const Turn &turn, const EventLog &log, const SofteningBounds &bounds);
+// Begins contact where beams that soften have broken at the beginning of this step: its energy is that of the
+// pressure, which it replaces.
 void begin_softened_contacts(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                              const NearPairs &near, const EventLog &log, const ContactSums &to);
 

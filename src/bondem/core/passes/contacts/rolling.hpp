@@ -86,18 +86,19 @@ inline void add_rolling(const RolledPairs &of, Index k, bool later, double *row)
     if (later) row[7] += of.output(k, 3);
 }
 
-// Moments and memory of the pairs of a portion of elements that touch.
+// Finds moments and memory of the pairs of a portion of elements that touch and may roll.
 void roll_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
                 const RolledPairs &of);
-// Adds what they do to the elements of a range.
+// Adds moments of resistance to rolling to the elements of a range.
 void add_rolling_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const RolledPairs &of,
                        const ContactSums &to);
-// Moments of resistance to rolling of a portion of elements at walls.
+// Finds moments of resistance to rolling of a portion of elements at walls.
 void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                    const Walls &walls, const RolledWalls &of, const ContactSums &to);
-// Adds the energy that the springs of a portion store [J].
+// Adds the energy that springs of rolling store in the pairs of a portion [J].
 void sum_rolling_energies(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of,
                           const ContactEnergies &energies);
+// Adds the energy that springs of rolling store at walls, of a portion of elements [J].
 void sum_rolling_at_walls(const Turn &turn, const ContactConstants &c, const WallContacts &contacts, const RolledWalls &of,
                           const ContactEnergies &energies);
 

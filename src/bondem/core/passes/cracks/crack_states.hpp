@@ -5,15 +5,16 @@
 
 namespace bondem {
 
-// Finds the resting cracks that are about to soften or close, and treats them one by one again.
+// Finds the resting cracks that are about to soften or close.
 void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets,
                           const FacetStrengths &strengths, const CohesiveCracks &cracks, const CrackLists &lists);
+// Treats resting cracks one by one again that are about to soften or close.
 void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                  const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists);
-// Lets integrities fall, and finds the cracks that go to rest.
+// Lowers the integrities of cracks, and finds those that go to rest.
 void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
                    const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists);
-// Lets the cracks rest or part that are to.
+// Puts cracks to rest, or parts their faces, as `soften_cracks` has found.
 void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                   const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists);
 // Sums the forces of the cracks of each cell, and lets their faces slip by them.

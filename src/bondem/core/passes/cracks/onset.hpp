@@ -5,12 +5,13 @@
 
 namespace bondem {
 
-// Marks facets of the material that begin to crack, and those of planes.
+// Marks facets of the material that begin to crack.
 void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                           const FacetStrengths &strengths, const StressesOfCells &stresses, const CrackOnset &onset);
+// Marks facets of planes, such as joints, that begin to crack.
 void mark_cracking_planes(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                           const FacetStrengths &strengths, const CrackOnset &onset);
-// Facets that are marked begin to crack.
+// Begins the cracks of facets that are marked.
 void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept,
                   const FacetStrengths &strengths,
                   const CrackOnset &onset, const CohesiveCracks &cracks);

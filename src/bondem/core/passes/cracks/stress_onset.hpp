@@ -6,11 +6,13 @@
 
 namespace bondem {
 
-// Finds the cells whose facets are evaluated: those whose stress may reach a criterion.
+// Finds the cells whose facets are evaluated: those whose mean stress may reach the criterion.
 void judge_cells_by_mean_stress(const Turn &turn, const StressesOfCells &stresses, const StressFunction &by,
                                 const CandidateFacets &onset, const CrackOnset &cracks);
+// Finds the cells whose facets are evaluated: those whose stress may reach the cone.
 void judge_cells_by_cone(const Turn &turn, const StressesOfCells &stresses, const StressFunction &by,
                          const CandidateFacets &onset, const CrackOnset &cracks);
+// Finds the cells whose facets are evaluated: those whose stress is large enough for the criterion of a user.
 void judge_cells_by_size(const Turn &turn, const StressesOfCells &stresses, const CandidateFacets &onset,
                          const CrackOnset &cracks);
 // Writes the stresses of facets in tension, as candidates of a portion; marks facets of cells without cohesion.

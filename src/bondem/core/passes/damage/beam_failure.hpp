@@ -11,8 +11,8 @@ void withdraw_dashpots(const Turn &turn, const Moving &all, const Beams &beams, 
 // Removes the beams that fail.
 void break_beams(const Turn &turn, const Moving &all, const Beams &beams, const BeamIntegrity &state,
                  const Candidates &candidates, const Postponed &postponed, const EventLog &log);
-// Of each criterion: finds which of the marked beams of a block fail, and holds their elements; and its index of every beam,
-// in any poses.
+// Finds which of the marked beams of a block fail by a criterion, and holds their elements. The second function gives the
+// index of every beam, in any poses.
 #define BONDEM_DECLARED(_, name, Criterion)                                                                             \
     void judge_beams_by_##name(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,     \
                                const Candidates &candidates, const Postponed &postponed);                               \

@@ -4,7 +4,7 @@
 
 namespace bondem {
 
-// Beams of a portion lose integrity; before the forces.
+// Lowers the integrity of beams of a portion that soften, before the forces.
 void soften_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                   const SofteningBeams &soft);
 // Adds up what all portions have dissipated, and logs beams that have broken.

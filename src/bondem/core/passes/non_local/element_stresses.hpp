@@ -10,7 +10,7 @@ void turn_stresses(const Turn &turn, const Moving &all, const LaggedStresses &st
 void collect_moments(const Turn &turn, const StepCut &cut, const LaggedStresses &stresses);
 // Finds the stresses of a portion, and bounds of their principal stresses; leaves zeros in the moments.
 void find_stresses(const Turn &turn, const Moving &all, const LaggedStresses &stresses);
-// The same for the elements of a block.
+// Finds the stresses of the elements of a block, and bounds of their principal stresses; leaves zeros in the moments.
 void find_stresses_of_block(const Turn &turn, const Moving &all, const LaggedStresses &stresses);
 // Turns the stresses of all elements in any poses.
 Index turn_all_stresses(Index threads, const Poses &all, const LaggedStresses &stresses);

@@ -8,9 +8,9 @@ namespace bondem {
 // to the stresses of their elements.
 void find_non_local_forces(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                            const LaggedStresses &stresses);
-// Adds those forces and torques to the sums of the elements, in the order of the bonds.
+// Adds forces and torques of the bonds to the sums of the elements, in the order of the bonds.
 void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const StepCut &cut);
-// Does both at once for bonds that cannot fail: their forces and torques are not kept.
+// Finds and adds forces and torques of bonds that cannot fail, without keeping them.
 void add_lasting_loads(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                        const LaggedStresses &stresses, const StepCut &cut);
 // Sums normal and shear energy of the springs of a portion, and the work of extra forces [J].
@@ -21,7 +21,7 @@ inline double sum_of(const NonLocalWork &work) {
     for (Index q = 0; q < work.taken.size(); q++) taken += work.taken(q);
     return taken;
 }
-// Writes that work to the ledger.
+// Writes the work of the extra forces of bonds to the ledger.
 void write_non_local_work(const Turn &turn, const NonLocalWork &work, const HistoryRows &history);
 // Finds forces and torques of all bonds in any poses by what they have stored.
 Index load_non_local_bonds(Index threads, const Poses &all, const Beams &beams, const NonLocalBonds &bonds);

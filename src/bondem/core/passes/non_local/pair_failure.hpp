@@ -7,7 +7,7 @@ namespace bondem {
 // Marks the bonds of a block that reach their criterion by bounds of the principal stresses of both elements.
 void mark_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                 const Candidates &candidates);
-// Finds which of them fail, and holds their elements.
+// Finds which of the marked bonds of a block fail, and holds their elements.
 void judge_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                  const Candidates &candidates, const Postponed &postponed);
 // Removes the bonds that fail: their force from the kept sums, and the energy of their springs.

@@ -1,0 +1,90 @@
+"""The passes of one step of an explicit run, in words."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from bondem._checks import instance
+from bondem._core import step_pass
+from bondem._tables.pass_words import KINDS, SENTENCES
+from bondem._tables.step_tables import HistoryRows
+from bondem.boundary.gauges import AnyGauge
+from bondem.dynamics.damping import AnyDamping
+from bondem.dynamics.history import FIXED_COLUMNS
+from bondem.dynamics.parts.part import STAGES, composed
+from bondem.dynamics.parts.parts_of_model import parts_in_one_block
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.restart import begin
+from bondem.model.model import Model
+from bondem.model.state import State
+
+__all__ = ["ExplainedPass", "ExplainedStep", "explain_step"]
+
+# Words of what each part writes into a row of the history, behind all stages.
+_RECORD = {"record": "a row of the history, every `every` steps"}
+
+
+class ExplainedPass(NamedTuple):
+    """A pass of a step."""
+
+    stage: str  #: stage of the step that it belongs to
+    name: str  #: name in the core
+    over: str  #: what it runs over
+    purpose: str  #: what it is for, a sentence
+
+
+@dataclass(frozen=True)
+class ExplainedStep:
+    """The passes of one step of an explicit run; `print` shows them by stage.
+
+    Attributes:
+        passes: stage, name, what it runs over and purpose of each, in the order of the step.
+    """
+
+    passes: tuple[ExplainedPass, ...]
+
+    def __str__(self) -> str:
+        lines = []
+        for stage, words in {**STAGES, **_RECORD}.items():
+            of_stage = [one for one in self.passes if one.stage == stage]
+            lines += [f"{stage}: {words}"] if of_stage else []
+            lines += [f"    {one.name} ({one.over})\n        {one.purpose}" for one in of_stage]
+        return "\n".join(lines)
+
+
+def explain_step(
+    model: Model,
+    *,
+    damping: AnyDamping | tuple[AnyDamping, ...] | None = None,
+    gauges: Mapping[str, AnyGauge] | None = None,
+    state: State | None = None,
+) -> ExplainedStep:
+    """Return the passes that the core calls in one step of `solve_explicit`, with what each is for.
+
+    The step is composed from a state as a run composes it, and no pass is called. A subject that the model lacks,
+    such as contact, is a pass that its step does not have.
+
+    Args:
+        model: model of the run.
+        damping: damping of the run, as for `solve_explicit`; none by default.
+        gauges: gauges of the run, as for `solve_explicit`; none by default.
+        state: state that the run would begin from; at rest by default. It is not changed.
+
+    Raises:
+        InputError: A value is invalid, or the state belongs to another model.
+    """
+    instance("explain_step", "model", model, Model, "bd.Model(...)")
+    if state is not None:
+        instance("explain_step", "state", state, State, "the state of a run, or model.state()")
+    plan = Plan(duration=0.0, damping=damping, gauges={} if gauges is None else gauges)
+    # the length of a step is a number in tables of contacts and cracks, and selects no pass
+    _, parts = parts_in_one_block(model, plan, begin(model, state), 0.0)
+    row = HistoryRows(np.zeros((1, FIXED_COLUMNS + 3 * len(plan.gauges))))
+    listed = [(stage, one) for stage in STAGES for one, *_ in composed(parts, stage)]
+    listed += [("record", one) for part in parts for one, *_ in part.record(row)]
+    names = [(stage, one.name) for stage, one in listed]
+    return ExplainedStep(
+        tuple(ExplainedPass(stage, name, KINDS[step_pass(name)[0][1]], SENTENCES[name]) for stage, name in names)
+    )
