@@ -275,12 +275,12 @@ def calibrate(
             raise InputError(f"calibrate: search = {shown(search)}; give {_RANGE}")
         search = float(ends[0]), float(ends[1])
     reason = ""
-    if law is None and any(one.cells is not None for one in lattices):
-        raise InputError(
-            "calibrate: the lattice has cells, to which bd.CellBond(material) gives E and ν without calibration; use"
-            " bd.connect without method='laguerre' for beams, or give law="
-        )
     if law is None:
+        for one in lattices:
+            one.elements.require_spheres(
+                "calibrate: the lattice has cells, to which bd.CellBond(material) gives E and ν without calibration;"
+                " use bd.connect without method='laguerre' for beams, or give law="
+            )
         choice = recommend(material.nu)
         law, reason = choice.law, choice.reason
     free = law.free

@@ -63,8 +63,10 @@ def export(
     writer = _WRITERS.get(suffix)
     if writer is None:
         raise InputError(f"export: path = '{path}': unsupported suffix; give one of {_FORMATS}")
-    if lattice.cells is not None and suffix not in (*_TABLE, *_DUMP, *_POLYHEDRA):
-        raise InputError(f"export: '{suffix}' files hold spheres, not cells; give .csv, .dump or .vtu")
+    if suffix not in (*_TABLE, *_DUMP, *_POLYHEDRA):
+        lattice.elements.require_spheres(
+            f"export: '{suffix}' files hold spheres, not cells; give .csv, .dump or .vtu"
+        )
     if suffix in _DATA and density is None:
         raise InputError("export: LAMMPS data files need a density; give density= [kg/m³]")
     if density is not None:

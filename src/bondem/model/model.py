@@ -37,6 +37,7 @@ from bondem.interactions.non_local.non_local_constants import NonLocalConstants
 from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.model.constraints import Constraints
 from bondem.model.state import State
+from bondem.specimen.elements import Elements
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.local_origin import local_origin
 from bondem.specimen.material import Material, of_material
@@ -262,9 +263,7 @@ class Model:
     @property
     def contact_radius(self) -> PerElement:
         """Contact radii of the elements; for a cell, that of a sphere of its volume [m], user's order, shape (n,)."""
-        if not self._as_cells:
-            return self.lattice.particles.radius
-        return np.cbrt(0.75 / np.pi * body_of(self.lattice)[1].volume)
+        return self._elements.equal_radius
 
     @cached_property
     def failure_parts(self) -> tuple[FailurePart, ...]:
@@ -328,23 +327,22 @@ class Model:
         return Constraints.of(self.lattice, self.layout, boundary, self.mass, self._cells)
 
     @property
-    def _as_cells(self) -> bool:
-        """True if elements have the masses of their cells."""
-        return self.lattice.cells is not None and not (self._cells is None and self._non_local is None)
+    def _elements(self) -> Elements:
+        """Elements whose masses the model has: of beams between cells, the spheres of their particles."""
+        lattice = self.lattice
+        if self._cells is None and self._non_local is None:
+            return Elements(lattice.particles, lattice.pairs, lattice.bodies)
+        return lattice.elements
 
     @cached_property
     def mass(self) -> PerElement:
         """Masses of the elements, ρ_μ 4/3 π R³, or ρ V of a cell [kg], user's order, shape (n,)."""
-        volume = body_of(self.lattice)[1].volume if self._as_cells else self.lattice.particles.volume
-        return freeze(np.asarray(self.density, dtype=float) * volume)
+        return freeze(np.asarray(self.density, dtype=float) * self._elements.volume)
 
     @cached_property
     def inertia(self) -> PerElement:
         """Moments of inertia, 2/5 m R², or a third of the trace of a cell's tensor [kg·m²], user's order, (n,)."""
-        if not self._as_cells:
-            return freeze(0.4 * self.mass * self.lattice.particles.radius**2)
-        _, cells = body_of(self.lattice)
-        return freeze(np.asarray(self.density, dtype=float) * np.einsum("nii->n", cells.inertia) / 3.0)
+        return freeze(self._elements.inertia(np.asarray(self.density, dtype=float)))
 
     @property
     def period(self) -> Floats:

@@ -117,6 +117,15 @@ class Elements:
         return self.particles.radius
 
     @property
+    def equal_radius(self) -> PerElement:
+        """Radius of the sphere of the volume of each element [m], shape (n,)."""
+        return self.particles.radius
+
+    def inertia(self, density: PerElement) -> PerElement:
+        """Return moments of inertia, 2/5 m R², or a third of the trace of a cell's tensor [kg·m²], (n,)."""
+        return 0.4 * (density * self.volume) * self.particles.radius**2
+
+    @property
     def size_column(self) -> tuple[str, PerElement]:
         """Name and values of the sizes in exported files: "radius" [m] or "volume" [m³], shape (n,)."""
         return "radius", self.particles.radius
@@ -180,6 +189,9 @@ class Elements:
         """
         usual = "the lattice is not cut into cells; connect its particles with method='laguerre'"
         raise InputError(refusal or usual)
+
+    def require_spheres(self, refusal: str) -> None:
+        """Raise InputError with the text `refusal` if the elements are cells."""
 
     def face_mask(self, name: str, body: Which | None, depth: float, region: str) -> Mask:
         """Return a mask of the elements on a face, shape (n,).
@@ -277,6 +289,13 @@ class CellElements(Elements):
         return radius
 
     @property
+    def equal_radius(self) -> PerElement:
+        return np.cbrt(0.75 / np.pi * self.cells.volume)
+
+    def inertia(self, density: PerElement) -> PerElement:
+        return density * np.einsum("nii->n", self.cells.inertia) / 3.0
+
+    @property
     def size_column(self) -> tuple[str, PerElement]:
         return "volume", self.cells.volume
 
@@ -303,6 +322,9 @@ class CellElements(Elements):
 
     def require_cells(self, refusal: str = "") -> "CellElements":
         return self
+
+    def require_spheres(self, refusal: str) -> None:
+        raise InputError(refusal)
 
     def on_face(self, name: str, body: Which | None = None) -> Ints:
         """Return the free facets on a face or patch, as ascending indices into `cells.free`.
