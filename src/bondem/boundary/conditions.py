@@ -12,10 +12,11 @@ from bondem.boundary.loads import (
     BodyForce,
     Eigenstrain,
     Pressure,
+    acts_on_facets,
     facet_numbers,
-    facets_on,
     is_face,
     on_nodes,
+    patches_on,
 )
 from bondem.boundary.schedules import Constant, Schedule, as_schedule
 from bondem.errors import InputError
@@ -170,7 +171,7 @@ class Load:
 
     def nodal(self, lattice: Lattice) -> tuple[Ints, Floats]:
         """Return elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
-        if lattice.cells is not None and is_face(self.region):
+        if acts_on_facets(self.region, lattice):
             return self._tractions(lattice)
         chosen = self.region.select(lattice)
         arms = lattice.centre[chosen] - self.region.anchor(lattice)
@@ -186,16 +187,16 @@ class Load:
         Returns:
             The element of each point (k,), the arm from its centre [m], (k, 3), and its share of the load [-], (k,).
         """
-        if lattice.cells is None or not is_face(self.region):
+        if not acts_on_facets(self.region, lattice):
             chosen = self.region.select(lattice)
             return chosen, np.zeros((len(chosen), 3)), np.full(len(chosen), 1.0 / len(chosen))
-        chosen, owner, centre, area = facets_on(self.region, lattice)
+        chosen, owner, centre, area = patches_on("Load", self.region, lattice)
         size = np.linalg.norm(area, axis=1)
         return chosen[owner], centre - lattice.centre[chosen[owner]], size / size.sum()
 
     def on_facets(self, body: Lattice) -> tuple[Ints, Floats]:
         """Return the loaded facets of a body (indices into `cells.free`) and the forces at full load [N], (p, 3)."""
-        _, _, centre, area = facets_on(self.region, body)
+        _, _, centre, area = patches_on("Load", self.region, body)
         arms = centre - self.region.anchor(body)
         size = np.linalg.norm(area, axis=1)
         return facet_numbers(self.region, body), balanced_forces(
@@ -204,7 +205,7 @@ class Load:
 
     def _tractions(self, body: Lattice) -> tuple[Ints, Floats]:
         """Return the nodal forces of tractions on the facets that cells have on a face, in the form of `nodal`."""
-        chosen, owner, centre, area = facets_on(self.region, body)
+        chosen, owner, centre, area = patches_on("Load", self.region, body)
         size = np.linalg.norm(area, axis=1)
         arms = centre - self.region.anchor(body)
         _, force = self.on_facets(body)

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
-from scipy.spatial import KDTree
 
 from bondem._checks import array, instance, number, possible, shown, vector
 from bondem._plausibility import physical
@@ -14,13 +13,9 @@ from bondem._types import Floats, Ints, PerBond, PerElement, PerElement3, Triple
 from bondem.boundary.balanced_forces import balanced_forces
 from bondem.boundary.schedules import Constant, Schedule, as_schedule
 from bondem.errors import InputError
-from bondem.geometry.face_patches import face_patches
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material, of_material
 from bondem.specimen.regions import Difference, Everything, Face, Intersection, Region, as_region
-
-# Size of the patches of a face, over the mean radius.
-_PATCH = 0.25
 
 
 @dataclass(frozen=True)
@@ -141,12 +136,12 @@ class Pressure:
 
     def on_facets(self, body: Lattice) -> tuple[Ints, Floats]:
         """Return the loaded facets of a body (indices into `cells.free`) and the forces at full load [N], (p, 3)."""
-        _, _, _, area = facets_on(self.region, body)
+        _, _, _, area = patches_on("Pressure", self.region, body)
         return facet_numbers(self.region, body), -self.pressure * area
 
     def nodal(self, lattice: Lattice) -> tuple[Ints, Floats]:
         """Return elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
-        chosen, owner, centre, area = _shared("Pressure", self.region, lattice)
+        chosen, owner, centre, area = patches_on("Pressure", self.region, lattice)
         force = -self.pressure * area
         if lattice.cells is not None:
             return chosen, on_nodes(lattice, chosen, owner, centre, force)
@@ -212,7 +207,7 @@ class Absorbing:
 
     def dashpots(self, lattice: Lattice) -> tuple[Ints, Floats]:
         """Return elements (k,) and their dashpot coefficients xx, yy, zz, xy, xz, yz [N·s/m], (k, 6)."""
-        chosen, owner, _, area = _shared("Absorbing", self.region, lattice)
+        chosen, owner, _, area = patches_on("Absorbing", self.region, lattice)
         along, across = (self.density * c for c in self.celerities)
         size = np.linalg.norm(area, axis=1)
         normal = area / size[:, None]
@@ -299,6 +294,11 @@ def is_face(region: Region) -> bool:
             return False
 
 
+def acts_on_facets(region: Region, lattice: Lattice) -> bool:
+    """Return True if a force on a region acts on facets, as it does on a face of a body of cells."""
+    return lattice.cells is not None and is_face(region)
+
+
 def face_of(owner: str, region: Region) -> Face:
     """Return the face that a region is, or is part of.
 
@@ -322,24 +322,27 @@ def face_of(owner: str, region: Region) -> Face:
 def facet_numbers(region: Region, body: Lattice) -> Ints:
     """Return the facets of a face, or of a part of one, as indices into `cells.free`."""
     face = face_of("facet_numbers", region)
-    chosen = np.zeros(len(body.particles), dtype=bool)
-    chosen[region.select(body)] = True
+    chosen = region.select(body)
     free, found = body.elements.require_cells().cells.free, body.on_face(face.name, face.body)
-    return found[chosen[free.cell[found]]]
+    return found[np.isin(free.cell[found], chosen)]
 
 
-def facets_on(region: Region, body: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
-    """Return the cells of a region and their facets on a face.
+def patches_on(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
+    """Return the elements of a face or of a part of one, and their patches, of cells the facets.
 
     Returns:
-        The cells, and for each facet the position of its cell among them, its centroid [m], and its area times
+        The elements, and for each patch the place of its element among them, its centroid [m], and its area times
         normal [m²].
+
+    Raises:
+        InputError: The region is not on a face, or no patch is nearest to its elements.
     """
-    chosen, found = region.select(body), facet_numbers(region, body)
-    place = np.full(len(body.particles), -1)
-    place[chosen] = np.arange(len(chosen))
-    free = body.elements.require_cells().cells.free
-    return chosen, place[free.cell[found]], free.centroid[found], free.area[found, None] * free.normal[found]
+    face, chosen = face_of(owner, region), region.select(lattice)
+    whole = chosen if region is face else face.select(lattice)
+    patches = lattice.elements.face_patches(face.name, face.body, whole, chosen)
+    if not len(patches[0]):
+        raise InputError(f"{owner}: no patch is nearest to an element of {region}; select a larger part of the face")
+    return chosen, *patches
 
 
 def on_nodes(body: Lattice, chosen: Ints, owner: Ints, centre: Floats, force: Floats) -> Floats:
@@ -348,23 +351,3 @@ def on_nodes(body: Lattice, chosen: Ints, owner: Ints, centre: Floats, force: Fl
     columns = np.hstack([force, torque]).T
     parts = [np.bincount(owner, weights=column, minlength=len(chosen)) for column in columns]
     return np.stack(parts, axis=1).astype(float)
-
-
-def _shared(owner: str, region: Region, lattice: Lattice) -> tuple[Ints, Ints, Floats, Floats]:
-    """Return the elements of a face and its patches, as `facets_on` does for facets.
-
-    The patches of a body are its facets on the face.
-    """
-    face, particles = face_of(owner, region), lattice.particles
-    if lattice.cells is not None:
-        return facets_on(region, lattice)
-    whole, chosen = face.select(lattice), region.select(lattice)
-    patch = _PATCH * lattice.elements.mean_radii[chosen[0]]
-    centre, area = face_patches(lattice.envelope(face.body), face.name, patch)
-    nearest = whole[KDTree(particles.position[whole]).query(centre)[1]]
-    place = np.full(len(particles), -1)
-    place[chosen] = np.arange(len(chosen))
-    mine = place[nearest] >= 0
-    if not mine.any():
-        raise InputError(f"{owner}: no patch is nearest to an element of {region}; select a larger part of the face")
-    return chosen, place[nearest[mine]], centre[mine], area[mine]

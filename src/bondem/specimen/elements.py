@@ -12,11 +12,13 @@ from typing import ClassVar, TypedDict
 import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
+from scipy.spatial import KDTree
 
 from bondem._names import users_line
 from bondem._types import Floats, Ints, Mask, Pairs, PerBond, PerBond3, PerElement, PerElement3, Vector
 from bondem.errors import FaceWarning, InputError
 from bondem.geometry.elementary_shapes import BoundingBox
+from bondem.geometry.face_patches import face_patches
 from bondem.specimen.bodies import Bodies, Which
 from bondem.specimen.particles import Particles, freeze
 from bondem.specimen.tessellation.cutting import tessellate
@@ -27,6 +29,8 @@ _COVERED = 0.02
 # Without a shape a face is the plane of the outermost sphere. A warning is given if it has less than this share
 # of the elements within one mean radius of it, and if there are at least so many of them.
 _SPARSE, _LAYER = 0.25, 10
+# Size of the patches of a face, over the mean radius.
+_PATCH = 0.25
 
 
 class CellTables(TypedDict, total=False):
@@ -218,6 +222,24 @@ class Elements:
             )
         return chosen
 
+    def face_patches(self, name: str, body: Which | None, whole: Ints, part: Ints) -> tuple[Ints, Floats, Floats]:
+        """Return the patches of a face that are nearest to some of its elements, or the facets of some cells.
+
+        Args:
+            name: name of the face.
+            body: body with this face; None where there is one.
+            whole: elements of the face.
+            part: elements of the returned patches, some of the whole, ascending, shape (k,).
+
+        Returns:
+            Place in `part` of the element of each patch, (p,), centroids [m], and areas times normal [m²], (p, 3).
+        """
+        shape, position = self.bodies.shape_of("envelope", body, self.particles)[1], self.particles.position
+        centre, area = face_patches(shape, name, _PATCH * self.mean_radii[part[0]])
+        nearest = whole[KDTree(position[whole]).query(centre)[1]]
+        mine = np.isin(nearest, part)
+        return np.searchsorted(part, nearest[mine]), centre[mine], area[mine]
+
     def face_centre(self, name: str, body: Which | None) -> Vector:
         """Return the centroid of a face, or of the facets on it [m], (3,)."""
         return self.bodies.shape_of("envelope", body, self.particles)[1].face_centre(name)
@@ -352,6 +374,12 @@ class CellElements(Elements):
         chosen = np.zeros(len(self.particles), dtype=bool)
         chosen[self.cells.free.cell[self.on_face(name, body)]] = True
         return chosen
+
+    def face_patches(self, name: str, body: Which | None, whole: Ints, part: Ints) -> tuple[Ints, Floats, Floats]:
+        free, found = self.cells.free, self.on_face(name, body)
+        found = found[np.isin(free.cell[found], part)]
+        owner = np.searchsorted(part, free.cell[found])
+        return owner, free.centroid[found], free.area[found, None] * free.normal[found]
 
     def face_centre(self, name: str, body: Which | None) -> Vector:
         free, on = self.cells.free, self.on_face(name, body)
