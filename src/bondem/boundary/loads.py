@@ -143,11 +143,9 @@ class Pressure:
         """Return elements (k,) and the force and torque on each [N, N·m], (k, 6), at full load."""
         chosen, owner, centre, area = patches_on("Pressure", self.region, lattice)
         force = -self.pressure * area
+        values = on_nodes(lattice, chosen, owner, centre, force)
         if lattice.cells is not None:
-            return chosen, on_nodes(lattice, chosen, owner, centre, force)
-        values = np.zeros((len(chosen), 6))
-        for d in range(3):
-            values[:, d] = np.bincount(owner, weights=force[:, d], minlength=len(chosen))
+            return chosen, values
         position = lattice.centre[chosen]
         missing = np.cross(centre - position[owner], force).sum(axis=0)
         arms = position - position.mean(axis=0)

@@ -277,7 +277,7 @@ def calibrate(
     reason = ""
     if law is None:
         for one in lattices:
-            one.elements.require_spheres(
+            one.elements.refuse_cells(
                 "calibrate: the lattice has cells, to which bd.CellBond(material) gives E and ν without calibration;"
                 " use bd.connect without method='laguerre' for beams, or give law="
             )

@@ -64,9 +64,7 @@ def export(
     if writer is None:
         raise InputError(f"export: path = '{path}': unsupported suffix; give one of {_FORMATS}")
     if suffix not in (*_TABLE, *_DUMP, *_POLYHEDRA):
-        lattice.elements.require_spheres(
-            f"export: '{suffix}' files hold spheres, not cells; give .csv, .dump or .vtu"
-        )
+        lattice.elements.refuse_cells(f"export: '{suffix}' files hold spheres, not cells; give .csv, .dump or .vtu")
     if suffix in _DATA and density is None:
         raise InputError("export: LAMMPS data files need a density; give density= [kg/m³]")
     if density is not None:

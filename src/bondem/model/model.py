@@ -329,10 +329,8 @@ class Model:
     @property
     def _elements(self) -> Elements:
         """Elements whose masses the model has: of beams between cells, the spheres of their particles."""
-        lattice = self.lattice
-        if self._cells is None and self._non_local is None:
-            return Elements(lattice.particles, lattice.pairs, lattice.bodies)
-        return lattice.elements
+        own, beams = self.lattice.elements, self._cells is None and self._non_local is None
+        return Elements(own.particles, own.pairs, own.bodies) if beams else own
 
     @cached_property
     def mass(self) -> PerElement:

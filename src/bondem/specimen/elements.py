@@ -194,7 +194,7 @@ class Elements:
         usual = "the lattice is not cut into cells; connect its particles with method='laguerre'"
         raise InputError(refusal or usual)
 
-    def require_spheres(self, refusal: str) -> None:
+    def refuse_cells(self, refusal: str) -> None:
         """Raise InputError with the text `refusal` if the elements are cells."""
 
     def face_mask(self, name: str, body: Which | None, depth: float, region: str) -> Mask:
@@ -345,7 +345,7 @@ class CellElements(Elements):
     def require_cells(self, refusal: str = "") -> "CellElements":
         return self
 
-    def require_spheres(self, refusal: str) -> None:
+    def refuse_cells(self, refusal: str) -> None:
         raise InputError(refusal)
 
     def on_face(self, name: str, body: Which | None = None) -> Ints:

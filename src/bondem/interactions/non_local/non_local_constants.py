@@ -104,9 +104,7 @@ def _of_spheres(lattice: Lattice, law: NonLocal) -> _Parts:
 
     The volume is Σ A l / 3 with l to the radical plane, and at least that of the sphere.
     """
-    lattice.elements.require_spheres(
-        "areas='weighted' applies to lattices of spheres; leave it out for a body of cells"
-    )
+    lattice.elements.refuse_cells("areas='weighted' applies to lattices of spheres; leave it out for a body of cells")
     if len(lattice.pairs) == 0:
         raise InputError("NonLocal: the lattice has no bonds; bond it with bd.connect")
     i, j = lattice.pairs.T
