@@ -195,9 +195,9 @@ def _named_from_below() -> list[str]:
 
 CAPS = (
     Cap("questions to a model about its law", lambda: _questions()["model"], 114),
-    Cap("questions to a lattice about its shape", lambda: _questions()["lattice"], 22),
+    Cap("questions to a lattice about its shape", lambda: _questions()["lattice"], 20),
     Cap("questions to a study about its law", lambda: _questions()["study"], 11),
-    Cap("tests of a part for None", _tests_for_none, 240),
+    Cap("tests of a part for None", _tests_for_none, 238),
     Cap("files of Python that name the non-local law", _files_of_the_non_local_law, 35),
     Cap("places of the core that lower integrity", _lowered, 7),
     Cap("lines of Python", lambda: _lines(".py"), 59500, step=500),

@@ -1,5 +1,7 @@
 """Pictures of fracture: fragments as their cells, and crack surfaces."""
 
+from collections.abc import Callable
+from functools import partial
 from itertools import product
 
 import numpy as np
@@ -57,32 +59,32 @@ def draw_fragments(
         reach: magnification of displacements [-].
     """
     motion = state.displacement, state.orientation
-    draw_elements(ax, body, piece_colours(pieces), motion, view=view, reach=reach, piece=pieces.label)
+    draw_magnified(ax, body, piece_colours(pieces), motion, view=view, reach=reach, piece=pieces.label)
 
 
 def draw_elements(
+    ax: Axes, body: Lattice, colour: Floats, moved: Floats, corners: Callable[[Polyhedra], Floats], *,
+    view: View, shown: Mask | None = None, piece: np.ndarray | None = None, scale: float = 1e3,
+) -> None:  # fmt: skip
+    """Draw cells as polyhedra, or elements as spheres, on axes in units of a metre over `scale`.
+
+    Colours have shape (n, 3), displacements of the centres as drawn too [m]; `corners` returns those of the corners
+    of the polygons of cells [m], (v, 3). The mask of drawn elements and the fragment of each cell have shape (n,).
+    """
+    if body.cells is None:
+        draw_spheres(ax, body, colour, view=view, moved=moved, shown=shown, scale=scale)
+        return
+    solid = polyhedra(body)
+    draw_cells(ax, solid, colour, view=view, moved=corners(solid), shown=shown, piece=piece, scale=scale)
+
+
+def draw_magnified(
     ax: Axes, body: Lattice, colour: Floats, motion: tuple[Floats, Floats], *, view: View, reach: float,
     shown: Mask | None = None, piece: np.ndarray | None = None,
 ) -> None:  # fmt: skip
-    """Draw cells as polyhedra, or elements as spheres, with magnified motion.
-
-    Args:
-        ax: axes to draw on, in mm.
-        body: lattice of cells or of bonded spheres.
-        colour: red, green and blue of each element, in 0 … 1, (n, 3).
-        motion: displacements [m], (n, 3), and orientations of the elements, (n, 4).
-        view: direction of view.
-        reach: magnification of displacements [-].
-        shown: mask of the drawn elements, (n,); None for all.
-        piece: number of the fragment of each cell, (n,); None for a whole body.
-    """
-    displacement, orientation = motion
-    if body.cells is None:
-        draw_spheres(ax, body, colour, view=view, moved=reach * displacement, shown=shown)
-        return
-    solid = polyhedra(body)
-    moved = corners_moved(solid, body, displacement, orientation, reach)
-    draw_cells(ax, solid, colour, view=view, moved=moved, shown=shown, piece=piece)
+    """Draw elements whose displacements [m], (n, 3), and orientations, (n, 4), are magnified by `reach`."""
+    corners = partial(corners_moved, body=body, displacement=motion[0], orientation=motion[1], reach=reach)
+    draw_elements(ax, body, colour, reach * motion[0], corners, view=view, shown=shown, piece=piece)
 
 
 def piece_colours(pieces: Fragments) -> Floats:

@@ -52,6 +52,7 @@ from bondem.report.turning_cells import turning_cells_of
 PHONE = "phone"
 # Figures of the specimen by the shape of its elements.
 _SPECIMENS = {"spheres": draw_specimen, "cells": draw_body}
+_TURNING = {"spheres": turning_of, "cells": turning_cells_of}
 # Width of a figure that fills the page, 8.2 inches [pixels].
 _PAGE = 1804
 
@@ -196,14 +197,14 @@ def templates() -> Environment:
 def page(findings: Findings, pictures: dict[str, Picture], undrawn: Mapping[str, str] | None = None) -> str:
     """HTML text of the report; `undrawn` are errors of figures by name, which the page states."""
     rows = rows_of(findings)
-    solid = bool(pictures) and findings.specimens[0].lattice.cells is not None
+    first, shape = findings.specimens[0], findings.specimens[0].lattice.elements.shape_name
+    turning = dict.fromkeys(_TURNING) | ({shape: _TURNING[shape](first)} if pictures else {})
     law = findings.bonds.law if findings.bonds is not None else None
     return templates().get_template("report.html").render(
         findings=findings,
         results=findings.results,
         pictures=pictures,
-        turning=turning_of(findings.specimens[0]) if pictures and not solid else None,
-        cells=turning_cells_of(findings.specimens[0]) if solid else None,
+        turning=turning["spheres"], cells=turning["cells"],
         contents=_contents(findings, rows, pictures),
         rows=[row for row in rows if not row["failing"]],
         broken=[row for row in rows if row["failing"]],

@@ -30,17 +30,16 @@ from bondem.labtests.modal import NaturalFrequencies
 from bondem.labtests.tension import Tension
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.report.cell_pictures import draw_cells
 from bondem.report.column_curves import draw_columns
+from bondem.report.crack_pictures import draw_elements
 from bondem.report.overlays import SCALE, draw_arrow, draw_box, draw_walls
 from bondem.report.piece_colours import piece_palette
-from bondem.report.sphere_pictures import draw_spheres
 from bondem.report.spheres import View
 from bondem.report.strength_figures import reach_of
 from bondem.report.style import BLUE, GREEN, ORANGE, PURPLE, SEQUENTIAL, SETTINGS
 from bondem.report.surface_picture import draw_patches
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.tessellation.polyhedra import polyhedra
+from bondem.specimen.tessellation.polyhedra import Polyhedra
 from bondem.statics.modes import ModesResult
 from bondem.statics.static import StaticResult
 
@@ -302,21 +301,18 @@ def _body(
     ax: Axes, lattice: Lattice, colour: Floats, view: View, *, moved: Floats | None = None,
     turned: Floats | None = None, reach: float = 1.0, piece: np.ndarray | None = None,
 ) -> None:  # fmt: skip
-    """Draw cells as polyhedra, or elements as spheres."""
-    if lattice.cells is not None:
-        solid = polyhedra(lattice)
+    """Draw a body where its elements are, with magnified motion."""
+    shift = np.zeros_like(lattice.centre) if moved is None else reach * moved
+
+    def corners(solid: Polyhedra) -> Floats:
         owner = np.repeat(solid.cell, np.diff(solid.start))
-        shift = None
-        if moved is not None:
-            arm = solid.vertex - lattice.centre[owner]
-            shift = reach * moved[owner]
-            if turned is not None and turned.shape[1] == 4:
-                shift = shift + turned_vectors(turned[owner], arm) - arm
-            elif turned is not None:
-                shift = shift + reach * np.cross(turned[owner], arm)  # small rotations grow with displacements
-        draw_cells(ax, solid, colour, view=view, moved=shift, piece=piece, scale=SCALE)
-        return
-    draw_spheres(ax, lattice, colour, view=view, moved=None if moved is None else reach * moved, scale=SCALE)
+        arm = solid.vertex - lattice.centre[owner]
+        if turned is not None and turned.shape[1] == 4:
+            return shift[owner] + turned_vectors(turned[owner], arm) - arm
+        # small rotations grow with displacements
+        return shift[owner] if turned is None else shift[owner] + reach * np.cross(turned[owner], arm)
+
+    draw_elements(ax, lattice, colour, shift, corners, view=view, piece=piece, scale=SCALE)
 
 
 def _bounds(lattice: Lattice) -> tuple[Floats, Floats]:

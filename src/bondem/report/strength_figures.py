@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 from bondem._types import Floats, Mask
 from bondem.labtests.failure_record import TestFigure
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.report.crack_pictures import draw_elements
+from bondem.report.crack_pictures import draw_magnified
 from bondem.report.findings import Examined, Findings
 from bondem.report.spheres import View
 from bondem.report.style import BLUE, GREY, INK, ORANGE, SEQUENTIAL, for_phones, legend_columns, sheet
@@ -99,7 +99,7 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
         toward = view.axes[2] * (0.0, 1.0, 1.0)
         shown = (body.centre - np.mean(body.particles.envelope.bounds, axis=0)) @ toward < 0.0
     motion = curves["displacement"], curves["orientation"]
-    draw_elements(ax, body, colour, motion, view=view, reach=reach, shown=shown, piece=curves.get("piece"))
+    draw_magnified(ax, body, colour, motion, view=view, reach=reach, shown=shown, piece=curves.get("piece"))
     ax.set_title(f"{told.title}, {magnified(reach)}", color=INK)
     bar = figure.colorbar(
         ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.7, aspect=30, pad=0.02
