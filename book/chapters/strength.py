@@ -44,9 +44,9 @@ def chapter() -> Chapter:
         ),
         misses=(
             "Brittle bars with a slit or a blunt notch do not have one toughness, relative to the size of their "
-            "cells, at all sizes. Without inertia, some peaks differ from those of other solvers by more than "
-            "required, all but one of them with bands wider than the default. The energy balance of bodies that "
-            "crush with a G_II of 50 J/m² does not close."
+            "cells, at all sizes. One notched bar of 10 000 cells takes 1.081 times G_f. Without inertia, some peaks "
+            "differ from those of other solvers by more than required, all but one of them with bands wider than the "
+            "default. The energy balance of bodies that crush with a G_II of 50 J/m² does not close."
         ),
         sections=(_pairs(), _tension(), _compression(), _brazilian(), _toughness(), _still(), _ledger()),
     )
@@ -170,13 +170,17 @@ def _still() -> Section:
     rows = []
     for case in FACTORS.at("cases"):
         of = f"notched bar, {case['count']} cells, seed {case['seed']}"
-        for one in case["load factors"]:
-            steps = f"band of ± {100.0 * one['ripple']:g} %, {one['failures'] / one['facets']:.1f} events per facet"
-            off = FACTORS.of(abs(one["over explicit"] - 1.0))
+        for bands in (0.02,), (0.05, 0.1, 0.2):
+            some = [one for one in case["load factors"] if one["ripple"] in bands]
+            if not some:
+                continue
+            steps = f"band of ± {', '.join(format(100.0 * one['ripple'], 'g') for one in some)} %"
+            off = FACTORS.of(*(abs(one["over explicit"] - 1.0) for one in some))
             rows += [
                 Row(case=f"{of}, {steps}: peak off that of an explicit run", ours=off, form=PERCENT,
                     tolerance=AtMost(0.01)),
-                Row(case=f"{of}, {steps}: work over the ligament and G_f", ours=FACTORS.of(one["work"]), form=RATIO),
+                Row(case=f"{of}, {steps}: work over the ligament and G_f", form=RATIO,
+                    ours=FACTORS.of(*(one["work"] for one in some))),
             ]  # fmt: skip
         (grown,) = case["displacements"]
         rows.append(
