@@ -118,7 +118,7 @@ def _case(one: dict[str, Any]) -> Section:
     seconds, events = one["run_seconds"], one["events"]
     words = (
         f"`validation/cases/{one['name']}.py` states the published and the fixed inputs. A run took {min(events)} to"
-        f" {max(events)} events and {min(seconds) / 60:.0f} to {max(seconds) / 60:.0f} min on one core."
+        f" {max(events)} events and {min(seconds):.0f} to {max(seconds):.0f} s on one core."
     )
     said = f"{CASES[one['name']]}: load curves, and the crack of the first packing"
     figure = Figure(f"fracture_{one['name']}.png", said)

@@ -41,9 +41,8 @@ def chapter() -> Chapter:
             "[fracture](validation/fracture.md), which have figures and other sizes."
         ),
         misses=(
-            "The Brazilian strength of the concrete and of the granite is too low. Large notched beams are "
-            "slightly stronger than a continuum with a cohesive crack. Grégoire's and García-Álvarez' beams are "
-            "stronger than measured. The toughness of the granite from a small beam is too low."
+            "The Brazilian strength of the concrete and of the granite is too low. Grégoire's and García-Álvarez' "
+            "beams are stronger than measured. The toughness of the granite from a small beam is too low."
         ),
         sections=(_concrete(), _beams(), _other_concretes(), _granite(), _glass()),
     )
