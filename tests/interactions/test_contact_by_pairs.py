@@ -44,7 +44,7 @@ def test_blocks_slide_or_rest_by_the_law_of_their_body_and_the_floor(one_thread:
     away = run.state.displacement[:, 0].reshape(2, 4).mean(axis=1)
     down = G * (math.sin(slope) - 0.1 * math.cos(slope))
     assert away[1] == pytest.approx(0.5 * down * 0.5**2, rel=1e-2)
-    # it slips by a little while the floor takes up its weight, which acts at once
+    # the weight acts at once, and the block slips by a little until the overlap with the floor carries it
     assert abs(away[0]) < 1e-2 * away[1]
     energy = run.history.energy
     assert abs(energy["balance"]).max() < 1e-4 * energy["friction"][-1]
