@@ -84,7 +84,8 @@ def _thrown(test: SphereImpact) -> dict[str, float | None]:
         "kinetic energy before [J]": float(moving[0]), "kinetic energy after [J]": float(moving[-1]),
         **{f"{name} [J]": float(energy[name][-1]) for name in ("fracture", "crushing", "friction")},
         "largest force [N]": test.peak, "restitution of the heaviest piece [-]": test.restitution,
-        **_pieces(test.broken), "momentum error [%]": 100.0 * test.momentum, "energy error [%]": 100.0 * test.residual,
+        **_pieces(test.broken),
+        "momentum error [%]": 100.0 * test.momentum, "energy error [%]": 100.0 * test.residual,
     }  # fmt: skip
 
 
