@@ -15,9 +15,9 @@ from bondem.dynamics.explicit import integrate
 from bondem.dynamics.on_device.counterparts import launches_of
 from bondem.dynamics.on_device.stress_onset_counterparts import COUNTERPARTS
 from bondem.dynamics.on_device.translation import Translation
-from bondem.dynamics.parts.part import Passes, composed
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
+from bondem.interactions.step_part import Passes, composed
 from bondem.model.state import State
 from tests.core.test_cells import LAW, body
 from tests.device_runs import deviation

@@ -7,8 +7,8 @@ from bondem._core import _library
 from bondem._tables.pass_words import SENTENCES
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explained_step import explain_step
-from bondem.dynamics.parts.part import FORCES, composed
 from bondem.dynamics.plan import Plan
+from bondem.interactions.step_part import FORCES, composed
 
 ENDS = [bd.Fix(bd.Face("x_min")), bd.Drive(bd.Face("x_max"), vx=bd.Ramp(0.0, 2.0, 1e-4))]
 TOUCH = bd.LinearContact(E=1e9, friction=0.4)

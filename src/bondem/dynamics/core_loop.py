@@ -9,9 +9,9 @@ from bondem._threads import current_threads
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.gauge_tables import gauge_tables
 from bondem.dynamics.history import CONTACT, FIXED_COLUMNS, TRANSLATION
-from bondem.dynamics.parts.part import FORCES, STAGES, composed
 from bondem.dynamics.parts.parts_of_model import parts_of
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Plan
+from bondem.interactions.step_part import FORCES, STAGES, composed
 from bondem.model.domain_blocks import Blocks
 from bondem.model.model import Model
 from bondem.model.state import State

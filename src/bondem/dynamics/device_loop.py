@@ -22,9 +22,9 @@ from bondem.dynamics.on_device.contact_counterparts import deepest_overlaps, lis
 from bondem.dynamics.on_device.counterparts import FURTHER, launches_of
 from bondem.dynamics.on_device.device_tables import FURTHER_COLUMNS, SUM_COLUMNS
 from bondem.dynamics.on_device.translation import Translation, count_record, names_of, set_clock
-from bondem.dynamics.parts.part import FORCES, RESUME, Passes, composed
 from bondem.dynamics.parts.parts_of_model import parts_in_one_block
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Plan
+from bondem.interactions.step_part import FORCES, RESUME, Passes, composed
 from bondem.model.model import Model
 from bondem.model.state import State
 

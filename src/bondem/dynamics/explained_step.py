@@ -13,10 +13,10 @@ from bondem._tables.step_tables import HistoryRows
 from bondem.boundary.gauges import AnyGauge
 from bondem.dynamics.damping import AnyDamping
 from bondem.dynamics.history import FIXED_COLUMNS
-from bondem.dynamics.parts.part import STAGES, composed
 from bondem.dynamics.parts.parts_of_model import parts_in_one_block
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.restart import begin
+from bondem.interactions.step_part import STAGES, composed
 from bondem.model.model import Model
 from bondem.model.state import State
 

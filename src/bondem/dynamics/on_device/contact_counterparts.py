@@ -28,7 +28,7 @@ from bondem.boundary.wall_rows import no_rows
 from bondem.dynamics.on_device.breakage_counterparts import marks_of
 from bondem.dynamics.on_device.device_tables import new_row_order
 from bondem.dynamics.on_device.translation import Counterpart, Translation
-from bondem.dynamics.parts.part import Passes
+from bondem.interactions.step_part import Passes
 
 _move_walls = IndexPass("move_all_walls", DeviceSpan, WallMotions, Walls)
 _check_element = IndexPass("check_travel_of_element", DeviceSpan, Moving, Travel)

@@ -25,7 +25,7 @@ from bondem.dynamics.on_device import (
     yielding_counterparts,
 )
 from bondem.dynamics.on_device.translation import Counterpart, Translation
-from bondem.dynamics.parts.part import Passes
+from bondem.interactions.step_part import Passes
 
 #: Passes that act on elements beside the loads of their bonds.
 FURTHER = {

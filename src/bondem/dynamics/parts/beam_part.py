@@ -11,10 +11,10 @@ from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, Port
 from bondem.damage.failure_passes import SOFTENING_CRITERIA
 from bondem.dynamics.parts.breakage_part import breakage
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
-from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.parts.softening_part import SofteningTables, softening
 from bondem.interactions.beams.beam_tables import beam_tables
+from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
 

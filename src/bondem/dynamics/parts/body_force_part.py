@@ -4,8 +4,8 @@ import numpy as np
 
 from bondem._core_steps import StepPass
 from bondem._tables.step_tables import BodyForces, Moving, StepCut, Timeline
-from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.interactions.step_part import Part
 from bondem.model.model import Model
 from bondem.model.state import State
 

@@ -4,8 +4,8 @@ import numpy as np
 
 from bondem._core_steps import StepPass
 from bondem._tables.step_tables import CoupleTable, Drives, Moving, RowLoads, Rows, Timeline
-from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.interactions.step_part import Part, Passes
 from bondem.model.constraints import Schedules
 
 _clear_row_forces = StepPass("clear_row_forces", Rows)

@@ -7,8 +7,8 @@ from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, Po
 from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving
 from bondem.damage.failure_passes import BEAM_CRITERIA, strengths_of
 from bondem.dynamics.parts.damage_part import DamageTables
-from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.interactions.step_part import Part, Passes
 from bondem.model.state import State
 
 _judge_beams = {

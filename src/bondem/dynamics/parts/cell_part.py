@@ -20,11 +20,11 @@ from bondem._tables.damage_tables import Candidates, FailureBounds
 from bondem._tables.step_tables import Beams, Dashpots, Moving, Portions, Rows, StepCut, Timeline
 from bondem._types import Ints
 from bondem.dynamics.parts.damage_part import DamageTables
-from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.cells.cell_tables import cell_tables, gradient_tables
+from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
 

@@ -30,10 +30,10 @@ from bondem.dynamics.contact_check import ContactCheck, ListedContacts
 from bondem.dynamics.cracked_faces import CrackedFaces
 from bondem.dynamics.neighbour_list import ContactSearch, FoundContacts
 from bondem.dynamics.parts.damage_part import Joints
-from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.contact.contact_model import ContactModel
 from bondem.interactions.contact.contact_search import keep_wall_places, walls_at
+from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
 

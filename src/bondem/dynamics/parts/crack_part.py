@@ -38,10 +38,10 @@ from bondem.dynamics.crack_joints import LOSS, pressed_moments
 from bondem.dynamics.damage_tables import new_event_log
 from bondem.dynamics.parts.cell_part import BodyOfCells, cells, constants_of
 from bondem.dynamics.parts.damage_part import CrackJoints
-from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.stress_onset import OnsetByStress
 from bondem.interactions.beams.bond_table import with_zeros
+from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
 

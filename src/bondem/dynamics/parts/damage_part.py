@@ -17,8 +17,8 @@ from bondem.damage.event_columns import SOFT_BOND
 from bondem.damage.failure_table import FailureTable
 from bondem.dynamics.crack_joints import joints
 from bondem.dynamics.damage_tables import new_event_log
-from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
 

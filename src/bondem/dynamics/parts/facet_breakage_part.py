@@ -8,9 +8,9 @@ from bondem.damage.failure_passes import FACET_CRITERIA, strengths_of
 from bondem.dynamics.parts.cell_part import BodyOfCells, cells
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
 from bondem.dynamics.parts.mass_part import mass_of_waves
-from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.cells.cell_tables import facet_release
+from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
 

@@ -2,8 +2,8 @@
 
 from bondem._core_steps import StepPass
 from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, Rows
-from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.interactions.step_part import Part, Passes
 
 _sum_element_energies = StepPass("sum_element_energies", Moving, Portions)
 _judge_energy = StepPass("judge_energy", Rows, Portions)

@@ -6,8 +6,8 @@ from bondem._core_steps import StepPass
 from bondem._tables.cell_tables import CorrectedMass, ElasticFacets, WallConstraints
 from bondem._tables.step_tables import Moving, Portions, Rows, StepCut
 from bondem.dynamics.parts.cell_part import BodyOfCells
-from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.interactions.step_part import Part
 from bondem.model.model import Model
 
 _OF_CELLS = Moving, ElasticFacets, WallConstraints, CorrectedMass

@@ -6,9 +6,9 @@ from bondem._core_steps import StepPass
 from bondem._tables.step_tables import Dashpots, Moving, Resistance, Rows, StepCut
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.dashpots import bond_dashpots
-from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.beams.bond_table import with_zeros
+from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 
 _open_elements = StepPass("open_elements", Moving)

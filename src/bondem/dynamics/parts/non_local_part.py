@@ -8,8 +8,8 @@ from bondem._tables.non_local_tables import LaggedStresses, NonLocalBonds, NonLo
 from bondem._tables.step_tables import Beams, Dashpots, HistoryRows, Moving, Portions, StepCut
 from bondem.damage.failure_passes import strengths_of
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
-from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.non_local_tables import lagged_stresses, non_local_tables
 from bondem.model.state import State

@@ -14,10 +14,10 @@ from bondem.dynamics.parts.facet_breakage_part import body_of_cells
 from bondem.dynamics.parts.history_part import history
 from bondem.dynamics.parts.motion_part import dashpots_of, motion, resistance_of
 from bondem.dynamics.parts.non_local_part import non_local
-from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.parts.stored_beam_part import stored_beams
 from bondem.dynamics.plan import Plan
+from bondem.interactions.step_part import Part
 from bondem.model.domain_blocks import Blocks
 from bondem.model.model import Model
 from bondem.model.state import State

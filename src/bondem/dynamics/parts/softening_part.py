@@ -12,9 +12,9 @@ from bondem.damage.beam_softening import BeamSoftening
 from bondem.damage.event_columns import SOFT_BOND, SOFT_COLUMNS
 from bondem.damage.failure_passes import strengths_of
 from bondem.dynamics.parts.damage_part import DamageTables, write_released
-from bondem.dynamics.parts.part import Part
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.step_tables import BONDS_OF_PORTION
+from bondem.interactions.step_part import Part
 from bondem.model.state import State
 
 _soften_beams = StepPass("soften_beams", Moving, Beams, SofteningBounds, SofteningBeams)

@@ -3,8 +3,8 @@
 from bondem._core_steps import StepPass
 from bondem._tables.incremental_tables import StoredLoads
 from bondem._tables.step_tables import Beams, Dashpots, Moving, Portions, StepCut
-from bondem.dynamics.parts.part import Part, Passes
 from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.interactions.step_part import Part, Passes
 from bondem.model.incremental_tables import stored_beam_tables
 from bondem.model.model import Model
 from bondem.model.state import State

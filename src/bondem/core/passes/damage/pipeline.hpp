@@ -3,7 +3,7 @@
 // Bonds fail at the end of a step. Their two elements close it with the whole force, and open the next without it, so
 // that the energy of a bond is released between two steps, and the balance of energy is as exact as the scheme is.
 //
-// In the order of a step (stages of `bondem/dynamics/parts/part.py`):
+// In the order of a step (stages of `bondem/interactions/step_part.py`):
 //
 //     loads    The pass of forces compares a size of the load of each bond with its bound, and `mark`s those that reach
 //              it, block by block. Nearly all bonds do not.
