@@ -125,7 +125,7 @@ inline void remove_failing_beam(Index e, const DeviceSpan &span, const Moving &a
     const FailedBeam failed = failed_beam(all.pose.data, beams, state, k);
     put(to, k, failed.loads);
     write_failure(e, span, candidates, log, failed.removal);
-    end_beam(state, k);
+    put_integrity_of_beam(state, k, 0.0, beams.length(k));
 }
 inline void take_beams_off_element(Index p, const BondsOfElements &bonds, const BondMarks &marks, const LoadsOfBonds &from,
                                    const Candidates &candidates, const Postponed &postponed) {

@@ -95,7 +95,7 @@ inline void end_facets_of_cell(Index p, const Moving &all, const ElasticFacets &
     release.weight(p) = weight_left(release, p, left);
     all.pose(p, stress_column) = dilated(all, facets, walls, release, p, release.weight(p), left).stress;
     for_each_facet_of(release, p, [&](Index k) {
-        if (fails(k) && facets.i(k) == Short(p)) facets.integrity(k) = 0.0;
+        if (fails(k) && facets.i(k) == Short(p)) put_integrity(facets, k, 0.0);
     });
 }
 inline void restore_facets_of_cell(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,

@@ -92,7 +92,7 @@ Removal break_facet(const Moving &all, const ElasticFacets &facets, const WallCo
                     const FacetRelease &release, Index k) {
     Removal removal = removal_of_facet(all, facets, k);
     removal.energy += dilate_both(all, facets, walls, release, k);
-    facets.integrity(k) = 0.0;
+    put_integrity(facets, k, 0.0);
     weigh(facets, release, facets.i(k));
     weigh(facets, release, facets.j(k));
     removal.energy -= dilate_both(all, facets, walls, release, k);

@@ -4,6 +4,7 @@
 // facet releases follows from its cells alone, given the facets that are removed before it. `left(k)` is the integrity of
 // facet k at such an instant.
 #pragma once
+#include "../damage/integrity.hpp"
 #include "facet_neighbours.hpp"
 #include "facet_verdicts.hpp"
 #include "walls.hpp"

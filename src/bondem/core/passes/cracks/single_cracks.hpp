@@ -1,5 +1,6 @@
 // One crack at a time, for what concerns few of them: when they begin, rest, wake, or part.
 #pragma once
+#include "../damage/integrity.hpp"
 #include "crack_places.hpp"
 
 namespace bondem {
@@ -72,7 +73,7 @@ inline void clear_half(const CrackLists &lists, Index number) {
 inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Index k, int status) {
     history_of(cracks, k).status = status;
     cracks.listed(k) = Byte(1 + status);
-    facets.integrity(k) = status == crack::active ? 0.0 : cracks.integrity(k);
+    put_integrity(facets, k, status == crack::active ? 0.0 : cracks.integrity(k));
     put_shared(cracks.size(1), Index(1));
 }
 

@@ -186,7 +186,7 @@ BONDEM_INLINE void put_softened(const Group &group, const Moving &all, const Ela
     const HalfRows<T> j = rows_of(swelling_half(facet.k, T(one - facet.part), now, now.share_j));
     const T least_left = now.left.least_left();
     group.where(falls, [&](Index k, Index e, int n) {
-        cracks.integrity(k) = group.lane(least_left, n);
+        put_integrity(cracks, k, group.lane(least_left, n));
         double *const on_i = &lists.half(lists.number(e, 0), 0), *const on_j = &lists.half(lists.number(e, 1), 0);
         for (int c = 0; c < 8; c++) {
             on_i[c] = group.lane(i.first.column[c], n);

@@ -58,7 +58,7 @@ Removal break_beam(const double *pose, const Beams &beams, const BeamIntegrity &
     const FailedBeam failed = failed_beam(pose, beams, state, k);
     take_off_end(&postponed.kept(beams.i(k), 0), true, failed.loads);
     take_off_end(&postponed.kept(beams.j(k), 0), false, failed.loads);
-    end_beam(state, k);
+    put_integrity_of_beam(state, k, 0.0, beams.length(k));
     return failed.removal;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "../../laws/damping.hpp"
 #include "../beams/bonds.hpp"
+#include "integrity.hpp"
 #include "pipeline.hpp"
 
 namespace bondem {
@@ -21,10 +22,6 @@ inline FailedBeam failed_beam(const double *pose, const Beams &beams, const Beam
     return {loads,
             {s * (energy.normal + energy.shear + energy.bending + energy.twisting), length(ends.branch) - shape.length,
              plus(centre, beams.lever(k) / shape.length, ends.branch)}};
-}
-inline void end_beam(const BeamIntegrity &state, Index k) {
-    state.integrity(k) = 0.0;
-    if (state.hold.size() > 0) state.hold(k) = 0.0;
 }
 inline BeamLoads<double> loads_of_dashpot(const Moving &all, const Beams &beams, const Dashpots &dashpots, Index k) {
     const Index m = dashpots.c.shape[1];

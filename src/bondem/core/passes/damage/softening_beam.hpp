@@ -4,6 +4,7 @@
 #include "../../laws/beam_softening.hpp"
 #include "../../tables/beam_softening_tables.hpp"
 #include "beam_verdicts.hpp"
+#include "integrity.hpp"
 
 namespace bondem {
 
@@ -41,9 +42,8 @@ __attribute__((noinline)) inline double opened_product(const Moving &all, const 
     const Vector force = minus(loads.force, beams.kn(k), pressure_on(ends.branch, beams.length(k)));
     return rate + 0.5 * dt * (dot(force, j.v - i.v) + dot(loads.on_i, i.w) + dot(loads.on_j, j.w));
 }
-inline void put_integrity(const Beams &beams, const SofteningBounds &bounds, Index k, double s) {
-    bounds.integrity(k) = s;
-    if (bounds.hold.size() > 0) bounds.hold(k) = s / beams.length(k);
+inline void put_softened(const Beams &beams, const SofteningBounds &bounds, Index k, double s) {
+    put_integrity_of_beam(bounds, k, s, beams.length(k));
     bounds.press(k) = (1.0 - s) * beams.kn(k);
 }
 
@@ -61,7 +61,7 @@ inline double soften_beam(const Clock &clock, const Moving &all, const Beams &be
     if (left == s) return 0.0;
     const double spent = (s - left) * opened_product(all, beams, ends, rate, clock.dt, k);
     row[soft_column::spent] += spent;
-    put_integrity(beams, bounds, k, left);
+    put_softened(beams, bounds, k, left);
     return spent;
 }
 // What the beam of row c has dissipated beyond its fracture energy [J].
@@ -115,7 +115,7 @@ inline Verdict<double> begin_beam(const Moving &all, const Beams &beams, const S
     const double last = last_opening(at_onset, bounds.tear(k), bounds.slide(k), first);
     const double product = opened_product(all, beams, now, rate, dt, k);
     const double left = most(softened(1.0, {first, last}, 0.0, product / root(rate), root(rate)), 0.5 * broken_integrity);
-    put_integrity(beams, bounds, k, left);
+    put_softened(beams, bounds, k, left);
     const double kept[4] = {first, last, rate, (1.0 - left) * product};
     for (Index column = 0; column < 4; column++) bounds.onset(k, column) = kept[column];
     return verdict;

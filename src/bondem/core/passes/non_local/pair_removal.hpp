@@ -1,5 +1,6 @@
 // What the removal of a bond of the non-local law changes: the loads on its ends, its event, and the stresses of its ends.
 #pragma once
+#include "../damage/integrity.hpp"
 #include "../damage/pipeline.hpp"
 #include "bond_columns.hpp"
 
@@ -32,7 +33,7 @@ inline void relieve(const Moving &all, const LaggedStresses &stresses, Short p, 
 }
 inline void end_pair(const NonLocalBonds &bonds, const BeamIntegrity &state, Index k) {
     for (Index c = 0; c < bonds.output.size(); c++) bonds.output(c, k) = 0.0;
-    state.integrity(k) = 0.0;
+    put_integrity(state, k, 0.0);
 }
 
 }  // namespace bondem
