@@ -12,17 +12,17 @@ Clamped specimens are held and loaded at the spheres that touch the end, whose c
 therefore solved twice: with its faces held and loaded, and between planes R̄ inside of them, the rest being rigid. The
 second is what the specimen should do; the difference is what holding spheres costs.
 
-The packings shown are of one seed, 101. They do not stand for others: see OTHERS.
+The packings shown are of one seed, 101. They do not stand for others: with the same constants of the layers, packings
+of other seeds fail the 3 % (steel beams 0 of 4 pass, alumina and granite 1 of 4; seed 1: 3.6 % for the steel beam).
 
 Run: python benchmarks/any_specimen.py [--count 20000] [--seed 101] [--out DIR] [--material NAME] [--shape NAME]
 Every case is kept in --out as soon as it is done, so that a run goes on where it was stopped. A whole run also writes
-benchmarks/results/any_specimen.json, any_specimen.md and docs/figures/any_specimen*.png; with another seed it writes
+benchmarks/results/any_specimen.json and docs/figures/any_specimen*.png; with another seed it writes
 what the layers give to benchmarks/results/any_specimen_seed_SEED.json.
 """
 
 import argparse
 import json
-import textwrap
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -46,17 +46,11 @@ FINENESS = (2500, 5000, 10_000, 20_000, 40_000)
 SPREAD = 0.25
 #: Of the packings that are shown. The factors of the layers were found on 8000 spheres of seed 1.
 SEED = 101
-#: What is known of other packings.
-OTHERS = (
-    "With the constants of the layers unchanged, packings of other seeds fail the 3 % (steel beams 0 of 4 pass,"
-    " alumina and granite 1 of 4; seed 1, tried before 101, failed too: 3.6 % for the steel beam)."
-)
 #: Ways to use a calibration.
 WAYS = ("raw", "scaled", "layered")
 #: Which spheres are at a face: those closer than this to it, in mean radii. Against a triangulated wall some of the
 #: first layer stop up to a tenth of R̄ short of it; the second layer is more than a whole R̄ away.
 DEPTH = 0.25
-LOADS = ("tension", "bending", "torsion")
 #: Modes of the continuum looked at.
 MODES = 9
 #: Allowed error [-] for a thinnest part of at least so many R̄.
@@ -304,32 +298,6 @@ def condensed(found: dict[str, Any]) -> dict[str, Any]:
     return json.loads(json.dumps(found), parse_float=lambda text: float(f"{float(text):.5g}"))
 
 
-def table(cases: list[dict[str, Any]]) -> str:
-    """Errors in percent."""
-    lines = []
-    for way in WAYS:
-        names = list(dict.fromkeys(key for one in cases for key in one[way] if isinstance(one[way][key], dict)))
-        names.sort(key=lambda key: key in LOADS)
-        lines += ["", f"**{way.capitalize()}**, errors [%]", "", "| material | shape | t/R̄ | limit | "
-                  + " | ".join(names) + " | within limit |", "|---" * (5 + len(names)) + "|"]  # fmt: skip
-        for one in cases:
-            cell = [f"{100 * one[way][key]['error']:+.1f}" if key in one[way] else "" for key in names]
-            allowed = "" if one["limit"] is None else f"{100 * one['limit']:.0f}"
-            verdict = {True: "yes", False: "**no**", None: ""}[one[way]["verdict"]]
-            lines.append("| " + " | ".join([one["material"], one["shape"], f"{one['thickness']:.1f}", allowed, *cell,
-                                            verdict]) + " |")  # fmt: skip
-    return "\n".join(lines[1:]) + "\n"
-
-
-def page(summary: dict[str, Any]) -> str:
-    """`any_specimen.md`: the errors, and for which packings they hold."""
-    holds = f"Packings of seed {summary['seed']} only, {summary['count']} spheres. {OTHERS}"
-    return (
-        f"{textwrap.fill(holds, 118)}\n\n{table(summary['cases'])}"
-        f"\nConvergence, seed {summary['seed']}\n\n{table(summary['convergence'])}"
-    )
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=20_000, help="spheres of each specimen")
@@ -344,7 +312,6 @@ def main() -> None:
     book = Book(options.out, cell=options.cell, number=options.cells, seed=options.seed)
     shapes = options.shape or tuple(bodies())
     cases = [condensed(book.case(m, s, options.count)) for s in shapes for m in options.material or MATERIALS]
-    print(table(cases))
     results = ROOT / "benchmarks" / "results"
     if options.seed != SEED:
         if not (options.material or options.shape):
@@ -353,13 +320,11 @@ def main() -> None:
         return
     first = (options.material or MATERIALS)[0]
     series = [condensed(book.case(first, s, n)) for s in shapes for n in options.fineness]
-    print(table(series))
     if options.material or options.shape:
         return
     summary = {"count": options.count, "cell": options.cell, "cells": options.cells, "spread": SPREAD, "seed": SEED,
                "cases": cases, "convergence": series}  # fmt: skip
     (results / "any_specimen.json").write_text(json.dumps(summary) + "\n")
-    (results / "any_specimen.md").write_text(page(summary))
     bracket = specimen("bracket", options.count)
     draw(summary, bracket.lattice, first_mode(book.fit(first), bracket), ROOT / "docs" / "figures")
 

@@ -8,10 +8,7 @@ slower explicit run, work over the ligament and G_f, events, facets, and time.
 
 Run: python benchmarks/load_factors.py [--counts 300 1000 3000] [--seeds 1] [--ripples 0.2 0.1 0.05 0.02]
          [--together 0.005] [--steps 0.01 0.005]
-It writes benchmarks/results/load_factors.json; cases that are there already are kept. 10 000 cells, whose explicit
-runs take hours:
-     python benchmarks/load_factors.py --counts 10000 --ripples 0.02 --traverses --steps
-         --out benchmarks/results/load_factors_large.json
+It writes benchmarks/results/load_factors.json; cases that are there already are kept.
 """
 
 import argparse

@@ -11,7 +11,7 @@ Run: python benchmarks/strength.py [--kinds tension notched slit brittle compres
          [--counts 1000 3000 10000] [--seeds 1 2 3 4 5] [--out DIR] [--anew]
      python benchmarks/strength.py --summary
 Every case is kept in --out as soon as it is done, so that a run goes on where it was stopped; the last command sums
-them up in benchmarks/results/strength.json and strength.md, with those that are there already and were not done anew.
+them up in benchmarks/results/strength.json, with those that are there already and were not done anew.
 Without --anew these are not done again.
 """
 
@@ -106,37 +106,6 @@ def measured(case: Case, count: int, seed: int) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def table(cases: list[dict[str, Any]]) -> str:
-    """A line a case and size: mean of all seeds, and the seed that is furthest from 1."""
-    lines = [
-        "| test | G [J/m²] | pressure [MPa] | elements | seeds | strength: mean | furthest | energy: mean |"
-        " furthest | K / f_t √d | ledger | E | seconds |",
-        "|---" * 13 + "|",
-    ]
-    groups: dict[tuple, list[dict[str, Any]]] = {}
-    for one in cases:
-        groups.setdefault((one["kind"], one["energy"], one["pressure"], one["count"]), []).append(one)
-    order = ["tension", "notched", "slit", "brittle", "compression", "triaxial"]
-    for group in sorted(groups, key=lambda one: (order.index(one[0]), *one[1:])):
-        kind, energy, pressure, count = group
-        ones = groups[group]
-        cells = []
-        for name in ("strength", "energy"):
-            values = [one["ratios"][name] for one in ones if name in one["ratios"]]
-            far = max(values, key=lambda v: abs(v - 1.0), default=math.nan)
-            cells += ["–", "–"] if not values else [f"{np.mean(values):.3f}", f"{far:.3f}"]
-        tough = [one["toughness"] for one in ones if "toughness" in one]
-        cells.append("–" if not tough else f"{np.mean(tough):.3f} ({min(tough):.3f} to {max(tough):.3f})")
-        seeds = " ".join(str(one["seed"]) for one in ones)
-        residual, spent = max(one["residual"] for one in ones), np.median([one["seconds"] for one in ones])
-        E = np.mean([one["E"] for one in ones])
-        lines.append(
-            f"| {kind} | {energy:g} | {pressure / 1e6:g} | {count} | {seeds} | " + " | ".join(cells)
-            + f" | {residual:.1e} | {E:.4f} | {spent:.0f} |"
-        )  # fmt: skip
-    return "\n".join(lines)
-
-
 def main(arguments: list[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     kinds = sorted({case.kind for case in CASES})
@@ -169,7 +138,7 @@ def kept() -> dict[tuple[object, ...], dict[str, Any]]:
 
 
 def sum_up(out: Path) -> None:
-    """All cases in a folder and in the results as one table."""
+    """All cases in a folder and in the results in one record."""
     begun, found = origin(), kept()
     for file in out.glob("*.json"):
         one = json.loads(file.read_text())
@@ -178,10 +147,8 @@ def sum_up(out: Path) -> None:
     judged = [one for one in cases if one["ratios"]]
     within = sum(all(abs(ratio - 1.0) <= LIMIT for ratio in one["ratios"].values()) for one in judged)
     told = f"{within} of {len(judged)} specimens within {100 * LIMIT:g} % in all that was measured"
-    text = f"{table(cases)}\n\n{told}\n"
-    (RESULTS / "strength.md").write_text(text, encoding="utf-8")
     keep(RESULTS / "strength.json", begun | {"within": within, "cases": cases})
-    print(text)
+    print(told)
 
 
 if __name__ == "__main__":

@@ -89,10 +89,9 @@ def _starting() -> Section:
         ),
         after=(
             "Nothing is compiled at run time; the two uses differ by the cache of packings and by chance. Times of "
-            "packing are in the chapter on [packings](validation/packings.md). `python benchmarks/study.py` "
-            "measures time and memory of a whole study, `python benchmarks/static_solve.py` "
-            "the times of statics and modes, and `python benchmarks/highest_frequency.py` the time of the critical "
-            "step."
+            "packing are in the chapter on [packings](validation/packings.md). `python benchmarks/static_solve.py` "
+            "measures the times of statics and modes, and `python benchmarks/highest_frequency.py` the time of the "
+            "critical step."
         ),
     )  # fmt: skip
 
@@ -145,7 +144,6 @@ def _step() -> Section:
         before=f"The rows are medians on {here['processor']}, {here['vector']}, {_machine()['started'][:10]}"
         f"{_then(AGAINST)}.",
         rows=tuple(rows),
-        after="`python benchmarks/scaling.py` measures bytes, flops and the share of the roofline.",
     )
 
 
