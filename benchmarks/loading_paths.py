@@ -35,6 +35,7 @@ from paths import (
     softening_energy,
     stress_states,
     turned_plates,
+    two_cracks,
     weak_planes,
 )
 from paths.rows import CaseFunction, Row, Verdict, table, verdicts
@@ -49,6 +50,7 @@ CASES: dict[str, tuple[CaseFunction, tuple[int, ...]]] = {
     "beside": (beside.beside, (400, 1000)),
     "dead": (beside.dead, (400, 1000)),
     "wide": (beside.wide, (400,)),
+    "wedged": (two_cracks.wedged, (400, 1000)),
     "pressed": (beside.pressed, (400, 1000)),
     "slide": (opened.slide, (400, 1000)),
     "flat": (opened.flat, (400,)),
