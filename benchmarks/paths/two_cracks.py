@@ -1,9 +1,9 @@
 """Two cracks that open as opposite wedges: the second solution of a body that is torn between parallel faces.
 
-A uniform body whose faces stay parallel can be torn by one crack that opens evenly, or by two that open by w (1 - z/L)
-and w z/L: the part between them turns, and both keep a hinge in which it is pressed. What either solution takes is
-known from a rigid block between two cohesive beds, which have the compliance of the body. Flaws decide which one a body
-follows: here two strips at opposite ends that are weaker, or one section that is.
+A uniform body whose faces stay parallel can be torn by one crack that opens evenly, or by two that open by
+w (1 - z/L) and w z/L: the part between them turns, and both keep a hinge in which it is pressed. What either solution
+takes is known from a rigid block between two cohesive beds, which have the compliance of the body. Flaws decide which
+one a body follows: here two strips at opposite ends that are weaker, or one section that is.
 """
 
 import numpy as np
@@ -25,7 +25,7 @@ _POINTS, _STEP, _ROUNDS, _EXACT = 200, 2e-8, 4000, 1e-6
 
 
 class _Bed:
-    """Springs of stiffness k over the section, each with a crack that softens along a line and closes to its origin."""
+    """Springs of stiffness k over the section, with cracks that soften along a line and close to their origin."""
 
     def __init__(self, stiffness: float) -> None:
         self.k, self.opened = stiffness, np.zeros(_POINTS)
@@ -62,24 +62,32 @@ def wedges(reach: float) -> tuple[float, float]:
 
 def wedged(seed: int, count: int) -> list[Row]:
     """Tension beside a held pressure: strips that are weaker at opposite ends, then one section that is."""
-    reach = NU * BESIDE * TENSION / E * SIDE + torn()
-    strong = bd.Rankine(tension=TENSION, fracture_energy=ENERGY)
+    return [*strips(seed, count), *section(seed, count)]
+
+
+def strips(seed: int, count: int) -> list[Row]:
+    """The cube whose strips at opposite ends are weaker; what is exact is that of the solution which it follows."""
     low, high = _slab(2, 0.0, 0.5 * SIDE), _slab(2, 0.5 * SIDE, SIDE)
-    strips = (_slab(0, 0.0, DEPTH) & low) | (_slab(0, SIDE - DEPTH, SIDE) & high)
-    found = _torn(seed, count, {bd.Everything(): strong, strips: _weaker(STRIPS)})
+    weak = (_slab(0, 0.0, DEPTH) & low) | (_slab(0, SIDE - DEPTH, SIDE) & high)
+    found = _torn(seed, count, weak, STRIPS)
     twice = _tilt(found, cube(seed, count)) > TILTED
-    spent, left = wedges(reach) if twice else (1.0, 0.0)
+    spent, left = wedges(NU * BESIDE * TENSION / E * SIDE + torn()) if twice else (1.0, 0.0)
     told = f"weaker strips at opposite ends, torn {'twice: two wedges' if twice else 'once'}"
-    section = _slab(0, 0.5 * (SIDE - WIDTH), 0.5 * (SIDE + WIDTH))
-    once = _torn(seed, count, {bd.Everything(): strong, section: _weaker(SECTION)})
+    return _rows(told, found, spent, left, seed, count)
+
+
+def section(seed: int, count: int) -> list[Row]:
+    """The cube with one section that is weaker: it is torn there, once."""
+    weak = _slab(0, 0.5 * (SIDE - WIDTH), 0.5 * (SIDE + WIDTH))
+    return _rows("one section weaker", _torn(seed, count, weak, SECTION), 1.0, 0.0, seed, count)
+
+
+def _rows(told: str, found: Course, spent: float, left: float, seed: int, count: int) -> list[Row]:
+    rest = found.left() / TENSION - left
     return [
         Row("states", f"{told}: G_f", found.dissipated() / ENERGY, spent, WORK, seed, count, note=found.note),
-        Row("states", f"{told}: left over f_t, less what is exact", found.left() / TENSION - left, 0.0, LEFT, seed,
-            count, note=found.note),
-        Row("states", "one section weaker: G_f", once.dissipated() / ENERGY, 1.0, WORK, seed, count, note=once.note),
-        Row("states", "one section weaker: left over f_t", once.left() / TENSION, 0.0, LEFT, seed, count,
-            note=once.note),
-    ]  # fmt: skip
+        Row("states", f"{told}: left over f_t, less what is exact", rest, 0.0, LEFT, seed, count, note=found.note),
+    ]
 
 
 def _slab(axis: int, begin: float, end: float) -> bd.Region:
@@ -89,12 +97,10 @@ def _slab(axis: int, begin: float, end: float) -> bd.Region:
     return bd.Within(bd.Box((size[0], size[1], size[2])).moved((origin[0], origin[1], origin[2])))
 
 
-def _weaker(share: float) -> bd.Rankine:
-    """A material whose strength is lower by a share."""
-    return bd.Rankine(tension=(1.0 - share) * TENSION, fracture_energy=ENERGY)
-
-
-def _torn(seed: int, count: int, failure: bd.FailureAssignment) -> Course:
+def _torn(seed: int, count: int, weak: bd.Region, share: float) -> Course:
+    """Torn with a region whose strength is lower by a share, and whose G_f is the same."""
+    strength = {bd.Everything(): TENSION, weak: (1.0 - share) * TENSION}
+    failure = {where: bd.Rankine(tension=one, fracture_energy=ENERGY) for where, one in strength.items()}
     stretch = TENSION / E * SIDE
     free = NU * BESIDE * stretch
     knots = {"x": (0.0, free, free + torn()), "y": (0.0, -BESIDE * stretch, -BESIDE * stretch)}

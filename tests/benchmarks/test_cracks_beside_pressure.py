@@ -16,7 +16,7 @@ CELLS = 100
 
 @pytest.fixture(scope="module")
 def paths() -> dict[str, ModuleType]:
-    names = "beside", "driving", "first_loads", "opened"
+    names = "beside", "driving", "first_loads", "opened", "two_cracks"
     return scripts("benchmarks", **{name: f"paths.{name}" for name in names})
 
 
@@ -37,6 +37,11 @@ def test_a_dead_pressure_along_a_crack_takes_no_part_in_it(
 def test_an_open_crack_slides_freely(paths: dict[str, ModuleType], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(paths["opened"], "SLIDES", {1.2: (1.0,)})
     rows_met(paths["opened"].slide(1, CELLS), ["shear over f_t"])
+
+
+def test_two_opposite_wedges_take_the_work_of_a_block_between_two_beds(paths: dict[str, ModuleType]) -> None:
+    rows = paths["two_cracks"].strips(1, 4 * CELLS)
+    rows_met(rows, ["torn twice: two wedges: G_f", "less what is exact"])
 
 
 def test_a_second_load_along_the_diagonal_has_its_strength(
