@@ -24,11 +24,10 @@ STUDY = re.compile(r"python -m validation (\w+)")
 FROM = ("src/", "src/bondem/", "src/bondem/core/", "benchmarks/", "validation/", "docs/")
 #: What stands for a name, what is written when a command runs, and a file that a build writes.
 STANDS_FOR = re.compile(r"(?:NAME|DIR|BUILD|FILE|SEED|STUDY)|^(?:out|figures)/|_version\.py$")
-#: Decisions about loops in Numba and the laws in Python, which the core replaced: what they name is history.
-HISTORY = {f"docs/decisions/{one}" for one in (
-    "0010-gpu.md", "0011-loads-and-damping.md", "0015-lanes-and-tables.md", "0019-cracks.md",
-    "0027-loops-that-are-linked.md", "0028-softening-along-present-directions.md",
-)}  # fmt: skip
+#: Decisions that others have replaced: what they name is history.
+HISTORY = "docs/decisions/archive/"
+#: A link of a page to another file.
+LINK = re.compile(r"\[[^]]*\]\((?!https?:|mailto:|#)([^)#\s]+)")
 
 
 @cache
@@ -43,8 +42,8 @@ def files() -> frozenset[str]:
 def texts() -> dict[str, str]:
     """What may name files: all text but tests, which make files of their own, and decisions that are history."""
     endings = {".py", ".md", ".toml", ".yml", ".hpp", ".cpp", ".json"}
-    wanted = [one for one in sorted(files() - HISTORY) if PurePosixPath(one).suffix in endings]
-    return {one: (ROOT / one).read_text(encoding="utf-8") for one in wanted if not one.startswith("tests/")}
+    wanted = [one for one in sorted(files()) if PurePosixPath(one).suffix in endings]
+    return {one: (ROOT / one).read_text(encoding="utf-8") for one in wanted if not one.startswith(("tests/", HISTORY))}
 
 
 def missing(place: str, text: str) -> Iterator[str]:
@@ -67,6 +66,23 @@ def test_files_and_studies_that_text_names_exist() -> None:
 def test_a_name_that_no_file_has_is_found() -> None:
     text = "`core/laws/beam.hpp`, `core/laws/beem.hpp`, `step_bond.py`, python -m validation rung, DIR/rows/NAME.json"
     assert list(missing("docs/x.md", text)) == ["core/laws/beem.hpp", "step_bond.py", "python -m validation rung"]
+
+
+def broken_links(page: Path, text: str) -> list[str]:
+    """Links of a page that lead to no file, code left out."""
+    prose = re.sub(r"(?ms)^```.*?^```$|`[^`\n]+`", "", text)
+    return [link for link in LINK.findall(prose) if not (page.parent / link).exists()]
+
+
+def test_links_of_pages_lead_to_files() -> None:
+    pages = [ROOT / one for one in sorted(files()) if one.endswith(".md") and not one.startswith("book/")]
+    found = {page.name: lost for page in pages if (lost := broken_links(page, page.read_text(encoding="utf-8")))}
+    assert not found
+
+
+def test_a_link_that_leads_nowhere_is_found() -> None:
+    text = "[here](index.md), [there](../docs/gone.md#part), [code](https://x.org/y), `[a](b.md)`"
+    assert broken_links(ROOT / "docs/x.md", text) == ["../docs/gone.md"]
 
 
 def commands() -> dict[str, str]:

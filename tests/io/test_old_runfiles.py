@@ -1,6 +1,6 @@
 """Run files of older schemas: two that older versions of bondem wrote, and a run that goes on from one.
 
-The files of `tests/data` hold, in every array of the state that does not grow, 0, 1/64, 2/64 … in its order, and
+The files of `tests/io/data` hold, in every array of the state that does not grow, 0, 1/64, 2/64 … in its order, and
 three records whose column c is s + c/64.
 """
 

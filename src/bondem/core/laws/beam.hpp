@@ -19,7 +19,7 @@
 //     Timoshenko         E A / L   12 E I / (L³ (1 + Φ))  E I / L       G J / L       L / 2
 //     parallel bond      E A / L   kn / κ                 kn r² / 4     ks r² / 2     (L + R_i - R_j) / 2
 //
-// with Φ = 20 r² (1 + ν) / (3 L²). `bondem/laws/` computes them, once a bond.
+// with Φ = 20 r² (1 + ν) / (3 L²). `interactions/beams/` computes them, once per bond.
 //
 // Signs: tension positive. The force acts on j, and its opposite on i.
 //
