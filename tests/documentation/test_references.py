@@ -43,7 +43,8 @@ def texts() -> dict[str, str]:
     """What may name files: all text but tests, which make files of their own, and decisions that are history."""
     endings = {".py", ".md", ".toml", ".yml", ".hpp", ".cpp", ".json"}
     wanted = [one for one in sorted(files()) if PurePosixPath(one).suffix in endings]
-    return {one: (ROOT / one).read_text(encoding="utf-8") for one in wanted if not one.startswith(("tests/", HISTORY))}
+    wanted = [one for one in wanted if not one.startswith(("tests/", HISTORY))]
+    return {one: (ROOT / one).read_text(encoding="utf-8") for one in wanted}
 
 
 def missing(place: str, text: str) -> Iterator[str]:
