@@ -13,8 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 
 import bondem as bd
-from bondem._core import Pass
-from bondem._tables.step_tables import Beams, BeamSums, Poses
+from bondem._core import bound_pass
+from bondem._passes import calls
+from bondem._tables.step_tables import BeamSums, Poses
 from bondem.dynamics.timestep import critical_step
 from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.beams.bond_law import BondLaw
@@ -23,7 +24,6 @@ from chen_specimens import cantilever
 #: Readings of eq (11): |F_i| sign(U_i), |F| U/|U|, F_i U_i/U_i as printed, F_i sign(U_i).
 READINGS = ("component", "vector", "printed", "signed")
 _FAST = 1e3
-_load_beams = Pass("load_beams", Poses, Beams, BeamSums)
 
 
 @dataclass(frozen=True)
@@ -203,7 +203,7 @@ class Row:
         self._turned, self._inverse = np.zeros(n), 1.0 / np.column_stack([model.mass, model.mass, model.inertia])
         self._rank, self._pose, self._sums = model.layout.rank, model.state().pose, np.zeros((n, 8))
         beams, _ = beam_tables(model.bonds, model.layout, model.period, np.ones(n - 1), may_share=False)
-        self._load = _load_beams.bound(Poses(self._pose), beams, BeamSums(beams.i, beams.j, self._sums))
+        self._load = bound_pass(calls.load_beams(Poses(self._pose), beams, BeamSums(beams.i, beams.j, self._sums)))
 
     def forces(self, dt: float) -> np.ndarray:
         """Return force and torque of bonds, dashpots and contacts [N, N·m], (n, 3)."""

@@ -31,7 +31,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import bondem as bd
-from bondem._core import index_pass_names
+from bondem._core import pass_tables
 from bondem._device import Device, Host
 from bondem.dynamics.device_loop import DeviceLoop
 from bondem.dynamics.explicit import integrate
@@ -274,7 +274,7 @@ def report(device: Callable[[], Device], clock: Clock, sizes: Sizes) -> Iterator
         large = sections(device, clock, sizes, pool)
         first = next(large)  # begins to prepare bodies
         began = clock.spent
-        yield "compiled", carried_out(lambda: device().compile(index_pass_names()) or "all passes")
+        yield "compiled", carried_out(lambda: device().compile(tuple(pass_tables("index"))) or "all passes")
         yield "compiled in s", round(clock.spent - began, 1)
         deviations = carried_out(lambda: checked(device, clock))
         yield "deviation from the CPU", deviations

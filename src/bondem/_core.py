@@ -6,15 +6,15 @@ for this CPU: the highest level of instructions that the CPU offers, or the one 
 library, such as one with sanitizers. No other module imports ctypes.
 
 A pass takes tables, named tuples of arrays and numbers. The C++ headers declare them, `bondem._tables` is written
-from these headers, the library describes itself, and each `Pass` compares the named tuples with the description when
-it is made. A call checks type, contiguity and lengths of the arrays. Passes do not check them again.
+from these headers, and `bondem._passes` has a function for each pass of the library. A call compares the tables with
+the description of the library, and checks type, contiguity and lengths of the arrays. Passes do not check them again.
 """
 
 import ctypes
 import functools
 import os
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -25,11 +25,22 @@ from bondem._core_build import LIBRARIES, LOOPS, PROBE, SOURCES, Platform, compi
 from bondem._core_fields import Field, filled_table
 from bondem._core_functions import address_of
 from bondem._lock import alone
+from bondem._passes import Call
 from bondem.errors import InputError
 
 __all__ = [
-    "Pass", "checked_fields", "compiled_level", "core_lanes", "filled_table", "index_loop", "index_pass_names",
-    "index_tables", "room_for", "row_type", "step_pass", "table_fields",
+    "bound_pass",
+    "checked_fields",
+    "compiled_level",
+    "core_lanes",
+    "filled_table",
+    "index_loop",
+    "pass_tables",
+    "room_for",
+    "row_type",
+    "run_pass",
+    "step_pass",
+    "table_fields",
 ]  # fmt: skip
 
 # How long a process waits for what another one compiles [s].
@@ -114,16 +125,15 @@ class _TableDescription(ctypes.Structure):
 
 class _PassDescription(ctypes.Structure):
     _fields_ = (
-        ("name", ctypes.c_char_p), ("outcomes", ctypes.c_char_p), ("address", ctypes.c_void_p),
-        ("tables", ctypes.POINTER(ctypes.c_char_p)), ("count", ctypes.c_int64),
+        ("name", ctypes.c_char_p), ("outcomes", ctypes.c_char_p), ("kind", ctypes.c_int64),
+        ("address", ctypes.c_void_p), ("tables", ctypes.POINTER(ctypes.c_char_p)), ("count", ctypes.c_int64),
+        ("next", ctypes.c_void_p),
     )  # fmt: skip
 
-
-class _StepPassDescription(ctypes.Structure):
-    _fields_ = (
-        ("name", ctypes.c_char_p), ("kind", ctypes.c_int64), ("address", ctypes.c_void_p),
-        ("tables", ctypes.POINTER(ctypes.c_char_p)), ("count", ctypes.c_int64),
-    )  # fmt: skip
+    @property
+    def named(self) -> tuple[str, tuple[str, ...]]:
+        """Name of the pass, and names of its tables."""
+        return self.name.decode(), tuple(self.tables[k].decode() for k in range(self.count))
 
 
 @dataclass(frozen=True)
@@ -165,18 +175,15 @@ def _library() -> _Library:
         fields = tuple(Field.of(table.fields[k]) for k in range(table.count))
         _check_layout(table.name.decode(), fields, table.size)
         tables[table.name.decode()] = fields
-    passes = {}
-    for one in _described(loaded.bondem_passes, _PassDescription):
-        kind = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, *[ctypes.c_void_p] * one.count)
-        names = tuple(one.tables[k].decode() for k in range(one.count))
-        passes[one.name.decode()] = kind(one.address), names, tuple(one.outcomes.decode().split())
-    step_passes = {}
-    for one in _described(loaded.bondem_step_passes, _StepPassDescription):
-        names = tuple(one.tables[k].decode() for k in range(one.count))
-        step_passes[one.name.decode()] = (one.address, one.kind), names
-    index_passes = {}
-    for one in _described(loaded.bondem_index_passes, _PassDescription):
-        index_passes[one.name.decode()] = tuple(one.tables[k].decode() for k in range(one.count))
+    passes, step_passes = {}, {}
+    for one in _registered(loaded.bondem_passes):
+        name, names = one.named
+        if one.outcomes is None:
+            step_passes[name] = (one.address, one.kind), names
+        else:
+            kind = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, *[ctypes.c_void_p] * one.count)
+            passes[name] = kind(one.address), names, tuple(one.outcomes.decode().split())
+    index_passes = dict(one.named for one in _described(loaded.bondem_index_passes, _PassDescription))
     index_loops = {}
     if hasattr(loaded, "bondem_index_loops"):
         loop = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)
@@ -192,6 +199,16 @@ def _described(function: Any, kind: type[ctypes.Structure]) -> Iterable[Any]:
     count = ctypes.c_int64()
     first = function(ctypes.byref(count))
     return [first[k] for k in range(count.value)]
+
+
+def _registered(function: Any) -> Iterator[_PassDescription]:
+    """Follow the list of passes that have registered themselves (`core/registered.hpp`)."""
+    function.restype = ctypes.c_void_p
+    place = function()
+    while place:
+        one = _PassDescription.from_address(place)
+        yield one
+        place = one.next
 
 
 def _check_layout(name: str, fields: tuple[Field, ...], size: int) -> None:
@@ -233,55 +250,55 @@ def row_type(name: str) -> np.dtype[Any]:
 # ---- passes
 
 
-class Pass:
-    """A pass of the core. It is called with its tables, and returns the name of how it ended.
+def run_pass(call: Call, *, threads: int = 1) -> str:
+    """Run a pass with its tables.
 
     Args:
-        name: name of the pass.
-        kinds: named tuples of its tables, each with the name and the fields that the header declares.
+        call: the pass.
+        threads: number of threads; no result depends on it.
+
+    Returns:
+        How it ended, one of the names that the library gives; "" where it can end in one way only.
 
     Raises:
-        ImportError: tables other than those of the library.
+        InputError: an array of another type, shape or order in memory than declared.
     """
+    return bound_pass(call, threads=threads)()
 
-    def __init__(self, name: str, *kinds: type[tuple[Any, ...]]) -> None:
-        self.name = name
-        library = _library()
-        self._function, tables, self._outcomes = library.passes[name]
-        self._fields = checked_kinds(name, tables, kinds)
 
-    def __call__(self, *tables: tuple[Any, ...], threads: int = 1) -> str:
-        """Run the pass.
+def bound_pass(call: Call, *, threads: int = 1) -> Callable[[], str]:
+    """Return a function that runs a pass with its tables, which are checked once.
 
-        Args:
-            tables: in the order of their kinds.
-            threads: number of threads; no result depends on it.
+    Their arrays are read and written in place at every call.
 
-        Returns:
-            How it ended, one of the names that the library gives; "" where it can end in one way only.
+    Raises:
+        InputError: an array of another type, shape or order in memory than declared.
+    """
+    function, names, outcomes = _library().passes[call.name]
+    lengths: dict[str, tuple[int, str]] = {}
+    filled = [
+        filled_table(name, fields_of(table, name), table, lengths)
+        for name, table in zip(names, call.tables, strict=True)
+    ]
 
-        Raises:
-            InputError: an array of another type, shape or order in memory than declared.
-        """
-        return self.bound(*tables, threads=threads)()
+    def carry_out() -> str:
+        assert call is not None  # the arrays live as long as this function
+        ended = function(int(threads), *map(address_of, filled))
+        return outcomes[ended] if outcomes else ""
 
-    def bound(self, *tables: tuple[Any, ...], threads: int = 1) -> Callable[[], str]:
-        """Return a function that runs the pass with these tables, which are checked once.
+    return carry_out
 
-        Their arrays are read and written in place at every call.
 
-        Raises:
-            InputError: an array of another type, shape or order in memory than declared.
-        """
-        lengths: dict[str, tuple[int, str]] = {}
-        filled = [filled_table(*one, table, lengths) for one, table in zip(self._fields, tables, strict=True)]
+def fields_of(table: tuple[Any, ...], name: str) -> tuple[Field, ...]:
+    """Return the fields of a table that a pass takes.
 
-        def run() -> str:
-            assert tables is not None  # the arrays live as long as this function
-            ended = self._function(int(threads), *map(address_of, filled))
-            return self._outcomes[ended] if self._outcomes else ""
-
-        return run
+    Raises:
+        ImportError: the table has another name, or other fields than the header.
+    """
+    kind = type(table)
+    if kind.__name__ != name:
+        raise ImportError(f"{kind.__name__} stands for {name}; run: python -m tests.core.passes")
+    return checked_fields(kind)
 
 
 def step_pass(name: str) -> tuple[tuple[int, int], tuple[str, ...]]:
@@ -289,14 +306,12 @@ def step_pass(name: str) -> tuple[tuple[int, int], tuple[str, ...]]:
     return _library().step_passes[name]
 
 
-def index_pass_names() -> tuple[str, ...]:
-    """Names of all passes over an index."""
-    return tuple(_library().index_passes)
-
-
-def index_tables(name: str) -> tuple[str, ...]:
-    """Names of the tables of a pass over an index."""
-    return _library().index_passes[name]
+def pass_tables(kind: str) -> dict[str, tuple[str, ...]]:
+    """Names of the tables of all passes of a kind: "calls", "steps" or "index"."""
+    library = _library()
+    if kind == "index":
+        return library.index_passes
+    return {name: one[1] for name, one in (library.passes if kind == "calls" else library.step_passes).items()}
 
 
 def index_loop(name: str) -> Callable[[int, int, int], Any]:
@@ -323,6 +338,7 @@ def checked_kinds(
     return tuple((kind.__name__, checked_fields(kind)) for kind in kinds)
 
 
+@functools.cache
 def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[Field, ...]:
     """The fields of the table that a named tuple is named after.
 

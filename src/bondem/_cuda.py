@@ -77,7 +77,7 @@ def compiled_passes(architecture: str, name: str | None = None) -> tuple[bytes, 
     source, log = SOURCES / "gpu" / "kernels.cu", io.StringIO()
     options = core.ProgramOptions(
         name=str(source), arch=architecture, std="c++17", device_as_default_execution_space=True,
-        include_path=[str(source.parent)], define_macro=None if name is None else [("BONDEM_PASS", name)],
+        include_path=[str(source.parent)], define_macro=None if name is None else [("BONDEM_ONLY", name)],
         ptxas_options=["-v"],
     )  # fmt: skip
     compiled = core.Program(source.read_text(), "c++", options).compile("cubin", logs=log)

@@ -11,7 +11,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from bondem._core import checked_kinds, filled_table, index_loop, index_tables
+from bondem._core import checked_kinds, filled_table, index_loop, pass_tables
 
 __all__ = ["Device", "DeviceTables", "Enqueue", "Host", "HostCall", "IndexPass", "Launch", "passes_of"]
 
@@ -34,7 +34,7 @@ class IndexPass:
 
     def __init__(self, name: str, *kinds: type[tuple[Any, ...]]) -> None:
         self.name = name
-        self.fields = checked_kinds(name, index_tables(name), kinds)
+        self.fields = checked_kinds(name, pass_tables("index")[name], kinds)
 
 
 @dataclass(frozen=True)

@@ -29,10 +29,10 @@ _SHAPES = frozenset({"Cells", "Facets", "CellElements"})
 _LATTICES = frozenset({"lattice", "body", "bar", "own", "o", "one"})
 _SECTION = "bond"
 _NON_LOCAL = re.compile(r"non_local|NonLocal")
-_OWN_OF_NON_LOCAL = re.compile(r"interactions/non_local/|/_tables/")
+_OWN_OF_NON_LOCAL = re.compile(r"interactions/non_local/|/_(?:tables|passes)/")
 _LOWERED = re.compile(r"\bintegrity\(\w+\) [-*]?= ")
-# Sources that a command writes: the stub of the public names, the version, and tables.
-_GENERATED = re.compile(r"__init__\.pyi|_version\.py|/_tables/|described_tables\.hpp")
+# Sources that a command writes: the stub of the public names, the version, tables and passes.
+_GENERATED = re.compile(r"__init__\.pyi|_version\.py|/_(?:tables|passes)/|core/(?:described_tables|table_names)\.hpp")
 
 
 @dataclass(frozen=True)
@@ -201,7 +201,7 @@ CAPS = (
     Cap("files of Python that name the non-local law", _files_of_the_non_local_law, 35),
     Cap("places of the core that lower integrity", _lowered, 1),
     Cap("lines of Python", lambda: _lines(".py"), 59500, step=500),
-    Cap("lines of C++", lambda: _lines(".hpp", ".cpp", ".cu"), 20000, step=500),
+    Cap("lines of C++", lambda: _lines(".hpp", ".cpp", ".cu"), 19500, step=500),
     Cap("lines of the longest function", _longest_function, 148),
     Cap("names of an upper layer in strings", _named_from_below, 6),
 )

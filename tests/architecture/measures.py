@@ -1,7 +1,6 @@
 """Measures of the tree, read off the sources without importing them: `python -m tests.architecture.measures`."""
 
 import ast
-import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -11,8 +10,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "src"
 PACKAGE = "bondem"
-# Declaration of a pass: its name, and its tables behind the number of threads or the turn.
-_PASS = re.compile(r"^(?:Index|void) (\w+)\((?:Index threads|const Turn &turn), ([^)]*)\);", re.MULTILINE)
+# Modules with a function a pass of the core.
+_PASSES = f"{PACKAGE}._passes."
 Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 
@@ -60,11 +59,12 @@ def functions(tree: ast.AST, prefix: str) -> Iterator[tuple[str, Function]]:
 
 def argument_lists() -> list[Measured]:
     """Tables of the passes of the core, most first."""
-    found = []
-    for path in sorted((SOURCE / PACKAGE / "core/passes").rglob("*.hpp")):
-        text = re.sub(r"//[^\n]*", "", path.read_text())
-        for name, given in _PASS.findall(text):
-            found.append(Measured(given.count(",") + 1, f"{path.parent.name}.{name}"))
+    found = [
+        Measured(len(one.args.args), name)
+        for module, tree in modules().items()
+        if module.startswith(_PASSES)
+        for name, one in functions(tree, module.removeprefix(_PASSES))
+    ]
     return sorted(found, reverse=True)
 
 
@@ -173,12 +173,12 @@ def names_reached_twice() -> dict[str, list[str]]:
 def names_defined_twice() -> dict[str, list[str]]:
     """Public classes and functions that two modules define under one name.
 
-    Every command line is a `command` in a file of its own.
+    Every command line is a `command` in a file of its own. What prepares the tables of a pass may have its name.
     """
     where = defaultdict(list)
     for module, tree in modules().items():
         for name in public(tree):
-            if not (name == "command" and module.startswith(f"{PACKAGE}.cli")):
+            if not ((name == "command" and module.startswith(f"{PACKAGE}.cli")) or module.startswith(_PASSES)):
                 where[name].append(module)
     return {name: found for name, found in sorted(where.items()) if len(found) > 1}
 
@@ -210,8 +210,8 @@ def sources(*suffixes: str) -> list[Path]:
 
 def breakers() -> list[str]:
     """Passes of the core that break bonds, facets or pairs."""
-    texts = [path.read_text() for path in sources(".hpp")]
-    return sorted({name for text in texts for name, _ in _PASS.findall(text) if name.startswith("break_")})
+    names = (one.name.rpartition(".")[2] for one in argument_lists())
+    return sorted(name for name in names if name.startswith("break_"))
 
 
 # ---- report

@@ -18,7 +18,8 @@ ALL = SOURCES + [path for folder in FOLDERS for path in (ROOT / folder).rglob("*
 
 
 def test_no_file_is_longer_than_400_lines():
-    long = {str(path.relative_to(ROOT)): n for path in ALL if (n := len(path.read_text().splitlines())) > 400}
+    written = [path for path in ALL if path.parent.name != "_passes"]  # by hand
+    long = {str(path.relative_to(ROOT)): n for path in written if (n := len(path.read_text().splitlines())) > 400}
     assert not long
 
 

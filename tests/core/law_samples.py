@@ -1,54 +1,29 @@
 """Laws of softening, cracks and yielding over arrays of samples, each evaluated by the core."""
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
-from bondem._core import Pass
+from bondem._core import run_pass
+from bondem._passes import calls
+from bondem._tables.crack_sample_tables import CrackSamples, SofteningSamples, StressBoundSamples, YieldSamples
 
 
-class SofteningSamples(NamedTuple):
-    """Facets that may soften; rows as in `core/tables/crack_sample_tables.hpp`."""
-
-    given: np.ndarray
-    kink: float
-    steep: float
-    wide: bool
-    left: np.ndarray
+def evaluate_softening(samples: SofteningSamples) -> None:
+    run_pass(calls.evaluate_softening(samples))
 
 
-class CrackSamples(NamedTuple):
-    """Cracks of any integrity."""
-
-    given: np.ndarray
-    wide: bool
-    found: np.ndarray
+def evaluate_cracks(samples: CrackSamples) -> None:
+    run_pass(calls.evaluate_cracks(samples))
 
 
-class YieldSamples(NamedTuple):
-    """Cells that may yield."""
-
-    stress: np.ndarray
-    strength: np.ndarray
-    cone: bool
-    wide: bool
-    found: np.ndarray
+def evaluate_yielding(samples: YieldSamples) -> None:
+    run_pass(calls.evaluate_yielding(samples))
 
 
-class StressBoundSamples(NamedTuple):
-    """Stresses and their bounds."""
+def evaluate_stress_bounds(samples: StressBoundSamples) -> None:
+    run_pass(calls.evaluate_stress_bounds(samples))
 
-    stress: np.ndarray
-    bent: np.ndarray
-    wide: bool
-    found: np.ndarray
-
-
-evaluate_softening = Pass("evaluate_softening", SofteningSamples)
-evaluate_cracks = Pass("evaluate_cracks", CrackSamples)
-evaluate_yielding = Pass("evaluate_yielding", YieldSamples)
-evaluate_stress_bounds = Pass("evaluate_stress_bounds", StressBoundSamples)
 
 #: Places of the components xx, yy, zz, xy, xz, yz in a matrix.
 ROW, COLUMN = [0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]

@@ -1,12 +1,10 @@
-"""Write what follows from the headers of the core: named tuples, descriptions of C++, and what passes are for.
+"""Write what follows from the headers of the core: named tuples of Python, names and descriptions of C++.
 
-`python -m tests.core.tables` writes `bondem/_tables/*.py` and `core/described_tables.hpp`; a test compares them with
-the headers `core/tables/*.hpp`. A field is `Type name;  // what it is [unit], (n, 8)`: the last parentheses are its
-shape, in symbols that mean one length in a call (n, m, …; * for any length). A table is a struct with a comment above
-it. A struct with vectors is the row of a table, and has a description only. The generator refuses anything else.
-
-A pass of a step is a function of a `Turn` in `core/passes`; the first sentence above it says what it is for. Members
-of `PassKind` in `core/steps.hpp` say what passes run over. Both are written into `bondem/_tables/pass_words.py`.
+`python -m tests.core.tables` writes `bondem/_tables/*.py`, `core/table_names.hpp` and `core/described_tables.hpp`;
+a test compares them with the headers `core/tables/*.hpp`. A field is `Type name;  // what it is [unit], (n, 8)`: the
+last parentheses are its shape, in symbols that mean one length in a call (n, m, …; * for any length). A table is a
+struct with a comment above it. A struct with vectors is the row of a table, and has a description only. The generator
+refuses anything else. What passes are for is written by `tests/core/passes.py`, which needs the compiled library.
 """
 
 import re
@@ -26,14 +24,6 @@ FIELD = re.compile(r"(?P<type>[\w:]+(?:<[^>]*>)?) (?P<name>\w+);(?:\s*// ?(?P<wo
 # A function of a table, which has one line.
 METHOD = re.compile(r"[\w:<>& ]+\([^()]*\) const \{.*\}")
 SHAPE = re.compile(r"\((?P<axes>[^()]*)\)$")
-# A pass and its comment; passes of a macro that a list of criteria calls; such a list.
-PASS = re.compile(r"((?:^//[^\n]*\n)*)^void (\w+)\(const Turn &", re.MULTILINE)
-MACRO = re.compile(
-    r"((?:^//[^\n]*\n)+)#define BONDEM_DECLARED\(.*\n((?:.*\\\n)*.*\n)(\w+)\(BONDEM_DECLARED, \)", re.MULTILINE
-)
-OF_MACRO = re.compile(r"void (\w+_)##name\(const Turn &")
-CRITERIA = re.compile(r"#define (\w+_CRITERIA)\(DO, with\)((?:.*\\\n)*.*)")
-KIND = re.compile(r"^    \w+,?  // (.+)$", re.MULTILINE)
 AXIS = re.compile(r"\*|[a-z_]*(?: \+ \d+)?|\d+")
 
 
@@ -153,37 +143,13 @@ def _described(headers: list[Path], found: list[Table]) -> str:
     return "\n".join(lines)
 
 
-def pass_sentences() -> dict[str, str]:
-    """Return what each pass of a step is for, by its name."""
-    criteria = CRITERIA.findall((SOURCE / "core/laws/criteria/bond_criteria.hpp").read_text())
-    kinds = {of: re.findall(r"DO\(with, (\w+),", body) for of, body in criteria}
-    found = {}
-    for path in sorted((SOURCE / "core/passes").rglob("*.hpp")):
-        text = path.read_text()
-        declared = [(words, name) for words, name in PASS.findall(text)]
-        for words, body, of in MACRO.findall(text):
-            declared += [(words, name + kind) for name in OF_MACRO.findall(body) for kind in kinds[of]]
-        for words, name in declared:
-            sentence = " ".join(line[2:].strip() for line in words.splitlines()).split(". ")[0].rstrip(".")
-            if not sentence or re.match(r"The same\b|Those\b|And\b", sentence):
-                raise SystemExit(f"{path.name}: {name}: write a comment above it that says by itself what it is for")
-            found[name] = f"{sentence}."
-    return dict(sorted(found.items()))
-
-
-def _pass_words() -> str:
-    enum = (SOURCE / "core/steps.hpp").read_text().partition("enum PassKind")[2].partition("};")[0]
-    lines = ['"""Purposes of the passes of a step, written by `python -m tests.core.tables` from the headers."""', "",
-             "#: What the passes of each kind run over.", "KINDS = ("]  # fmt: skip
-    lines += [f'    "{words}",' for words in KIND.findall(enum)]
-    lines += [")", "#: What each pass is for.", "SENTENCES = {"]
-    for name, sentence in pass_sentences().items():
-        parts = wrap(sentence, 108, drop_whitespace=False)
-        if len(name) + len(sentence) < 105:
-            lines.append(f'    "{name}": "{sentence}",')
-        else:
-            lines += [f'    "{name}": (', *(f'        "{part}"' for part in parts), "    ),"]
-    return "\n".join([*lines, "}", ""])
+def _names(found: list[Table]) -> str:
+    lines = ["// Names of all tables, written by `python -m tests.core.tables` from their headers.", "#pragma once",
+             "", "namespace bondem {", "", "template <class T> struct TableName;", "#define T(table) \\",
+             "    struct table; \\",
+             "    template <> struct TableName<table> { static constexpr const char *name = #table; };"]  # fmt: skip
+    lines += [f"T({table.name})" for table in found]
+    return "\n".join([*lines, "#undef T", "", "}  // namespace bondem", ""])
 
 
 def written() -> dict[Path, str]:
@@ -195,8 +161,8 @@ def written() -> dict[Path, str]:
         every += found
         if filled := [table for table in found if not table.is_row]:
             made[SOURCE / "_tables" / f"{path.stem}.py"] = _python(path, filled)
-    made[SOURCE / "_tables/pass_words.py"] = _pass_words()
     made[SOURCE / "_tables/__init__.py"] = '"""Tables of the core, written by `python -m tests.core.tables`."""\n'
+    made[SOURCE / "core/table_names.hpp"] = _names(every)
     made[SOURCE / "core/described_tables.hpp"] = _described(headers, every)
     return made
 

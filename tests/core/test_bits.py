@@ -12,12 +12,10 @@ import pytest
 
 import bondem as bd
 from bondem import _core_build
-from bondem._core import Pass, compiled_level
-from bondem._tables.packing_tables import Near, PackingWalls, Relaxing, Spheres
+from bondem._core import compiled_level, run_pass
+from bondem._passes import calls
 from bondem.packing.packing_tables import new_relaxing
 from bondem.packing.start import thrown
-
-relax = Pass("relax_spheres", Spheres, PackingWalls, Near, Relaxing)
 
 # Prints the level, a hash of bits, and a number.
 SCRIPT = Path(__file__).with_name("hashed_runs.py")
@@ -77,7 +75,7 @@ def relaxed(threads: int) -> str:
     spheres = thrown(bd.Ball(radius=1.0), np.linspace(1.0, 1.3, 700), 0.66, np.random.default_rng(5))
     near = spheres.near(0.5 * spheres.mean_radius, 0.499, threads=threads)
     relaxing = new_relaxing(700, 1e-6, 0.0)._replace(steps=30)
-    relax(spheres.table, spheres.walls, near, relaxing, threads=threads)
+    run_pass(calls.relax_spheres(spheres.table, spheres.walls, near, relaxing), threads=threads)
     parts = near.start, near.neighbour, spheres.sphere, spheres.table.force, relaxing.report
     return hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest()
 

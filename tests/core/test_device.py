@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._core import index_pass_names
+from bondem._core import pass_tables
 from bondem._device import DeviceTables, Enqueue, Host, IndexPass
 from bondem.damage.event_columns import BROKEN_STEP
 from bondem.dynamics.core_loop import CoreLoop
@@ -76,7 +76,7 @@ def test_these_runs_have_all_that_acts_on_bodies() -> None:
     for make in (*CASES.values(), *CRACKING.values(), *YIELDING.values()):
         model, start, _, dt, options = make()
         DeviceLoop(model, Plan(duration=dt, dt=dt, **options), start(model), dt, Noting()).look()
-    assert set(index_pass_names()) - ONSET == LAUNCHED - ONSET
+    assert set(pass_tables("index")) - ONSET == LAUNCHED - ONSET
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._core import index_pass_names
+from bondem._core import pass_tables
 from bondem._device import Enqueue, Host, IndexPass
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
@@ -95,7 +95,7 @@ def is_seen(name: str) -> bool:
 
 
 @pytest.mark.validate
-@pytest.mark.parametrize("name", sorted(set(index_pass_names()) - _ELSEWHERE))
+@pytest.mark.parametrize("name", sorted(set(pass_tables("index")) - _ELSEWHERE))
 def test_a_run_without_a_pass_is_another_one(name: str) -> None:
     """In a process of its own, as tables that a pass should have filled may have any numbers."""
     launched()
@@ -108,7 +108,7 @@ def test_a_run_without_a_pass_is_another_one(name: str) -> None:
 
 
 def test_these_are_all_passes() -> None:
-    assert set(index_pass_names()) >= _ELSEWHERE
+    assert set(pass_tables("index")) >= _ELSEWHERE
     assert OF_EACH["mean stress"] | OF_EACH["function"] <= ONSET
 
 

@@ -1,7 +1,19 @@
-"""Named tuples of Python and descriptions of C++ are what the headers of tables give."""
+"""Named tuples of Python, descriptions of C++ and functions of passes are what headers and the library give."""
 
-from tests.core import tables
+import pytest
+
+from tests.core import passes, tables
 
 
 def test_generated_tables_are_those_of_the_headers():
     assert not [path.name for path in tables.stale()], "run: python -m tests.core.tables"
+
+
+def test_generated_functions_are_those_of_the_library():
+    assert not passes.stale(), "run: python -m tests.core.passes"
+
+
+@pytest.mark.parametrize("words", ["", "The same for beams.", "Those of all beams in any poses."])
+def test_a_pass_needs_a_sentence_of_its_own(words):
+    with pytest.raises(SystemExit, match="load_beams: write a comment"):
+        passes.sentence("load_beams", words)

@@ -4,16 +4,14 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._core import Pass
-from bondem._tables.packing_tables import Near, PackingWalls, Relaxing, Spheres
-from bondem.packing.growth import _fly
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem.packing.packing_tables import MEAN_OVERLAP, STEPS, new_flight, new_growing, new_relaxing
 from bondem.packing.start import thrown
 from bondem.packing.wall_contacts import walls
 from bondem.specimen.particles import Particles, filled
 from bondem.specimen.tessellation.cutting import tessellate
 from bondem.specimen.tessellation.laguerre import (
-    _make_cells,
     bins,
     new_cell_request,
     new_cell_room,
@@ -24,8 +22,19 @@ from bondem.specimen.tessellation.laguerre import (
 from bondem.specimen.tessellation.polygon_buffer import new_pile, pile_corners, pile_size, roomier_pile
 from bondem.specimen.tessellation.solids import bulk, solid_count
 
-relax = Pass("relax_spheres", Spheres, PackingWalls, Near, Relaxing)
 BOX = bd.Box(size=(1.0, 1.0, 1.0))
+
+
+def relax(*tables, threads: int = 1) -> str:
+    return run_pass(calls.relax_spheres(*tables), threads=threads)
+
+
+def fly(*tables) -> str:
+    return run_pass(calls.fly_and_grow(*tables))
+
+
+def make_cells(*tables) -> str:
+    return run_pass(calls.make_cells(*tables))
 
 
 def points(count: int, shape: bd.Shape, seed: int = 0) -> Particles:
@@ -55,7 +64,7 @@ def test_full_piles_and_lists_change_nothing():
         request = request._replace(
             found=np.empty(room, np.int64), offset=np.empty((room, 4)), order=np.empty(room, np.int64)
         )
-        while (ended := _make_cells(centres, request, new_cell_room(), pile)) != "cells_made":
+        while (ended := make_cells(centres, request, new_cell_room(), pile)) != "cells_made":
             seen.add(ended)
             full = ended == "lists_full"
             request, pile = (roomier_request(request), pile) if full else (request, roomier_pile(pile))
@@ -71,7 +80,7 @@ def test_a_swallowed_cell_is_named():
         position=np.array([[0.5, 0.5, 0.5], [0.55, 0.5, 0.5]]), radius=np.array([0.4, 0.01]), bound=np.full(2, 0.4)
     )
     request = new_cell_request(np.arange(2), np.full(2, 2.0))
-    assert _make_cells(centres, request, new_cell_room(), new_pile(100, 1000)) == "swallowed"
+    assert make_cells(centres, request, new_cell_room(), new_pile(100, 1000)) == "swallowed"
     assert request.done.tolist() == [1, 1]
 
 
@@ -132,8 +141,8 @@ def test_flying_spheres_end_when_their_lists_do():
     spheres.table.unit[:] *= 0.9
     spheres.table.velocity[:] = np.random.default_rng(2).standard_normal((60, 3))
     near = spheres.near(0.5 * spheres.mean_radius, 0.3)
-    ended = _fly(spheres.table, spheres.walls, near, new_growing(1.0, 0.0, 1e3, 10**6), new_flight(60))
+    ended = fly(spheres.table, spheres.walls, near, new_growing(1.0, 0.0, 1e3, 10**6), new_flight(60))
     assert ended == "list_out_of_date"
     near = near._replace(slack=1e9)
     few = new_growing(1.0, 0.0, 1e3, 3)
-    assert _fly(spheres.table, spheres.walls, near, few, new_flight(60)) == "too_many_events"
+    assert fly(spheres.table, spheres.walls, near, few, new_flight(60)) == "too_many_events"

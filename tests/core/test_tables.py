@@ -6,12 +6,15 @@ import numpy as np
 import pytest
 
 from bondem import _core
-from bondem._core import Pass, compiled_level, room_for, table_fields
+from bondem._core import compiled_level, room_for, run_pass, table_fields
+from bondem._passes import Call, calls
 from bondem._tables.packing_tables import NeighbourLists, SphereGrid
 from bondem._tables.surface_tables import Nearest, TriangleTree
 from bondem.errors import InputError
 
-find_nearest = Pass("find_nearest_triangles", TriangleTree, Nearest)
+
+def find_nearest(*tables, threads: int = 1) -> str:
+    return run_pass(calls.find_nearest_triangles(*tables), threads=threads)
 
 
 def tree() -> TriangleTree:
@@ -41,15 +44,17 @@ def test_a_pass_runs():
     assert found.triangle.tolist() == [0, 0]
 
 
-def test_other_fields_are_refused_when_a_pass_is_made():
+def test_other_tables_are_refused_when_a_pass_is_run():
     class Nearest(NamedTuple):
         triangle: np.ndarray
         points: np.ndarray
 
     with pytest.raises(ImportError, match="has the fields points, triangle"):
-        Pass("find_nearest_triangles", TriangleTree, Nearest)
-    with pytest.raises(ImportError, match="takes the tables TriangleTree, Nearest"):
-        Pass("find_nearest_triangles", TriangleTree, NeighbourLists)
+        find_nearest(tree(), Nearest(np.zeros((1, 3)), np.zeros(1)))
+    with pytest.raises(ImportError, match="NeighbourLists stands for Nearest"):
+        find_nearest(tree(), NeighbourLists(np.zeros(1, np.uint32)))
+    with pytest.raises(KeyError, match="find_no_triangles"):
+        run_pass(Call("find_no_triangles", (tree(),)))
 
 
 def test_a_layout_other_than_word_by_word_is_refused():

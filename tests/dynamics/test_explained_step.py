@@ -4,7 +4,6 @@ import pytest
 
 import bondem as bd
 from bondem._core import _library
-from bondem._tables.pass_words import SENTENCES
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explained_step import explain_step
 from bondem.dynamics.plan import Plan
@@ -79,8 +78,8 @@ def test_nothing_is_run_and_no_state_changes(models):
 
 
 def test_every_pass_of_the_core_is_explained_and_printed(models):
-    assert set(SENTENCES) == set(_library().step_passes)
     step = explain_step(models["beams"])
+    assert all(one.purpose[0].isupper() and one.purpose.endswith(".") for one in step.passes)
     text = str(step)
     assert all(one.name in text and one.over in text and one.purpose in text for one in step.passes)
     with pytest.raises(bd.errors.InputError, match="explain_step: model"):

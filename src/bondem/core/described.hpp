@@ -1,8 +1,9 @@
-// How tables and passes describe themselves to Python: `_core.py` reads names, types, shapes and offsets from the
-// library that it has loaded, and checks its own tables against them.
+// How tables describe themselves to Python: `_core.py` reads names, types, shapes and offsets from the library that it
+// has loaded, and checks its own tables against them.
 #pragma once
 #include "array.hpp"
 #include "laws/rotations.hpp"
+#include "table_names.hpp"
 
 namespace bondem {
 
@@ -14,13 +15,6 @@ struct TableDescription {
     const char *name;
     Index size;
     const FieldDescription *fields;
-    Index count;
-};
-struct PassDescription {
-    const char *name;
-    const char *outcomes;  // names of what it may return, from 0 on; "" where there is one only
-    void *address;  // of a function of the number of threads and of a pointer to each table
-    const char *const *tables;
     Index count;
 };
 
@@ -61,21 +55,12 @@ template <class T> struct Described;  // fields of a table
 #define BONDEM_TABLE(table, ...)                                    \
     template <> struct Described<table> {                           \
         using T = table;                                            \
-        static constexpr const char *name = #table;                 \
         static constexpr FieldDescription fields[] = {__VA_ARGS__}; \
     };
 
 template <class T> constexpr TableDescription described() {
-    return {Described<T>::name, Index(sizeof(T)), Described<T>::fields,
+    return {TableName<T>::name, Index(sizeof(T)), Described<T>::fields,
             Index(sizeof(Described<T>::fields) / sizeof(FieldDescription))};
-}
-
-template <class... Tables> struct TableNames {
-    static constexpr const char *names[] = {Described<Tables>::name...};
-};
-template <class... Tables>
-PassDescription described(const char *name, const char *outcomes, Index (*pass)(Index, const Tables &...)) {
-    return {name, outcomes, reinterpret_cast<void *>(pass), TableNames<Tables...>::names, Index(sizeof...(Tables))};
 }
 
 }  // namespace bondem

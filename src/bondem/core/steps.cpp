@@ -1,5 +1,6 @@
 #include "steps.hpp"
 
+#include "registered.hpp"
 #include "scalars.hpp"
 #include "threads.hpp"
 
@@ -158,6 +159,8 @@ Clock clock_at(const StepScheme &scheme, Index step) {
 
 }  // namespace
 
+// Carries out the steps of a span.
+//
 // The acceleration is that of the present state on entry and on return. Where no record and no guard comes between two
 // steps, the end of one and the start of the next are one pass over the elements.
 Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, const StepScheme &scheme, const StepSpan &span,
@@ -209,5 +212,6 @@ Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, co
     }
     return 0;
 }
+BONDEM_CALL(take_steps, "sound not_finite runaway out_of_date")
 
 }  // namespace bondem

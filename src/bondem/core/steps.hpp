@@ -64,10 +64,6 @@ enum PassKind : Index {
 constexpr Index elements_of_portion = 1024, bonds_of_portion = 2048;
 inline Index portions(Index count, Index size) { return (count + size - 1) / size; }
 
-// Carries out the steps of a span.
-Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, const StepScheme &scheme, const StepSpan &span,
-                 const Portions &portions);
-
 // ---- how a pass is called with the tables of its entry
 
 using PassFunction = void (*)(const Turn &, const void *const *);

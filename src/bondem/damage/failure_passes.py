@@ -5,7 +5,8 @@
 
 import numpy as np
 
-from bondem._core import Pass
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._tables.cell_tables import ElasticFacets
 from bondem._tables.damage_tables import FailureIndices, Strengths
 from bondem._tables.step_tables import Beams, Poses
@@ -25,15 +26,6 @@ SOFTENING_CRITERIA = tuple(
 )
 
 
-_index_beams = {
-    name: Pass(f"index_beams_by_{name}", Poses, Beams, Strengths, FailureIndices) for name in BEAM_CRITERIA
-}
-
-_index_facets = {
-    name: Pass(f"index_facets_by_{name}", Poses, ElasticFacets, Strengths, FailureIndices) for name in FACET_CRITERIA
-}
-
-
 def strengths_of(table: FailureTable) -> Strengths:
     """Return the coefficients of a table as the core takes them."""
     return Strengths(np.ascontiguousarray(table.coefficient), np.ascontiguousarray(table.station, dtype=float))
@@ -42,12 +34,12 @@ def strengths_of(table: FailureTable) -> Strengths:
 def beam_indices(pose: Floats, beams: Beams, table: FailureTable) -> PerBond:
     """Return the index of every beam [-], 0 where broken, internal order, (m,)."""
     found = np.zeros(len(beams.i))
-    _index_beams[table.kind](Poses(pose), beams, strengths_of(table), FailureIndices(found))
+    run_pass(calls.INDEX_BEAMS_BY[table.kind](Poses(pose), beams, strengths_of(table), FailureIndices(found)))
     return found[: len(table.station)]
 
 
 def indices_of_facets(pose: Floats, facets: ElasticFacets, table: FailureTable) -> PerBond:
     """Return the index of every facet at the stresses in the poses [-], 0 where broken, internal order, (m,)."""
     found = np.zeros(len(facets.i))
-    _index_facets[table.kind](Poses(pose), facets, strengths_of(table), FailureIndices(found))
+    run_pass(calls.INDEX_FACETS_BY[table.kind](Poses(pose), facets, strengths_of(table), FailureIndices(found)))
     return found[: len(table.station)]

@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from bondem._core import Pass
+from bondem._core import run_pass
 from bondem._core_functions import StressCallback
 from bondem._core_steps import StepPass
+from bondem._passes import calls
 from bondem._tables.damage_tables import StressCandidates, StressFunction
 from bondem._types import Floats
 
@@ -30,9 +31,6 @@ def new_stress_candidates(m: int) -> StressCandidates:
 
 #: Criteria of the core by their names; "function" is that of a user.
 STRESS_CRITERIA = ("mean_stress", "cone", "function")
-_index_stresses = {
-    name: Pass(f"index_stresses_by_{name}", StressCandidates, StressFunction) for name in STRESS_CRITERIA
-}
 _index_candidates = {
     name: StepPass(f"index_candidates_by_{name}", StressCandidates, StressFunction) for name in STRESS_CRITERIA
 }
@@ -97,5 +95,5 @@ def stress_indices(name: str, stress: Floats, table: StressFunction) -> Floats:
         table: address and parameters of the criterion.
     """
     candidates = new_stress_candidates(len(stress))._replace(stress=np.ascontiguousarray(stress, dtype=float))
-    _index_stresses[name](candidates, table)
+    run_pass(calls.INDEX_STRESSES_BY[name](candidates, table))
     return candidates.found

@@ -2,9 +2,10 @@
 
 import numpy as np
 
-from bondem._core import Pass
+from bondem._core import run_pass
 from bondem._core_steps import Composer
-from bondem._tables.step_tables import HistoryRows, Portions, StepCut, StepPasses, StepScheme, StepSpan
+from bondem._passes import calls
+from bondem._tables.step_tables import HistoryRows, StepPasses, StepScheme, StepSpan
 from bondem._threads import current_threads
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.gauge_tables import gauge_tables
@@ -25,7 +26,6 @@ BLOCK = 4000
 # Elements that move by this share of their radius a step have an energy below which no guard acts.
 _STILL = 1e-6
 
-_take_steps = Pass("take_steps", StepPasses, StepCut, StepScheme, StepSpan, Portions)
 _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 
 
@@ -80,7 +80,8 @@ class CoreLoop:
         lists = lists._replace(present=self._compose([*composed(self._parts, "present"), *first]))
         done = np.zeros(4, dtype=np.int64)
         span = StepSpan(self.state.step, 0, 0, True, False, False, self._n, self._m, done)
-        _take_steps(lists, self._tables.cut, self._scheme, span, self._tables.portions, threads=self._threads)
+        t = self._tables
+        run_pass(calls.take_steps(lists, t.cut, self._scheme, span, t.portions), threads=self._threads)
 
     def _list(self, *stages: str) -> np.ndarray:
         return self._compose(composed(self._parts, *stages))
@@ -101,7 +102,7 @@ class CoreLoop:
         span = StepSpan(state.step, steps, self._every, looks, stale, moved, self._n, self._m, done)
         compose, history = Composer(self._compose), HistoryRows(records)  # live as long as this call
         lists = self._lists._replace(record=compose(one for part in self._parts for one in part.record(history)))
-        ending = _take_steps(lists, t.cut, self._scheme, span, t.portions, threads=self._threads)
+        ending = run_pass(calls.take_steps(lists, t.cut, self._scheme, span, t.portions), threads=self._threads)
         if done[0]:
             state.step += int(done[0])
             state.time = self._origin + state.step * self._scheme.dt

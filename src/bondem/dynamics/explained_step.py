@@ -8,7 +8,7 @@ import numpy as np
 
 from bondem._checks import instance
 from bondem._core import step_pass
-from bondem._tables.pass_words import KINDS, SENTENCES
+from bondem._passes import steps
 from bondem._tables.step_tables import HistoryRows
 from bondem.boundary.gauges import AnyGauge
 from bondem.dynamics.damping import AnyDamping
@@ -86,5 +86,10 @@ def explain_step(
     listed += [("record", one) for part in parts for one, *_ in part.record(row)]
     names = [(stage, one.name) for stage, one in listed]
     return ExplainedStep(
-        tuple(ExplainedPass(stage, name, KINDS[step_pass(name)[0][1]], SENTENCES[name]) for stage, name in names)
+        tuple(ExplainedPass(stage, name, steps.KINDS[step_pass(name)[0][1]], _purpose(name)) for stage, name in names)
     )
+
+
+def _purpose(name: str) -> str:
+    """Return the sentence that says what a pass is for."""
+    return " ".join((getattr(steps, name).__doc__ or "").partition("\n\n")[0].split())

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from bondem._core import Pass
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._tables.packing_tables import NeighbourLists, SphereGrid
 from bondem._types import Floats, Ints, Vector
 
@@ -10,9 +11,6 @@ from bondem._types import Floats, Ints, Vector
 _MOST_CELLS, _EACH = 1024, 8
 
 
-_sort = Pass("sort_into_cells", SphereGrid)
-_count = Pass("sort_and_count_neighbours", SphereGrid)
-_list = Pass("list_neighbours", SphereGrid, NeighbourLists)
 
 
 def neighbours(
@@ -32,16 +30,16 @@ def neighbours(
         Where the list of each sphere begins, shape (n + 1,), and the lists one after the other, uint32.
     """
     grid = _unsorted(sphere, lower, upper, period, skin)
-    _count(grid, threads=threads)
+    run_pass(calls.sort_and_count_neighbours(grid), threads=threads)
     lists = NeighbourLists(np.empty(grid.start[len(sphere)], np.uint32))
-    _list(grid, lists, threads=threads)
+    run_pass(calls.list_neighbours(grid, lists), threads=threads)
     return grid.start, lists.neighbour
 
 
 def sphere_grid(sphere: Floats, lower: Vector, upper: Vector, period: Vector, skin: float) -> SphereGrid:
     """Sort spheres into the cells of a grid for the search of neighbours; arguments as of `neighbours`."""
     grid = _unsorted(sphere, lower, upper, period, skin)
-    _sort(grid)
+    run_pass(calls.sort_into_cells(grid))
     return grid
 
 

@@ -2,25 +2,23 @@
 
 import numpy as np
 
-from bondem._core import Pass
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._tables.cell_tables import MomentsOfForces, TurnedVectors
 from bondem._types import Floats, Ints
-
-_turn_vectors = Pass("turn_vectors", TurnedVectors)
-_add_moments = Pass("add_moments", MomentsOfForces)
 
 
 def turned_vectors(quaternion: Floats, vectors: Floats) -> Floats:
     """Return vectors (k, 3), each rotated by its unit quaternion (w, x, y, z), (k, 4)."""
     turned = np.empty((len(vectors), 3))
-    _turn_vectors(TurnedVectors(_contiguous(quaternion), _contiguous(vectors), turned))
+    run_pass(calls.turn_vectors(TurnedVectors(_contiguous(quaternion), _contiguous(vectors), turned)))
     return turned
 
 
 def add_force_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats, sign: float) -> None:
     """Add sign · sym b⊗f of forces to the moments of their owners: xx, yy, zz, xy, yz, zx, (n, 6)."""
     own = np.ascontiguousarray(owner, dtype=np.int64)
-    _add_moments(MomentsOfForces(moment, own, _contiguous(arm), _contiguous(force), sign))
+    run_pass(calls.add_moments(MomentsOfForces(moment, own, _contiguous(arm), _contiguous(force), sign)))
 
 
 def rotation_vector(quaternion: Floats) -> Floats:

@@ -8,7 +8,8 @@ At edges and corners it is the mean of the adjacent normals, weighted by angle, 
 
 import numpy as np
 
-from bondem._core import Pass
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._tables.surface_tables import Nearest, TriangleTree
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerElement, PerElement3, Vector
@@ -17,7 +18,6 @@ _PIECES = 10_000  # more pieces: tighter boxes, more levels
 _FACING = 0.9  # cosine of the largest angle between a triangle and a wall that it may be
 
 
-_find_nearest = Pass("find_nearest_triangles", TriangleTree, Nearest)
 
 
 class Triangles:
@@ -85,7 +85,7 @@ class Triangles:
     def _nearest(self, points: PerElement3) -> Ints:
         triangle = np.empty(len(points), dtype=np.int64)
         found = Nearest(np.ascontiguousarray(points, dtype=float), triangle)
-        _find_nearest(self._tree, found, threads=current_threads())
+        run_pass(calls.find_nearest_triangles(self._tree, found), threads=current_threads())
         return triangle
 
     def _closest(self, points: PerElement3, triangle: Ints) -> tuple[PerElement, Ints, PerElement3]:

@@ -5,7 +5,8 @@
 
 import numpy as np
 
-from bondem._core import Pass
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._tables.incremental_tables import LoadsOfEach, StoredLoads
 from bondem._tables.step_tables import Beams, Poses
 from bondem._types import Floats
@@ -13,8 +14,6 @@ from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.beams.bond_table import with_zeros
 from bondem.model.model import Model
 from bondem.model.state import State
-
-_load_stored_beams = Pass("load_stored_beams", Poses, Beams, StoredLoads, LoadsOfEach)
 
 
 def stored_beam_tables(model: Model, state: State) -> tuple[Beams, StoredLoads]:
@@ -31,5 +30,5 @@ def loads_of_stored(model: Model, state: State) -> Floats:
     """Return force on j, torque on i and torque on j of each beam in the pose of a state [N, N·m], (m, 9)."""
     beams, stored = stored_beam_tables(model, state)
     loads = LoadsOfEach(np.empty((9, len(beams.i))))
-    _load_stored_beams(Poses(state.pose), beams, stored, loads)
+    run_pass(calls.load_stored_beams(Poses(state.pose), beams, stored, loads))
     return loads.found[:, : len(state.integrity)].T

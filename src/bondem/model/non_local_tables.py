@@ -6,8 +6,9 @@
 import numpy as np
 
 from bondem._cache_lines import lines
-from bondem._core import Pass
-from bondem._tables.damage_tables import FailureIndices, Strengths
+from bondem._core import run_pass
+from bondem._passes import calls
+from bondem._tables.damage_tables import FailureIndices
 from bondem._tables.non_local_tables import ExtraForces, LaggedStresses, NonLocalBonds, SmallPairs
 from bondem._tables.step_tables import Beams, Poses
 from bondem._types import Floats, PerBond
@@ -18,11 +19,6 @@ from bondem.interactions.beams.bond_table import with_twins, with_zeros
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
 from bondem.model.model import Model
 from bondem.model.state import State
-
-_find_small_extra_forces = Pass("find_small_extra_forces", SmallPairs, ExtraForces)
-_load_non_local_bonds = Pass("load_non_local_bonds", Poses, Beams, NonLocalBonds)
-_turn_all_stresses = Pass("turn_all_stresses", Poses, LaggedStresses)
-_index_pairs = Pass("index_pairs", Beams, LaggedStresses, Strengths, FailureIndices)
 
 
 def non_local_tables(model: Model, state: State) -> tuple[Beams, NonLocalBonds]:
@@ -63,16 +59,16 @@ def lagged_stresses(model: Model, state: State, to_i: np.ndarray, more: int) -> 
 def lagged_extra_forces(pairs: np.ndarray, constants: NonLocalConstants, stress: Floats, gap: Floats) -> Floats:
     """Return extra forces (m, 3) at small strain, from stresses (n, 6) and gaps (m, 3) of the iteration before."""
     c, extra = constants, ExtraForces(np.empty_like(gap))
-    _find_small_extra_forces(
+    run_pass(calls.find_small_extra_forces(
         SmallPairs(pairs, c.area, c.kt, c.nu, c.limited, np.ascontiguousarray(c.normal), stress, gap), extra
-    )
+    ))
     return extra.force
 
 
 def loads_of_non_local(model: Model, state: State) -> Floats:
     """Return force on j, torque on i and torque on j of each bond in the pose of a state [N, N·m], (m, 9)."""
     beams, bonds = non_local_tables(model, state)
-    _load_non_local_bonds(Poses(state.pose), beams, bonds)
+    run_pass(calls.load_non_local_bonds(Poses(state.pose), beams, bonds))
     own = bonds.output[:, : len(state.integrity)].T
     return np.hstack([-own[:, :3], own[:, 3:6], -own[:, 6:]])
 
@@ -81,9 +77,9 @@ def indices_of_pairs(model: Model, state: State, table: FailureTable) -> PerBond
     """Return the index of each bond by the stresses of a state [-], 0 where broken, internal order, (m,)."""
     beams, _ = non_local_tables(model, state)
     stresses = lagged_stresses(model, state, model.layout.i, 0)
-    _turn_all_stresses(Poses(state.pose), stresses)
+    run_pass(calls.turn_all_stresses(Poses(state.pose), stresses))
     found = FailureIndices(np.zeros(len(beams.i)))
-    _index_pairs(beams, stresses, strengths_of(table), found)
+    run_pass(calls.index_pairs(beams, stresses, strengths_of(table), found))
     return found.index[: len(state.integrity)]
 
 

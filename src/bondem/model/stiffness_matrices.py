@@ -3,7 +3,8 @@
 import numpy as np
 from scipy.sparse import bsr_array
 
-from bondem._core import Pass
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._tables.stiffness_tables import BeamRows, BlockRows, DilatationRows, FacetRows
 from bondem._threads import current_threads
 from bondem._types import Floats
@@ -21,8 +22,6 @@ def new_block_rows(layout: Layout) -> BlockRows:
     return BlockRows(layout.in_start, layout.out_start, layout.out_bond, indptr, indices, data)
 
 
-_assemble_beams = Pass("assemble_beams", BeamRows, BlockRows)
-_assemble_facets = Pass("assemble_facets", FacetRows, BlockRows, DilatationRows)
 
 
 def stiffness_matrix(model: Model) -> Stiffness:
@@ -40,13 +39,13 @@ def stiffness_matrix(model: Model) -> Stiffness:
         b = model.bonds
         columns = b.direction, b.length, b.lever, b.kn, b.ks, b.kb, b.kt
         beams = BeamRows(layout.i, layout.j, *map(np.ascontiguousarray, columns))
-        _assemble_beams(beams, rows, threads=current_threads())
+        run_pass(calls.assemble_beams(beams, rows), threads=current_threads())
         return Stiffness(bsr_array((rows.data, rows.indices, rows.indptr), shape=(size, size)))
     c = model.cells
     columns = c.k, c.lever_i, c.lever_j, c.H, c.share_i, c.share_j
     facets = FacetRows(layout.i, layout.j, *map(np.ascontiguousarray, columns))
     forms = np.empty((len(rows.indices), 1, 6))
-    _assemble_facets(facets, rows, DilatationRows(forms), threads=current_threads())
+    run_pass(calls.assemble_facets(facets, rows, DilatationRows(forms)), threads=current_threads())
     indptr, indices, data = rows.indptr, rows.indices, rows.data
     own, form = c.grips.blocks()
     gripped = layout.rank[c.grips.cell]

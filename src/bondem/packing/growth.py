@@ -9,8 +9,8 @@ from collections.abc import Callable
 import numpy as np
 
 from bondem._checks import shown
-from bondem._core import Pass
-from bondem._tables.packing_tables import Flight, Growing, Near, PackingWalls, Spheres
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._types import Floats
 from bondem.errors import InputError, PackingError
 from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
@@ -19,8 +19,6 @@ from bondem.packing.packing_tables import new_flight, new_growing
 from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
 from bondem.packing.targets import Fraction, Target
-
-_fly = Pass("fly_and_grow", Spheres, PackingWalls, Near, Growing, Flight)
 
 # Spheres take off at this volume fraction, or at this share of the one asked for.
 _START_FRACTION, _START_SHARE = 0.45, 0.9
@@ -86,7 +84,7 @@ def grow(
         gain = min(0.5 * _GROWTH_SHARE * skin / float(spheres.unit.max()), last - spheres.scale)
         heat = float((velocity**2).sum())
         growing = new_growing(spheres.scale, _RATE, gain / _RATE, 20 * n)
-        _fly(spheres.table, spheres.walls, near, growing, new_flight(n))
+        run_pass(calls.fly_and_grow(spheres.table, spheres.walls, near, growing, new_flight(n)))
         gone, virial, met = (float(growing.report[k]) for k in (tables.TIME, tables.VIRIAL, tables.COLLISIONS))
         spheres.scale += _RATE * gone
         if last - spheres.scale < 1e-12:

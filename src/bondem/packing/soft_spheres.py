@@ -6,8 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import shown
-from bondem._core import Pass
-from bondem._tables.packing_tables import Near, PackingWalls, Relaxing, Spheres
+from bondem._core import run_pass
+from bondem._passes import calls
+from bondem._tables.packing_tables import Near, Spheres
 from bondem._threads import current_threads
 from bondem._types import Floats
 from bondem.geometry.elementary_shapes import Shape
@@ -15,8 +16,6 @@ from bondem.geometry.neighbours import neighbours
 from bondem.packing import packing_tables as tables
 from bondem.packing.packing_tables import new_relaxing
 from bondem.packing.wall_contacts import walls
-
-_relax = Pass("relax_spheres", Spheres, PackingWalls, Near, Relaxing)
 
 # Gap up to which spheres enter the neighbour list, over the mean radius: wide while they still wander.
 _SKIN_WANDERING, _SKIN_SETTLED = 0.5, 0.15
@@ -124,7 +123,8 @@ class SoftSpheres:
         taken, ended = 0, "out_of_date"
         while ended == "out_of_date":
             near = self.near(self._skin * self.mean_radius, 0.499, threads=threads)
-            ended = _relax(self.table, self.walls, near, begun._replace(steps=steps - taken), threads=threads)
+            relaxing = begun._replace(steps=steps - taken)
+            ended = run_pass(calls.relax_spheres(self.table, self.walls, near, relaxing), threads=threads)
             done = int(begun.report[tables.STEPS]) + (ended == "out_of_date")
             taken += done
             self.steps += done

@@ -4,7 +4,8 @@ import numpy as np
 
 from bondem._cache_lines import lines
 from bondem._checks import count, instance, number
-from bondem._core import Pass
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._progress import staged
 from bondem._tables.statics_tables import DynamicRelaxation, RelaxationSpan
 from bondem._tables.step_tables import AlikeBeams, Beams, BeamSums
@@ -30,8 +31,6 @@ _CHUNK = 2_000
 _TURNING = 20
 
 
-_relax_beams = Pass("relax_beams", Beams, BeamSums, DynamicRelaxation, RelaxationSpan)
-_relax_alike_beams = Pass("relax_alike_beams", Beams, AlikeBeams, BeamSums, DynamicRelaxation, RelaxationSpan)
 
 
 @staged("relaxation")
@@ -123,9 +122,9 @@ def relaxed(
     """Take steps; return how many, the unbalanced share of the forces, and whether they balance."""
     span = RelaxationSpan(first, most, np.zeros(1, dtype=np.int64), np.full(1, np.inf))
     if alike is None:
-        ending = _relax_beams(beams, sums, relaxation, span)
+        ending = run_pass(calls.relax_beams(beams, sums, relaxation, span))
     else:
-        ending = _relax_alike_beams(beams, alike, sums, relaxation, span)
+        ending = run_pass(calls.relax_alike_beams(beams, alike, sums, relaxation, span))
     return int(span.done[0]), float(span.ratio[0]), ending == "balanced"
 
 

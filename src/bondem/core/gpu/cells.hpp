@@ -4,7 +4,8 @@
 #pragma once
 #include "../passes/cells/accumulation.hpp"
 #include "../passes/cells/cell_report.hpp"
-#include "../passes/cells/dilatation_gradients.hpp"
+#include "../steps.hpp"
+#include "../tables/cell_tables.hpp"
 #include "../passes/cells/dilatation_rates.hpp"
 #include "../passes/cells/energies.hpp"
 #include "../passes/cells/gradients.hpp"

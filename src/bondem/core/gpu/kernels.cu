@@ -1,4 +1,4 @@
-// The program of a device: a thread for each index of a pass, of the one that BONDEM_PASS names, or of each. NVRTC compiles
+// The program of a device: a thread for each index of a pass, of the one that BONDEM_ONLY names, or of each. NVRTC compiles
 // it, with the sources of the passes that a thread calls for one element or one portion.
 #include "../passes/beams/beam_report.cpp"
 #include "../passes/boundary/couples.cpp"
@@ -33,8 +33,8 @@ using bondem::Index;
         const void *const tables[bondem::tables_of_index_pass] = {a, b, c, d, e, f, g, h};                               \
         if (k < count && !(halted && *halted)) bondem::ForEach<bondem::pass>::at(k, tables);                             \
     }
-#if defined(BONDEM_PASS)
-BONDEM_KERNEL(BONDEM_PASS)
+#if defined(BONDEM_ONLY)
+BONDEM_KERNEL(BONDEM_ONLY)
 #else
 BONDEM_INDEX_PASSES(BONDEM_KERNEL)
 #endif

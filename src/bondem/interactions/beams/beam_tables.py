@@ -6,16 +6,12 @@
 import numpy as np
 
 from bondem._cache_lines import lines
-from bondem._core import Pass
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._tables.step_tables import AlikeBeams, BeamEnergies, Beams, BeamSums, BeamTurns, Poses
 from bondem._types import Floats, PerBond
 from bondem.interactions.beams.bond_table import BondTable, with_twins, with_zeros
 from bondem.specimen.ordering import Layout
-
-_load_beams = Pass("load_beams", Poses, Beams, BeamSums)
-_load_alike_beams = Pass("load_alike_beams", Poses, Beams, AlikeBeams, BeamSums)
-_measure_beam_energies = Pass("measure_beam_energies", Poses, Beams, BeamEnergies)
-_count_turned_beams = Pass("count_turned_beams", Poses, Beams, BeamTurns)
 
 
 def beam_tables(
@@ -45,9 +41,9 @@ def beam_tables(
 def load_beams(pose: Floats, beams: Beams, alike: AlikeBeams | None, sums: BeamSums) -> None:
     """Add force and torques of all beams to the sums of their ends."""
     if alike is None:
-        _load_beams(Poses(pose), beams, sums)
+        run_pass(calls.load_beams(Poses(pose), beams, sums))
     else:
-        _load_alike_beams(Poses(pose), beams, alike, sums)
+        run_pass(calls.load_alike_beams(Poses(pose), beams, alike, sums))
 
 
 def loads_of_each(pose: Floats, beams: Beams, m: int) -> tuple[Floats, Floats]:
@@ -66,7 +62,7 @@ def count_turned(pose: Floats, beams: Beams) -> tuple[int, int, bool]:
         finite.
     """
     found = np.empty(3, dtype=np.int64)
-    _count_turned_beams(Poses(pose), beams, BeamTurns(found))
+    run_pass(calls.count_turned_beams(Poses(pose), beams, BeamTurns(found)))
     wide, lost, sick = found.tolist()
     return wide, lost, bool(sick)
 
@@ -74,6 +70,6 @@ def count_turned(pose: Floats, beams: Beams) -> tuple[int, int, bool]:
 def beam_energies(pose: Floats, beams: Beams) -> tuple[float, float, float, float]:
     """Return normal, shear, bending and twisting energy of all beams [J]."""
     found = np.empty(4)
-    _measure_beam_energies(Poses(pose), beams, BeamEnergies(found))
+    run_pass(calls.measure_beam_energies(Poses(pose), beams, BeamEnergies(found)))
     normal, shear, bending, twisting = found.tolist()
     return normal, shear, bending, twisting

@@ -5,7 +5,8 @@
 
 import numpy as np
 
-from bondem._core import Pass
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._tables.cell_tables import (
     CellDilatation,
     CellEnergies,
@@ -28,16 +29,6 @@ from bondem.specimen.ordering import Layout
 STRESS = 3
 
 
-_load_body = Pass(
-    "load_body", CellPoses, ElasticFacets, CellDilatation, DilatationGradients, WallConstraints, BeamSums
-)  # fmt: skip
-_load_facets = Pass("load_facets", Poses, ElasticFacets, BeamSums)
-_measure = Pass(
-    "measure_cell_energies", CellPoses, ElasticFacets, CellDilatation, DilatationGradients, WallConstraints,
-    CellEnergies,
-)  # fmt: skip
-_weigh_cells = Pass("weigh_cells", ElasticFacets, FacetRelease)
-_place_walls = Pass("place_walls", WallConstraints, WallTime)
 
 
 def cell_tables(
@@ -127,7 +118,7 @@ def facet_release(
         layout.out_start, layout.out_bond, wall_start, np.argsort(walls.cell, kind="stable").astype(np.int64),
         np.zeros(n, dtype=np.uint32), np.zeros(1, dtype=np.int64),
     )  # fmt: skip
-    _weigh_cells(facets, release)
+    run_pass(calls.weigh_cells(facets, release))
     return release
 
 
@@ -136,12 +127,12 @@ def load_body(
     walls: WallConstraints, sums: Floats,
 ) -> None:  # fmt: skip
     """Set the stresses of the cells in the poses, and add the loads of facets and walls to the sums, (n, 8)."""
-    _load_body(all_cells, facets, cells, gradients, walls, BeamSums(facets.i, facets.j, sums))
+    run_pass(calls.load_body(all_cells, facets, cells, gradients, walls, BeamSums(facets.i, facets.j, sums)))
 
 
 def load_all_facets(pose: Floats, facets: ElasticFacets, sums: BeamSums) -> None:
     """Add force and torque of all facets to rows of the sums, at the stresses in the poses."""
-    _load_facets(Poses(pose), facets, sums)
+    run_pass(calls.load_facets(Poses(pose), facets, sums))
 
 
 def body_energies(
@@ -150,11 +141,11 @@ def body_energies(
 ) -> tuple[float, float, float, float]:  # fmt: skip
     """Return normal (with dilatation), shear, bending and twisting energy of facets, cells and walls [J]."""
     found = np.empty(4)
-    _measure(all_cells, facets, cells, gradients, walls, CellEnergies(found))
+    run_pass(calls.measure_cell_energies(all_cells, facets, cells, gradients, walls, CellEnergies(found)))
     normal, shear, bending, twisting = found.tolist()
     return normal, shear, bending, twisting
 
 
 def place_held_walls(walls: WallConstraints, time: float) -> None:
     """Bring walls to a time [s]."""
-    _place_walls(walls, WallTime(time))
+    run_pass(calls.place_walls(walls, WallTime(time)))

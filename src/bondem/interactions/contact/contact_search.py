@@ -5,7 +5,8 @@
 
 import numpy as np
 
-from bondem._core import Pass
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._tables.contact_tables import FoundPairs, FoundWalls, PairSources, Walls, WallSources
 from bondem._tables.packing_tables import SphereGrid
 from bondem._tables.step_tables import Poses
@@ -47,9 +48,6 @@ def new_wall_sources(radius: Floats, skin: float) -> WallSources:
     return WallSources(radius, *none, np.zeros(0), *none, np.zeros((0, 6)), skin, np.empty_like(none[0]))
 
 
-_list_pairs = Pass("list_pairs", SphereGrid, PairSources, FoundPairs)
-_count_wall_contacts = Pass("count_wall_contacts", Poses, Walls, WallSources)
-_list_wall_contacts = Pass("list_wall_contacts", Poses, Walls, WallSources, FoundWalls)
 
 
 def found_pairs(grid: SphereGrid, sources: PairSources) -> FoundPairs:
@@ -60,7 +58,7 @@ def found_pairs(grid: SphereGrid, sources: PairSources) -> FoundPairs:
             np.empty(room, np.uint32), np.empty(room, np.uint32), np.empty(room, np.int64),
             np.empty_like(sources.bond_start), np.empty(room), np.empty((room, 8)), np.empty(room, np.uint8),
         )  # fmt: skip
-        if _list_pairs(grid, sources, found) == "all_listed":
+        if run_pass(calls.list_pairs(grid, sources, found)) == "all_listed":
             break
         room *= 2
     count = found.start[-1]
@@ -72,11 +70,11 @@ def found_pairs(grid: SphereGrid, sources: PairSources) -> FoundPairs:
 
 def found_walls(pose: Floats, walls: Walls, sources: WallSources) -> FoundWalls:
     """Return the walls within the skin of each element, in their order, with the memory of those that touch."""
-    _count_wall_contacts(Poses(pose), walls, sources)
+    run_pass(calls.count_wall_contacts(Poses(pose), walls, sources))
     count = sources.start[-1]
     found = FoundWalls(
         np.empty(count, np.uint32), np.empty(count, np.uint32), np.empty(count), np.empty(count),
         np.empty((count, 6)), np.empty(count, np.uint8),
     )  # fmt: skip
-    _list_wall_contacts(Poses(pose), walls, sources, found)
+    run_pass(calls.list_wall_contacts(Poses(pose), walls, sources, found))
     return found

@@ -12,7 +12,8 @@ from scipy.sparse.csgraph import connected_components
 from scipy.sparse.linalg import LinearOperator, cg, splu
 
 from bondem._blas import one_blas_thread
-from bondem._core import Pass
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._tables.tessellation_tables import BalanceField, CellBranches
 from bondem._threads import current_threads
 from bondem._types import Floats, Pairs, PerBond3, PerElement3
@@ -30,7 +31,6 @@ ROW, COLUMN = np.array([0, 1, 2, 0, 0, 1]), np.array([0, 1, 2, 1, 2, 2])
 SCALE = np.where(ROW == COLUMN, 1.0, np.sqrt(2.0))
 
 
-_apply_balance = Pass("apply_balance", CellBranches, BalanceField)
 
 
 @one_blas_thread
@@ -54,7 +54,7 @@ def solved_balance(position: PerElement3, pairs: Pairs, branch: PerBond3, right:
     right, found = _without_means(right[order], ends), np.empty((n, 6))
 
     def applied(given: Floats) -> Floats:
-        _apply_balance(branches, BalanceField(given.reshape(n, 6), found), threads=current_threads())
+        run_pass(calls.apply_balance(branches, BalanceField(given.reshape(n, 6), found)), threads=current_threads())
         return (found + _RESISTED * diagonal[:, None] * given.reshape(n, 6)).ravel()
 
     shape = (6 * n, 6 * n)

@@ -6,8 +6,9 @@ so are its other triangles (a binary partition of space). A piece without triang
 
 import numpy as np
 
-from bondem._core import Pass, room_for
-from bondem._tables.tessellation_tables import Pile, Solids, Splitting, WallTree
+from bondem._core import room_for, run_pass
+from bondem._passes import calls
+from bondem._tables.tessellation_tables import Solids, Splitting, WallTree
 from bondem._types import PerElement3
 from bondem.specimen.tessellation.polygon_buffer import (
     TAG,
@@ -39,7 +40,6 @@ def with_more_pieces(splitting: Splitting) -> Splitting:
     return splitting._replace(cell=cell, end=end)
 
 
-_split = Pass("split_by_walls", Solids, WallTree, Splitting, Pile, Pile, Pile)
 
 
 def trimmed(solids: Solids, position: PerElement3, walls: WallTree, tolerance: float) -> Solids:
@@ -53,7 +53,7 @@ def trimmed(solids: Solids, position: PerElement3, walls: WallTree, tolerance: f
     """
     splitting = new_splitting(position, tolerance)
     stack, piece, pile = new_pile(256, 2048), new_pile(256, 2048), new_pile(1024, 8192)
-    while (ended := _split(solids, walls, splitting, stack, piece, pile)) != "all_split":
+    while (ended := run_pass(calls.split_by_walls(solids, walls, splitting, stack, piece, pile))) != "all_split":
         if ended == "pieces_full":
             splitting, pile = with_more_pieces(splitting), roomier_pile(pile)
         else:

@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from bondem._core import Pass, room_for
-from bondem._tables.tessellation_tables import Dividing, Pile, Solids
+from bondem._core import room_for, run_pass
+from bondem._passes import calls
+from bondem._tables.tessellation_tables import Dividing, Solids
 from bondem._types import Floats, Ints
 from bondem.specimen.tessellation.polygon_buffer import (
     TAG,
@@ -22,7 +23,6 @@ def with_more_parts(dividing: Dividing) -> Dividing:
     return dividing._replace(cell=cell, owner=owner, end=end)
 
 
-_divide = Pass("divide_solids", Solids, Dividing, Pile, Pile, Pile)
 
 
 def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: float) -> tuple[Solids, Ints]:
@@ -42,7 +42,7 @@ def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: 
     lid, work = polygon_buffer(), polygon_buffer()
     dividing = Dividing(sphere, near, start, tolerance, lid, work, cell, owner, end, np.zeros(2, np.int64))
     part, spare, pile = new_pile(256, 2048), new_pile(256, 2048), new_pile(1024, 8192)
-    while (ended := _divide(solids, dividing, part, spare, pile)) != "all_divided":
+    while (ended := run_pass(calls.divide_solids(solids, dividing, part, spare, pile))) != "all_divided":
         if ended == "parts_full":
             dividing, pile = with_more_parts(dividing), roomier_pile(pile)
         else:

@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bondem._core import Pass
-from bondem._tables.tessellation_tables import FaceGroups, Pile, Solids
+from bondem._core import run_pass
+from bondem._passes import calls
+from bondem._tables.tessellation_tables import FaceGroups, Solids
 from bondem._types import Floats, Ints, PerElement3
 from bondem.specimen.tessellation.polygon_buffer import (
     KIND,
@@ -22,8 +23,6 @@ from bondem.specimen.tessellation.polygon_buffer import (
     roomier_pile,
 )
 from bondem.specimen.tessellation.solids import SPLIT, polygon_measures, ranges, solid_of_face
-
-_match_faces = Pass("match_faces", Solids, FaceGroups, Pile, Pile, Pile)
 
 
 class Patches(NamedTuple):
@@ -58,7 +57,7 @@ class Patches(NamedTuple):
 def _match(solids: Solids, groups: FaceGroups) -> tuple[Ints, Ints, Ints, Floats]:
     """Patches of all groups: the face, that on the other side or -1, where corners begin, and corners."""
     rest, left, pile = new_pile(64, 512), new_pile(64, 512), new_pile(1024, 8192)
-    while (ended := _match_faces(solids, groups, rest, left, pile)) != "all_matched":
+    while (ended := run_pass(calls.match_faces(solids, groups, rest, left, pile))) != "all_matched":
         if ended == "patches_full":
             pile = roomier_pile(pile)
         else:

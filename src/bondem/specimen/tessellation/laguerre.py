@@ -12,8 +12,9 @@ import math
 import numpy as np
 from scipy.spatial import KDTree
 
-from bondem._core import Pass
-from bondem._tables.tessellation_tables import Bins, CellRequest, CellRoom, Pile, Solids
+from bondem._core import run_pass
+from bondem._passes import calls
+from bondem._tables.tessellation_tables import Bins, CellRequest, CellRoom, Solids
 from bondem._types import Floats, Ints, Vector
 from bondem.errors import InputError
 from bondem.specimen.particles import Particles
@@ -122,7 +123,6 @@ def new_cell_room() -> CellRoom:
     )  # fmt: skip
 
 
-_make_cells = Pass("make_cells", Bins, CellRequest, CellRoom, Pile)
 
 
 def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
@@ -138,7 +138,7 @@ def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
     """
     request, room = new_cell_request(chosen, half), new_cell_room()
     pile = new_pile(20 * len(chosen) + 20, 100 * len(chosen) + 100)
-    while (ended := _make_cells(centres, request, room, pile)) in ("lists_full", "pile_full"):
+    while (ended := run_pass(calls.make_cells(centres, request, room, pile))) in ("lists_full", "pile_full"):
         if ended == "lists_full":
             request = roomier_request(request)
         else:

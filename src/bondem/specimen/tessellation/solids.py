@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from bondem._core import Pass
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._tables.tessellation_tables import Bulk, PolygonMeasures, Solids
 from bondem._types import Floats, Ints
 
@@ -54,14 +55,13 @@ def joined(parts: Sequence[Solids]) -> Solids:
     )
 
 
-_measure_polygons = Pass("measure_polygons", PolygonMeasures)
 
 
 def polygon_measures(corner: Ints, vertex: Floats) -> tuple[Floats, Floats, Floats]:
     """Return area [m²], (f,), centroid [m], (f, 3), and second moments about it [m⁴], (f, 3, 3), of polygons."""
     count = len(corner) - 1
     measures = PolygonMeasures(corner, vertex, np.empty(count), np.empty((count, 3)), np.empty((count, 3, 3)))
-    _measure_polygons(measures)
+    run_pass(calls.measure_polygons(measures))
     return measures[2:]
 
 
@@ -70,12 +70,11 @@ def chosen_bulk(every: Bulk, solids: Ints) -> Bulk:
     return Bulk(*(values[solids] for values in every))
 
 
-_measure_solids = Pass("measure_solids", Solids, Bulk)
 
 
 def bulk(solids: Solids) -> Bulk:
     """Compute volumes and moments of solids."""
     k = solid_count(solids)
     found = Bulk(np.empty(k), np.empty((k, 3)), np.empty((k, 3, 3)), np.empty((k, 3)), np.empty(k), np.empty(k))
-    _measure_solids(solids, found)
+    run_pass(calls.measure_solids(solids, found))
     return found

@@ -5,13 +5,10 @@
 
 import numpy as np
 
-from bondem._core import Pass
+from bondem._core import bound_pass, run_pass
+from bondem._passes import calls
 from bondem._tables.quasistatic_tables import FacetLoading, LoadedFacets, OnsetSearch, SmallMotions, WeakenedFacets
 from bondem._types import Floats, Ints
-
-_open = Pass("open_weakened_facets", WeakenedFacets, SmallMotions)
-_load = Pass("load_weakened_facets", WeakenedFacets, SmallMotions, FacetLoading)
-_find = Pass("find_stress_factors", LoadedFacets, OnsetSearch)
 
 
 class OpenedFacets:
@@ -32,8 +29,8 @@ class OpenedFacets:
             np.zeros(n), np.zeros((m, 3)), np.zeros(m), np.zeros((m, 3)), np.zeros(m),
             np.zeros((m, 2), dtype=np.uint8), np.zeros((n, 6)),
         )  # fmt: skip
-        self._open = _open.bound(facets, self.motions)
-        self._load = _load.bound(facets, self.motions, self.loading)
+        self._open = bound_pass(calls.open_weakened_facets(facets, self.motions))
+        self._load = bound_pass(calls.load_weakened_facets(facets, self.motions, self.loading))
 
     def swelling(self, displacement: Floats, rotation: Floats, given: Floats) -> Floats:
         """Return V θ of the cells under motions (n, 3), with what is given [m³], (n,)."""
@@ -59,5 +56,5 @@ def factors_by_stress(loaded: LoadedFacets, whole: Ints, below: float, spread: f
         spread: largest factor over the least of all.
     """
     search = OnsetSearch(np.ascontiguousarray(whole, dtype=np.int64), below, spread, np.empty(len(whole)))
-    _find(loaded, search)
+    run_pass(calls.find_stress_factors(loaded, search))
     return search.factor

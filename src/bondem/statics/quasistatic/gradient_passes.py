@@ -8,7 +8,8 @@ from scipy.linalg import cholesky_banded
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 
-from bondem._core import Pass
+from bondem._core import bound_pass
+from bondem._passes import calls
 from bondem._tables.quasistatic_tables import ClumpCorrection, ConjugateGradients, ScaledMatrix
 from bondem._types import Floats
 from bondem.statics.linear import Iteration
@@ -37,7 +38,6 @@ def new_clump_correction(begun: Iteration) -> ClumpCorrection:
     )  # fmt: skip
 
 
-_solve = Pass("conjugate_gradients", ScaledMatrix, ClumpCorrection, ConjugateGradients)
 
 
 class GradientSolver:
@@ -62,7 +62,7 @@ class GradientSolver:
             np.zeros(2), _ROUNDS, np.zeros(6 * n), np.zeros(6 * n), np.zeros((4, 6 * n)), np.zeros(n),
             np.zeros(1, dtype=np.int64), np.zeros(1),
         )  # fmt: skip
-        self._solve = _solve.bound(scaled, new_clump_correction(begun), self._search)
+        self._solve = bound_pass(calls.conjugate_gradients(scaled, new_clump_correction(begun), self._search))
         self.rounds, self.first = 0, 0.0
 
     def solve(self, right: Floats, guess: Floats, *, stop: float, energy: float) -> Floats | None:

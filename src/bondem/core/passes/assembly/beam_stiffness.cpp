@@ -1,7 +1,8 @@
 // The stiffness matrix of beams at rest, straight into block rows.
+#include "../../registered.hpp"
+#include "../../tables/stiffness_tables.hpp"
 #include "../../vector3.hpp"
 #include "block_rows.hpp"
-#include "stiffness.hpp"
 
 namespace bondem {
 namespace {
@@ -39,6 +40,7 @@ void put_blocks(const Beam &beam, const Block &own, const Block &other) {
 
 }  // namespace
 
+// Fills the block rows of beams at rest.
 Index assemble_beams(Index threads, const BeamRows &beams, const BlockRows &rows) {
     const auto beam = [&](Index k, double sign) {
         const Vector X = {sign * beams.direction(0, k), sign * beams.direction(1, k), sign * beams.direction(2, k)};
@@ -56,5 +58,6 @@ Index assemble_beams(Index threads, const BeamRows &beams, const BlockRows &rows
         });
     return 0;
 }
+BONDEM_CALL(assemble_beams, "")
 
 }  // namespace bondem

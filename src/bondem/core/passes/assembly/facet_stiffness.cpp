@@ -1,7 +1,8 @@
 // The stiffness matrix of the facets of cells at rest, and what the dilatation of each cell is a sum of.
+#include "../../registered.hpp"
+#include "../../tables/stiffness_tables.hpp"
 #include "../../vector3.hpp"
 #include "block_rows.hpp"
-#include "stiffness.hpp"
 
 namespace bondem {
 namespace {
@@ -52,6 +53,7 @@ void add_form(Vector share, Vector lever, double sign, double *form) {
 
 }  // namespace
 
+// Fills the block rows of facets at rest, and those of the dilatation of cells.
 Index assemble_facets(Index threads, const FacetRows &facets, const BlockRows &rows, const DilatationRows &dilatation) {
     const auto form = [&](Index slot) { return &dilatation.forms(slot, 0, 0); };
     const auto clear = [&](Index slot) {
@@ -77,5 +79,6 @@ Index assemble_facets(Index threads, const FacetRows &facets, const BlockRows &r
         });
     return 0;
 }
+BONDEM_CALL(assemble_facets, "")
 
 }  // namespace bondem

@@ -2,6 +2,7 @@
 #include "beam_loads.hpp"
 
 #include "../../laws/damping.hpp"
+#include "../../registered.hpp"
 #include "../damage/pipeline.hpp"
 #include "../damage/softening_beam.hpp"
 #include "bonds.hpp"
@@ -122,21 +123,33 @@ BONDEM_INLINE void add_marked_loads(const Turn &turn, const double *pose, const 
 
 }  // namespace
 
+// Adds forces and torques of the beams of a block to the sums of their elements.
 void add_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut) {
     add_loads(turn.first, turn.last, all.pose.data, beams, cut, Own{beams});
 }
+BONDEM_PASS(add_beam_loads, bonds_of_blocks)
+
+// Adds forces and torques of beams that differ in length only.
 void add_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
                           const StepCut &cut) {
     add_loads(turn.first, turn.last, all.pose.data, beams, cut, all_alike(alike));
 }
+BONDEM_PASS(add_alike_beam_loads, bonds_of_blocks)
+
+// Adds forces and torques of the beams of a block, and marks beams near to failure.
 void add_marked_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut,
                            const FailureBounds &bounds, const Candidates &candidates) {
     add_marked_loads(turn, all.pose.data, beams, cut, Own{beams}, bounds, candidates);
 }
+BONDEM_PASS(add_marked_beam_loads, bonds_of_blocks)
+
+// Adds forces and torques of beams that differ in length only, and marks beams near to failure.
 void add_marked_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
                                  const StepCut &cut, const FailureBounds &bounds, const Candidates &candidates) {
     add_marked_loads(turn, all.pose.data, beams, cut, all_alike(alike), bounds, candidates);
 }
+BONDEM_PASS(add_marked_alike_beam_loads, bonds_of_blocks)
+
 namespace {
 
 template <class Criterion, class Kind>
@@ -147,9 +160,27 @@ BONDEM_INLINE void add_softening_loads(const Turn &turn, const Moving &all, cons
     candidates.count(turn.block) = marked.marks.count();
 }
 
+// Adds forces and torques of beams that may soften, with the pressure on softened ones.
+//
+// Those that reach their criterion lose integrity before their loads are added, and are listed as those that fail in
+// this step.
+template <class Criterion>
+void add_softening(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut, const SofteningBounds &bounds,
+                   const Candidates &candidates) {
+    add_softening_loads<Criterion>(turn, all, beams, cut, Own{beams}, bounds, candidates);
+}
+// Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened ones.
+template <class Criterion>
+void add_alike_softening(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike, const StepCut &cut,
+                         const SofteningBounds &bounds, const Candidates &candidates) {
+    add_softening_loads<Criterion>(turn, all, beams, cut, all_alike(alike), bounds, candidates);
+}
+
 }  // namespace
 
-#define BONDEM_SOFTEN(_, name, Criterion)                                                                                    void add_beam_loads_softening_by_##name(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut,                                             const SofteningBounds &bounds, const Candidates &candidates) {                       add_softening_loads<Criterion>(turn, all, beams, cut, Own{beams}, bounds, candidates);                               }                                                                                                                        void add_alike_beam_loads_softening_by_##name(const Turn &turn, const Moving &all, const Beams &beams,                                                                 const AlikeBeams &alike, const StepCut &cut,                                                                             const SofteningBounds &bounds, const Candidates &candidates) {                 add_softening_loads<Criterion>(turn, all, beams, cut, all_alike(alike), bounds, candidates);                         }
+#define BONDEM_SOFTEN(_, name, Criterion)                                                               \
+    BONDEM_PASS_AS(add_beam_loads_softening_by_##name, bonds_of_blocks, add_softening<Criterion>)       \
+    BONDEM_PASS_AS(add_alike_beam_loads_softening_by_##name, bonds_of_blocks, add_alike_softening<Criterion>)
 BONDEM_SOFTENING_CRITERIA(BONDEM_SOFTEN, )
 #undef BONDEM_SOFTEN
 
@@ -157,11 +188,15 @@ Index load_beams(Index, const Poses &all, const Beams &beams, const BeamSums &to
     add_loads(0, beams.i.size(), all.pose.data, beams, to, Own{beams});
     return 0;
 }
+BONDEM_CALL(load_beams, "")
+
 Index load_alike_beams(Index, const Poses &all, const Beams &beams, const AlikeBeams &alike, const BeamSums &to) {
     add_loads(0, beams.i.size(), all.pose.data, beams, to, all_alike(alike));
     return 0;
 }
+BONDEM_CALL(load_alike_beams, "")
 
+// Adds forces and torques of the dashpots of beams to sums of their own.
 void add_dashpot_loads(const Turn &turn, const Moving &all, const Beams &beams, const Dashpots &dashpots,
                        const StepCut &cut) {
     const Short *const i = beams.i.data, *const j = beams.j.data;
@@ -178,5 +213,6 @@ void add_dashpot_loads(const Turn &turn, const Moving &all, const Beams &beams, 
             dashpot_loads(apart, {b.v - a.v, a.w, b.w}, load(dashpots.share.data + k), dashpot), group.known);
     });
 }
+BONDEM_PASS(add_dashpot_loads, bonds_of_blocks)
 
 }  // namespace bondem

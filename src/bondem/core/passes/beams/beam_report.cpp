@@ -1,6 +1,7 @@
 // What the guard and the history need of beams.
 #include "beam_report.hpp"
 
+#include "../../registered.hpp"
 #include "bonds.hpp"
 
 namespace bondem {
@@ -39,17 +40,25 @@ void sum_energies(Index first, Index last, const double *pose, const Beams &beam
 void check_beams(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions) {
     count_turned(turn.first, turn.last, all.pose.data, beams, &portions.turned(turn.block, 0));
 }
+BONDEM_PASS(check_beams, of_bonds)
+
+// Counts those of all beams in any poses.
 Index count_turned_beams(Index, const Poses &all, const Beams &beams, const BeamTurns &found) {
     count_turned(0, beams.i.size(), all.pose.data, beams, found.found.data);
     return 0;
 }
+BONDEM_CALL(count_turned_beams, "")
 
 void sum_beam_energies(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions) {
     sum_energies(turn.first, turn.last, all.pose.data, beams, &portions.bonds(turn.block, 0));
 }
+BONDEM_PASS(sum_beam_energies, of_bonds)
+
+// Measures normal, shear, bending and twisting energy of all beams in any poses [J].
 Index measure_beam_energies(Index, const Poses &all, const Beams &beams, const BeamEnergies &found) {
     sum_energies(0, beams.i.size(), all.pose.data, beams, found.energy.data);
     return 0;
 }
+BONDEM_CALL(measure_beam_energies, "")
 
 }  // namespace bondem

@@ -5,11 +5,7 @@ namespace bondem {
 
 // Counts unbroken beams of a portion that are turned beyond the range of their energy, and beyond its end.
 void check_beams(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions);
-// Counts those of all beams in any poses.
-Index count_turned_beams(Index threads, const Poses &all, const Beams &beams, const BeamTurns &found);
 // Sums normal, shear, bending and twisting energy of a portion [J].
 void sum_beam_energies(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions);
-// Those of all beams in any poses.
-Index measure_beam_energies(Index threads, const Poses &all, const Beams &beams, const BeamEnergies &found);
 
 }  // namespace bondem

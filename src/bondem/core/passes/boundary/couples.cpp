@@ -2,6 +2,7 @@
 //
 // With shares w of the points and s their places from the centroid, f = w ω × s and J ω = M, J = Σ w (s² 1 - s⊗s). The
 // forces have no resultant, and torques carry the rest of M where the points cannot, as in a row: the total is M.
+#include "../../registered.hpp"
 #include "../motion/elements.hpp"
 #include "rows.hpp"
 #include "timeline.hpp"
@@ -78,5 +79,6 @@ void follow_couples(const Turn &turn, const Timeline &timeline, const CoupleTabl
     for (Index c = 0; c < couples.schedule.size(); c++)
         add_couple(couples, c, value_at(timeline, couples.schedule(c), turn.clock.time), all, rows);
 }
+BONDEM_PASS(follow_couples, serial)
 
 }  // namespace bondem

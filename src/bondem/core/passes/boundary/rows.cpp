@@ -1,20 +1,27 @@
 #include "rows.hpp"
 
+#include "../../registered.hpp"
 #include "following.hpp"
 
 namespace bondem {
 
+// Leaves the forces of all rows at zero, for the loads that are added next.
 void clear_row_forces(const Turn &, const Rows &rows) {
     for (Index r = 0; r < rows.force.size(); r++)
         for (Index c = 0; c < 6; c++) rows.force(r, c) = 0.0;
 }
+BONDEM_PASS(clear_row_forces, serial)
 
+// Adds forces and torques, those that turn with their elements turned.
 void follow_loads(const Turn &turn, const Timeline &timeline, const RowLoads &loads, const Moving &all, const Rows &rows) {
     for (Index e = 0; e < loads.row.size(); e++) add_load(e, turn.clock.time, timeline, loads, all, rows);
 }
+BONDEM_PASS(follow_loads, serial)
 
+// Sets prescribed velocities at the time of the clock, and over the step that begins there.
 void follow_drives(const Turn &turn, const Timeline &timeline, const Drives &drives, const Rows &rows) {
     for (Index e = 0; e < drives.row.size(); e++) drive_at(e, turn.clock, timeline, drives, rows);
 }
+BONDEM_PASS(follow_drives, serial)
 
 }  // namespace bondem

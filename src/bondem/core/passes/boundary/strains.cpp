@@ -3,12 +3,14 @@
 //
 // Nothing is done in steps in which no strain changes. ∂U/∂ε* is also found one step before a change, because the
 // trapezoid needs it.
+#include "../../registered.hpp"
 #include "rows.hpp"
 #include "strained_beam.hpp"
 #include "timeline.hpp"
 
 namespace bondem {
 
+// Sets rest lengths L (1 + ε*), and adds the work of the strains.
 void follow_strains(const Turn &turn, const Timeline &timeline, const Strain &strain, const Moving &all,
                     const Beams &beams, const Rows &rows) {
     const Clock &clock = turn.clock;
@@ -33,5 +35,6 @@ void follow_strains(const Turn &turn, const Timeline &timeline, const Strain &st
         factor(2, g) = factor(3, g);
     }
 }
+BONDEM_PASS(follow_strains, serial)
 
 }  // namespace bondem

@@ -1,6 +1,7 @@
 // Passes over a body of cells in any poses: its forces, its energies, and the places of its walls.
-#include "body.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/cell_tables.hpp"
+#include "../../tables/step_tables.hpp"
 #include "accumulation.hpp"
 #include "energies.hpp"
 #include "facet_sums.hpp"
@@ -19,6 +20,7 @@ void dilate(const CellPoses &all, const ElasticFacets &facets, const CellDilatat
 
 }  // namespace
 
+// Sets the stresses of all cells in any poses, and adds force and torque of facets and walls to the sums.
 Index load_body(Index, const CellPoses &all, const ElasticFacets &facets, const CellDilatation &cells,
                 const DilatationGradients &gradients, const WallConstraints &walls, const BeamSums &to) {
     const Index n = all.pose.size();
@@ -44,12 +46,16 @@ Index load_body(Index, const CellPoses &all, const ElasticFacets &facets, const 
     }
     return 0;
 }
+BONDEM_CALL(load_body, "")
 
+// Adds force and torque of all facets at the stresses in the poses; rows of the sums are given.
 Index load_facets(Index, const Poses &all, const ElasticFacets &facets, const BeamSums &to) {
     add_loads_of_facets(0, facets.i.size(), all.pose.data, facets, to.row_i.data, to.row_j.data, to.sums.data);
     return 0;
 }
+BONDEM_CALL(load_facets, "")
 
+// Sums the energies of all facets, cells and walls [J]; that of dilatation is part of the normal energy.
 Index measure_cell_energies(Index, const CellPoses &all, const ElasticFacets &facets, const CellDilatation &cells,
                             const DilatationGradients &gradients, const WallConstraints &walls,
                             const CellEnergies &found) {
@@ -62,10 +68,13 @@ Index measure_cell_energies(Index, const CellPoses &all, const ElasticFacets &fa
     found.energy(0) += more;
     return 0;
 }
+BONDEM_CALL(measure_cell_energies, "")
 
+// Brings walls to a time.
 Index place_walls(Index, const WallConstraints &walls, const WallTime &at) {
     for (Index g = 0; g < walls.cell.size(); g++) place_hold(walls, at.time, g);
     return 0;
 }
+BONDEM_CALL(place_walls, "")
 
 }  // namespace bondem

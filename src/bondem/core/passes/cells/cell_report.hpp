@@ -11,8 +11,5 @@ void check_facets(const Turn &turn, const Moving &all, const Beams &beams, const
 void sum_facet_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Portions &portions);
 // Sums the energy of dilatation of a portion of cells, whose V θ is complete and left at zero [J].
 void sum_dilatation_energies(const Turn &turn, const CellDilatation &cells, const DilatationEnergy &found);
-// Adds the energy of dilatation, and that of half facets at walls, to the normal energy of the first portion of facets.
-void add_cell_energies(const Turn &turn, const Moving &all, const WallConstraints &walls, const DilatationEnergy &found,
-                       const Portions &portions);
 
 }  // namespace bondem

@@ -8,6 +8,7 @@
 // before a change, because the trapezoid needs it.
 #include "cell_strains.hpp"
 
+#include "../../registered.hpp"
 #include "../boundary/timeline.hpp"
 #include "strained_cells.hpp"
 
@@ -23,17 +24,21 @@ void stretch(const CellStrains &strains, const ElasticFacets &facets, const Wall
 
 }  // namespace
 
+// Brings stress-free strains, and with them the levers of facets and walls, to the time of the clock.
 void follow_cell_strains(const Turn &turn, const Timeline &timeline, const CellStrains &strains,
                          const ElasticFacets &facets, const WallConstraints &walls) {
     const bool changed = follow_factors(turn.clock, timeline, strains);
     if (changed) stretch(strains, facets, walls);
     strains.due(1) = changed;
 }
+BONDEM_PASS(follow_cell_strains, serial)
 
 void sum_strain_powers(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets) {
     if (strains.due(0)) sum_powers(turn.first, turn.last, all.pose.data, strains, facets, &strains.power(turn.block, 0));
 }
+BONDEM_PASS(sum_strain_powers, of_bonds)
 
+// Finds ∂U/∂factor by the stresses in the poses, where the time of the clock was not reached by a step.
 void begin_strain_work(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                        const WallConstraints &walls) {
     if (!turn.clock.first) return;
@@ -44,6 +49,7 @@ void begin_strain_work(const Turn &turn, const Moving &all, const CellStrains &s
     sum_all_powers(all, strains, walls);
     for (Index g = 0; g < strains.schedule.size(); g++) strains.factor(before, g) = strains.factor(after, g);
 }
+BONDEM_PASS(begin_strain_work, serial)
 
 void add_strain_work(const Turn &, const Moving &all, const CellStrains &strains, const WallConstraints &walls,
                      const Rows &rows) {
@@ -57,5 +63,6 @@ void add_strain_work(const Turn &, const Moving &all, const CellStrains &strains
     }
     strains.due(0) = 0;
 }
+BONDEM_PASS(add_strain_work, serial)
 
 }  // namespace bondem

@@ -3,6 +3,7 @@
 // Levers b and forces f are those of one instant, in space. The sums are found with those of the forces.
 #include "cell_stress.hpp"
 
+#include "../../registered.hpp"
 #include "facets.hpp"
 
 namespace bondem {
@@ -18,6 +19,7 @@ void add(double *moment, const Symmetric3<double> &m, double bent) {
 
 }  // namespace
 
+// Adds to the sums of moments of shared cells what facets of other domains have for them, and leaves zeros there.
 void collect_facet_moments(const Turn &turn, const StepCut &cut, const FacetForces &kept) {
     for (Index e = turn.first; e < turn.last; e++)
         for (Index q = cut.parts + cut.part(e); q < cut.parts + cut.part(e + 1); q++)
@@ -26,7 +28,9 @@ void collect_facet_moments(const Turn &turn, const StepCut &cut, const FacetForc
                 kept.sums(q, c) = 0.0;
             }
 }
+BONDEM_PASS(collect_facet_moments, parts_of_shared)
 
+// Sets V σ and Σ `bending_square` of cells, whose sums are complete and left at zero.
 void take_moments(const Turn &turn, const FacetForces &kept) {
     for (Index e = turn.first; e < turn.last; e++) {
         double *const sums = &kept.sums(turn.row[e], 0);
@@ -34,6 +38,7 @@ void take_moments(const Turn &turn, const FacetForces &kept) {
         for (Index c = 0; c < 8; c++) sums[c] = 0.0;
     }
 }
+BONDEM_PASS(take_moments, elements_of_blocks)
 
 void sum_moments(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetsOfCells &of_cells,
                  const FacetForces &kept) {
@@ -53,5 +58,6 @@ void sum_moments(const Turn &turn, const Moving &all, const ElasticFacets &facet
             add_facet(Index(of_cells.out_bond(e)), false);
     }
 }
+BONDEM_PASS(sum_moments, of_elements)
 
 }  // namespace bondem

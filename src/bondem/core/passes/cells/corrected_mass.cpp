@@ -1,10 +1,11 @@
 // The mass matrix of waves of pressure in a step: after all loads of the elements, before they move.
-#include "corrected_mass.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/cell_tables.hpp"
 #include "dilatation_rates.hpp"
 
 namespace bondem {
 
+// Computes the accelerations of the elements by their loads alone.
 void find_accelerations(const Turn &turn, const Moving &all, const Rows &rows, const StepCut &cut,
                         const CorrectedMass &mass) {
     for (Index e = turn.first; e < turn.last; e++) {
@@ -14,16 +15,28 @@ void find_accelerations(const Turn &turn, const Moving &all, const Rows &rows, c
         else find_acceleration(all, rows, mass, sum, p);
     }
 }
+BONDEM_PASS(find_accelerations, elements_of_blocks)
+
+// Computes ρ β θ̈ of the cells by the accelerations of the elements.
 void find_dilatation_inertia(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
     for (Index p = turn.first; p < turn.last; p++) find_inertia(all, facets, walls, mass, p);
 }
+BONDEM_PASS(find_dilatation_inertia, of_elements)
+
+// Computes the forces of the correction on the elements.
 void find_inertia_forces(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
     for (Index p = turn.first; p < turn.last; p++) find_inertia_force(all, facets, walls, mass, p);
 }
+BONDEM_PASS(find_inertia_forces, of_elements)
+
+// Adds the forces of the correction to the sums of the elements.
 void add_inertia_forces(const Turn &turn, const CorrectedMass &mass, const StepCut &cut) {
     for (Index e = turn.first; e < turn.last; e++)
         add_inertia_force(mass, &cut.sums(turn.row[e], 0), turn.element[e]);
 }
+BONDEM_PASS(add_inertia_forces, elements_of_blocks)
+
+// Subtracts from the kinetic energies what the mass of the cells has too much.
 void subtract_dilatation_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass,
                                   const Portions &portions) {
     double sum = 0.0;
@@ -31,5 +44,6 @@ void subtract_dilatation_energies(const Turn &turn, const Moving &all, const Ela
         sum += surplus_of_kinetic_energy(all, facets, walls, mass, p);
     portions.elements(turn.block, 0) -= sum;
 }
+BONDEM_PASS(subtract_dilatation_energies, of_elements)
 
 }  // namespace bondem

@@ -1,6 +1,7 @@
 // The first of two passes over facets: V θ of the cells, added up in the order of the facets, and with it their stresses.
-#include "dilatation.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/cell_tables.hpp"
+#include "../../tables/damage_tables.hpp"
 #include "../damage/pipeline.hpp"
 #include "accumulation.hpp"
 
@@ -19,22 +20,31 @@ struct FacetMarks {
 
 }  // namespace
 
+// Adds what the facets of a block contribute to V θ of their cells.
 void accumulate_dilatation(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells) {
     NoFacetMarks none;
     accumulate(turn.first, turn.last, all.pose.data, facets, cells, none);
 }
+BONDEM_PASS(accumulate_dilatation, bonds_of_blocks)
+
+// Adds what facets contribute to V θ of their cells, where many facets have no integrity left.
 void accumulate_left_dilatation(const Turn &turn, const Moving &all, const ElasticFacets &facets,
                                 const CellDilatation &cells) {
     LeftFacets left;
     accumulate(turn.first, turn.last, all.pose.data, facets, cells, left);
 }
+BONDEM_PASS(accumulate_left_dilatation, bonds_of_blocks)
+
+// Adds what facets contribute to V θ of their cells, and marks facets near to failure.
 void accumulate_and_mark(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                          const FailureBounds &bounds, const Candidates &candidates) {
     FacetMarks marked = {Marks(bounds, candidates, turn)};
     accumulate(turn.first, turn.last, all.pose.data, facets, cells, marked);
     candidates.count(turn.block) = marked.marks.count();
 }
+BONDEM_PASS(accumulate_and_mark, bonds_of_blocks)
 
+// Adds to V θ of shared cells what facets of other domains have for them, and leaves zeros there.
 void collect_dilatation(const Turn &turn, const StepCut &cut, const CellDilatation &cells) {
     const Index n = cells.weight.size();
     for (Index e = turn.first; e < turn.last; e++)
@@ -43,9 +53,12 @@ void collect_dilatation(const Turn &turn, const StepCut &cut, const CellDilatati
             cells.swelling(q) = 0.0;
         }
 }
+BONDEM_PASS(collect_dilatation, parts_of_shared)
 
+// Sets the stresses of cells, whose V θ is complete and left at zero.
 void stress_cells(const Turn &turn, const Moving &all, const CellDilatation &cells) {
     for (Index e = turn.first; e < turn.last; e++) stress_cell(all.pose, cells, turn.element[e]);
 }
+BONDEM_PASS(stress_cells, elements_of_blocks)
 
 }  // namespace bondem

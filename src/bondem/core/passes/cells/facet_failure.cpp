@@ -7,6 +7,7 @@
 // stresses of the step before.
 #include "facet_failure.hpp"
 
+#include "../../registered.hpp"
 #include "facet_removal.hpp"
 
 namespace bondem {
@@ -20,6 +21,8 @@ void hold_with_neighbours(const ElasticFacets &facets, const FacetRelease &relea
     hold(postponed, p, postponed_for::own_facet);
 }
 
+// Finds which of the marked facets fail by a criterion, at the present stresses, and postpones their cells and the
+// neighbours of these.
 template <class Criterion>
 void judge_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetRelease &release,
                   const Strengths &strengths, const Candidates &candidates, const Postponed &postponed) {
@@ -36,10 +39,12 @@ void judge_facets(const Turn &turn, const Moving &all, const ElasticFacets &face
     }
 }
 
+// Finds the index of every facet by a criterion, at the stresses in the poses.
 template <class Criterion>
-Index index_facets(const double *pose, const ElasticFacets &facets, const Strengths &strengths, const FailureIndices &found) {
+Index index_facets(Index, const Poses &all, const ElasticFacets &facets, const Strengths &strengths,
+                   const FailureIndices &found) {
     for (Index k = 0; k < strengths.station.size(); k++)
-        found.index(k) = facets.integrity(k) > 0.0 ? verdict_of<Criterion>(pose, facets, strengths, k).index : 0.0;
+        found.index(k) = facets.integrity(k) > 0.0 ? verdict_of<Criterion>(all.pose.data, facets, strengths, k).index : 0.0;
     return 0;
 }
 
@@ -101,16 +106,9 @@ Removal break_facet(const Moving &all, const ElasticFacets &facets, const WallCo
 
 }  // namespace
 
-#define BONDEM_CRITERION(_, name, Criterion)                                                                          \
-    void judge_facets_by_##name(const Turn &turn, const Moving &all, const ElasticFacets &facets,                     \
-                                const FacetRelease &release, const Strengths &strengths, const Candidates &candidates, \
-                                const Postponed &postponed) {                                                         \
-        judge_facets<Criterion>(turn, all, facets, release, strengths, candidates, postponed);                        \
-    }                                                                                                                 \
-    Index index_facets_by_##name(Index, const Poses &all, const ElasticFacets &facets, const Strengths &strengths,    \
-                                 const FailureIndices &found) {                                                       \
-        return index_facets<Criterion>(all.pose.data, facets, strengths, found);                                      \
-    }
+#define BONDEM_CRITERION(_, name, Criterion)                                     \
+    BONDEM_PASS_AS(judge_facets_by_##name, serial, judge_facets<Criterion>)     \
+    BONDEM_CALL_AS(index_facets_by_##name, "", index_facets<Criterion>)
 BONDEM_FACET_CRITERIA(BONDEM_CRITERION, )
 #undef BONDEM_CRITERION
 
@@ -138,6 +136,7 @@ void add_changed(const Moving &all, const ElasticFacets &facets, const WallConst
     take_off_changing(-1.0, all, facets, walls, release, postponed, p);
 }
 
+// Lists the cells whose loads change, and takes the loads of their facets and walls off the kept sums.
 void withdraw_facets(const Turn &, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                      const FacetRelease &release, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
@@ -145,26 +144,35 @@ void withdraw_facets(const Turn &, const Moving &all, const ElasticFacets &facet
     for (Index c = 0; c < release.changes(0); c++)
         take_off_changing(1.0, all, facets, walls, release, postponed, release.changed(c));
 }
+BONDEM_PASS(withdraw_facets, serial)
 
+// Removes the facets that fail, and brings the stresses of their cells up to date.
 void break_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                   const FacetRelease &release, const Candidates &candidates, const EventLog &log) {
     remove(turn, candidates, log, [&](Index k) { return break_facet(all, facets, walls, release, k); });
 }
+BONDEM_PASS(break_facets, serial)
 
+// Adds the loads of the facets that are left, and of walls, to the kept sums.
 void restore_facets(const Turn &, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                     const FacetRelease &release, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
     for (Index c = 0; c < release.changes(0); c++)
         add_changed(all, facets, walls, release, postponed, release.changed(c));
 }
+BONDEM_PASS(restore_facets, serial)
 
+// Sets the forces of walls on the rows of their cells anew.
 void renew_wall_rows(const Turn &, const WallConstraints &walls, const Rows &rows, const Candidates &candidates) {
     if (any_fails(candidates)) set_rows(walls, rows);
 }
+BONDEM_PASS(renew_wall_rows, serial)
 
+// Weighs all cells by the facets that they have left, as a run begins.
 Index weigh_cells(Index, const ElasticFacets &facets, const FacetRelease &release) {
     for (Index p = 0; p < release.whole.size(); p++) weigh(facets, release, p);
     return 0;
 }
+BONDEM_CALL(weigh_cells, "")
 
 }  // namespace bondem

@@ -1,6 +1,6 @@
 // The second of two passes over facets: forces and torques, with the stresses of the cells from the first.
-#include "facet_loads.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/cell_tables.hpp"
 #include "facet_sums.hpp"
 
 namespace bondem {
@@ -22,10 +22,14 @@ BONDEM_INLINE void keep(double *to, Lanes a, int known) {
 
 }  // namespace
 
+// Adds forces and torques of the facets of a block to the sums of their cells, whose stresses are known.
 void add_facet_loads(const Turn &turn, const Moving &all, const ElasticFacets &facets, const StepCut &cut) {
     add_loads_of_facets(turn.first, turn.last, all.pose.data, facets, cut.row_i.data, cut.row_j.data, cut.sums.data);
 }
+BONDEM_PASS(add_facet_loads, bonds_of_blocks)
 
+// Adds and keeps the forces of the facets of a block, and adds up the moments V σ of their cells. A facet without
+// integrity has no force, whatever was kept of it before.
 void add_and_keep_facet_loads(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                               const StepCut &cut) {
     const FacetColumns columns(facets);
@@ -50,5 +54,6 @@ void add_and_keep_facet_loads(const Turn &turn, const Moving &all, const Elastic
         add_loads_of_facets(cut.sums.data, row_i + k, row_j + k, loads, known);
     });
 }
+BONDEM_PASS(add_and_keep_facet_loads, bonds_of_blocks)
 
 }  // namespace bondem

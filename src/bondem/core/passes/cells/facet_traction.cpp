@@ -2,13 +2,14 @@
 //
 // A traction t opens its facet by the half of its own cell, and with it adds A d t · m / 2G to V θ. Under constant loads
 // ½ V λ θ² of the cells is the potential; a load that changes does the work σ d(V θ) on it.
-#include "facet_traction.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/cell_tables.hpp"
 #include "../boundary/timeline.hpp"
 #include "facets.hpp"
 
 namespace bondem {
 
+// Brings tractions to the time of the clock.
 void follow_tractions(const Turn &turn, const Timeline &timeline, const FacetTractions &tractions,
                       const CellDilatation &cells) {
     const Index count = tractions.schedule.size();
@@ -26,7 +27,9 @@ void follow_tractions(const Turn &turn, const Timeline &timeline, const FacetTra
         cells.given(p) = sum;
     }
 }
+BONDEM_PASS(follow_tractions, serial)
 
+// Adds half the work of tractions that change: once by the stresses before, and once by those after.
 void add_traction_work(const Turn &, const Moving &all, const FacetTractions &tractions, const Rows &rows) {
     for (Index l = 0; l < tractions.schedule.size(); l++) {
         if (tractions.came(l) == 0.0) continue;
@@ -35,5 +38,6 @@ void add_traction_work(const Turn &, const Moving &all, const FacetTractions &tr
         rows.work(tractions.place) += 0.5 * tractions.came(l) * power;
     }
 }
+BONDEM_PASS(add_traction_work, serial)
 
 }  // namespace bondem

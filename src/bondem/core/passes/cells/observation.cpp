@@ -1,17 +1,20 @@
 // What is read off cells in any poses: vectors that turn with them, and moments of forces on them.
-#include "observation.hpp"
-
 #include "../../laws/rotations.hpp"
+#include "../../registered.hpp"
 #include "../../symmetric3.hpp"
+#include "../../tables/cell_tables.hpp"
 
 namespace bondem {
 
+// Turns vectors with their elements.
 Index turn_vectors(Index, const TurnedVectors &all) {
     for (Index e = 0; e < all.vector.size(); e++)
         all.turned.row<Vector>(e) = rotate(all.quaternion.row<const Quaternion<double>>(e), all.vector.row<const Vector>(e));
     return 0;
 }
+BONDEM_CALL(turn_vectors, "")
 
+// Adds the moments sym b⊗f of forces about the centres of their owners, times a sign.
 Index add_moments(Index, const MomentsOfForces &all) {
     for (Index e = 0; e < all.owner.size(); e++) {
         const Symmetric3<double> m = symmetric_product(all.sign * all.arm.row<const Vector>(e), all.force.row<const Vector>(e));
@@ -20,5 +23,6 @@ Index add_moments(Index, const MomentsOfForces &all) {
     }
     return 0;
 }
+BONDEM_CALL(add_moments, "")
 
 }  // namespace bondem

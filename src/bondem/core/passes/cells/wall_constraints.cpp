@@ -1,5 +1,5 @@
-#include "wall_constraints.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/cell_tables.hpp"
 #include "walls.hpp"
 
 namespace bondem {
@@ -18,6 +18,7 @@ void add_half_work(const WallConstraints &walls, const Rows &rows) {
 
 }  // namespace
 
+// Brings walls to the time of the clock; where it was not reached by a step, their forces are brought up to date as well.
 void follow_walls(const Turn &turn, const Moving &all, const WallConstraints &walls, const Rows &rows) {
     for (Index g = 0; g < walls.cell.size(); g++) place_hold(walls, turn.clock.time, g);
     if (!turn.clock.first) return;
@@ -25,12 +26,17 @@ void follow_walls(const Turn &turn, const Moving &all, const WallConstraints &wa
         for (Index axis = 0; axis < 3; axis++) walls.came(g, axis) = 0.0;
     load_all(all, walls, rows);
 }
+BONDEM_PASS(follow_walls, serial)
 
+// Adds what walls contribute to V θ of their cells.
 void add_wall_dilatation(const Turn &, const Moving &all, const WallConstraints &walls, const CellDilatation &cells) {
     for (Index g = 0; g < walls.cell.size(); g++)
         cells.swelling(walls.cell(g)) += dilatation_of_hold(all.pose, all.rest, walls, g);
 }
+BONDEM_PASS(add_wall_dilatation, serial)
 
+// Sets the forces of walls on the rows of their cells, whose stresses are known, and adds the work of walls that move:
+// the trapezoid of the force over the displacement.
 void apply_walls(const Turn &, const Moving &all, const WallConstraints &walls, const Rows &rows) {
     add_half_work(walls, rows);
     for (Index g = 0; g < walls.cell.size(); g++)
@@ -38,7 +44,9 @@ void apply_walls(const Turn &, const Moving &all, const WallConstraints &walls, 
     load_all(all, walls, rows);
     add_half_work(walls, rows);
 }
+BONDEM_PASS(apply_walls, serial)
 
+// Adds the forces of walls to the sums of their cells.
 void add_wall_loads(const Turn &turn, const Rows &rows, const StepCut &cut) {
     for (Index e = turn.held; e < turn.last; e++) {
         const double *load = &rows.grip(rows.of(turn.element[e]), 0);
@@ -48,5 +56,6 @@ void add_wall_loads(const Turn &turn, const Rows &rows, const StepCut &cut) {
         }
     }
 }
+BONDEM_PASS(add_wall_loads, elements_of_blocks)
 
 }  // namespace bondem

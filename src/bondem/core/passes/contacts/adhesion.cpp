@@ -1,5 +1,7 @@
 #include "adhesion.hpp"
 
+#include "../../registered.hpp"
+
 namespace bondem {
 namespace {
 
@@ -20,12 +22,15 @@ struct NearWall {
 
 }  // namespace
 
+// Finds the adhesion of the near pairs of a portion of elements.
 void adhere_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
                   const AdheringPairs &of) {
     const Index begin = pairs.start(turn.first), end = begin + near.counts(turn.block, 0);
     for (Index e = begin; e < end; e++) adhere_pair(all, c, pairs, of, near.near(e));
 }
+BONDEM_PASS(adhere_pairs, of_elements)
 
+// Adds adhesion to the elements of a range.
 void add_adhesion_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const AdheringPairs &of,
                         const ContactSums &to) {
     const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };
@@ -38,6 +43,7 @@ void add_adhesion_loads(const Turn &turn, const ContactPairs &pairs, const NearP
         }
     }
 }
+BONDEM_PASS(add_adhesion_loads, of_ranges)
 
 void adhere_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                      const Walls &walls, const ContactSums &to) {
@@ -54,6 +60,7 @@ void adhere_at_walls(const Turn &turn, const Moving &all, const ContactConstants
         for (Index x = 0; x < 3; x++) to.sums(near.p, x) += f[x];
     }
 }
+BONDEM_PASS(adhere_at_walls, of_elements)
 
 void sum_adhesion_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                            const ContactEnergies &energies) {
@@ -63,6 +70,7 @@ void sum_adhesion_energies(const Turn &turn, const Moving &all, const ContactCon
             sum += adhesion_of(c, pairs, k).energy(length(branch_of(all.pose.data, pairs, k)) - pairs.reach(k));
     energies.energy(turn.block) += sum;
 }
+BONDEM_PASS(sum_adhesion_energies, of_elements)
 
 void sum_adhesion_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                            const Walls &walls, const ContactEnergies &energies) {
@@ -73,5 +81,6 @@ void sum_adhesion_at_walls(const Turn &turn, const Moving &all, const ContactCon
     }
     energies.energy(turn.block) += sum;
 }
+BONDEM_PASS(sum_adhesion_at_walls, of_elements)
 
 }  // namespace bondem

@@ -29,12 +29,6 @@ inline void add_adhesion(const AdheringPairs &of, Index k, bool later, double *r
     for (Index x = 0; x < 3; x++) row[x] += later ? of.force(k, x) : -of.force(k, x);
 }
 
-// Finds the adhesion of the near pairs of a portion of elements.
-void adhere_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
-                  const AdheringPairs &of);
-// Adds adhesion to the elements of a range.
-void add_adhesion_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const AdheringPairs &of,
-                        const ContactSums &to);
 // Finds the adhesion of a portion of elements at walls.
 void adhere_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                      const Walls &walls, const ContactSums &to);

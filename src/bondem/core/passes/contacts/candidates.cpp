@@ -1,8 +1,9 @@
 // Candidates for contact: pairs, and elements at walls, that may touch before the list is made anew.
 //
 // Each pair stands once, sorted by its later element, then by its earlier one, as bonds are.
-#include "candidates.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/contact_tables.hpp"
+#include "../../tables/step_tables.hpp"
 #include "../packing/grid_visits.hpp"
 #include "pairs.hpp"
 #include "wall_shapes.hpp"
@@ -43,6 +44,8 @@ double gap_of(const Poses &all, const Walls &walls, const WallSources &from, Ind
 
 }  // namespace
 
+// Lists spheres of a sorted grid that are near and that no bond joins, and pairs of bonds that are wanted, with the memory
+// of those that touch. Ends where there is no room for more.
 Index list_pairs(Index, const SphereGrid &grid, const PairSources &from, const FoundPairs &found) {
     const Period period(grid.period);
     const Index n = grid.sphere.size(), room = found.first.size();
@@ -75,7 +78,9 @@ Index list_pairs(Index, const SphereGrid &grid, const PairSources &from, const F
     }
     return 0;
 }
+BONDEM_CALL(list_pairs, "all_listed room_full")
 
+// Counts walls within the skin of each element.
 Index count_wall_contacts(Index, const Poses &all, const Walls &walls, const WallSources &from) {
     from.start(0) = 0;
     for (Index p = 0; p < all.pose.size(); p++) {
@@ -84,7 +89,9 @@ Index count_wall_contacts(Index, const Poses &all, const Walls &walls, const Wal
     }
     return 0;
 }
+BONDEM_CALL(count_wall_contacts, "")
 
+// Lists elements near walls in their order, with the memory of those that touch.
 Index list_wall_contacts(Index, const Poses &all, const Walls &walls, const WallSources &from, const FoundWalls &found) {
     for (Index p = 0; p < all.pose.size(); p++) {
         Index k = from.start(p);
@@ -101,5 +108,6 @@ Index list_wall_contacts(Index, const Poses &all, const Walls &walls, const Wall
     }
     return 0;
 }
+BONDEM_CALL(list_wall_contacts, "")
 
 }  // namespace bondem

@@ -6,6 +6,7 @@
 // that touch changes no bit either, because it adds nothing to any sum.
 #include "contact_loads.hpp"
 
+#include "../../registered.hpp"
 #include "../record/columns.hpp"
 #include "face_contacts.hpp"
 #include "pairs.hpp"
@@ -156,19 +157,25 @@ void press_close(const Turn &turn, const Moving &all, const ContactConstants &c,
 
 #if defined(BONDEM_LANES)
 
+// Finds forces and memory of the pairs of a portion of elements; lists those that may touch where elements have moved
+// too far since that was done.
 void press_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                  const NearPairs &near, const Travel &travel) {
     if (measures_anew(turn, near, travel)) list_near(turn, all, c, pairs, near, travel, [](Index) { return 0.0; });
     press_close(turn, all, c, pairs, near, find_close(turn, all, pairs, near));
 }
+BONDEM_PASS(press_pairs, of_elements)
 
+// Finds forces and memory of the pairs of a portion of cells with cracks, which touch by faces too.
 void press_pairs_and_faces(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                            const NearPairs &near, const Travel &travel, const FacePairs &faces) {
     if (measures_anew(turn, near, travel))
         list_near(turn, all, c, pairs, near, travel, [&](Index k) { return outer_reach(pairs, faces, k); });
     press_close(turn, all, c, pairs, near, find_close(turn, all, c, pairs, near, faces));
 }
+BONDEM_PASS(press_pairs_and_faces, of_elements)
 
+// Adds what pairs do to the elements of a range, in the order of the pairs.
 void add_pair_loads(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs,
                     const NearPairs &near, const ContactSums &to) {
     const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };
@@ -190,6 +197,7 @@ void add_pair_loads(const Turn &turn, const ContactConstants &c, const ContactPa
         }
     }
 }
+BONDEM_PASS(add_pair_loads, of_ranges)
 
 #endif
 
@@ -209,6 +217,7 @@ void add_contact_loads(const Turn &turn, const Moving &all, const StepCut &cut, 
         load = {};
     }
 }
+BONDEM_PASS(add_contact_loads, elements_of_blocks)
 
 void sum_pair_energies(const Turn &turn, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
                        const ContactEnergies &energies) {
@@ -217,11 +226,14 @@ void sum_pair_energies(const Turn &turn, const Moving &all, const ContactConstan
         if (pairs.touch(k) == touching) sum += pair_energy(all.pose.data, law, pairs, k);
     energies.energy(turn.block) = sum;
 }
+BONDEM_PASS(sum_pair_energies, of_elements)
 
+// Adds the energy of contacts to a record.
 void write_contact_energy(const Turn &turn, const ContactEnergies &energies, const HistoryRows &history) {
     double sum = 0.0;
     for (Index q = 0; q < energies.energy.size(); q++) sum += energies.energy(q);
     history.record(turn.clock.record, column::contact) = sum;
 }
+BONDEM_PASS(write_contact_energy, serial)
 
 }  // namespace bondem

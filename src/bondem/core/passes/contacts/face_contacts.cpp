@@ -1,5 +1,6 @@
 #include "face_contacts.hpp"
 
+#include "../../registered.hpp"
 #include "handover.hpp"
 
 namespace bondem {
@@ -13,6 +14,7 @@ template <class On> void over_pairs_of(const ContactPairs &pairs, const FacePair
 
 }  // namespace
 
+// Adds what faces do to the elements of a range.
 void add_face_loads(const Turn &turn, const ContactPairs &pairs, const FacePairs &faces, const ContactSums &to) {
     const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };
     for (Index q = turn.first / elements_of_portion; q < faces.count.size(); q++) {
@@ -24,6 +26,7 @@ void add_face_loads(const Turn &turn, const ContactPairs &pairs, const FacePairs
         }
     }
 }
+BONDEM_PASS(add_face_loads, of_ranges)
 
 void sum_face_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                        const FacePairs &faces, const ContactEnergies &energies) {
@@ -32,7 +35,9 @@ void sum_face_energies(const Turn &turn, const Moving &all, const ContactConstan
         if (pairs.touch(k) == facing) sum += face_energy(all, c, pairs, faces, k);
     energies.energy(turn.block) += sum;
 }
+BONDEM_PASS(sum_face_energies, of_elements)
 
+// Begins the contact of faces that part in this step.
 void begin_face_contacts(const Turn &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
                          const FacePairs &faces, const CrackLists &lists, const EventLog &log) {
     const Index count = lists.size(3);
@@ -65,5 +70,6 @@ void begin_face_contacts(const Turn &, const Moving &all, const ContactPairs &pa
         if (has_faces(faces, k)) faces.open(k) = faces.faced(a) = faces.faced(b) = 1;
     });
 }
+BONDEM_PASS(begin_face_contacts, serial)
 
 }  // namespace bondem

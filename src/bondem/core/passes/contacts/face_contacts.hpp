@@ -271,13 +271,8 @@ inline double begin_by_faces(const Moving &all, const ContactPairs &pairs, const
     return chosen_loads(all, pairs, of, k).energy;
 }
 
-// Adds what faces do to the elements of a range.
-void add_face_loads(const Turn &turn, const ContactPairs &pairs, const FacePairs &faces, const ContactSums &to);
 // Adds the elastic energy of the pairs of a portion that touch by faces [J].
 void sum_face_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                        const FacePairs &faces, const ContactEnergies &energies);
-// Begins the contact of faces that part in this step.
-void begin_face_contacts(const Turn &turn, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
-                         const FacePairs &faces, const CrackLists &lists, const EventLog &log);
 
 }  // namespace bondem

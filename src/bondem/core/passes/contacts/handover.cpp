@@ -1,5 +1,6 @@
 #include "handover.hpp"
 
+#include "../../registered.hpp"
 #include "../damage/pipeline.hpp"
 
 namespace bondem {
@@ -52,20 +53,24 @@ double let_touch(const Moving &all, const ContactPairs &pairs, const NearPairs &
     return reach;
 }
 
+// Begins contact where beams have broken in this step, on the sums that are kept for their ends.
 void begin_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                     const NearPairs &near, const EventLog &log, const Postponed &postponed) {
     for_each_event(log, [&](Index bond, Index event) {
         take_over(log, event, hand_over(all, c, pairs, near, bond, postponed.kept.data));
     });
 }
+BONDEM_PASS(begin_contacts, serial)
 
 void release_pressure(const Turn &, const EventLog &log, const SofteningBounds &bounds) {
     for_each_event(log, [&](Index bond, Index) { bounds.press(bond) = 0.0; });
 }
+BONDEM_PASS(release_pressure, serial)
 
 void begin_softened_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                              const NearPairs &near, const EventLog &log, const ContactSums &to) {
     for_each_event(log, [&](Index bond, Index) { hand_over(all, c, pairs, near, bond, to.sums.data); });
 }
+BONDEM_PASS(begin_softened_contacts, serial)
 
 }  // namespace bondem

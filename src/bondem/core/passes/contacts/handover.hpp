@@ -46,10 +46,6 @@ inline double open_pair(const Moving &all, const ContactPairs &pairs, Index face
 // The same, and the pair is examined in every step from now on.
 double let_touch(const Moving &all, const ContactPairs &pairs, const NearPairs &near, Index facet, double apart);
 
-// Begins contact where beams have broken in this step, on the sums that are kept for their ends.
-void begin_contacts(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
-                    const NearPairs &near, const EventLog &log, const Postponed &postponed);
-
 // Ends the pressure on beams that soften and have broken at the beginning of this step.
 void release_pressure(const Turn &turn, const EventLog &log, const SofteningBounds &bounds);
 // Begins contact where beams that soften have broken at the beginning of this step: its energy is that of the

@@ -8,6 +8,7 @@
 // The work of a wall on the elements is the trapezoid of its power.
 #include "rigid_walls.hpp"
 
+#include "../../registered.hpp"
 #include "../boundary/timeline.hpp"
 #include "../record/columns.hpp"
 #include "pairs.hpp"
@@ -170,13 +171,16 @@ void move_walls(const Turn &turn, const WallMotions &motions, const Walls &walls
     for (Index e = 0; e < motions.free_wall.size(); e++) kick_free(motions, walls, e, 0.5 * dt);
     for (Index w = 0; w < walls.body.size(); w++) move_wall(walls, w, dt);
 }
+BONDEM_PASS(move_walls, serial)
 
 void press_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                  const Walls &walls, const ContactSums &to) {
     for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++)
         press_wall(all, c, contacts, walls, to, e, turn.clock.dt);
 }
+BONDEM_PASS(press_walls, of_elements)
 
+// Keeps the deepest overlap of the elements of a portion with a wall, over the radius, where distances are measured anew.
 void measure_wall_overlaps(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                            const Walls &walls, const NearPairs &near, const Travel &travel) {
     if (!measures_anew(turn, near, travel)) return;
@@ -185,6 +189,7 @@ void measure_wall_overlaps(const Turn &turn, const Moving &all, const ContactCon
         deepest = most(deepest, (contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap) / c.radius(contacts.element(e)));
     travel.portion(turn.block, 2) = deepest;
 }
+BONDEM_PASS(measure_wall_overlaps, of_elements)
 
 void begin_loads(WallRow &row, double half) {
     row.work -= half * (moving_power(row) + turning_power(row));
@@ -199,6 +204,7 @@ void end_loads(const Walls &walls, Index w, double half) {
     row.work -= half * (moving_power(row) + turning_power(row));
 }
 
+// Sums the forces of elements on walls, adds their work, and closes the step of free walls.
 void load_walls(const Turn &turn, const WallContacts &contacts, const WallMotions &motions, const Walls &walls) {
     const double half = 0.5 * turn.clock.dt;
     for (Index w = 0; w < walls.body.size(); w++) begin_loads(walls.body.row<WallRow>(w), half);
@@ -216,6 +222,7 @@ void load_walls(const Turn &turn, const WallContacts &contacts, const WallMotion
         show_free_spin(walls, motions.free_wall(e));
     }
 }
+BONDEM_PASS(load_walls, serial)
 
 void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                        const Walls &walls, const ContactEnergies &energies) {
@@ -232,13 +239,17 @@ void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstan
     }
     energies.energy(turn.block) += sum;
 }
+BONDEM_PASS(sum_wall_energies, of_elements)
 
+// Finds what walls have supplied, for the guard of the energy.
 void count_wall_work(const Turn &, const Walls &walls, const Portions &portions) {
     double supplied = 0.0;
     for (Index w = 0; w < walls.body.size(); w++) supplied += absolute(walls.body.row<const WallRow>(w).work);
     portions.budget(2) = supplied;
 }
+BONDEM_PASS(count_wall_work, serial)
 
+// Adds the work of walls to a record, and writes gauges of walls.
 void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, const HistoryRows &history) {
     for (Index w = 0; w < walls.body.size(); w++)
         history.record(turn.clock.record, column::work) += walls.body.row<const WallRow>(w).work;
@@ -249,5 +260,6 @@ void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, con
                    &history.record(turn.clock.record, column::fixed_columns + 3 * g));
     }
 }
+BONDEM_PASS(write_walls, serial)
 
 }  // namespace bondem

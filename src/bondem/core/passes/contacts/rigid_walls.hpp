@@ -15,17 +15,8 @@ void end_loads(const Walls &walls, Index w, double half);
 // Adds forces of walls to the elements of a portion, and keeps their memory.
 void press_walls(const Turn &turn, const Moving &all, const ContactConstants &c,
                  const WallContacts &contacts, const Walls &walls, const ContactSums &to);
-// Keeps the deepest overlap of the elements of a portion with a wall, over the radius, where distances are measured anew.
-void measure_wall_overlaps(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
-                           const Walls &walls, const NearPairs &near, const Travel &travel);
-// Sums the forces of elements on walls, adds their work, and closes the step of free walls.
-void load_walls(const Turn &turn, const WallContacts &contacts, const WallMotions &motions, const Walls &walls);
 // Adds the elastic energy of contacts of a portion with walls [J].
 void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstants &c,
                        const WallContacts &contacts, const Walls &walls, const ContactEnergies &energies);
-// Finds what walls have supplied, for the guard of the energy.
-void count_wall_work(const Turn &turn, const Walls &walls, const Portions &portions);
-// Adds the work of walls to a record, and writes gauges of walls.
-void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, const HistoryRows &history);
 
 }  // namespace bondem

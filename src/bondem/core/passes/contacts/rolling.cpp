@@ -1,14 +1,19 @@
 #include "rolling.hpp"
 
+#include "../../registered.hpp"
+
 namespace bondem {
 
+// Finds moments and memory of the pairs of a portion of elements that touch and may roll.
 void roll_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
                 const RolledPairs &of) {
     const Index begin = pairs.start(turn.first), end = begin + near.counts(turn.block, 1);
     for (Index e = begin; e < end; e++)
         roll_pair(all, c, pairs, of, near.close(e), near.output.row<const Vector>(e), turn.clock.dt);
 }
+BONDEM_PASS(roll_pairs, of_elements)
 
+// Adds moments of resistance to rolling to the elements of a range.
 void add_rolling_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const RolledPairs &of,
                        const ContactSums &to) {
     const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };
@@ -21,6 +26,7 @@ void add_rolling_loads(const Turn &turn, const ContactPairs &pairs, const NearPa
         }
     }
 }
+BONDEM_PASS(add_rolling_loads, of_ranges)
 
 void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                    const Walls &walls, const RolledWalls &of, const ContactSums &to) {
@@ -47,6 +53,7 @@ void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &
         to.sums(p, 7) += loads.rubbed;
     }
 }
+BONDEM_PASS(roll_at_walls, of_elements)
 
 void sum_rolling_energies(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of,
                           const ContactEnergies &energies) {
@@ -57,6 +64,7 @@ void sum_rolling_energies(const Turn &turn, const ContactConstants &c, const Con
     }
     energies.energy(turn.block) += sum;
 }
+BONDEM_PASS(sum_rolling_energies, of_elements)
 
 void sum_rolling_at_walls(const Turn &turn, const ContactConstants &c, const WallContacts &contacts, const RolledWalls &of,
                           const ContactEnergies &energies) {
@@ -69,5 +77,6 @@ void sum_rolling_at_walls(const Turn &turn, const ContactConstants &c, const Wal
     }
     energies.energy(turn.block) += sum;
 }
+BONDEM_PASS(sum_rolling_at_walls, of_elements)
 
 }  // namespace bondem

@@ -86,12 +86,6 @@ inline void add_rolling(const RolledPairs &of, Index k, bool later, double *row)
     if (later) row[7] += of.output(k, 3);
 }
 
-// Finds moments and memory of the pairs of a portion of elements that touch and may roll.
-void roll_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
-                const RolledPairs &of);
-// Adds moments of resistance to rolling to the elements of a range.
-void add_rolling_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const RolledPairs &of,
-                       const ContactSums &to);
 // Finds moments of resistance to rolling of a portion of elements at walls.
 void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                    const Walls &walls, const RolledWalls &of, const ContactSums &to);

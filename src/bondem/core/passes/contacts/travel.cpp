@@ -5,6 +5,7 @@
 // bound its distance from the latter: one pass over the elements serves both.
 #include "travel.hpp"
 
+#include "../../registered.hpp"
 #include "pairs.hpp"
 #include "wall_shapes.hpp"
 
@@ -19,6 +20,7 @@ double wall_travel(const Walls &walls, double reach) {
 
 }  // namespace
 
+// Finds how far the elements of a portion are from where distances were measured.
 void measure_travel(const Turn &turn, const Moving &all, const Travel &travel) {
     double farthest = 0.0;
     bool finite = true;
@@ -30,7 +32,9 @@ void measure_travel(const Turn &turn, const Moving &all, const Travel &travel) {
     }
     travel.portion(turn.block, 0) = finite ? farthest : infinity;
 }
+BONDEM_PASS(measure_travel, of_elements)
 
+// Finds whether the list may miss a contact by now, also where a centre is not a number.
 void check_travel(const Turn &, const Travel &travel, const Walls &walls, const Portions &portions) {
     double farthest = 0.0;
     for (Index q = 0; q < travel.portion.size(); q++) farthest = most(farthest, travel.portion(q, 0));
@@ -39,7 +43,9 @@ void check_travel(const Turn &, const Travel &travel, const Walls &walls, const 
     portions.found(3) = !holds;
     if (travel.far(1) < 0.0) travel.far(0) = infinity;  // distances have not been measured yet
 }
+BONDEM_PASS(check_travel, serial)
 
+// Takes over what was measured anew in a step.
 void keep_measures(const Turn &turn, const NearPairs &near, const Travel &travel) {
     if (!measures_anew(turn, near, travel)) return;
     double farthest = 0.0;
@@ -47,5 +53,6 @@ void keep_measures(const Turn &turn, const NearPairs &near, const Travel &travel
     travel.far(0) = 0.0;
     travel.far(1) = root(farthest);
 }
+BONDEM_PASS(keep_measures, serial)
 
 }  // namespace bondem

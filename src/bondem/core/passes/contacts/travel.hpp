@@ -9,11 +9,4 @@ inline bool measures_anew(const Turn &turn, const NearPairs &near, const Travel 
     return turn.clock.dt == 0.0 || !(travel.far(0) <= near.width);
 }
 
-// Finds how far the elements of a portion are from where distances were measured.
-void measure_travel(const Turn &turn, const Moving &all, const Travel &travel);
-// Finds whether the list may miss a contact by now, also where a centre is not a number.
-void check_travel(const Turn &turn, const Travel &travel, const Walls &walls, const Portions &portions);
-// Takes over what was measured anew in a step.
-void keep_measures(const Turn &turn, const NearPairs &near, const Travel &travel);
-
 }  // namespace bondem

@@ -5,6 +5,7 @@
 // bit. Facets that follow each other are near each other, and so is what cracks of a list read and write.
 #include "crack_lists.hpp"
 
+#include "../../registered.hpp"
 #include "carried.hpp"
 
 namespace bondem {
@@ -43,6 +44,7 @@ void fill_treated(const CrackLists &lists) {
         for (Index q = cells; q < cells + lanes; q++) lists.cell(q) = lists.cell(cells - 1);
 }
 
+// Makes the lists of cracks anew where they are out of date.
 void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists) {
     lists.size(3) = 0;
     if (cracks.size(1) == 0) return;
@@ -93,7 +95,9 @@ void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks
     fill_treated(lists);
     fill(lists.resting, lists.resting_i, lists.resting_j, resting[1]);
 }
+BONDEM_PASS(list_cracks, serial)
 
+// Takes over the cracks of a state as a run begins: constants, weights of cells, lists, and what cracks carry.
 void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept,
                  const FacetStrengths &strengths,
                  const CohesiveCracks &cracks, const CrackLists &lists) {
@@ -108,12 +112,16 @@ void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForce
     list_cracks(turn, facets, cracks, lists);
     put_levers(cracks, lists, 0, lists.size(0));
 }
+BONDEM_PASS(link_cracks, serial)
 
+// Takes over the levers of facets, where strains of cells have changed them.
 void follow_levers(const Turn &, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks) {
     if (!strains.due(1)) return;
     for (Index c = 0; c < cracks.size(0); c++) write_levers(facets, cracks, cracks.order(c));
 }
+BONDEM_PASS(follow_levers, serial)
 
+// Finds the weights of the cells of all cracks, as a run begins.
 void weigh_cracked_cells(const Turn &, const ElasticFacets &facets, const CellDilatation &cells,
                          const CellSlack &slack, const CohesiveCracks &cracks) {
     for (Index c = 0; c < cracks.size(0); c++) {
@@ -121,10 +129,13 @@ void weigh_cracked_cells(const Turn &, const ElasticFacets &facets, const CellDi
         weigh_cracked(cells, slack, cracks, facets.j(cracks.order(c)));
     }
 }
+BONDEM_PASS(weigh_cracked_cells, serial)
 
+// Sums b⊗f of the cracks of each cell from their forces of the last step.
 void carry_cracks(const Turn &, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                   const CrackLists &lists) {
     for (Index q = 0; q < lists.size(2); q++) carry_cracks_of(stresses, cracks, lists, lists.cell(q));
 }
+BONDEM_PASS(carry_cracks, serial)
 
 }  // namespace bondem

@@ -1,6 +1,7 @@
 // Forces and torques of cracks, what they dissipate, and their sums on cells.
 #include "crack_loads.hpp"
 
+#include "../../registered.hpp"
 #include "../cells/walls.hpp"
 #include "../record/columns.hpp"
 #include "loaded_cracks.hpp"
@@ -9,6 +10,7 @@ namespace bondem {
 
 #if defined(BONDEM_LANES)
 
+// Finds forces and torques of the cracks that are treated one by one, and what they dissipate.
 void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
                  const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     const bool changes = turn.clock.dt > 0.0;
@@ -18,9 +20,11 @@ void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
                                lists.lost(portion, 0));
                  });
 }
+BONDEM_PASS(load_cracks, serial)
 
 #endif
 
+// Adds up what cracks have dissipated, and logs those without strength left.
 void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                 const CrackLists &lists, const EventLog &log) {
     if (!(turn.clock.dt > 0.0)) return;
@@ -37,6 +41,7 @@ void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets
     }
     log.released(0) += lost;
 }
+BONDEM_PASS(log_cracks, serial)
 
 void add_crack_loads(const Turn &turn, const Moving &all, const CrackLists &lists, const StepCut &cut) {
     for (Index at = turn.first; at < turn.last; at++) {
@@ -48,6 +53,7 @@ void add_crack_loads(const Turn &turn, const Moving &all, const CrackLists &list
         for (int d = 0; d < 3; d++) to[d] += sum[d], to[4 + d] += sum[4 + d];
     }
 }
+BONDEM_PASS(add_crack_loads, elements_of_blocks)
 
 void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDilatation &cells,
                              const CrackEnergies &found) {
@@ -58,6 +64,7 @@ void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDila
     }
     found.dilatation(turn.block) = sum;
 }
+BONDEM_PASS(sum_stressed_dilatation, of_elements)
 
 void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingCells &cells,
               const CrackEnergies &found) {
@@ -70,7 +77,9 @@ void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingC
     }
     found.heat(turn.block) = sum;
 }
+BONDEM_PASS(sum_heat, of_elements)
 
+// Sums the energies of the cracks that are treated one by one [J].
 void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                         const CrackEnergies &found) {
     Vector sum = {};
@@ -80,7 +89,9 @@ void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &fa
     }
     for (Index d = 0; d < 3; d++) found.cracked(d) = sum[d];
 }
+BONDEM_PASS(sum_crack_energies, serial)
 
+// Adds the energies of cracks and walls to those of the first portion of facets.
 void add_crack_energies(const Turn &, const Moving &all, const WallConstraints &walls, const CrackEnergies &found,
                         const Portions &portions) {
     if (portions.bonds.size() == 0) return;
@@ -91,18 +102,23 @@ void add_crack_energies(const Turn &, const Moving &all, const WallConstraints &
     portions.bonds(0, 1) += found.cracked(1);
     portions.bonds(0, 2) += found.cracked(2);
 }
+BONDEM_PASS(add_crack_energies, serial)
 
+// Writes the heat of yielding into a record.
 void write_heat(const Turn &turn, const CrackEnergies &found, const HistoryRows &history) {
     double heat = 0.0;
     for (Index q = 0; q < found.heat.size(); q++) heat += found.heat(q);
     history.record(turn.clock.record, column::plastic) = heat;
 }
+BONDEM_PASS(write_heat, serial)
 
+// Writes what facets have released beyond their fracture energy.
 void write_crushing_of_facets(const Turn &turn, const FacetStrengths &strengths, const CohesiveCracks &cracks,
                               const EventLog &log, const HistoryRows &history) {
     double sum = 0.0;
     for (Index c = 0; c < cracks.size(0); c++) sum += crushed_by_facet(strengths, cracks, cracks.order(c));
     history.record(turn.clock.record, column::crushing) = sum - log.crushed(0);
 }
+BONDEM_PASS(write_crushing_of_facets, serial)
 
 }  // namespace bondem

@@ -1,10 +1,10 @@
 // Laws of cracks and yielding over arrays: each sample by itself, or as many at once as there are lanes.
-#include "crack_samples.hpp"
-
 #include "../../laws/crack.hpp"
 #include "../../laws/plasticity.hpp"
 #include "../../laws/softening.hpp"
 #include "../../laws/stress.hpp"
+#include "../../registered.hpp"
+#include "../../tables/crack_sample_tables.hpp"
 #include "crack_groups.hpp"
 #include "softening_cracks.hpp"
 
@@ -156,25 +156,36 @@ template <class One, class Several> void over(Index count, Index wide, One one, 
 
 }  // namespace
 
+// Evaluates the softening of beams in samples, by single numbers or by lanes.
 Index evaluate_softening(Index, const SofteningSamples &samples) {
     over(samples.given.shape[1], samples.wide, [&](Index e) { soften<double>(samples, e); },
          [&](Index e) { soften<Lanes>(samples, e); });
     return 0;
 }
+BONDEM_CALL(evaluate_softening, "")
+
+// Evaluates the law of cracks in samples, by single numbers or by lanes.
 Index evaluate_cracks(Index, const CrackSamples &samples) {
     over(samples.given.shape[1], samples.wide, [&](Index e) { load_crack<double>(samples, e); },
          [&](Index e) { load_crack<Lanes>(samples, e); });
     return 0;
 }
+BONDEM_CALL(evaluate_cracks, "")
+
+// Evaluates the flow of yielding cells in samples, by single numbers or by lanes.
 Index evaluate_yielding(Index, const YieldSamples &samples) {
     over(samples.stress.shape[1], samples.wide, [&](Index e) { flow<double>(samples, e); },
          [&](Index e) { flow<Lanes>(samples, e); });
     return 0;
 }
+BONDEM_CALL(evaluate_yielding, "")
+
+// Evaluates bounds of principal stresses in samples, by single numbers or by lanes.
 Index evaluate_stress_bounds(Index, const StressBoundSamples &samples) {
     over(samples.bent.size(), samples.wide, [&](Index e) { bound<double>(samples, e); },
          [&](Index e) { bound<Lanes>(samples, e); });
     return 0;
 }
+BONDEM_CALL(evaluate_stress_bounds, "")
 
 }  // namespace bondem

@@ -3,8 +3,9 @@
 // A crack that is open and does not soften is a facet of less stiffness among all others, which is the same to
 // rounding. It goes to rest at nine tenths of the traction at which it softens, and wakes at 0.98 of it, or where it
 // closes. A broken crack whose faces no longer face each other parts: its cells touch like others from then on.
-#include "crack_states.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/cell_tables.hpp"
+#include "../../tables/crack_tables.hpp"
 #include "crack_lists.hpp"
 #include "resting_cracks.hpp"
 #include "slides.hpp"
@@ -76,6 +77,7 @@ void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCra
 
 }  // namespace
 
+// Finds the resting cracks that are about to soften or close.
 void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets,
                           const FacetStrengths &strengths, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
@@ -88,7 +90,9 @@ void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFace
                        facets.period.data, strengths, cracks, lists, portion);
     });
 }
+BONDEM_PASS(watch_resting_cracks, serial)
 
+// Treats resting cracks one by one again that are about to soften or close.
 void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                  const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
@@ -110,7 +114,9 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
     }
     if (lists.size(0) > before) fill_treated(lists);
 }
+BONDEM_PASS(wake_cracks, serial)
 
+// Lowers the integrities of cracks, and finds those that go to rest.
 void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
                    const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
@@ -121,7 +127,9 @@ void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fac
                         stresses, cracks, lists, portion);
     });
 }
+BONDEM_PASS(soften_cracks, serial)
 
+// Sums the forces of the cracks of each cell, and lets their faces slip by them.
 void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const StressesOfCells &stresses,
                   const CohesiveCracks &cracks, const CrackLists &lists) {
     over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
@@ -138,7 +146,9 @@ void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
         }
     });
 }
+BONDEM_PASS(slide_cracks, serial)
 
+// Puts cracks to rest, or parts their faces, as `soften_cracks` has found.
 void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                   const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
@@ -171,5 +181,6 @@ void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
         }
     }
 }
+BONDEM_PASS(leave_cracks, serial)
 
 }  // namespace bondem

@@ -1,6 +1,7 @@
 // Stress-free strains at cracks: ∂U/∂ε* = f · (R_j b_j - R_i b_i) with the force f of the crack, as of other facets.
-#include "crack_strains.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/cell_tables.hpp"
+#include "../../tables/crack_tables.hpp"
 #include "strained_cracks.hpp"
 
 namespace bondem {
@@ -18,13 +19,19 @@ void sum_powers(const Moving &all, const CellStrains &strains, const ElasticFace
 
 }  // namespace
 
+// Sets ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
 void sum_crack_powers(const Turn &, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                       const CohesiveCracks &cracks) {
     if (strains.due(0)) sum_powers(all, strains, facets, cracks);
 }
+BONDEM_PASS(sum_crack_powers, serial)
+
+// Sets ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was not
+// reached by a step.
 void begin_crack_powers(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                         const CohesiveCracks &cracks) {
     if (turn.clock.first) sum_powers(all, strains, facets, cracks);
 }
+BONDEM_PASS(begin_crack_powers, serial)
 
 }  // namespace bondem

@@ -1,6 +1,7 @@
 // Facets that begin to crack (`onset_of_facets.hpp`).
-#include "onset.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/cell_tables.hpp"
+#include "../../tables/crack_tables.hpp"
 #include "onset_of_facets.hpp"
 
 namespace bondem {
@@ -23,6 +24,7 @@ BONDEM_INLINE Lanes of_cells(const StressesOfCells &stresses, const Short *i, co
 
 }  // namespace
 
+// Marks facets of the material that begin to crack.
 void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                           const FacetStrengths &strengths, const StressesOfCells &stresses,
                           const CrackOnset &onset) {
@@ -70,7 +72,9 @@ void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFace
     });
     onset.found(turn.block) = found;
 }
+BONDEM_PASS(mark_cracking_facets, of_bonds)
 
+// Marks facets of planes, such as joints, that begin to crack.
 void mark_cracking_planes(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                           const FacetStrengths &strengths, const CrackOnset &onset) {
     if (!(turn.clock.dt > 0.0)) return;
@@ -85,7 +89,9 @@ void mark_cracking_planes(const Turn &turn, const Moving &all, const ElasticFace
     }
     onset.found(onset.found.size() - 1) = found;
 }
+BONDEM_PASS(mark_cracking_planes, serial)
 
+// Begins the cracks of facets that are marked.
 void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept,
                   const FacetStrengths &strengths,
                   const CrackOnset &onset, const CohesiveCracks &cracks) {
@@ -105,5 +111,6 @@ void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForc
     }
     onset.found(portions) = 0;
 }
+BONDEM_PASS(begin_cracks, serial)
 
 }  // namespace bondem

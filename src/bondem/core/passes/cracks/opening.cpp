@@ -1,6 +1,7 @@
 // Passes over the cracks that are treated one by one, and over their cells.
 #include "opening.hpp"
 
+#include "../../registered.hpp"
 #include "opening_cracks.hpp"
 
 namespace bondem {
@@ -27,9 +28,11 @@ void begin_bases(const Turn &turn, const Moving &all, const CellDilatation &cell
         lists.base(p) = weight != 0.0 ? all.pose(p, stress_column) / weight : 0.0;
     }
 }
+BONDEM_PASS(begin_bases, of_elements)
 
 #if defined(BONDEM_LANES)
 
+// Finds faces and halves of the cracks that are treated one by one, and axes of those that have lost nothing yet.
 void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                     const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     const bool changes = turn.clock.dt > 0.0;
@@ -43,7 +46,9 @@ void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fa
                      put_levers(cracks, lists, group.e, group.e + group.known);
                  });
 }
+BONDEM_PASS(measure_cracks, serial)
 
+// Finds the stresses of all cells with cracks that are treated one by one.
 void relax_cracked_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
     over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
         for (Index q = first; q < last; q += lanes) {
@@ -53,6 +58,9 @@ void relax_cracked_cells(const Turn &turn, const Moving &all, const CellDilatati
         }
     });
 }
+BONDEM_PASS(relax_cracked_cells, serial)
+
+// Finds the stresses of cells with cracks that are out of date.
 void relax_stale_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
     over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
         Short stale[crack::of_portion + lanes];
@@ -69,6 +77,7 @@ void relax_stale_cells(const Turn &turn, const Moving &all, const CellDilatation
         for (Index n = 0; n < count; n += lanes) relax(CellGroup{stale + n}, all, cells, lists);
     });
 }
+BONDEM_PASS(relax_stale_cells, serial)
 
 #endif
 

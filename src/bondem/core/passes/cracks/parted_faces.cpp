@@ -1,11 +1,13 @@
 // Contact of cells whose cracked facet has parted: it begins without a force.
-#include "parted_faces.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/contact_tables.hpp"
+#include "../../tables/crack_tables.hpp"
 #include "../contacts/handover.hpp"
 #include "crack_rows.hpp"
 
 namespace bondem {
 
+// Lets the cells touch like others whose faces have parted in this step.
 void touch_parted_faces(const Turn &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
                         const CohesiveCracks &cracks, const CrackLists &lists, const PartedReach &reach) {
     for (Index e = 0; e < lists.size(3); e++) {
@@ -13,5 +15,6 @@ void touch_parted_faces(const Turn &, const Moving &all, const ContactPairs &pai
         shape_of(cracks, k).top = reach.apart(k) = let_touch(all, pairs, near, k, reach.apart(k));
     }
 }
+BONDEM_PASS(touch_parted_faces, serial)
 
 }  // namespace bondem

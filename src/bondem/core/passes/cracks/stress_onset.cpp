@@ -1,13 +1,16 @@
 // Facets that begin to crack by a function of the stress, on the CPU: candidates of a portion, then of all portions.
-#include "stress_onset.hpp"
-
 #include "../../laws/criteria/cone.hpp"
 #include "../../laws/criteria/mean_stress.hpp"
+#include "../../registered.hpp"
+#include "../../tables/cell_tables.hpp"
+#include "../../tables/crack_tables.hpp"
+#include "../../tables/stress_onset_tables.hpp"
 #include "stress_onset_of_facets.hpp"
 
 namespace bondem {
 namespace {
 
+// Finds the cells whose facets are evaluated: those whose stress may reach the criterion.
 template <class Criterion>
 void judge_cells_by(const Turn &turn, const StressesOfCells &stresses, const StressFunction &by, const CandidateFacets &onset,
                     const CrackOnset &cracks) {
@@ -17,20 +20,18 @@ void judge_cells_by(const Turn &turn, const StressesOfCells &stresses, const Str
 
 }  // namespace
 
-void judge_cells_by_mean_stress(const Turn &turn, const StressesOfCells &stresses, const StressFunction &by,
-                                const CandidateFacets &onset, const CrackOnset &cracks) {
-    judge_cells_by<MeanStress>(turn, stresses, by, onset, cracks);
-}
-void judge_cells_by_cone(const Turn &turn, const StressesOfCells &stresses, const StressFunction &by,
-                         const CandidateFacets &onset, const CrackOnset &cracks) {
-    judge_cells_by<Cone>(turn, stresses, by, onset, cracks);
-}
+BONDEM_PASS_AS(judge_cells_by_mean_stress, of_elements, judge_cells_by<MeanStress>)
+BONDEM_PASS_AS(judge_cells_by_cone, of_elements, judge_cells_by<Cone>)
+
+// Finds the cells whose facets are evaluated: those whose stress is large enough for the criterion of a user.
 void judge_cells_by_size(const Turn &turn, const StressesOfCells &stresses, const CandidateFacets &onset,
                          const CrackOnset &cracks) {
     if (turn.clock.dt > 0.0)
         for (Index p = turn.first; p < turn.last; p++) judge_cell_of_user(stresses, onset, cracks, p);
 }
+BONDEM_PASS(judge_cells_by_size, of_elements)
 
+// Writes the stresses of facets in tension, as candidates of a portion; marks facets of cells without cohesion.
 void find_stress_candidates(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                             const StressesOfCells &stresses, const CrackOnset &cracks, const CandidateFacets &onset) {
     Index next = turn.first, marked = 0;
@@ -49,7 +50,9 @@ void find_stress_candidates(const Turn &turn, const Moving &all, const ElasticFa
     onset.number(turn.block) = next - turn.first;
     cracks.found(turn.block) = marked;
 }
+BONDEM_PASS(find_stress_candidates, of_bonds)
 
+// Marks candidates that fail, and leaves these with the mean stress of their cells, of which the index gives their strength.
 void mark_failing_facets(const Turn &, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                          const StressesOfCells &stresses, const CrackOnset &cracks, const CandidateFacets &onset) {
     Index next = 0;
@@ -63,9 +66,12 @@ void mark_failing_facets(const Turn &, const Moving &all, const ElasticFacets &f
     for (Index q = 0; q < onset.number.size(); q++) onset.number(q) = 0;
     if (next > 0) onset.number(0) = next;  // one after the other, as from one portion
 }
+BONDEM_PASS(mark_failing_facets, serial)
 
+// Keeps the strengths of facets that begin to crack.
 void find_strengths_along(const Turn &, const CandidateFacets &onset) {
     for (Index c = 0; c < onset.total(0); c++) keep_strength_along(onset, c);
 }
+BONDEM_PASS(find_strengths_along, serial)
 
 }  // namespace bondem

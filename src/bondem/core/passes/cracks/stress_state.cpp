@@ -4,6 +4,7 @@
 // turn with the cell: R Σ b⊗f is the same sum in space.
 #include "stress_state.hpp"
 
+#include "../../registered.hpp"
 #include "carried.hpp"
 
 namespace bondem {
@@ -43,18 +44,27 @@ void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &
                         const StressesOfCells &stresses) {
     if (turn.clock.dt > 0.0) find_stresses(turn, all, kept, stresses);
 }
+BONDEM_PASS(find_cell_stresses, of_elements)
+
 void find_still_stresses(const Turn &turn, const Moving &all, const FacetForces &kept,
                          const StressesOfCells &stresses) {
     if (!(turn.clock.dt > 0.0)) find_stresses(turn, all, kept, stresses);
 }
+BONDEM_PASS(find_still_stresses, of_elements)
+
+// Adds what walls and loads on free facets do to the stresses of surface cells.
 void add_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
                           const FacetTractions &tractions, const StressesOfCells &stresses) {
     if (turn.clock.dt > 0.0) add_of_surface(all, walls, tractions, stresses);
 }
+BONDEM_PASS(add_surface_stresses, serial)
+
+// Adds what walls and loads on free facets do to the stresses of surface cells that were found without a step.
 void add_still_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
                                 const FacetTractions &tractions, const StressesOfCells &stresses) {
     if (!(turn.clock.dt > 0.0)) add_of_surface(all, walls, tractions, stresses);
 }
+BONDEM_PASS(add_still_surface_stresses, serial)
 
 void judge_cells(const Turn &turn, const FacetStrengths &strengths, const StressesOfCells &stresses,
                  const CrackOnset &onset) {
@@ -66,5 +76,6 @@ void judge_cells(const Turn &turn, const FacetStrengths &strengths, const Stress
         onset.judged(p) = onset.cracked(p) != 0 || hot;
     }
 }
+BONDEM_PASS(judge_cells, of_elements)
 
 }  // namespace bondem

@@ -35,34 +35,8 @@ void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &
 // Finds the mean stresses of cells where forces of the present were found anew, without a step.
 void find_still_stresses(const Turn &turn, const Moving &all, const FacetForces &kept,
                          const StressesOfCells &stresses);
-// Adds what walls and loads on free facets do to the stresses of surface cells that were found without a step.
-void add_still_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
-                                const FacetTractions &tractions, const StressesOfCells &stresses);
-// Adds what walls and loads on free facets do to the stresses of surface cells.
-void add_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
-                          const FacetTractions &tractions, const StressesOfCells &stresses);
 // Finds the cells whose facets may crack: those with cracks, and those whose stress may reach their strength.
 void judge_cells(const Turn &turn, const FacetStrengths &strengths, const StressesOfCells &stresses,
                  const CrackOnset &onset);
-// Lets the cells of a portion yield whose stress reaches their yield surface.
-void yield_cells(const Turn &turn, const Moving &all, const FacetStrengths &strengths,
-                 const StressesOfCells &stresses,
-                 const YieldingCells &cells, const CrackOnset &onset);
-// Stretches levers of facets with the plastic deformation of their cells, where it has grown.
-void stretch_cells(const Turn &turn, const ElasticFacets &facets, const FacetsOfCells &of_cells,
-                   const YieldingCells &cells);
-// Stretches levers of walls and cracks with the plastic deformation of their cells, where it has grown.
-void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, const WallConstraints &walls,
-                              const YieldingCells &cells, const CohesiveCracks &cracks);
-// Stretches levers of all facets with the plastic deformation of their cells, as a run begins.
-void stretch_all_cells(const Turn &turn, const ElasticFacets &facets, const FacetsOfCells &of_cells,
-                       const YieldingCells &cells);
-// Stretches levers with the plastic deformation of their cells, where stress-free strains have set them anew.
-void stretch_anew(const Turn &turn, const CellStrains &strains, const ElasticFacets &facets,
-                  const FacetsOfCells &of_cells,
-                  const WallConstraints &walls, const YieldingCells &cells);
-// Adds the work of loads on free facets that move as their cells yield.
-void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const StressesOfCells &stresses,
-                       const YieldingCells &cells, const Rows &rows);
 
 }  // namespace bondem

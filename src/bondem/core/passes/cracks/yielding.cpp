@@ -1,4 +1,5 @@
 // Cells that yield under their mean stress, and levers that their plastic deformation stretches.
+#include "../../registered.hpp"
 #include "yielding_cells.hpp"
 
 namespace bondem {
@@ -36,6 +37,7 @@ void flow_together(const Moving &all, const StressesOfCells &stresses, const Yie
 
 }  // namespace
 
+// Lets the cells of a portion yield whose stress reaches their yield surface.
 void yield_cells(const Turn &turn, const Moving &all, const FacetStrengths &, const StressesOfCells &stresses,
                  const YieldingCells &cells, const CrackOnset &onset) {
     if (!(turn.clock.dt > 0.0)) return;
@@ -49,18 +51,26 @@ void yield_cells(const Turn &turn, const Moving &all, const FacetStrengths &, co
         });
     flow_together(all, stresses, cells, batch);
 }
+BONDEM_PASS(yield_cells, of_elements)
 
+// Stretches levers of facets with the plastic deformation of their cells, where it has grown.
 void stretch_cells(const Turn &turn, const ElasticFacets &facets, const FacetsOfCells &of_cells,
                    const YieldingCells &cells) {
     if (!(turn.clock.dt > 0.0)) return;
     for (Index p = turn.first; p < turn.last; p++)
         if (grows(cells, p)) stretch_cell(facets, of_cells, cells, p);
 }
+BONDEM_PASS(stretch_cells, of_elements)
+
+// Stretches levers of all facets with the plastic deformation of their cells, as a run begins.
 void stretch_all_cells(const Turn &turn, const ElasticFacets &facets, const FacetsOfCells &of_cells,
                        const YieldingCells &cells) {
     for (Index p = turn.first; p < turn.last; p++)
         if (has_yielded(cells, p)) stretch_cell(facets, of_cells, cells, p);
 }
+BONDEM_PASS(stretch_all_cells, of_elements)
+
+// Stretches levers of walls and cracks with the plastic deformation of their cells, where it has grown.
 void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, const WallConstraints &walls,
                               const YieldingCells &cells, const CohesiveCracks &cracks) {
     if (!(turn.clock.dt > 0.0)) return;
@@ -69,7 +79,9 @@ void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, con
     for (Index k = 0, m = cracks.integrity.size(); k < m; k++)
         if (cracks.listed(k) != 0) stretch_crack(facets, cells, cracks, k);
 }
+BONDEM_PASS(stretch_walls_and_cracks, serial)
 
+// Stretches levers with the plastic deformation of their cells, where stress-free strains have set them anew.
 void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets &facets,
                   const FacetsOfCells &of_cells,
                   const WallConstraints &walls, const YieldingCells &cells) {
@@ -82,7 +94,9 @@ void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets 
         if (has_yielded(cells, p)) stretch_cell(facets, of_cells, cells, p);
     for (Index g = 0; g < walls.cell.size(); g++) stretch_from_present(walls, cells, g);
 }
+BONDEM_PASS(stretch_anew, serial)
 
+// Adds the work of loads on free facets that move as their cells yield.
 void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const StressesOfCells &stresses,
                        const YieldingCells &cells, const Rows &rows) {
     if (!(turn.clock.dt > 0.0)) return;
@@ -92,5 +106,6 @@ void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const 
         rows.work(tractions.place) += tractions.factor(l) * power;
     }
 }
+BONDEM_PASS(add_yielding_work, serial)
 
 }  // namespace bondem

@@ -1,15 +1,15 @@
 // Beams that fail at once: the criterion on their loads, and their removal.
-#include "beam_failure.hpp"
-
+#include "../../registered.hpp"
 #include "beam_removal.hpp"
 #include "beam_verdicts.hpp"
 
 namespace bondem {
 namespace {
 
+// Finds which of the marked beams of a block fail by a criterion, and postpones their elements.
 template <class Criterion>
-inline void judge_beams(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,
-                        const Candidates &candidates, const Postponed &postponed) {
+void judge_beams(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,
+                 const Candidates &candidates, const Postponed &postponed) {
     judge(
         turn, candidates, [&](Index k) { return beams.integrity(k) > 0.0; },
         [&](Index k) { return verdict_of<Criterion>(all.pose.data, beams, strengths, k); },
@@ -33,9 +33,10 @@ Lanes stations_of(const Strengths &strengths, Index k) {
     return all;
 }
 
-// The indices of all beams, as many at once as there are lanes.
+// Finds the index of every beam by a criterion, in any poses, as many at once as there are lanes.
 template <class Criterion>
-inline Index index_beams(const double *pose, const Beams &beams, const Strengths &strengths, const FailureIndices &found) {
+Index index_beams(Index, const Poses &all, const Beams &beams, const Strengths &strengths, const FailureIndices &found) {
+    const double *const pose = all.pose.data;
     if (strengths.station.size() == 0) return 0;
     for_each_group(0, beams.i.size(), [&](Group group) {
         const Index k = group.first;
@@ -75,27 +76,25 @@ void withdraw_dashpot(const Moving &all, const Beams &beams, const Dashpots &das
 }  // namespace
 
 #if defined(BONDEM_LANES)
-#define BONDEM_CRITERION(_, name, Criterion)                                                                             \
-    void judge_beams_by_##name(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,      \
-                               const Candidates &candidates, const Postponed &postponed) {                               \
-        judge_beams<Criterion>(turn, all, beams, strengths, candidates, postponed);                                      \
-    }                                                                                                                    \
-    Index index_beams_by_##name(Index, const Poses &all, const Beams &beams, const Strengths &strengths,                 \
-                                const FailureIndices &found) {                                                           \
-        return index_beams<Criterion>(all.pose.data, beams, strengths, found);                                           \
-    }
+#define BONDEM_CRITERION(_, name, Criterion)                                         \
+    BONDEM_PASS_AS(judge_beams_by_##name, bonds_of_blocks, judge_beams<Criterion>)  \
+    BONDEM_CALL_AS(index_beams_by_##name, "", index_beams<Criterion>)
 BONDEM_BEAM_CRITERIA(BONDEM_CRITERION, )
 #undef BONDEM_CRITERION
 #endif
 
+// Takes the dashpots of beams that fail off the kept sums of their ends; before the beams are removed.
 void withdraw_dashpots(const Turn &, const Moving &all, const Beams &beams, const Dashpots &dashpots,
                        const Candidates &candidates, const Postponed &postponed) {
     for_each_failing(candidates, [&](Index k, Index) { withdraw_dashpot(all, beams, dashpots, postponed, k); });
 }
+BONDEM_PASS(withdraw_dashpots, serial)
 
+// Removes the beams that fail.
 void break_beams(const Turn &turn, const Moving &all, const Beams &beams, const BeamIntegrity &state,
                  const Candidates &candidates, const Postponed &postponed, const EventLog &log) {
     remove(turn, candidates, log, [&](Index k) { return break_beam(all.pose.data, beams, state, postponed, k); });
 }
+BONDEM_PASS(break_beams, serial)
 
 }  // namespace bondem

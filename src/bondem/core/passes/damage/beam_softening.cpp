@@ -6,12 +6,14 @@
 // force never acts beyond its strength; it is listed at the end of the step. It holds no element, as its force does not jump.
 #include "beam_softening.hpp"
 
+#include "../../registered.hpp"
 #include "../record/columns.hpp"
 #include "pipeline.hpp"
 #include "softening_beam.hpp"
 
 namespace bondem {
 
+// Lowers the integrity of beams of a portion that soften, before the forces.
 void soften_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                   const SofteningBeams &soft) {
     const Index q = turn.block, last = turn.first + soft.number(q);
@@ -21,6 +23,7 @@ void soften_beams(const Turn &turn, const Moving &all, const Beams &beams, const
     part_broken(bounds, soft, q);
     soft.lost(q) = lost;
 }
+BONDEM_PASS(soften_beams, of_bonds)
 
 void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBeams &soft,
                         const EventLog &log) {
@@ -39,6 +42,7 @@ void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams,
         soft.parted(q) = 0;
     }
 }
+BONDEM_PASS(log_softened_beams, serial)
 
 void begin_softening(const Turn &turn, const Candidates &candidates, const SofteningBounds &bounds, const SofteningBeams &soft,
                      const EventLog &log) {
@@ -55,6 +59,7 @@ void begin_softening(const Turn &turn, const Candidates &candidates, const Softe
     });
     end_failures(candidates);
 }
+BONDEM_PASS(begin_softening, serial)
 
 void sum_pressed_energies(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                           const Portions &portions) {
@@ -66,12 +71,15 @@ void sum_pressed_energies(const Turn &turn, const Moving &all, const Beams &beam
     }
     portions.bonds(turn.block, 0) += sum;
 }
+BONDEM_PASS(sum_pressed_energies, of_bonds)
 
+// Writes what beams have released beyond their fracture energy.
 void write_crushing_of_beams(const Turn &turn, const SofteningBounds &bounds, const SofteningBeams &soft, const EventLog &log,
                              const HistoryRows &history) {
     double sum = 0.0;
     for (Index c = 0; c < soft.begun(0); c++) sum += crushed_by_beam(bounds, soft, c);
     history.record(turn.clock.record, column::crushing) = sum - log.crushed(0);
 }
+BONDEM_PASS(write_crushing_of_beams, serial)
 
 }  // namespace bondem

@@ -4,9 +4,6 @@
 
 namespace bondem {
 
-// Lowers the integrity of beams of a portion that soften, before the forces.
-void soften_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
-                  const SofteningBeams &soft);
 // Adds up what all portions have dissipated, and logs beams that have broken.
 void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBeams &soft,
                         const EventLog &log);
@@ -16,8 +13,5 @@ void begin_softening(const Turn &turn, const Candidates &candidates, const Softe
 // Adds the energy of the pressure on softened beams of a portion to their normal energy.
 void sum_pressed_energies(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                           const Portions &portions);
-// Writes what beams have released beyond their fracture energy.
-void write_crushing_of_beams(const Turn &turn, const SofteningBounds &bounds, const SofteningBeams &soft, const EventLog &log,
-                             const HistoryRows &history);
 
 }  // namespace bondem

@@ -187,15 +187,4 @@ inline void take_off(double *row, double sign, Vector force, double turning, Vec
 
 // ---- passes
 
-// Divides the elements of a block, or shared ones, into those that move on and those that are held.
-void postpone_elements(const Turn &turn, const StepCut &cut, const Candidates &candidates, const Postponed &postponed);
-// Keeps the sums of elements that are held.
-void keep_sums(const Turn &turn, const StepCut &cut, const Postponed &postponed);
-// Keeps the sums of the dashpots of elements that are held.
-void keep_dashpots(const Turn &turn, const Dashpots &dashpots, const Postponed &postponed);
-// Lists all elements that are held, those that own rows of the boundary last, and ends the failures of the step.
-void list_postponed(const Turn &turn, const Rows &rows, const Candidates &candidates, const Postponed &postponed);
-// Writes the energy released into a record.
-void write_released(const Turn &turn, const EventLog &log, const HistoryRows &history);
-
 }  // namespace bondem

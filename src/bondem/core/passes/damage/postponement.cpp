@@ -1,4 +1,5 @@
 // Elements that a failure delays from the end of a step to the removal of what failed.
+#include "../../registered.hpp"
 #include "../motion/elements.hpp"
 #include "../record/columns.hpp"
 #include "pipeline.hpp"
@@ -22,6 +23,7 @@ void put(const Postponed &postponed, Index place, Short element, Short row) {
 
 }  // namespace
 
+// Divides the elements of a block, or shared ones, into those that move on and those that are held.
 void postpone_elements(const Turn &turn, const StepCut &cut, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
     Index free = 0, own = 0;  // held elements that own no row, and that own one
@@ -40,16 +42,23 @@ void postpone_elements(const Turn &turn, const StepCut &cut, const Candidates &c
     }
     *turn.division = {going.list(postponed), late.list(postponed)};
 }
+BONDEM_PASS(postpone_elements, divides_elements)
 
+// Keeps the sums of elements that are held.
 void keep_sums(const Turn &turn, const StepCut &cut, const Postponed &postponed) {
     for (Index e = turn.first; e < turn.last; e++)
         row_at(postponed.kept.data, turn.element[e]) = row_at(cut.sums.data, turn.row[e]);
 }
+BONDEM_PASS(keep_sums, postponed_of_blocks)
+
+// Keeps the sums of the dashpots of elements that are held.
 void keep_dashpots(const Turn &turn, const Dashpots &dashpots, const Postponed &postponed) {
     for (Index e = turn.first; e < turn.last; e++)
         row_at(dashpots.sums.data, Short(postponed.first_row + turn.element[e])) = row_at(dashpots.sums.data, turn.row[e]);
 }
+BONDEM_PASS(keep_dashpots, postponed_of_blocks)
 
+// Lists all elements that are held, those that own rows of the boundary last, and ends the failures of the step.
 void list_postponed(const Turn &turn, const Rows &rows, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
     Index count = 0, free = 0;
@@ -64,9 +73,12 @@ void list_postponed(const Turn &turn, const Rows &rows, const Candidates &candid
     turn.division->postponed = {0, count, free, postponed.element.data, postponed.row.data};
     end_failures(candidates);
 }
+BONDEM_PASS(list_postponed, divides_elements)
 
+// Writes the energy released into a record.
 void write_released(const Turn &turn, const EventLog &log, const HistoryRows &history) {
     history.record(turn.clock.record, column::released) = log.released(0);
 }
+BONDEM_PASS(write_released, serial)
 
 }  // namespace bondem

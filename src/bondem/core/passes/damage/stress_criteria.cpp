@@ -2,6 +2,7 @@
 
 #include "../../laws/criteria/cone.hpp"
 #include "../../laws/criteria/mean_stress.hpp"
+#include "../../registered.hpp"
 
 namespace bondem {
 namespace {
@@ -34,19 +35,25 @@ Index move_together(const StressCandidates &candidates) {
     return candidates.total(0) = total;
 }
 
+// Finds the index of each candidate by a criterion on its stress.
+template <class Criterion>
+void index_candidates(const Turn &, const StressCandidates &candidates, const StressFunction &by) {
+    evaluate<Criterion>(candidates, by, move_together(candidates));
+}
+// Finds the index of each of the stresses that are given; the counts of portions are not read.
+template <class Criterion> Index index_stresses(Index, const StressCandidates &candidates, const StressFunction &by) {
+    evaluate<Criterion>(candidates, by, candidates.bond.size());
+    return 0;
+}
+
 }  // namespace
 
-#define BONDEM_STRESS_CRITERION(name, Criterion)                                                                      \
-    void index_candidates_by_##name(const Turn &, const StressCandidates &candidates, const StressFunction &by) {     \
-        evaluate<Criterion>(candidates, by, move_together(candidates));                                               \
-    }                                                                                                                 \
-    Index index_stresses_by_##name(Index, const StressCandidates &candidates, const StressFunction &by) {             \
-        evaluate<Criterion>(candidates, by, candidates.bond.size());                                                  \
-        return 0;                                                                                                     \
-    }
-BONDEM_STRESS_CRITERION(mean_stress, MeanStress)
-BONDEM_STRESS_CRITERION(cone, Cone)
-BONDEM_STRESS_CRITERION(function, OfUser)
-#undef BONDEM_STRESS_CRITERION
+#define BONDEM_CRITERION(name, Criterion)                                                  \
+    BONDEM_PASS_AS(index_candidates_by_##name, serial, index_candidates<Criterion>)        \
+    BONDEM_CALL_AS(index_stresses_by_##name, "", index_stresses<Criterion>)
+BONDEM_CRITERION(mean_stress, MeanStress)
+BONDEM_CRITERION(cone, Cone)
+BONDEM_CRITERION(function, OfUser)
+#undef BONDEM_CRITERION
 
 }  // namespace bondem

@@ -29,15 +29,4 @@ template <class On> inline void for_each_failing(const StressCandidates &candida
         if (!(candidates.found(c) < 1.0)) on(candidates.bond(c));
 }
 
-// Finds the index of each candidate by its mean stress.
-void index_candidates_by_mean_stress(const Turn &turn, const StressCandidates &candidates, const StressFunction &by);
-// Finds the index of each candidate by a cone in its mean and deviatoric stress.
-void index_candidates_by_cone(const Turn &turn, const StressCandidates &candidates, const StressFunction &by);
-// Finds the index of each candidate by a C function, such as that of a user.
-void index_candidates_by_function(const Turn &turn, const StressCandidates &candidates, const StressFunction &by);
-// The same for stresses that are given; the counts of portions are not read.
-Index index_stresses_by_mean_stress(Index threads, const StressCandidates &candidates, const StressFunction &by);
-Index index_stresses_by_cone(Index threads, const StressCandidates &candidates, const StressFunction &by);
-Index index_stresses_by_function(Index threads, const StressCandidates &candidates, const StressFunction &by);
-
 }  // namespace bondem

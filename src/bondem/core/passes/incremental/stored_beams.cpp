@@ -1,6 +1,7 @@
 // Beams of the incremental formulation: what they store advances by a step, and acts on their elements.
 #include "stored_beams.hpp"
 
+#include "../../registered.hpp"
 #include "stored_columns.hpp"
 
 namespace bondem {
@@ -14,6 +15,8 @@ inline Vector branch_of(const double *pose, const Beams &beams, Index k) {
 
 #if defined(BONDEM_LANES)
 
+// Integrates the stored forces and moments of the beams of a block over the step, and adds them to the sums of their
+// elements.
 void add_stored_loads(const Turn &turn, const Moving &all, const Beams &beams, const StoredLoads &stored,
                       const StepCut &cut) {
     constexpr Index ahead = 32;  // bonds ahead of the loop whose first elements are asked for
@@ -37,6 +40,7 @@ void add_stored_loads(const Turn &turn, const Moving &all, const Beams &beams, c
                  {{-f.x, -f.y, -f.z, zero, t.x, t.y, t.z, zero}}, {{f.x, f.y, f.z, zero, u.x, u.y, u.z, zero}}, group.known);
     });
 }
+BONDEM_PASS(add_stored_loads, bonds_of_blocks)
 
 #endif
 
@@ -56,7 +60,9 @@ void sum_stored_energies(const Turn &turn, const Moving &all, const Beams &beams
         sum[3] += s * energy.twisting;
     }
 }
+BONDEM_PASS(sum_stored_energies, of_bonds)
 
+// Finds what each beam does to its elements in any poses.
 Index load_stored_beams(Index, const Poses &all, const Beams &beams, const StoredLoads &stored,
                         const LoadsOfEach &loads) {
     const StoredColumns<double> history(stored);
@@ -72,5 +78,6 @@ Index load_stored_beams(Index, const Poses &all, const Beams &beams, const Store
     }
     return 0;
 }
+BONDEM_CALL(load_stored_beams, "")
 
 }  // namespace bondem

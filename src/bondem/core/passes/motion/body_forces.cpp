@@ -2,6 +2,7 @@
 // at the velocities next to the kick.
 #include "body_forces.hpp"
 
+#include "../../registered.hpp"
 #include "../boundary/timeline.hpp"
 #include "elements.hpp"
 
@@ -17,6 +18,7 @@ void add_work(const Turn &turn, const Moving &all, const BodyForces &body, Short
 
 }  // namespace
 
+// Brings body forces to the time of the clock.
 void follow_body_forces(const Turn &turn, const Timeline &timeline, const BodyForces &body) {
     bool changed = false;
     for (Index b = 0; b < body.schedule.size(); b++) {
@@ -32,6 +34,7 @@ void follow_body_forces(const Turn &turn, const Timeline &timeline, const BodyFo
             body.present(g, d) = sum;
         }
 }
+BONDEM_PASS(follow_body_forces, serial)
 
 void add_body_forces(const Turn &turn, const Moving &all, const StepCut &cut, const BodyForces &body) {
     for (Index e = turn.first; e < turn.last; e++) {
@@ -41,14 +44,17 @@ void add_body_forces(const Turn &turn, const Moving &all, const StepCut &cut, co
         add_work(turn, all, body, p);
     }
 }
+BONDEM_PASS(add_body_forces, elements_of_blocks)
 
 void add_body_work(const Turn &turn, const Moving &all, const BodyForces &body) {
     if (!turn.clock.goes_on) return;
     for (Index e = turn.first; e < turn.last; e++) add_work(turn, all, body, turn.element[e]);
 }
+BONDEM_PASS(add_body_work, elements_of_blocks)
 
 void open_body_work(const Turn &turn, const Moving &all, const BodyForces &body) {
     for (Index p = turn.first; p < turn.last; p++) add_work(turn, all, body, Short(p));
 }
+BONDEM_PASS(open_body_work, of_elements)
 
 }  // namespace bondem

@@ -3,8 +3,6 @@
 
 namespace bondem {
 
-// Brings body forces to the time of the clock.
-void follow_body_forces(const Turn &turn, const Timeline &timeline, const BodyForces &body);
 // Adds body forces to the sums, and their work over the half of the step that ends.
 void add_body_forces(const Turn &turn, const Moving &all, const StepCut &cut, const BodyForces &body);
 // Adds the work of body forces over the half of the step that begins, behind the pass by which elements move, or open

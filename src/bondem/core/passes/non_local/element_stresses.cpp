@@ -2,8 +2,8 @@
 //
 // The stress of an element is kept in its own frame, where it does not change when all turns together, and in space,
 // where bonds take the mean of both ends. Forces of dashpots of bonds do not count.
-#include "element_stresses.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/non_local_tables.hpp"
 #include "own_stress.hpp"
 
 namespace bondem {
@@ -24,14 +24,20 @@ void turn(Index first, Index last, const double *pose, const LaggedStresses &str
 
 }  // namespace
 
+// Turns the stresses of a step ago with their elements.
 void turn_stresses(const Turn &portion, const Moving &all, const LaggedStresses &stresses) {
     turn(portion.first, portion.last, all.pose.data, stresses);
 }
+BONDEM_PASS(turn_stresses, of_elements)
+
+// Turns the stresses of all elements in any poses.
 Index turn_all_stresses(Index, const Poses &all, const LaggedStresses &stresses) {
     turn(0, all.pose.size(), all.pose.data, stresses);
     return 0;
 }
+BONDEM_CALL(turn_all_stresses, "")
 
+// Adds to shared elements what bonds of other domains have for their stresses, and leaves zeros there.
 void collect_moments(const Turn &turn, const StepCut &cut, const LaggedStresses &stresses) {
     const Index n = stresses.inverse.size();
     for (Index e = turn.first; e < turn.last; e++)
@@ -41,14 +47,20 @@ void collect_moments(const Turn &turn, const StepCut &cut, const LaggedStresses 
                 stresses.moment(q, c) = 0.0;
             }
 }
+BONDEM_PASS(collect_moments, parts_of_shared)
 
+// Finds the stresses of a portion, and bounds of their principal stresses; leaves zeros in the moments.
 void find_stresses(const Turn &turn, const Moving &all, const LaggedStresses &stresses) {
     for (Index e = turn.first; e < turn.last; e += lanes)
         find_stress(Elements(e, turn.last).place, all.pose.data, stresses);
 }
+BONDEM_PASS(find_stresses, of_elements)
+
+// Finds the stresses of the elements of a block, and bounds of their principal stresses; leaves zeros in the moments.
 void find_stresses_of_block(const Turn &turn, const Moving &all, const LaggedStresses &stresses) {
     for (Index e = turn.first; e < turn.last; e += lanes)
         find_stress(Several(turn, e, turn.last).element, all.pose.data, stresses);
 }
+BONDEM_PASS(find_stresses_of_block, elements_of_blocks)
 
 }  // namespace bondem

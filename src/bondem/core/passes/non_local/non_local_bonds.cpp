@@ -7,6 +7,7 @@
 // forces stay what they are, and gaps and stresses do not change.
 #include "non_local_bonds.hpp"
 
+#include "../../registered.hpp"
 #include "../record/columns.hpp"
 #include "bond_columns.hpp"
 
@@ -105,6 +106,8 @@ BONDEM_INLINE void add_loads(const StepCut &cut, Group group, const NonLocalLoad
 
 #if defined(BONDEM_LANES)
 
+// Finds forces and torques of the bonds of a block, integrates what they store over the step, and adds what they do
+// to the stresses of their elements.
 void find_non_local_forces(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                            const LaggedStresses &stresses) {
     const auto keep = [&](Group group, const PairPose<Lanes> &now, const NonLocalLoads<Lanes> &loads)
@@ -114,7 +117,9 @@ void find_non_local_forces(const Turn &turn, const Moving &all, const Beams &bea
     };
     find_forces(turn, all, beams, bonds, stresses, keep);
 }
+BONDEM_PASS(find_non_local_forces, bonds_of_blocks)
 
+// Adds forces and torques of the bonds to the sums of the elements, in the order of the bonds.
 void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const StepCut &cut) {
     const double *const data = bonds.output.data;
     const Index m = bonds.output.shape[1];
@@ -125,7 +130,9 @@ void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const Ste
         add_loads(cut, group, {vector(force_column), vector(on_i_column), vector(on_j_column)});
     });
 }
+BONDEM_PASS(add_non_local_loads, bonds_of_blocks)
 
+// Finds and adds forces and torques of bonds that cannot fail, without keeping them.
 void add_lasting_loads(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                        const LaggedStresses &stresses, const StepCut &cut) {
     const auto add = [&](Group group, const PairPose<Lanes> &now, const NonLocalLoads<Lanes> &loads)
@@ -135,12 +142,15 @@ void add_lasting_loads(const Turn &turn, const Moving &all, const Beams &beams, 
     };
     find_forces(turn, all, beams, bonds, stresses, add);
 }
+BONDEM_PASS(add_lasting_loads, bonds_of_blocks)
 
 #endif
 
+// Writes the work of the extra forces of bonds to the ledger.
 void write_non_local_work(const Turn &turn, const NonLocalWork &work, const HistoryRows &history) {
     history.record(turn.clock.record, column::non_local) = sum_of(work);
 }
+BONDEM_PASS(write_non_local_work, serial)
 
 void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                             const Portions &portions, const NonLocalWork &work) {
@@ -159,7 +169,9 @@ void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &be
     sum[0] = normal, sum[1] = shear, sum[2] = sum[3] = 0.0;
     work.taken(turn.block) = taken;
 }
+BONDEM_PASS(sum_non_local_energies, of_bonds)
 
+// Finds extra forces at small strain, where frames of elements are those of space.
 Index find_small_extra_forces(Index, const SmallPairs &pairs, const ExtraForces &extra) {
     const PairLaw law = {pairs.nu, pairs.limited != 0};
     for (Index k = 0; k < pairs.area.size(); k++) {
@@ -170,9 +182,11 @@ Index find_small_extra_forces(Index, const SmallPairs &pairs, const ExtraForces 
     }
     return 0;
 }
+BONDEM_CALL(find_small_extra_forces, "")
 
 #if defined(BONDEM_LANES)
 
+// Finds forces and torques of all bonds in any poses by what they have stored.
 Index load_non_local_bonds(Index, const Poses &all, const Beams &beams, const NonLocalBonds &bonds) {
     for_each_group(0, beams.i.size(), [&](Group group) {
         const Index k = group.first;
@@ -186,6 +200,7 @@ Index load_non_local_bonds(Index, const Poses &all, const Beams &beams, const No
     });
     return 0;
 }
+BONDEM_CALL(load_non_local_bonds, "")
 
 #endif
 

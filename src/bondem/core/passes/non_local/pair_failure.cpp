@@ -3,8 +3,9 @@
 // The criterion is evaluated when the stresses of the step are known, and exactly only for bonds that reach it by bounds of
 // the principal stresses. The energy released is that of the springs; the work of extra forces stays in an entry of its
 // own. The stresses of the elements, which the next step takes, are then without the bond.
-#include "pair_failure.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/damage_tables.hpp"
+#include "non_local_bonds.hpp"
 #include "pair_removal.hpp"
 #include "pair_verdict.hpp"
 
@@ -12,6 +13,7 @@ namespace bondem {
 
 #if defined(BONDEM_LANES)
 
+// Marks the bonds of a block that reach their criterion by bounds of the principal stresses of both elements.
 void mark_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                 const Candidates &candidates) {
     const Index first = candidates.begin(turn.block), last = strengths.coefficient.size();
@@ -32,9 +34,11 @@ void mark_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stre
     });
     candidates.count(turn.block) = next - first;
 }
+BONDEM_PASS(mark_pairs, bonds_of_blocks)
 
 #endif
 
+// Finds which of the marked bonds of a block fail, and holds their elements.
 void judge_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                  const Candidates &candidates, const Postponed &postponed) {
     judge(
@@ -45,7 +49,9 @@ void judge_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &str
             hold(postponed, beams.j(k));
         });
 }
+BONDEM_PASS(judge_pairs, bonds_of_blocks)
 
+// Removes the bonds that fail: their force from the kept sums, and the energy of their springs.
 void break_pairs(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                  const Candidates &candidates, const Postponed &postponed, const EventLog &log) {
     remove(turn, candidates, log, [&](Index k) -> Removal {
@@ -54,7 +60,10 @@ void break_pairs(const Turn &turn, const Moving &all, const Beams &beams, const 
         return removal_of_pair(all, beams, bonds, k);
     });
 }
+BONDEM_PASS(break_pairs, serial)
 
+// Takes the force of bonds that fail out of the stresses of their elements, and sets their integrity to 0; after
+// `break_pairs`.
 void relieve_pairs(const Turn &, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                    const LaggedStresses &stresses, const BeamIntegrity &state, const Candidates &candidates) {
     for_each_failing(candidates, [&](Index k, Index) {
@@ -63,12 +72,15 @@ void relieve_pairs(const Turn &, const Moving &all, const Beams &beams, const No
         end_pair(bonds, state, k);
     });
 }
+BONDEM_PASS(relieve_pairs, serial)
 
+// Index of the criterion of every bond, by stresses in space.
 Index index_pairs(Index, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                   const FailureIndices &found) {
     for (Index k = 0; k < strengths.coefficient.size(); k++)
         found.index(k) = beams.integrity(k) > 0.0 ? verdict_of_pair(beams, stresses, strengths, k).index : 0.0;
     return 0;
 }
+BONDEM_CALL(index_pairs, "")
 
 }  // namespace bondem

@@ -2,6 +2,7 @@
 // element to where it touches another one, or a wall.
 #include "touch_moments.hpp"
 
+#include "../../registered.hpp"
 #include "../contacts/wall_shapes.hpp"
 #include "../damage/pipeline.hpp"
 #include "touch_levers.hpp"
@@ -46,7 +47,9 @@ void add_begun_contacts(const Turn &, const Moving &all, const ContactConstants 
         add_to_stress(pose, stresses, pairs.second(k), lever.of_second, force);
     });
 }
+BONDEM_PASS(add_begun_contacts, serial)
 
+// Adds what contacts of pairs do to the stresses of the elements of a range, in the order of the pairs.
 void add_pair_moments(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                       const NearPairs &near, const LaggedStresses &stresses) {
     const auto mine = [&](Index p) { return turn.first <= p && p < turn.last; };
@@ -62,6 +65,7 @@ void add_pair_moments(const Turn &turn, const Moving &all, const ContactConstant
         }
     }
 }
+BONDEM_PASS(add_pair_moments, of_ranges)
 
 void add_wall_moments(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                       const Walls &walls, const LaggedStresses &stresses) {
@@ -73,5 +77,6 @@ void add_wall_moments(const Turn &turn, const Moving &all, const ContactConstant
             add_moment(stresses, p, (radius + at.gap) * at.normal, contacts.output.row<const Vector>(e));
         }
 }
+BONDEM_PASS(add_wall_moments, of_elements)
 
 }  // namespace bondem

@@ -3,13 +3,15 @@
 // Lubachevsky and Stillinger, J. Stat. Phys. 60 (1990); one event a sphere, as Lubachevsky, J. Comput. Phys. 94 (1991).
 // All radii grow in proportion at a constant rate. Between collisions a sphere flies straight; each knows its own next
 // event and stands in a heap by its time. One thread: events depend on each other, and their order makes the bits.
-#include "growth.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/packing_tables.hpp"
 #include "../../vector3.hpp"
 #include "periodic.hpp"
 
 namespace bondem {
 namespace {
+
+enum Grown : Index { grown, list_out_of_date, too_many_events };
 
 // What the next event of a sphere is, where it is not the number of the other sphere; at a flat wall less its axis.
 constexpr Index nothing = -1, leave = -2, check = -3, round_wall = -4, lower_wall = -10, upper_wall = -20;
@@ -169,6 +171,8 @@ struct Flying {
 
 }  // namespace
 
+// Lets spheres fly and grow, as far as the neighbour lists are valid; all are advanced to the end. Returns how it ended;
+// after `list_out_of_date` make new lists and call again. Without a grid of depths.
 Index fly_and_grow(Index, const Spheres &spheres, const PackingWalls &walls, const Near &near, const Growing &growing,
                    const Flight &flight) {
     const Flying flying{spheres, walls, near, growing, flight, Period(spheres.period)};
@@ -215,5 +219,6 @@ Index fly_and_grow(Index, const Spheres &spheres, const PackingWalls &walls, con
     growing.report(collision_count) = double(collisions);
     return status;
 }
+BONDEM_CALL(fly_and_grow, "grown list_out_of_date too_many_events")
 
 }  // namespace bondem

@@ -2,8 +2,8 @@
 //
 // Lists are full (each pair stands in the list of both partners), so that a force can be gathered sphere by sphere in
 // a fixed order and does not depend on the number of threads.
-#include "neighbours.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/packing_tables.hpp"
 #include "../../threads.hpp"
 #include "grid_visits.hpp"
 
@@ -19,6 +19,7 @@ Index cell_along(const SphereGrid &grid, Index i, Index axis) {
 
 }  // namespace
 
+// Sorts spheres into the cells of their grid: fills `cell`, `first`, `member` and `place`.
 Index sort_into_cells(Index, const SphereGrid &grid) {
     const Index n = grid.sphere.size(), cells = grid.first.size() - 1;
     for (Index c = 0; c <= cells; c++) grid.first(c) = 0;
@@ -36,7 +37,10 @@ Index sort_into_cells(Index, const SphereGrid &grid) {
         for (Index a = 0; a < 4; a++) grid.place(a, p) = grid.sphere(grid.member(p), a);
     return 0;
 }
+BONDEM_CALL(sort_into_cells, "")
 
+// Sorts spheres into the cells of their grid, and counts the neighbours of each, whose surfaces are at most `skin` apart:
+// fills `start`, too.
 Index sort_and_count_neighbours(Index threads, const SphereGrid &grid) {
     sort_into_cells(threads, grid);
     const Index n = grid.sphere.size();
@@ -52,7 +56,9 @@ Index sort_and_count_neighbours(Index threads, const SphereGrid &grid) {
     for (Index i = 0; i < n; i++) grid.start(i + 1) += grid.start(i);
     return 0;
 }
+BONDEM_CALL(sort_and_count_neighbours, "")
 
+// Lists the neighbours of spheres that are sorted and counted, (start[n],).
 Index list_neighbours(Index threads, const SphereGrid &grid, const NeighbourLists &lists) {
     const Index n = grid.sphere.size();
     const Period period(grid.period);
@@ -65,5 +71,6 @@ Index list_neighbours(Index threads, const SphereGrid &grid, const NeighbourList
     });
     return 0;
 }
+BONDEM_CALL(list_neighbours, "")
 
 }  // namespace bondem

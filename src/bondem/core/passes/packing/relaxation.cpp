@@ -5,15 +5,19 @@
 // whenever it runs uphill. Unit mass and stiffness make every time dimensionless. A sphere far larger than its neighbours
 // has a hundred contacts, and needs a larger mass to be as slow as the others; the descent is that of the coordinates
 // times √mass.
-#include "relaxation.hpp"
-
 #include "../../lanes.hpp"
+#include "../../registered.hpp"
+#include "../../tables/packing_tables.hpp"
 #include "../../threads.hpp"
 #include "packing_walls.hpp"
 #include "periodic.hpp"
 
 namespace bondem {
 namespace {
+
+constexpr Index relaxation_block = 128;  // spheres whose sums are added first, whatever the number of threads
+
+enum Relaxed : Index { converged, out_of_date, exhausted, loose };
 
 // Columns of the sums of a block, which are added up in order: no result depends on the threads.
 enum Sum { power, force_square, speed_square, overlap, contacts, deepest, farthest, eased_square };
@@ -168,6 +172,8 @@ Descent next_step(const Relaxing &relaxing, double longest) {
 
 }  // namespace
 
+// Minimises the overlap energy, as far as the neighbour lists are valid. Returns how it ended; after `out_of_date` make
+// new lists and call again.
 Index relax_spheres(Index threads, const Spheres &spheres, const PackingWalls &walls, const Near &near,
                     const Relaxing &relaxing) {
     const Index n = spheres.sphere.size(), blocks = relaxing.part.size();
@@ -188,5 +194,6 @@ Index relax_spheres(Index threads, const Spheres &spheres, const PackingWalls &w
     }
     return exhausted;
 }
+BONDEM_CALL(relax_spheres, "converged out_of_date exhausted loose")
 
 }  // namespace bondem

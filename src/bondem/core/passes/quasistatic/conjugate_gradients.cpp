@@ -2,7 +2,8 @@
 //
 // The memory that a round reads decides its time. The residual of the guess is exact; corrections, which are much
 // smaller than the solution, are found with a matrix in single precision.
-#include "conjugate_gradients.hpp"
+#include "../../registered.hpp"
+#include "../../tables/quasistatic_tables.hpp"
 
 namespace bondem {
 namespace {
@@ -108,6 +109,7 @@ void precondition(const ClumpCorrection &clumps, const double *r, double *z) {
 
 }  // namespace
 
+// Solves Sᵀ K S x = f by conjugate gradients from a guess, preconditioned by the clumps; 0 where they end, 1 where they do not.
 Index conjugate_gradients(Index, const ScaledMatrix &matrix, const ClumpCorrection &clumps,
                           const ConjugateGradients &search) {
     const Index size = search.residual.size();
@@ -153,5 +155,6 @@ Index conjugate_gradients(Index, const ScaledMatrix &matrix, const ClumpCorrecti
     }
     return 1;
 }
+BONDEM_CALL(conjugate_gradients, "converged stuck")
 
 }  // namespace bondem

@@ -7,9 +7,9 @@
 //     V θ += s (s_p · δ)        presses: and (1 - s) (s_p · n) (δ · n)
 //
 // The facet has the mean of both halves, weighted by their parts of the compliance.
-#include "small_motion.hpp"
-
+#include "../../registered.hpp"
 #include "../../symmetric3.hpp"
+#include "../../tables/quasistatic_tables.hpp"
 
 namespace bondem {
 namespace {
@@ -48,6 +48,7 @@ void add_moment(const Array<double, 2> &moment, Index p, Vector arm, Vector forc
 
 }  // namespace
 
+// Finds the gaps of facets, and adds V θ to their cells.
 Index open_weakened_facets(Index, const WeakenedFacets &facets, const SmallMotions &motions) {
     for (Index k = 0; k < facets.k.size(); k++) {
         const Index i = facets.i(k), j = facets.j(k);
@@ -60,7 +61,9 @@ Index open_weakened_facets(Index, const WeakenedFacets &facets, const SmallMotio
     }
     return 0;
 }
+BONDEM_CALL(open_weakened_facets, "")
 
+// Finds the loads of facets at the stresses of their cells, and adds their moments to those of the cells.
 Index load_weakened_facets(Index, const WeakenedFacets &facets, const SmallMotions &motions, const FacetLoading &loading) {
     for (Index k = 0; k < facets.k.size(); k++) {
         const Index i = facets.i(k), j = facets.j(k);
@@ -90,5 +93,6 @@ Index load_weakened_facets(Index, const WeakenedFacets &facets, const SmallMotio
     }
     return 0;
 }
+BONDEM_CALL(load_weakened_facets, "")
 
 }  // namespace bondem

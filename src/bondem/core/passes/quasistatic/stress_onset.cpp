@@ -7,9 +7,9 @@
 // is the mean stress made to agree with the traction. A facet begins where σ1(σ*) reaches its strength f, where it is in
 // tension or shear, and where its opening along a principal direction of σ̄ is enough for softening (`laws/softening.hpp`).
 // σ1(σ*) is at most |σ̄| + √2 |Δ| with what bends added to Δ, so that facets that are far from it are passed over.
-#include "stress_onset.hpp"
-
 #include "../../laws/softening.hpp"
+#include "../../registered.hpp"
+#include "../../tables/quasistatic_tables.hpp"
 
 namespace bondem {
 namespace {
@@ -55,6 +55,7 @@ double factor_of(const Symmetric3<double> &mean, Vector n, Vector t, Vector lack
 
 }  // namespace
 
+// Finds the load factors at which whole facets of the material begin to crack and to soften.
 Index find_stress_factors(Index, const LoadedFacets &loaded, const OnsetSearch &search) {
     double below = search.below;
     for (Index e = 0; e < search.whole.size(); e++) {
@@ -70,5 +71,6 @@ Index find_stress_factors(Index, const LoadedFacets &loaded, const OnsetSearch &
     }
     return 0;
 }
+BONDEM_CALL(find_stress_factors, "")
 
 }  // namespace bondem

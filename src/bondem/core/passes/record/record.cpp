@@ -1,6 +1,7 @@
 // A row of the history: time, the energy ledger, and gauges. And the guard of the energy.
 #include "record.hpp"
 
+#include "../../registered.hpp"
 #include "columns.hpp"
 #include "reading.hpp"
 
@@ -34,7 +35,9 @@ void sum_element_energies(const Turn &turn, const Moving &all, const Portions &p
     }
     for (Index c = 0; c < 4; c++) portions.elements(turn.block, c) = sum[c];
 }
+BONDEM_PASS(sum_element_energies, of_elements)
 
+// Finds whether a number is not finite, or the motion has more energy than can have come in.
 void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
     Index wide = 0, lost = 0, not_finite = 0;
     for (Index q = 0; q < portions.turned.size(); q++) {
@@ -52,7 +55,9 @@ void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
     portions.budget(1) = most(portions.budget(1), supplied);
     portions.found(2) = kinetic > beyond * (portions.budget(0) + portions.budget(1)) ? 2 : 0;
 }
+BONDEM_PASS(judge_energy, serial)
 
+// Writes time and the energy ledger.
 void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, const HistoryRows &history) {
     double *const record = &history.record(turn.clock.record, 0);
     record[time] = turn.clock.time;
@@ -66,7 +71,9 @@ void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, 
         for (Index c = 0; c < 4; c++) record[normal + c] += portions.bonds(q, c);
     for (Index r = 0; r < rows.work.size(); r++) record[work] += rows.work(r);
 }
+BONDEM_PASS(write_ledger, serial)
 
+// Writes three components of each gauge of elements.
 void read_gauges(const Turn &turn, const Moving &all, const Rows &rows, const Gauges &gauges, const HistoryRows &history) {
     for (Index g = 0; g < gauges.quantity.size(); g++) {
         const Index quantity = gauges.quantity(g), reduction = gauges.reduction(g);
@@ -83,5 +90,6 @@ void read_gauges(const Turn &turn, const Moving &all, const Rows &rows, const Ga
         }
     }
 }
+BONDEM_PASS(read_gauges, serial)
 
 }  // namespace bondem

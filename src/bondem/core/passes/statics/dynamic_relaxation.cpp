@@ -8,13 +8,15 @@
 // averaged over about as many steps as that motion lasts. Loads and prescribed motions grow linearly over the ramp.
 // The motion ends where the unbalanced force is small against applied and supporting forces, roots of sums of
 // squares, with torques divided by a length.
-#include "dynamic_relaxation.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/statics_tables.hpp"
 #include "../beams/beam_loads.hpp"
 #include "../motion/elements.hpp"
 
 namespace bondem {
 namespace {
+
+enum RelaxationEnding : Index { balanced, all_steps_done };
 
 // Fastest and slowest fading of the running means, and the largest rate of damping, of which 2 is the limit.
 constexpr double fastest_fading = 0.5, slowest_fading = 1e-4, largest_rate = 1.9;
@@ -98,13 +100,18 @@ Index relax(const DynamicRelaxation &c, const BeamSums &sums, const RelaxationSp
 
 }  // namespace
 
+// Takes steps until the forces of beams balance the loads; rows of the sums are those of the elements, and zero.
 Index relax_beams(Index, const Beams &beams, const BeamSums &sums, const DynamicRelaxation &relaxation,
                   const RelaxationSpan &span) {
     return relax(relaxation, sums, span, [&](const Poses &poses) { load_beams(1, poses, beams, sums); });
 }
+BONDEM_CALL(relax_beams, "balanced all_steps_done")
+
+// Takes steps until the forces of beams that differ in length only balance the loads.
 Index relax_alike_beams(Index, const Beams &beams, const AlikeBeams &alike, const BeamSums &sums,
                         const DynamicRelaxation &relaxation, const RelaxationSpan &span) {
     return relax(relaxation, sums, span, [&](const Poses &poses) { load_alike_beams(1, poses, beams, alike, sums); });
 }
+BONDEM_CALL(relax_alike_beams, "balanced all_steps_done")
 
 }  // namespace bondem

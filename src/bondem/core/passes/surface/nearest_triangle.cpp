@@ -1,7 +1,7 @@
 // The triangle nearest to each point: each point walks down a tree of boxes, the nearer branch first, and leaves out
 // what is farther than the nearest triangle so far.
-#include "nearest_triangle.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/surface_tables.hpp"
 #include "../../threads.hpp"
 #include "../../vector3.hpp"
 
@@ -62,6 +62,7 @@ Index nearest_to(const TriangleTree &tree, Vector x) {
 
 }  // namespace
 
+// Finds the nearest triangle of each point.
 Index find_nearest_triangles(Index threads, const TriangleTree &tree, const Nearest &nearest) {
     constexpr Index points_of_a_task = 256;
     const Index n = nearest.triangle.size();
@@ -71,5 +72,6 @@ Index find_nearest_triangles(Index threads, const TriangleTree &tree, const Near
     });
     return 0;
 }
+BONDEM_CALL(find_nearest_triangles, "")
 
 }  // namespace bondem

@@ -1,9 +1,9 @@
 // The operator of the balanced shares (`bondem/specimen/tessellation/balanced_shares.py`): with a symmetric tensor Y of
 // each cell and the weighted branch b of each facet, N Y = Σ sym((Y_p - Y_q) b ⊗ b) over the facets of cell p. Every cell
 // sums its own facets, so that no result depends on the number of threads.
-#include "balance.hpp"
-
+#include "../../registered.hpp"
 #include "../../symmetric3.hpp"
+#include "../../tables/tessellation_tables.hpp"
 #include "../../threads.hpp"
 
 namespace bondem {
@@ -19,6 +19,7 @@ Symmetric3<double> tensor(const double *row) {
 
 }  // namespace
 
+// Computes the equation of each cell for given multipliers: its column sums of facet corrections.
 Index apply_balance(Index threads, const CellBranches &branches, const BalanceField &field) {
     const Index n = field.given.size();
     for_each_task(threads, (n + cells_of_a_task - 1) / cells_of_a_task, [&](Index task) {
@@ -37,5 +38,6 @@ Index apply_balance(Index threads, const CellBranches &branches, const BalanceFi
     });
     return 0;
 }
+BONDEM_CALL(apply_balance, "")
 
 }  // namespace bondem

@@ -2,12 +2,14 @@
 //
 // Each piece carries the wall triangles within it, cut to the piece. It is split by the plane of the largest one, and
 // so are its other triangles (a binary partition of space); a piece without triangles lies on one side of every wall.
-#include "clip_to_shape.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/tessellation_tables.hpp"
 #include "section.hpp"
 
 namespace bondem {
 namespace {
+
+enum Split : Index { all_split, pieces_full, scratch_full };
 
 struct Box {
     Vector low, high;
@@ -147,6 +149,8 @@ struct Splitter {
 
 }  // namespace
 
+// Splits cells by walls: the faces of their pieces go to the pile. After `pieces_full` (the pile, cell, end) or
+// `scratch_full` (stack, piece, found, below) make room and call again: it continues with solid done[0].
 Index split_by_walls(Index, const Solids &solids, const WallTree &walls, const Splitting &splitting, const Pile &stack,
                      const Pile &piece, const Pile &pile) {
     const Splitter splitter{solids, walls, splitting, {stack}, {piece}, {pile}};
@@ -162,5 +166,6 @@ Index split_by_walls(Index, const Solids &solids, const WallTree &walls, const S
     }
     return all_split;
 }
+BONDEM_CALL(split_by_walls, "all_split pieces_full scratch_full")
 
 }  // namespace bondem

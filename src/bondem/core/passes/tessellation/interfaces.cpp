@@ -2,12 +2,14 @@
 //
 // Two pieces that face each other across a plane share what their faces have in common; what no other piece covers is
 // free. Both are patches, convex polygons again.
-#include "interfaces.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/tessellation_tables.hpp"
 #include "pile.hpp"
 
 namespace bondem {
 namespace {
+
+enum Matched : Index { all_matched, patches_full, rest_full };
 
 constexpr Index nothing = -1;  // behind a patch
 const Plane no_plane = {{0.0, 0.0, 0.0}, 0.0};
@@ -80,6 +82,9 @@ struct Matcher {
 
 }  // namespace
 
+// Lays the faces of each group over each other: patches go to the pile, with their face as kind and the face on the
+// other side, or -1, as tag. After `patches_full` (the pile) or `rest_full` (rest, left) make room and call again: it
+// continues with group done[0].
 Index match_faces(Index, const Solids &solids, const FaceGroups &groups, const Pile &rest, const Pile &left,
                   const Pile &pile) {
     const Matcher matcher{solids, groups, {pile}};
@@ -93,5 +98,6 @@ Index match_faces(Index, const Solids &solids, const FaceGroups &groups, const P
     }
     return all_matched;
 }
+BONDEM_CALL(match_faces, "all_matched patches_full rest_full")
 
 }  // namespace bondem

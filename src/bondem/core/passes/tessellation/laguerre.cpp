@@ -5,12 +5,14 @@
 // degenerate cases, and volumes and areas are exact to rounding. With ρ the distance of the farthest corner, a neighbour
 // at distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ: there the search ends. Where small spheres are far from
 // large ones it ends before: no radius is above B + κ L, with B a bound about each element.
-#include "laguerre.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/tessellation_tables.hpp"
 #include "pile.hpp"
 
 namespace bondem {
 namespace {
+
+enum CellEnd : Index { cells_made, crowded, narrow, swallowed, lists_full, pile_full };
 
 // Most faces of one cell; `CellRoom` has room for two more.
 constexpr Index most_faces = 400;
@@ -216,6 +218,9 @@ CellEnd shape(const Bins &centres, Index i, double half, double largest, const C
 
 }  // namespace
 
+// Cuts the cells of the chosen elements out of boxes about their centres: faces go to the pile, with what is behind them
+// as tags. Returns how it ended, with the element in done[1]. After `lists_full` (found, offset, order) or `pile_full`
+// make room and call again: it continues with cell done[0].
 Index make_cells(Index, const Bins &centres, const CellRequest &request, const CellRoom &room, const Pile &pile) {
     const Stack faces{pile};
     double largest = 0.0;
@@ -236,5 +241,6 @@ Index make_cells(Index, const Bins &centres, const CellRequest &request, const C
     }
     return cells_made;
 }
+BONDEM_CALL(make_cells, "cells_made crowded narrow swallowed lists_full pile_full")
 
 }  // namespace bondem

@@ -1,6 +1,6 @@
 // Areas, volumes and moments of polygons and solids: sums over triangles, and over tetrahedra with the centre.
-#include "measures.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/tessellation_tables.hpp"
 #include "pile.hpp"
 
 namespace bondem {
@@ -22,6 +22,7 @@ inline void put_symmetric(const Array<double, 3> &matrix, Index k, const Moments
 
 }  // namespace
 
+// Areas, centroids and second moments of polygons.
 Index measure_polygons(Index, const PolygonMeasures &polygons) {
     for (Index f = 0; f < polygons.area.size(); f++) {
         const Index start = polygons.corner(f), end = polygons.corner(f + 1);
@@ -55,7 +56,9 @@ Index measure_polygons(Index, const PolygonMeasures &polygons) {
     }
     return 0;
 }
+BONDEM_CALL(measure_polygons, "")
 
+// Volumes and moments of solids.
 Index measure_solids(Index, const Solids &solids, const Bulk &bulk) {
     for (Index s = 0; s < bulk.volume.size(); s++) {
         double volume = 0.0, far = 0.0, beyond = -infinity;
@@ -93,5 +96,6 @@ Index measure_solids(Index, const Solids &solids, const Bulk &bulk) {
     }
     return 0;
 }
+BONDEM_CALL(measure_solids, "")
 
 }  // namespace bondem

@@ -1,10 +1,12 @@
 // Pieces divided anew among elements: those that a wall keeps from the centre of their cell.
-#include "ownership.hpp"
-
+#include "../../registered.hpp"
+#include "../../tables/tessellation_tables.hpp"
 #include "section.hpp"
 
 namespace bondem {
 namespace {
+
+enum Division : Index { all_divided, parts_full, room_full };
 
 // Splits of a cell by the plane between elements a < b have the number a n + b beyond this; walls make fewer.
 constexpr Index first_split = 10000000;
@@ -63,6 +65,8 @@ const Pile &share_of(const Solids &solids, Index s, Index own, const Dividing &d
 
 }  // namespace
 
+// Divides solids among elements, each point to the one with the least power x² - R². After `parts_full` (the pile, cell,
+// owner, end) or `room_full` (part, spare) make room and call again: it continues with solid done[0].
 Index divide_solids(Index, const Solids &solids, const Dividing &dividing, const Pile &part, const Pile &spare,
                     const Pile &pile) {
     const Stack done{pile};
@@ -91,5 +95,6 @@ Index divide_solids(Index, const Solids &solids, const Dividing &dividing, const
     }
     return all_divided;
 }
+BONDEM_CALL(divide_solids, "all_divided parts_full room_full")
 
 }  // namespace bondem

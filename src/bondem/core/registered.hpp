@@ -1,0 +1,69 @@
+// A pass registers itself where it is defined: names of its tables follow from the type of the function.
+//
+//     BONDEM_PASS(stress_cells, elements_of_blocks)    behind a pass of a step: what it runs over
+//     BONDEM_CALL(relax_spheres, "converged loose")    behind a pass that Python calls: names of what it may return, from
+//                                                      0 on, or "" where there is one only
+//
+// Each adds a node to a list before main. Nodes are never destroyed and refer to no library of C++; Python reads the list
+// and finds passes by their names, so that the order of the list does not matter. A device needs no list.
+#pragma once
+#include "steps.hpp"
+#include "table_names.hpp"
+
+namespace bondem {
+
+// What Python reads of a pass.
+struct PassDescription {
+    const char *name;
+    const char *outcomes;  // of a pass that Python calls, else null
+    Index kind;  // of a pass of a step (`PassKind`)
+    void *address;
+    const char *const *tables;
+    Index count;
+    const PassDescription *next;
+};
+
+template <class... Tables> struct TableNames {
+    static constexpr const char *names[] = {TableName<Tables>::name..., nullptr};
+};
+
+// A pass of a step is called with a turn and with pointers to its tables.
+template <auto pass, class... Tables>
+PassDescription described(const char *name, PassKind kind, void (*)(const Turn &, const Tables &...)) {
+    void *const address = reinterpret_cast<void *>(Called<pass>::call);
+    return {name, nullptr, kind, address, TableNames<Tables...>::names, Index(sizeof...(Tables)), nullptr};
+}
+// Others are called with the number of threads and with a pointer to each table.
+template <auto pass, class... Tables>
+PassDescription described(const char *name, const char *outcomes, Index (*)(Index, const Tables &...)) {
+    void *const address = reinterpret_cast<void *>(pass);
+    return {name, outcomes, 0, address, TableNames<Tables...>::names, Index(sizeof...(Tables)), nullptr};
+}
+
+struct Registered {
+    PassDescription pass;
+
+    static const PassDescription *&first() {
+        static const PassDescription *head = nullptr;
+        return head;
+    }
+    explicit Registered(const PassDescription &given) : pass(given) {
+        pass.next = first();
+        first() = &pass;
+    }
+};
+
+// The second forms are for passes that are made of a template, and are named by what it is filled with.
+#if defined(__CUDACC__)
+#define BONDEM_PASS_AS(name, kind, ...)
+#define BONDEM_CALL_AS(name, outcomes, ...)
+#else
+#define BONDEM_PASS_AS(name, kind, ...) \
+    static const Registered registered_##name(described<&__VA_ARGS__>(#name, kind, &__VA_ARGS__));
+#define BONDEM_CALL_AS(name, outcomes, ...) \
+    static const Registered registered_##name(described<&__VA_ARGS__>(#name, outcomes, &__VA_ARGS__));
+#endif
+#define BONDEM_PASS(name, kind) BONDEM_PASS_AS(name, kind, name)
+#define BONDEM_CALL(name, outcomes) BONDEM_CALL_AS(name, outcomes, name)
+
+}  // namespace bondem

@@ -1,0 +1,162 @@
+"""Write what follows from the passes of the core: one typed function a pass, for Python's callers.
+
+`python -m tests.core.passes` compiles the core, reads names and tables of its passes from the library, and writes
+`bondem/_passes/*.py`; a test compares them. A pass is registered behind its definition (`core/registered.hpp`), and
+the first sentence of the comment above it says what it is for: the one of its header where a header declares it for
+other sources. A pass without a sentence of its own is refused.
+"""
+
+import re
+from collections.abc import Iterable
+from pathlib import Path
+from textwrap import wrap
+
+from bondem import _core
+from bondem._core import pass_tables
+from tests.core.tables import SOURCE
+
+FOLDER = SOURCE / "_passes"
+#: Of each module: title, and the words behind the sentence of a pass.
+TITLES = {
+    "steps": "Passes that steps are composed of",
+    "calls": "Passes that Python calls",
+}
+KINDS = {"steps": "StepEntry", "calls": "Call"}
+# A function with its comment; a pass that is made of a template; what passes of each kind run over.
+FUNCTION = re.compile(
+    r"((?:^//[^\n]*\n)+)(?:^template <[^>]*>[ \n])?(?:void|Index) (\w+)\((?:const Turn &|Index\b)([^)]*)\)",
+    re.MULTILINE,
+)
+MADE = re.compile(r"BONDEM_(?:PASS|CALL)_AS\((\w+?)(?:##name)?, [^,]+, (\w+)")
+KIND = re.compile(r"^    \w+,?  // (.+)$", re.MULTILINE)
+INIT = '''"""Passes of the core with their tables, written by `python -m tests.core.passes` from the library."""
+
+from typing import Any, NamedTuple
+
+
+class StepEntry(NamedTuple):
+    """An entry of a list of a step: a pass with its tables."""
+
+    name: str
+    tables: tuple[Any, ...]
+
+
+class Call(NamedTuple):
+    """A pass that Python calls, with its tables."""
+
+    name: str
+    tables: tuple[Any, ...]
+'''
+
+
+def comments() -> dict[str, tuple[str, list[str]]]:
+    """Return comment and names of the tables of every function with a comment; those of headers come first."""
+    found: dict[str, tuple[str, list[str]]] = {}
+    made: dict[str, str] = {}
+    for path in [*sorted((SOURCE / "core").rglob("*.hpp")), *sorted((SOURCE / "core").rglob("*.cpp"))]:
+        text = path.read_text()
+        made |= dict(MADE.findall(text))
+        for words, name, given in FUNCTION.findall(text):
+            joined = " ".join(line[2:].strip() for line in words.splitlines())
+            found.setdefault(name, (joined, re.findall(r"const \w+ &(\w+)", given)))
+    return found | {prefix: found[function] for prefix, function in made.items() if function in found}
+
+
+def sentence(name: str, words: str) -> str:
+    """Return the first sentence of the comment of a pass; SystemExit where it says nothing by itself."""
+    first = words.split(". ")[0].rstrip(".")
+    if not first or re.match(r"(?:The same|Those|And|Them|It|They|Sorts them|Lists them)\b", first):
+        raise SystemExit(f"{name}: write a comment above it whose first sentence says by itself what the pass is for")
+    return f"{first}."
+
+
+def pass_kinds() -> list[str]:
+    """Return what passes of each kind run over, in the order of `PassKind`."""
+    return KIND.findall((SOURCE / "core/steps.hpp").read_text().partition("enum PassKind")[2].partition("};")[0])
+
+
+def snake(name: str) -> str:
+    """Return the name of a table as that of an argument."""
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
+
+
+def _function(kind: str, name: str, tables: tuple[str, ...], words: str, named: list[str], over: str) -> list[str]:
+    given = [snake(table) for table in tables]
+    if len(set(given)) < len(given):  # a table occurs twice: only the definition can name them
+        given = named
+        if len(set(named)) != len(tables):
+            raise SystemExit(f"{name}: name its tables where it is defined")
+    arguments = [f"{one}: {table}" for one, table in zip(given, tables, strict=True)]
+    lines = _wrapped(f"def {name}(", arguments, f") -> {kind}:", "    ")
+    doc = wrap(sentence(name, words), 108)
+    more = ["", f"    Over {over}."] if over else []
+    if len(doc) == 1 and not more:
+        lines.append(f'    """{doc[0]}"""')
+    else:
+        lines += [f'    """{doc[0]}', *(f"    {line}" for line in doc[1:]), *more, '    """']
+    named = ", ".join(given) + "," * (len(given) == 1)
+    return [*lines, *_wrapped(f'    return {kind}("{name}", (', [named], "))", "        "), "", ""]
+
+
+def _wrapped(head: str, parts: list[str], tail: str, indent: str) -> list[str]:
+    line = f"{head}{', '.join(parts)}{tail}"
+    if len(line) <= 118:
+        return [line]
+    return [head, *(f"{indent}{row}" for row in wrap(", ".join(parts), 110)), f"{indent[:-4]}{tail}"]
+
+
+def _module(module: str, tables: dict[str, tuple[str, ...]], over: dict[str, str]) -> str:
+    words, where = comments(), _modules_of_tables()
+    lines = [f'"""{TITLES[module]}; written by `python -m tests.core.passes`: change the core instead."""', "",
+             f"from bondem._passes import {KINDS[module]}"]  # fmt: skip
+    used = {table for names in tables.values() for table in names}
+    for place in sorted({where[table] for table in used}):
+        names = sorted((table for table in used if where[table] == place), key=str.lower)
+        line = f"from bondem._tables.{place} import {', '.join(names)}"
+        long = [f"from bondem._tables.{place} import (", *(f"    {name}," for name in names), ")"]
+        lines += [line] if len(line) <= 118 else long
+    if over:
+        lines += ["", "#: What the passes of each kind run over.", "KINDS = ("]
+        lines += [*(f'    "{one}",' for one in pass_kinds()), ")"]
+    lines += ["", ""]
+    for name in sorted(tables):
+        made = (of for of in words if of.endswith("_by_") and name.startswith(of))
+        found = words.get(name) or words.get(next(made, ""))
+        if found is None:
+            raise SystemExit(f"{name}: write a comment above its definition that says what the pass is for")
+        lines += _function(KINDS[module], name, tables[name], *found, over.get(name, ""))
+    for of in sorted(one for one in words if one.endswith("_by_")):
+        if made := sorted(name for name in tables if name.startswith(of)):
+            lines += [f"#: Passes `{of}…` by the name of their criterion.", f"{of[:-1].upper()} = {{"]
+            lines += [*(f'    "{name.removeprefix(of)}": {name},' for name in made), "}"]
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def _modules_of_tables() -> dict[str, str]:
+    return {
+        table: path.stem
+        for path in (SOURCE / "_tables").glob("*.py")
+        for table in re.findall(r"^class (\w+)\(", path.read_text(), re.MULTILINE)
+    }
+
+
+def written() -> dict[Path, str]:
+    """Return every generated file and its text."""
+    steps, calls = pass_tables("steps"), pass_tables("calls")
+    words = pass_kinds()
+    over = {name: words[_core.step_pass(name)[0][1]] for name in steps}
+    texts = {"__init__": INIT, "steps": _module("steps", steps, over), "calls": _module("calls", calls, {})}
+    return {FOLDER / f"{name}.py": text for name, text in texts.items()}
+
+
+def stale(files: Iterable[tuple[Path, str]] | None = None) -> list[str]:
+    """Return the names of generated files that differ from what the library gives."""
+    made = dict(written().items() if files is None else files)
+    left = {path.name for path in set(FOLDER.glob("*.py")) - set(made)}
+    return sorted(left | {path.name for path, text in made.items() if not path.exists() or path.read_text() != text})
+
+
+if __name__ == "__main__":
+    FOLDER.mkdir(exist_ok=True)
+    for file, content in written().items():
+        file.write_text(content)
