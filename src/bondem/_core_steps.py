@@ -9,30 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from bondem._core import checked_kinds, filled_table, step_pass
+from bondem._core import fields_of, filled_table, step_pass
 from bondem._core_functions import address_of
+from bondem._passes import StepEntry
 
-__all__ = ["Composer", "StepPass"]
+__all__ = ["Composer"]
 
 # Words of an entry of a list: address, kind, and pointers to tables.
 _WORDS = 8
-
-
-class StepPass:
-    """A pass that steps are composed of.
-
-    Args:
-        name: name of the pass.
-        kinds: named tuples of its tables, each with the name and the fields that the header declares.
-
-    Raises:
-        ImportError: tables other than those of the library.
-    """
-
-    def __init__(self, name: str, *kinds: type[tuple[Any, ...]]) -> None:
-        self.name = name
-        self.word, tables = step_pass(name)
-        self.fields = checked_kinds(name, tables, kinds)
 
 
 class Composer:
@@ -48,26 +32,23 @@ class Composer:
         self._lengths: dict[str, tuple[int, str]] = {} if known is None else known._lengths.copy()
         self._filled: dict[int, tuple[Any, np.ndarray, int]] = {} if known is None else known._filled.copy()
 
-    def __call__(self, passes: Iterable[tuple[Any, ...]]) -> np.ndarray:
+    def __call__(self, passes: Iterable[StepEntry]) -> np.ndarray:
         """Entries of a list, int64, (passes, 8).
 
-        Args:
-            passes: tuples of a `StepPass` and its tables.
-
         Raises:
+            ImportError: other tables than those of the library.
             InputError: an array of another type, shape or order in memory than declared.
         """
         entries = []
-        for one, *tables in passes:
-            addresses = [
-                self._address(name, fields, table) for (name, fields), table in zip(one.fields, tables, strict=True)
-            ]
-            entries.append([*one.word, *addresses, *[0] * (_WORDS - 2 - len(addresses))])
+        for name, tables in passes:
+            word, names = step_pass(name)
+            addresses = [self._address(kind, table) for kind, table in zip(names, tables, strict=True)]
+            entries.append([*word, *addresses, *[0] * (_WORDS - 2 - len(addresses))])
         return np.array(entries, dtype=np.int64).reshape(-1, _WORDS)
 
-    def _address(self, name: str, fields: Any, table: tuple[Any, ...]) -> int:
+    def _address(self, name: str, table: tuple[Any, ...]) -> int:
         """Where a table is in memory; each is filled once."""
-        found = self._filled.get(id(table))
+        fields, found = fields_of(table, name), self._filled.get(id(table))
         if found is None:
             words = filled_table(name, fields, table, self._lengths)
             found = self._filled[id(table)] = table, words, address_of(words)

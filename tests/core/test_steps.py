@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem._core_steps import Composer, StepPass
-from bondem._tables.step_tables import Moving, Portions, Rows, StepCut
+from bondem._core_steps import Composer
+from bondem._passes import StepEntry, steps
+from bondem._tables.step_tables import Moving, Rows
 from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
@@ -133,24 +134,28 @@ def moving_table() -> Moving:
 
 
 def test_a_pass_of_other_tables_is_refused():
-    with pytest.raises(ImportError, match="open_elements takes the tables Moving"):
-        StepPass("open_elements", Rows)
+    table, rows = moving_table(), Rows(*[np.zeros(0)] * len(Rows._fields))
+    with pytest.raises(ImportError, match="Rows stands for Moving"):
+        Composer()([StepEntry("open_elements", (rows,))])
+    with pytest.raises(ImportError, match="Moving stands for Rows"):  # a table that is known by its own name
+        Composer()([steps.open_elements(table), StepEntry("clear_row_forces", (table,))])
+    with pytest.raises(KeyError, match="open_nothing"):
+        Composer()([StepEntry("open_nothing", (table,))])
 
 
 def test_arrays_that_do_not_fit_a_list_are_refused():
-    opening, table = StepPass("open_elements", Moving), moving_table()
+    table = moving_table()
     with pytest.raises(InputError, match=r"Moving.pose = array of float32"):
-        Composer()([(opening, table._replace(pose=table.pose.astype(np.float32)))])
+        Composer()([steps.open_elements(table._replace(pose=table.pose.astype(np.float32)))])
     with pytest.raises(InputError, match=r"Moving.motion = array of shape \(7, 8\): an axis has to be 8 long"):
-        Composer()([(opening, table._replace(motion=table.motion[:7]))])
-    energies = StepPass("sum_element_energies", Moving, Portions)
+        Composer()([steps.open_elements(table._replace(motion=table.motion[:7]))])
     composer = Composer()
-    assert composer([(opening, table), (energies, table, new_portions(8, 12))]).shape == (2, 8)
+    two = composer([steps.open_elements(table), steps.sum_element_energies(table, new_portions(8, 12))])
+    assert two.shape == (2, 8)
     assert composer([]).shape == (0, 8)
 
 
 def test_a_table_is_filled_once():
-    opening, table = StepPass("open_elements", Moving), moving_table()
-    entries = Composer()([(opening, table), (opening, table)])
+    table = moving_table()
+    entries = Composer()([steps.open_elements(table)] * 2)
     np.testing.assert_array_equal(entries[0], entries[1])
-    assert StepPass("collect_sums", StepCut).name == "collect_sums"

@@ -52,8 +52,8 @@ CRITERIA: dict[str, Any] = {
 
 def onset_of(loop: CoreLoop) -> Passes:
     """Return the passes in which facets begin to crack, at random stresses; some cells and facets are cracked."""
-    passes = [one for one in composed(loop._parts, "prepare") if one[0].name in COUNTERPARTS]
-    (_, stresses, *_, cracks), (_, _, facets, kept, *_, onset) = passes[:2]
+    passes = [one for one in composed(loop._parts, "prepare") if one.name in COUNTERPARTS]
+    (stresses, *_, cracks), (_, facets, kept, *_, onset) = (one.tables for one in passes[:2])
     rng, n = np.random.default_rng(3), len(stresses.tensor)
     m = int(np.count_nonzero(facets.k))
     stresses.tensor[:, :6] = rng.normal(0.0, 1e6, (n, 6)) * np.linspace(0.0, 1.0, n)[:, None]
@@ -71,7 +71,7 @@ def carry_out(passes: Passes, n: int, m: int) -> None:
     clock[1] = DT
     kind = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
     composer = Composer()
-    for (one, *_), entry in zip(passes, composer(passes), strict=True):
+    for one, entry in zip(passes, composer(passes), strict=True):
         count = n if one.name.startswith("judge") else m
         size = next((size for name, size in PORTIONS.items() if one.name.startswith(name)), count)
         for block, first in enumerate(range(0, count, size)):
@@ -98,15 +98,13 @@ def test_facets_that_begin_to_crack_are_those_of_the_cpu(name: str) -> None:
     model = bd.Model(body(450), LAW, density=2500.0, failure=CRITERIA[name])
     loop = CoreLoop(model, Plan(duration=DT, dt=DT, every=0), State(model), DT)
     passes = onset_of(loop)
-    ours = [(one, *tables) for (one, *_), tables in zip(
-        passes, copy.deepcopy([tables for _, *tables in passes]), strict=True
-    )]  # fmt: skip
+    ours = copy.deepcopy(passes)
     launched, calls = carry_out_on_device(loop, ours)
     carry_out(passes, len(model.layout.order), len(model.layout.i))
     assert calls == (2 if name == "function" else 0)
     assert launched == ONSET - set().union(*(names for other, names in OF_EACH.items() if other != name))
-    (*_, cracks), (*_, onset) = passes[:2]
-    (*_, found), (*_, found_onset) = ours[:2]
+    cracks, onset = (one.tables[-1] for one in passes[:2])
+    found, found_onset = (one.tables[-1] for one in ours[:2])
     assert 0 < (cracks.judged > 0).sum() < len(cracks.judged)
     assert 50 < cracks.marked.sum() < 0.9 * len(cracks.marked)
     for field in ("judged", "marked", "found"):

@@ -51,7 +51,7 @@ def test_passes_are_those_that_a_run_composes(models, kind, damping):
         ("reopening",): loop._lists.reopening, ("guard",): loop._lists.guard,
     }.items():  # fmt: skip
         assert [one.name for one in explained if one.stage in stages] == [names[entry[0]] for entry in entries]
-    begins = [one.name for one, *_ in composed(loop._parts, "begin")]
+    begins = [one.name for one in composed(loop._parts, "begin")]
     assert [one.name for one in explained if one.stage == "begin"] == begins
     # the order of `take_steps`
     order = ["begin", "opening", "travel", "present", *FORCES, "resume", "reopening", "guard", "record"]

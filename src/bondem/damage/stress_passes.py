@@ -11,8 +11,7 @@ import numpy as np
 
 from bondem._core import run_pass
 from bondem._core_functions import StressCallback
-from bondem._core_steps import StepPass
-from bondem._passes import calls
+from bondem._passes import StepEntry, calls, steps
 from bondem._tables.damage_tables import StressCandidates, StressFunction
 from bondem._types import Floats
 
@@ -31,9 +30,6 @@ def new_stress_candidates(m: int) -> StressCandidates:
 
 #: Criteria of the core by their names; "function" is that of a user.
 STRESS_CRITERIA = ("mean_stress", "cone", "function")
-_index_candidates = {
-    name: StepPass(f"index_candidates_by_{name}", StressCandidates, StressFunction) for name in STRESS_CRITERIA
-}
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,9 +66,9 @@ class StressPasses:
         callback = StressCallback(function, len(given))
         return cls("function", StressFunction(callback.address, given), callback)
 
-    def step_pass(self, candidates: StressCandidates) -> tuple[Any, ...]:
+    def step_pass(self, candidates: StressCandidates) -> StepEntry:
         """Return the pass of a step that evaluates its candidates, with its tables."""
-        return _index_candidates[self.name], candidates, self.table
+        return steps.INDEX_CANDIDATES_BY[self.name](candidates, self.table)
 
     def indices(self, stress: Floats) -> Floats:
         """Return the indices of symmetric stresses (k, 3, 3) [-], (k,)."""

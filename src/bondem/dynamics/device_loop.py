@@ -45,7 +45,7 @@ _STEP = 5
 
 def _postponement(passes: Passes) -> Postponement | None:
     """Return bonds that fail in a step and elements that this postpones, or None where nothing fails."""
-    found = [(candidates, postponed) for one, *tables in passes if one.name == "postpone_elements"
+    found = [(candidates, postponed) for name, tables in passes if name == "postpone_elements"
              for _, candidates, postponed in [tables]]  # fmt: skip
     return found[0] if found else None
 

@@ -82,9 +82,8 @@ def explain_step(
     # the length of a step is a number in tables of contacts and cracks, and selects no pass
     _, parts = parts_in_one_block(model, plan, begin(model, state), 0.0)
     row = HistoryRows(np.zeros((1, FIXED_COLUMNS + 3 * len(plan.gauges))))
-    listed = [(stage, one) for stage in STAGES for one, *_ in composed(parts, stage)]
-    listed += [("record", one) for part in parts for one, *_ in part.record(row)]
-    names = [(stage, one.name) for stage, one in listed]
+    names = [(stage, one.name) for stage in STAGES for one in composed(parts, stage)]
+    names += [("record", one.name) for part in parts for one in part.record(row)]
     return ExplainedStep(
         tuple(ExplainedPass(stage, name, steps.KINDS[step_pass(name)[0][1]], _purpose(name)) for stage, name in names)
     )

@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from bondem._core_steps import StepPass
+from bondem._passes import StepEntry, steps
 from bondem._tables.cell_tables import ElasticFacets, FacetForces
 from bondem._tables.crack_tables import CrackOnset, FacetStrengths, StressesOfCells
-from bondem._tables.damage_tables import StressCandidates, StressFunction
+from bondem._tables.damage_tables import StressCandidates
 from bondem._tables.step_tables import Moving
 from bondem._tables.stress_onset_tables import CandidateFacets
 from bondem.damage.criteria.drucker_prager import cone_index
@@ -18,15 +18,7 @@ from bondem.interactions.beams.bond_table import with_twins
 from bondem.model.model import Model
 
 _OF_CORE: dict[Any, str] = {mean_index: "mean_stress", cone_index: "cone"}
-_judge_cells = {
-    name: StepPass(f"judge_cells_by_{name}", StressesOfCells, StressFunction, CandidateFacets, CrackOnset)
-    for name in _OF_CORE.values()
-}
-_judge_cells_by_size = StepPass("judge_cells_by_size", StressesOfCells, CandidateFacets, CrackOnset)
-_FACETS = Moving, ElasticFacets, FacetForces, StressesOfCells, CrackOnset, CandidateFacets
-_find_stress_candidates = StepPass("find_stress_candidates", *_FACETS)
-_mark_failing_facets = StepPass("mark_failing_facets", *_FACETS)
-_find_strengths_along = StepPass("find_strengths_along", CandidateFacets)
+_JUDGE_CELLS = {"mean_stress": steps.judge_cells_by_mean_stress, "cone": steps.judge_cells_by_cone}
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,20 +53,20 @@ class OnsetByStress:
         onset = CandidateFacets(scale, strengths.area, table.tension, table.least, table.hot, along, *candidates)
         return cls(passes, candidates, onset, strengths._replace(strength=along))
 
-    def judge(self, stresses: StressesOfCells, cracks: CrackOnset) -> tuple[Any, ...]:
+    def judge(self, stresses: StressesOfCells, cracks: CrackOnset) -> StepEntry:
         """Return the pass that finds the cells whose facets are evaluated."""
         if self.passes.name == "function":
-            return _judge_cells_by_size, stresses, self.onset, cracks
-        return _judge_cells[self.passes.name], stresses, self.passes.table, self.onset, cracks
+            return steps.judge_cells_by_size(stresses, self.onset, cracks)
+        return _JUDGE_CELLS[self.passes.name](stresses, self.passes.table, self.onset, cracks)
 
     def mark(
         self, moving: Moving, facets: ElasticFacets, kept: FacetForces, stresses: StressesOfCells, cracks: CrackOnset
-    ) -> list[tuple[Any, ...]]:
+    ) -> list[StepEntry]:
         """Return the passes that mark facets that begin to crack, and find their strengths."""
         tables = moving, facets, kept, stresses, cracks, self.onset
         evaluate = self.passes.step_pass(self.candidates)
         return [
-            (_find_stress_candidates, *tables), evaluate,
-            (_mark_failing_facets, *tables), evaluate,
-            (_find_strengths_along, self.onset),
+            steps.find_stress_candidates(*tables), evaluate,
+            steps.mark_failing_facets(*tables), evaluate,
+            steps.find_strengths_along(self.onset),
         ]  # fmt: skip

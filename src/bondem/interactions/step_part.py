@@ -6,12 +6,12 @@ their order. A subject that a model lacks is a part that its run does not have.
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
+from bondem._passes import StepEntry
 from bondem._tables.step_tables import HistoryRows
 
-#: Pairs of a pass and its tables, in the order in which the core calls them.
-Passes = list[tuple[Any, ...]]
+#: Passes with their tables, in the order in which the core calls them.
+Passes = list[StepEntry]
 
 #: Stages of forces and motion, in the order of a step, and what each does.
 FORCES = {

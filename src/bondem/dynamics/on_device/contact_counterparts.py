@@ -340,7 +340,7 @@ COUNTERPARTS: dict[str, Counterpart] = {
 
 def deepest_overlaps(run: Translation, passes: Passes) -> list[Launch]:
     """Return the launches that measure the deepest overlap of each portion, of the passes of a step."""
-    named = {one.name: tables for one, *tables in passes}
+    named = dict(passes)
     pressed = named.get("press_pairs", named.get("press_pairs_and_faces"))
     if pressed is None:
         return []
@@ -362,9 +362,9 @@ def _none(n: int) -> WallContacts:
 def lists_of_contacts(passes: Passes) -> list[Any]:
     """Return the tables of the passes of a step that are made anew with a list of contacts."""
     kinds = AdheringPairs, ContactPairs, FacePairs, NearPairs, RolledPairs, RolledWalls, Travel, WallContacts
-    return list({id(table): table for _, *tables in passes for table in tables if isinstance(table, kinds)}.values())
+    return list({id(table): table for _, tables in passes for table in tables if isinstance(table, kinds)}.values())
 
 
 def walls_listed(passes: Passes) -> list[np.ndarray]:
     """Return the places of walls when the list was made, which change with it."""
-    return [tables[1].listed for one, *tables in passes if one.name == "check_travel"]
+    return [tables[1].listed for name, tables in passes if name == "check_travel"]

@@ -62,4 +62,4 @@ def launches_of(passes: Passes, run: Translation, instead: Mapping[str, Counterp
         instead: counterparts to use instead of the usual ones.
     """
     counterparts = COUNTERPARTS if instead is None else {**COUNTERPARTS, **instead}
-    return [launch for one, *tables in passes for launch in counterparts[one.name](run, *tables)]
+    return [launch for name, tables in passes for launch in counterparts[name](run, *tables)]

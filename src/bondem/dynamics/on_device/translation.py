@@ -6,6 +6,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from bondem._device import IndexPass, Launch
+from bondem._passes import StepEntry
 from bondem._tables.damage_tables import EventLog
 from bondem._tables.device_tables import (
     BondsOfElements,
@@ -135,6 +136,6 @@ def bonds(run: Translation) -> int:
     return run.span.m
 
 
-def names_of(passes: Iterable[tuple[Any, ...]]) -> set[str]:
+def names_of(passes: Iterable[StepEntry]) -> set[str]:
     """Return the names of passes."""
-    return {one.name for one, *_ in passes}
+    return {one.name for one in passes}

@@ -1,14 +1,10 @@
 """Beams of the total formulation: forces, energies, the guard of large rotations, and strains that change."""
 
-from typing import Any
 
 import numpy as np
 
-from bondem._core_steps import StepPass
-from bondem._tables.beam_softening_tables import SofteningBounds
-from bondem._tables.damage_tables import Candidates, FailureBounds
-from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, Portions, Rows, StepCut, Strain, Timeline
-from bondem.damage.failure_passes import SOFTENING_CRITERIA
+from bondem._passes import StepEntry, steps
+from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, StepCut, Strain
 from bondem.dynamics.parts.breakage_part import breakage
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
 from bondem.dynamics.parts.shared_tables import SharedTables
@@ -17,28 +13,6 @@ from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
-
-_follow_strains = StepPass("follow_strains", Timeline, Strain, Moving, Beams, Rows)
-_add_beam_loads = StepPass("add_beam_loads", Moving, Beams, StepCut)
-_add_alike_beam_loads = StepPass("add_alike_beam_loads", Moving, Beams, AlikeBeams, StepCut)
-_add_marked_beam_loads = StepPass("add_marked_beam_loads", Moving, Beams, StepCut, FailureBounds, Candidates)
-_add_marked_alike_beam_loads = StepPass(
-    "add_marked_alike_beam_loads", Moving, Beams, AlikeBeams, StepCut, FailureBounds, Candidates
-)
-# By criterion with a fracture energy, of beams with constants of their own and of others.
-_SOFTENING = {
-    name: (
-        StepPass(f"add_beam_loads_softening_by_{name}", Moving, Beams, StepCut, SofteningBounds, Candidates),
-        StepPass(
-            f"add_alike_beam_loads_softening_by_{name}",
-            Moving, Beams, AlikeBeams, StepCut, SofteningBounds, Candidates,
-        ),
-    )
-    for name in SOFTENING_CRITERIA
-}  # fmt: skip
-_add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)
-_check_beams = StepPass("check_beams", Moving, Beams, Portions)
-_sum_beam_energies = StepPass("sum_beam_energies", Moving, Beams, Portions)
 
 
 def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> BondParts:
@@ -56,13 +30,13 @@ def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots |
         failure = [softening(soft, damage, state, shared, table)]
     elif damage is not None:
         failure = [breakage(damage, state, shared, table, alike, dashpots)]
-    present = [] if strain is None else [(_follow_strains, shared.timeline, strain, moving, table, shared.rows)]
+    present = [] if strain is None else [steps.follow_strains(shared.timeline, strain, moving, table, shared.rows)]
     loads: Passes = [_loads(moving, table, alike, cut, damage, soft)]
     if dashpots is not None:
-        loads.append((_add_dashpot_loads, moving, table, dashpots, cut))
+        loads.append(steps.add_dashpot_loads(moving, table, dashpots, cut))
     forces = Part(
-        {"present": present, "loads": loads, "guard": [(_check_beams, moving, table, portions)]},
-        record=lambda _: [(_sum_beam_energies, moving, table, portions)],
+        {"present": present, "loads": loads, "guard": [steps.check_beams(moving, table, portions)]},
+        record=lambda _: [steps.sum_beam_energies(moving, table, portions)],
     )
     pressed = None if soft is None else soft.bounds
     return BondParts([forces, *failure], Joints.of(model, state, table.integrity, damage, pressed))
@@ -94,13 +68,17 @@ def _loads(
     cut: StepCut,
     damage: DamageTables | None,
     soft: SofteningTables | None,
-) -> tuple[Any, ...]:
+) -> StepEntry:
     """Return the pass of forces: of beams that share their constants or not, and that break, soften, or do not."""
-    common = (moving, table, cut) if alike is None else (moving, table, alike, cut)
     if damage is None:
-        return _add_beam_loads if alike is None else _add_alike_beam_loads, *common
+        if alike is None:
+            return steps.add_beam_loads(moving, table, cut)
+        return steps.add_alike_beam_loads(moving, table, alike, cut)
+    kind, candidates = damage.table.kind, damage.candidates
     if soft is None:
-        loads = _add_marked_beam_loads if alike is None else _add_marked_alike_beam_loads
-        return loads, *common, damage.bounds, damage.candidates
-    own, shared = _SOFTENING[damage.table.kind]
-    return own if alike is None else shared, *common, soft.bounds, damage.candidates
+        if alike is None:
+            return steps.add_marked_beam_loads(moving, table, cut, damage.bounds, candidates)
+        return steps.add_marked_alike_beam_loads(moving, table, alike, cut, damage.bounds, candidates)
+    if alike is None:
+        return steps.ADD_BEAM_LOADS_SOFTENING_BY[kind](moving, table, cut, soft.bounds, candidates)
+    return steps.ADD_ALIKE_BEAM_LOADS_SOFTENING_BY[kind](moving, table, alike, cut, soft.bounds, candidates)

@@ -2,17 +2,12 @@
 
 import numpy as np
 
-from bondem._core_steps import StepPass
-from bondem._tables.step_tables import BodyForces, Moving, StepCut, Timeline
+from bondem._passes import steps
+from bondem._tables.step_tables import BodyForces
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.step_part import Part
 from bondem.model.model import Model
 from bondem.model.state import State
-
-_follow_body_forces = StepPass("follow_body_forces", Timeline, BodyForces)
-_open_body_work = StepPass("open_body_work", Moving, BodyForces)
-_add_body_forces = StepPass("add_body_forces", Moving, StepCut, BodyForces)
-_add_body_work = StepPass("add_body_work", Moving, BodyForces)
 
 
 def body_forces(model: Model, state: State, shared: SharedTables) -> Part | None:
@@ -29,9 +24,9 @@ def body_forces(model: Model, state: State, shared: SharedTables) -> Part | None
         factor=np.zeros(count), work=state.work[body:strain].reshape(-1, 1),
     )  # fmt: skip
     return Part({
-        "present": [(_follow_body_forces, shared.timeline, table)],
-        "opening": [(_open_body_work, shared.moving, table)],
-        "add": [(_add_body_forces, shared.moving, shared.cut, table)],
-        "settle": [(_add_body_work, shared.moving, table)],
-        "reopening": [(_add_body_work, shared.moving, table)],
+        "present": [steps.follow_body_forces(shared.timeline, table)],
+        "opening": [steps.open_body_work(shared.moving, table)],
+        "add": [steps.add_body_forces(shared.moving, shared.cut, table)],
+        "settle": [steps.add_body_work(shared.moving, table)],
+        "reopening": [steps.add_body_work(shared.moving, table)],
     })  # fmt: skip

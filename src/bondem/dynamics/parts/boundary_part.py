@@ -2,16 +2,11 @@
 
 import numpy as np
 
-from bondem._core_steps import StepPass
-from bondem._tables.step_tables import CoupleTable, Drives, Moving, RowLoads, Rows, Timeline
+from bondem._passes import steps
+from bondem._tables.step_tables import Drives, RowLoads
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.step_part import Part, Passes
 from bondem.model.constraints import Schedules
-
-_clear_row_forces = StepPass("clear_row_forces", Rows)
-_follow_loads = StepPass("follow_loads", Timeline, RowLoads, Moving, Rows)
-_follow_couples = StepPass("follow_couples", Timeline, CoupleTable, Moving, Rows)
-_follow_drives = StepPass("follow_drives", Timeline, Drives, Rows)
 
 
 def boundary(shared: SharedTables) -> Part:
@@ -20,13 +15,13 @@ def boundary(shared: SharedTables) -> Part:
     present: Passes = []
     loaded, turned = len(schedules.load_row) > 0, len(schedules.couples.schedule) > 0
     if loaded or turned:
-        present.append((_clear_row_forces, rows))
+        present.append(steps.clear_row_forces(rows))
     if loaded:
-        present.append((_follow_loads, timeline, _row_loads(schedules), moving, rows))
+        present.append(steps.follow_loads(timeline, _row_loads(schedules), moving, rows))
     if turned:
-        present.append((_follow_couples, timeline, schedules.couples, moving, rows))
+        present.append(steps.follow_couples(timeline, schedules.couples, moving, rows))
     if len(schedules.drive_row):
-        present.append((_follow_drives, timeline, _drives(schedules), rows))
+        present.append(steps.follow_drives(timeline, _drives(schedules), rows))
     return Part({"present": present})
 
 

@@ -1,11 +1,11 @@
 """Bodies of cells: dilatation, forces of facets, walls that hold facets, tractions, and strains that change."""
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
-from bondem._core_steps import StepPass
+from bondem._passes import StepEntry, steps
 from bondem._tables.cell_tables import (
     CellDilatation,
     CellStrains,
@@ -16,8 +16,7 @@ from bondem._tables.cell_tables import (
     FacetTractions,
     WallConstraints,
 )
-from bondem._tables.damage_tables import Candidates, FailureBounds
-from bondem._tables.step_tables import Beams, Dashpots, Moving, Portions, Rows, StepCut, Timeline
+from bondem._tables.step_tables import Beams, Dashpots, Portions, StepCut
 from bondem._types import Ints
 from bondem.dynamics.parts.damage_part import DamageTables
 from bondem.dynamics.parts.shared_tables import SharedTables
@@ -27,42 +26,6 @@ from bondem.interactions.cells.cell_tables import cell_tables, gradient_tables
 from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
-
-_accumulate_dilatation = StepPass("accumulate_dilatation", Moving, ElasticFacets, CellDilatation)
-_accumulate_left_dilatation = StepPass("accumulate_left_dilatation", Moving, ElasticFacets, CellDilatation)
-_accumulate_and_mark = StepPass(
-    "accumulate_and_mark", Moving, ElasticFacets, CellDilatation, FailureBounds, Candidates
-)
-_collect_dilatation = StepPass("collect_dilatation", StepCut, CellDilatation)
-_stress_cells = StepPass("stress_cells", Moving, CellDilatation)
-_sum_stress_differences = StepPass("sum_stress_differences", Moving, DilatationGradients)
-_add_stress_differences = StepPass("add_stress_differences", Moving, CellDilatation, DilatationGradients)
-_bend_layers = StepPass("bend_layers", Moving, WallConstraints, DilatationGradients)
-_twist_layers = StepPass("twist_layers", Moving, WallConstraints, DilatationGradients)
-_add_layer_torques = StepPass("add_layer_torques", DilatationGradients, StepCut)
-_sum_gradient_energies = StepPass(
-    "sum_gradient_energies", Moving, CellDilatation, WallConstraints, DilatationGradients
-)  # fmt: skip
-_add_gradient_energies = StepPass("add_gradient_energies", DilatationGradients, Portions)
-_add_facet_loads = StepPass("add_facet_loads", Moving, ElasticFacets, StepCut)
-_add_and_keep_facet_loads = StepPass("add_and_keep_facet_loads", Moving, ElasticFacets, FacetForces, StepCut)
-_collect_facet_moments = StepPass("collect_facet_moments", StepCut, FacetForces)
-_take_moments = StepPass("take_moments", FacetForces)
-_add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)
-_follow_walls = StepPass("follow_walls", Moving, WallConstraints, Rows)
-_add_wall_dilatation = StepPass("add_wall_dilatation", Moving, WallConstraints, CellDilatation)
-_apply_walls = StepPass("apply_walls", Moving, WallConstraints, Rows)
-_add_wall_loads = StepPass("add_wall_loads", Rows, StepCut)
-_follow_tractions = StepPass("follow_tractions", Timeline, FacetTractions, CellDilatation)
-_add_traction_work = StepPass("add_traction_work", Moving, FacetTractions, Rows)
-_follow_cell_strains = StepPass("follow_cell_strains", Timeline, CellStrains, ElasticFacets, WallConstraints)
-_begin_strain_work = StepPass("begin_strain_work", Moving, CellStrains, ElasticFacets, WallConstraints)
-_sum_strain_powers = StepPass("sum_strain_powers", Moving, CellStrains, ElasticFacets)
-_add_strain_work = StepPass("add_strain_work", Moving, CellStrains, WallConstraints, Rows)
-_check_facets = StepPass("check_facets", Moving, Beams, ElasticFacets, Portions)
-_sum_facet_energies = StepPass("sum_facet_energies", Moving, ElasticFacets, Portions)
-_sum_dilatation_energies = StepPass("sum_dilatation_energies", CellDilatation, DilatationEnergy)
-_add_cell_energies = StepPass("add_cell_energies", Moving, WallConstraints, DilatationEnergy, Portions)
 
 
 class BodyOfCells(NamedTuple):
@@ -103,8 +66,8 @@ def cells(
     dashpots: Dashpots | None,
     kept: FacetForces | None = None,
     damage: DamageTables | None = None,
-    stretch: Sequence[tuple[Any, ...]] = (),
-    powers: Sequence[tuple[Any, ...]] = (),
+    stretch: Sequence[StepEntry] = (),
+    powers: Sequence[StepEntry] = (),
 ) -> Part:
     """Return the part of a body of cells, with dashpots beside its facets or without.
 
@@ -122,35 +85,37 @@ def cells(
     """
     moving, cut, rows, portions = shared.moving, shared.cut, shared.rows, shared.portions
     walls, held = body.walls, len(body.walls.cell) > 0
-    before: Passes = [(_add_wall_dilatation, moving, walls, body.cells)] if held else []
-    dilate: Passes = [(_accumulate_dilatation, moving, body.facets, body.cells)]
+    before: Passes = [steps.add_wall_dilatation(moving, walls, body.cells)] if held else []
+    dilate: Passes = [steps.accumulate_dilatation(moving, body.facets, body.cells)]
     mark = dilate
     if damage is not None:
-        mark = [(_accumulate_and_mark, moving, body.facets, body.cells, damage.bounds, damage.candidates)]
-    collect: Passes = [(_collect_dilatation, cut, body.cells)]
-    loads: Passes = [(_add_facet_loads, moving, body.facets, cut)]
+        mark = [steps.accumulate_and_mark(moving, body.facets, body.cells, damage.bounds, damage.candidates)]
+    collect: Passes = [steps.collect_dilatation(cut, body.cells)]
+    loads: Passes = [steps.add_facet_loads(moving, body.facets, cut)]
     gather: Passes = []
     if kept is not None:
-        mark = [(_accumulate_left_dilatation, moving, body.facets, body.cells)]
-        loads = [(_add_and_keep_facet_loads, moving, body.facets, kept, cut)]
-        gather = [(_collect_facet_moments, cut, kept), (_take_moments, kept)]
+        mark = [steps.accumulate_left_dilatation(moving, body.facets, body.cells)]
+        loads = [steps.add_and_keep_facet_loads(moving, body.facets, kept, cut)]
+        gather = [steps.collect_facet_moments(cut, kept), steps.take_moments(kept)]
     if dashpots is not None:
-        loads.append((_add_dashpot_loads, moving, body.beams, dashpots, cut))
+        loads.append(steps.add_dashpot_loads(moving, body.beams, dashpots, cut))
     present, beside, behind = _changing(shared, body, stretch, powers)
-    constrain: Passes = [*beside, (_apply_walls, moving, walls, rows)] if held else [*beside]
+    constrain: Passes = [*beside, steps.apply_walls(moving, walls, rows)] if held else [*beside]
     energy = DilatationEnergy(np.zeros(len(portions.elements)))
     gradients, torques, sums, further = _of_gradients(shared, body)
     energies: Passes = [
-        *before, *dilate, *collect, *sums, (_sum_dilatation_energies, body.cells, energy),
-        (_sum_facet_energies, moving, body.facets, portions), (_add_cell_energies, moving, walls, energy, portions),
+        *before, *dilate, *collect, *sums, steps.sum_dilatation_energies(body.cells, energy),
+        steps.sum_facet_energies(moving, body.facets, portions),
+        steps.add_cell_energies(moving, walls, energy, portions),
     ]  # fmt: skip
     return Part(
         {
-            "present": present, "prepare": [*beside, *before, *mark, *collect, (_stress_cells, moving, body.cells)],
+            "present": present,
+            "prepare": [*beside, *before, *mark, *collect, steps.stress_cells(moving, body.cells)],
             "stress": gradients,
             "constrain": [*constrain, *behind], "loads": loads, "gather": gather,
-            "add": [*([(_add_wall_loads, rows, cut)] if held else []), *torques],
-            "guard": [(_check_facets, moving, body.beams, body.facets, portions)],
+            "add": [*([steps.add_wall_loads(rows, cut)] if held else []), *torques],
+            "guard": [steps.check_facets(moving, body.beams, body.facets, portions)],
         },
         record=lambda _: [*energies, *further] if kept is None else energies[-2:-1],
     )  # fmt: skip
@@ -162,21 +127,22 @@ def _of_gradients(shared: SharedTables, body: BodyOfCells) -> tuple[Passes, Pass
     stresses: Passes = []
     torques: Passes = []
     if len(gradients.spring):
-        stresses.append((_sum_stress_differences, moving, gradients))
-        stresses.append((_add_stress_differences, moving, body.cells, gradients))
+        stresses.append(steps.sum_stress_differences(moving, gradients))
+        stresses.append(steps.add_stress_differences(moving, body.cells, gradients))
     if len(gradients.weight):
-        stresses += [(one, moving, body.walls, gradients) for one in (_bend_layers, _twist_layers)]
-        torques.append((_add_layer_torques, gradients, shared.cut))
+        stresses.append(steps.bend_layers(moving, body.walls, gradients))
+        stresses.append(steps.twist_layers(moving, body.walls, gradients))
+        torques.append(steps.add_layer_torques(gradients, shared.cut))
     if not stresses:
         return [], [], [], []
     return (
-        stresses, torques, [(_sum_gradient_energies, moving, body.cells, body.walls, gradients)],
-        [(_add_gradient_energies, gradients, shared.portions)],
+        stresses, torques, [steps.sum_gradient_energies(moving, body.cells, body.walls, gradients)],
+        [steps.add_gradient_energies(gradients, shared.portions)],
     )  # fmt: skip
 
 
 def _changing(
-    shared: SharedTables, body: BodyOfCells, stretch: Sequence[tuple[Any, ...]], powers: Sequence[tuple[Any, ...]]
+    shared: SharedTables, body: BodyOfCells, stretch: Sequence[StepEntry], powers: Sequence[StepEntry]
 ) -> tuple[Passes, Passes, Passes]:
     """Return passes of conditions that change: of the present, around the pass of stresses, and behind it."""
     moving, timeline, rows, walls, strains = shared.moving, shared.timeline, shared.rows, body.walls, body.strains
@@ -184,16 +150,16 @@ def _changing(
     beside: Passes = []
     behind: Passes = []
     if body.tractions is not None:
-        present.append((_follow_tractions, timeline, body.tractions, body.cells))
-        beside.append((_add_traction_work, moving, body.tractions, rows))
+        present.append(steps.follow_tractions(timeline, body.tractions, body.cells))
+        beside.append(steps.add_traction_work(moving, body.tractions, rows))
     if strains is not None:
-        present += [(_follow_cell_strains, timeline, strains, body.facets, walls), *stretch]
-        behind.append((_sum_strain_powers, moving, strains, body.facets))
-        behind.append((_add_strain_work, moving, strains, walls, rows))
+        present += [steps.follow_cell_strains(timeline, strains, body.facets, walls), *stretch]
+        behind.append(steps.sum_strain_powers(moving, strains, body.facets))
+        behind.append(steps.add_strain_work(moving, strains, walls, rows))
     if len(walls.cell):
-        present.append((_follow_walls, moving, walls, rows))
+        present.append(steps.follow_walls(moving, walls, rows))
     if strains is not None:
-        present += [*powers, (_begin_strain_work, moving, strains, body.facets, walls)]
+        present += [*powers, steps.begin_strain_work(moving, strains, body.facets, walls)]
     return present, beside, behind
 
 

@@ -3,28 +3,18 @@
 import numpy as np
 
 from bondem._cache_lines import lines
-from bondem._core_steps import StepPass
+from bondem._passes import steps
 from bondem._tables.cell_tables import (
-    CellDilatation,
-    CellStrains,
-    ElasticFacets,
-    FacetForces,
     FacetsOfCells,
     FacetTractions,
-    WallConstraints,
 )
 from bondem._tables.crack_tables import (
     CellSlack,
-    CohesiveCracks,
     CrackEnergies,
-    CrackLists,
     CrackOnset,
-    FacetStrengths,
     StressesOfCells,
-    YieldingCells,
 )
-from bondem._tables.damage_tables import EventLog
-from bondem._tables.step_tables import Dashpots, HistoryRows, Moving, Portions, Rows, StepCut
+from bondem._tables.step_tables import Dashpots, HistoryRows
 from bondem.damage.crack_columns import FACET
 from bondem.dynamics.cohesive_tables import (
     facet_forces,
@@ -44,68 +34,6 @@ from bondem.interactions.beams.bond_table import with_zeros
 from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
-
-_find_cell_stresses = StepPass("find_cell_stresses", Moving, FacetForces, StressesOfCells)
-_add_surface_stresses = StepPass(
-    "add_surface_stresses", Moving, WallConstraints, FacetTractions, StressesOfCells
-)  # fmt: skip
-_find_still_stresses = StepPass("find_still_stresses", Moving, FacetForces, StressesOfCells)
-_add_still_surface_stresses = StepPass(
-    "add_still_surface_stresses", Moving, WallConstraints, FacetTractions, StressesOfCells
-)  # fmt: skip
-_judge_cells = StepPass("judge_cells", FacetStrengths, StressesOfCells, CrackOnset)
-_yield_cells = StepPass("yield_cells", Moving, FacetStrengths, StressesOfCells, YieldingCells, CrackOnset)
-_stretch_cells = StepPass("stretch_cells", ElasticFacets, FacetsOfCells, YieldingCells)
-_stretch_all_cells = StepPass("stretch_all_cells", ElasticFacets, FacetsOfCells, YieldingCells)
-_stretch_walls_and_cracks = StepPass(
-    "stretch_walls_and_cracks", ElasticFacets, WallConstraints, YieldingCells, CohesiveCracks
-)
-_stretch_anew = StepPass(
-    "stretch_anew", CellStrains, ElasticFacets, FacetsOfCells, WallConstraints, YieldingCells
-)  # fmt: skip
-_sum_crack_powers = StepPass("sum_crack_powers", Moving, CellStrains, ElasticFacets, CohesiveCracks)
-_begin_crack_powers = StepPass("begin_crack_powers", Moving, CellStrains, ElasticFacets, CohesiveCracks)
-_add_yielding_work = StepPass("add_yielding_work", FacetTractions, StressesOfCells, YieldingCells, Rows)
-_mark_cracking_facets = StepPass(
-    "mark_cracking_facets", Moving, ElasticFacets, FacetForces, FacetStrengths, StressesOfCells, CrackOnset
-)
-_mark_cracking_planes = StepPass(
-    "mark_cracking_planes", Moving, ElasticFacets, FacetForces, FacetStrengths, CrackOnset
-)  # fmt: skip
-_begin_cracks = StepPass("begin_cracks", ElasticFacets, FacetForces, FacetStrengths, CrackOnset, CohesiveCracks)
-_link_cracks = StepPass("link_cracks", ElasticFacets, FacetForces, FacetStrengths, CohesiveCracks, CrackLists)
-_weigh_cracked_cells = StepPass("weigh_cracked_cells", ElasticFacets, CellDilatation, CellSlack, CohesiveCracks)
-_follow_levers = StepPass("follow_levers", CellStrains, ElasticFacets, CohesiveCracks)
-_list_cracks = StepPass("list_cracks", ElasticFacets, CohesiveCracks, CrackLists)
-_carry_cracks = StepPass("carry_cracks", StressesOfCells, CohesiveCracks, CrackLists)
-_sum_moments = StepPass("sum_moments", Moving, ElasticFacets, FacetsOfCells, FacetForces)
-_begin_bases = StepPass("begin_bases", Moving, CellDilatation, CrackLists)
-_measure_cracks = StepPass(
-    "measure_cracks", Moving, ElasticFacets, CellSlack, StressesOfCells, CohesiveCracks, CrackLists
-)  # fmt: skip
-_relax_cracked_cells = StepPass("relax_cracked_cells", Moving, CellDilatation, CrackLists)
-_relax_stale_cells = StepPass("relax_stale_cells", Moving, CellDilatation, CrackLists)
-_watch_resting_cracks = StepPass(
-    "watch_resting_cracks", Moving, ElasticFacets, FacetStrengths, CohesiveCracks, CrackLists
-)  # fmt: skip
-_wake_cracks = StepPass("wake_cracks", Moving, ElasticFacets, CellDilatation, CellSlack, CohesiveCracks, CrackLists)
-_soften_cracks = StepPass(
-    "soften_cracks", Moving, ElasticFacets, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists
-)
-_leave_cracks = StepPass("leave_cracks", Moving, ElasticFacets, CellDilatation, CellSlack, CohesiveCracks, CrackLists)
-_load_cracks = StepPass(
-    "load_cracks", Moving, ElasticFacets, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists
-)  # fmt: skip
-_slide_cracks = StepPass("slide_cracks", Moving, ElasticFacets, StressesOfCells, CohesiveCracks, CrackLists)
-_log_cracks = StepPass("log_cracks", Moving, ElasticFacets, CohesiveCracks, CrackLists, EventLog)
-_add_crack_loads = StepPass("add_crack_loads", Moving, CrackLists, StepCut)
-_sum_stressed_dilatation = StepPass("sum_stressed_dilatation", Moving, CellDilatation, CrackEnergies)
-_sum_heat = StepPass("sum_heat", StressesOfCells, YieldingCells, CrackEnergies)
-_sum_crack_energies = StepPass("sum_crack_energies", Moving, ElasticFacets, CohesiveCracks, CrackEnergies)
-_add_crack_energies = StepPass("add_crack_energies", Moving, WallConstraints, CrackEnergies, Portions)
-_write_released = StepPass("write_released", EventLog, HistoryRows)
-_write_heat = StepPass("write_heat", CrackEnergies, HistoryRows)
-_write_crushing = StepPass("write_crushing_of_facets", FacetStrengths, CohesiveCracks, EventLog, HistoryRows)
 
 # Slip over √A from which faces of a material plane no longer face each other: where no contact follows, when they are
 # beside each other; where it does, when a face is as near to the next one as to its own.
@@ -172,26 +100,26 @@ class CrackingBody:
         powers = self.shared.moving, strains, body.facets, self.cracks
         stretch: Passes = []
         if self.yielding is not None:
-            stretch.append((_stretch_anew, strains, body.facets, self.of_cells, body.walls, self.yielding))
-        return stretch, [(_begin_crack_powers, *powers)], [(_sum_crack_powers, *powers)]
+            stretch.append(steps.stretch_anew(strains, body.facets, self.of_cells, body.walls, self.yielding))
+        return stretch, [steps.begin_crack_powers(*powers)], [steps.sum_crack_powers(*powers)]
 
     def _begin(self) -> Passes:
         """A run begins: levers, lists, weights and stresses from what the state has."""
         moving, body, cracks = self.shared.moving, self.body, self.cracks
         passes: Passes = []
         if self.yielding is not None:
-            passes.append((_stretch_all_cells, body.facets, self.of_cells, self.yielding))
+            passes.append(steps.stretch_all_cells(body.facets, self.of_cells, self.yielding))
         passes += [
-            (_link_cracks, body.facets, self.kept, self.strengths, cracks, self.lists),
-            (_weigh_cracked_cells, body.facets, body.cells, self.slack, cracks),
+            steps.link_cracks(body.facets, self.kept, self.strengths, cracks, self.lists),
+            steps.weigh_cracked_cells(body.facets, body.cells, self.slack, cracks),
         ]
         if self.yielding is not None:
-            passes.append((_stretch_walls_and_cracks, body.facets, body.walls, self.yielding, cracks))
+            passes.append(steps.stretch_walls_and_cracks(body.facets, body.walls, self.yielding, cracks))
         return [
-            *passes, (_carry_cracks, self.stresses, cracks, self.lists),
-            (_sum_moments, moving, body.facets, self.of_cells, self.kept),
-            (_find_cell_stresses, moving, self.kept, self.stresses),
-            (_add_surface_stresses, moving, body.walls, self.tractions, self.stresses),
+            *passes, steps.carry_cracks(self.stresses, cracks, self.lists),
+            steps.sum_moments(moving, body.facets, self.of_cells, self.kept),
+            steps.find_cell_stresses(moving, self.kept, self.stresses),
+            steps.add_surface_stresses(moving, body.walls, self.tractions, self.stresses),
         ]  # fmt: skip
 
     def _onset(self) -> Passes:
@@ -199,59 +127,59 @@ class CrackingBody:
         moving, body, onset, stresses = self.shared.moving, self.body, self.onset, self.stresses
         by, strengths = self.by_stress, self.strengths
         passes: Passes = [
-            (_find_cell_stresses, moving, self.kept, stresses),
-            (_add_surface_stresses, moving, body.walls, self.tractions, stresses),
-            (_judge_cells, self.strengths, stresses, onset) if by is None else by.judge(stresses, onset),
+            steps.find_cell_stresses(moving, self.kept, stresses),
+            steps.add_surface_stresses(moving, body.walls, self.tractions, stresses),
+            steps.judge_cells(self.strengths, stresses, onset) if by is None else by.judge(stresses, onset),
         ]
         if self.yielding is not None:
             passes += [
-                (_yield_cells, moving, self.strengths, stresses, self.yielding, onset),
-                (_stretch_cells, body.facets, self.of_cells, self.yielding),
-                (_add_yielding_work, self.tractions, stresses, self.yielding, self.shared.rows),
-                (_stretch_walls_and_cracks, body.facets, body.walls, self.yielding, self.cracks),
+                steps.yield_cells(moving, self.strengths, stresses, self.yielding, onset),
+                steps.stretch_cells(body.facets, self.of_cells, self.yielding),
+                steps.add_yielding_work(self.tractions, stresses, self.yielding, self.shared.rows),
+                steps.stretch_walls_and_cracks(body.facets, body.walls, self.yielding, self.cracks),
             ]
         if by is None:
-            passes.append((_mark_cracking_facets, moving, body.facets, self.kept, strengths, stresses, onset))
+            passes.append(steps.mark_cracking_facets(moving, body.facets, self.kept, strengths, stresses, onset))
         else:
             passes += by.mark(moving, body.facets, self.kept, stresses, onset)
             strengths = by.strengths
         if len(self.strengths.planes):
-            passes.append((_mark_cracking_planes, moving, body.facets, self.kept, self.strengths, onset))
-        return [*passes, (_begin_cracks, body.facets, self.kept, strengths, onset, self.cracks)]
+            passes.append(steps.mark_cracking_planes(moving, body.facets, self.kept, self.strengths, onset))
+        return [*passes, steps.begin_cracks(body.facets, self.kept, strengths, onset, self.cracks)]
 
     def _cracks(self, powers: Passes) -> Part:
         """Cracks open, close, soften, rest and part, and bear forces."""
         moving, body, cracks, lists = self.shared.moving, self.body, self.cracks, self.lists
         strengths, stresses = self.strengths, self.stresses
-        again = (_relax_stale_cells, moving, body.cells, lists)
+        again = steps.relax_stale_cells(moving, body.cells, lists)
         crack: Passes = [
-            (_list_cracks, body.facets, cracks, lists),
-            (_begin_bases, moving, body.cells, lists),
-            (_measure_cracks, moving, body.facets, self.slack, stresses, cracks, lists),
-            (_relax_cracked_cells, moving, body.cells, lists),
-            (_watch_resting_cracks, moving, body.facets, strengths, cracks, lists),
-            (_wake_cracks, moving, body.facets, body.cells, self.slack, cracks, lists),
+            steps.list_cracks(body.facets, cracks, lists),
+            steps.begin_bases(moving, body.cells, lists),
+            steps.measure_cracks(moving, body.facets, self.slack, stresses, cracks, lists),
+            steps.relax_cracked_cells(moving, body.cells, lists),
+            steps.watch_resting_cracks(moving, body.facets, strengths, cracks, lists),
+            steps.wake_cracks(moving, body.facets, body.cells, self.slack, cracks, lists),
             again,
-            (_soften_cracks, moving, body.facets, strengths, stresses, cracks, lists),
-            (_leave_cracks, moving, body.facets, body.cells, self.slack, cracks, lists),
+            steps.soften_cracks(moving, body.facets, strengths, stresses, cracks, lists),
+            steps.leave_cracks(moving, body.facets, body.cells, self.slack, cracks, lists),
             again,
-            (_load_cracks, moving, body.facets, strengths, stresses, cracks, lists),
-            (_slide_cracks, moving, body.facets, stresses, cracks, lists),
-            (_log_cracks, moving, body.facets, cracks, lists, self.log),
+            steps.load_cracks(moving, body.facets, strengths, stresses, cracks, lists),
+            steps.slide_cracks(moving, body.facets, stresses, cracks, lists),
+            steps.log_cracks(moving, body.facets, cracks, lists, self.log),
             *powers,
         ]
         still: Passes = []
         if self.yielding is not None:  # what cells dissipate is found by their stresses
             still = [
-                (_find_still_stresses, moving, self.kept, stresses),
-                (_add_still_surface_stresses, moving, body.walls, self.tractions, stresses),
+                steps.find_still_stresses(moving, self.kept, stresses),
+                steps.add_still_surface_stresses(moving, body.walls, self.tractions, stresses),
             ]
         return Part(
             {
                 "begin": self._begin(),
-                "present": [] if body.strains is None else [(_follow_levers, body.strains, body.facets, cracks)],
+                "present": [] if body.strains is None else [steps.follow_levers(body.strains, body.facets, cracks)],
                 "prepare": crack,
-                "add": [(_add_crack_loads, moving, lists, self.shared.cut)],
+                "add": [steps.add_crack_loads(moving, lists, self.shared.cut)],
                 "settle": still,
             },
             record=self._record,
@@ -260,14 +188,14 @@ class CrackingBody:
 
     def _record(self, history: HistoryRows) -> Passes:
         moving, body, energies = self.shared.moving, self.body, self.energies
-        passes: Passes = [(_sum_stressed_dilatation, moving, body.cells, energies)]
+        passes: Passes = [steps.sum_stressed_dilatation(moving, body.cells, energies)]
         if self.yielding is not None:
-            passes.append((_sum_heat, self.stresses, self.yielding, energies))
+            passes.append(steps.sum_heat(self.stresses, self.yielding, energies))
         return [
-            *passes, (_sum_crack_energies, moving, body.facets, self.cracks, energies),
-            (_add_crack_energies, moving, body.walls, energies, self.shared.portions),
-            (_write_released, self.log, history), (_write_heat, energies, history),
-            (_write_crushing, self.strengths, self.cracks, self.log, history),
+            *passes, steps.sum_crack_energies(moving, body.facets, self.cracks, energies),
+            steps.add_crack_energies(moving, body.walls, energies, self.shared.portions),
+            steps.write_released(self.log, history), steps.write_heat(energies, history),
+            steps.write_crushing_of_facets(self.strengths, self.cracks, self.log, history),
         ]  # fmt: skip
 
     def keep(self) -> None:

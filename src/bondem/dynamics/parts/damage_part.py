@@ -5,13 +5,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bondem._core_steps import StepPass
+from bondem._passes import steps
 from bondem._tables.beam_softening_tables import SofteningBounds
 from bondem._tables.cell_tables import ElasticFacets, FacetsOfCells
 from bondem._tables.crack_tables import CohesiveCracks, CrackLists, FacetStrengths
 from bondem._tables.damage_tables import Candidates, EventLog, FailureBounds, Postponed
 from bondem._tables.non_local_tables import LaggedStresses
-from bondem._tables.step_tables import Dashpots, HistoryRows, Rows, StepCut
+from bondem._tables.step_tables import Dashpots, StepCut
 from bondem._types import PerBond
 from bondem.damage.event_columns import SOFT_BOND
 from bondem.damage.failure_table import FailureTable
@@ -21,12 +21,6 @@ from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
-
-_postpone_elements = StepPass("postpone_elements", StepCut, Candidates, Postponed)
-_keep_sums = StepPass("keep_sums", StepCut, Postponed)
-_keep_dashpots = StepPass("keep_dashpots", Dashpots, Postponed)
-_list_postponed = StepPass("list_postponed", Rows, Candidates, Postponed)
-write_released = StepPass("write_released", EventLog, HistoryRows)
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,17 +79,17 @@ class DamageTables:
             remove: passes that remove them.
             dashpots: dashpots of the bonds, or None.
         """
-        keep: Passes = [(_keep_sums, shared.cut, self.postponed)]
+        keep: Passes = [steps.keep_sums(shared.cut, self.postponed)]
         if dashpots is not None:
-            keep.append((_keep_dashpots, dashpots, self.postponed))
+            keep.append(steps.keep_dashpots(dashpots, self.postponed))
         return Part(
             {
-                "judge": [*judge, (_postpone_elements, shared.cut, self.candidates, self.postponed)],
+                "judge": [*judge, steps.postpone_elements(shared.cut, self.candidates, self.postponed)],
                 "keep": keep,
                 "apply": remove,
-                "resume": [(_list_postponed, shared.rows, self.candidates, self.postponed)],
+                "resume": [steps.list_postponed(shared.rows, self.candidates, self.postponed)],
             },
-            record=lambda history: [(write_released, self.log, history)],
+            record=lambda history: [steps.write_released(self.log, history)],
         )
 
     def keep(self, integrity: np.ndarray, state: State) -> None:

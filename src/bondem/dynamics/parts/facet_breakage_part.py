@@ -1,10 +1,8 @@
 """Breakage of facets of cells by the damage pipeline of the core."""
 
-from bondem._core_steps import StepPass
-from bondem._tables.cell_tables import ElasticFacets, FacetRelease, WallConstraints
-from bondem._tables.damage_tables import Candidates, EventLog, Postponed, Strengths
-from bondem._tables.step_tables import Beams, Dashpots, Moving, Rows
-from bondem.damage.failure_passes import FACET_CRITERIA, strengths_of
+from bondem._passes import steps
+from bondem._tables.step_tables import Dashpots
+from bondem.damage.failure_passes import strengths_of
 from bondem.dynamics.parts.cell_part import BodyOfCells, cells
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
 from bondem.dynamics.parts.mass_part import mass_of_waves
@@ -13,17 +11,6 @@ from bondem.interactions.cells.cell_tables import facet_release
 from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
-
-_judge_facets = {
-    name: StepPass(f"judge_facets_by_{name}", Moving, ElasticFacets, FacetRelease, Strengths, Candidates, Postponed)
-    for name in FACET_CRITERIA
-}
-_EXCHANGED = Moving, ElasticFacets, WallConstraints, FacetRelease, Candidates
-_withdraw_facets = StepPass("withdraw_facets", *_EXCHANGED, Postponed)
-_break_facets = StepPass("break_facets", *_EXCHANGED, EventLog)
-_restore_facets = StepPass("restore_facets", *_EXCHANGED, Postponed)
-_renew_wall_rows = StepPass("renew_wall_rows", WallConstraints, Rows, Candidates)
-_withdraw_dashpots = StepPass("withdraw_dashpots", Moving, Beams, Dashpots, Candidates, Postponed)
 
 
 def body_of_cells(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> BondParts:
@@ -50,18 +37,20 @@ def _breakage(
     moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
     release = facet_release(model.cells, model.layout, body.facets, body.cells, body.walls)
     strengths = strengths_of(damage.table)
-    judge = (_judge_facets[damage.table.kind], moving, body.facets, release, strengths, candidates, postponed)
+    judge = steps.JUDGE_FACETS_BY[damage.table.kind](
+        moving, body.facets, release, strengths, candidates, postponed
+    )
     exchanged = moving, body.facets, body.walls, release, candidates
     remove: Passes = []
     if dashpots is not None:
-        remove.append((_withdraw_dashpots, moving, body.beams, dashpots, candidates, postponed))
+        remove.append(steps.withdraw_dashpots(moving, body.beams, dashpots, candidates, postponed))
     remove += [
-        (_withdraw_facets, *exchanged, postponed),
-        (_break_facets, *exchanged, damage.log),
-        (_restore_facets, *exchanged, postponed),
+        steps.withdraw_facets(*exchanged, postponed),
+        steps.break_facets(*exchanged, damage.log),
+        steps.restore_facets(*exchanged, postponed),
     ]
     if len(body.walls.cell):
-        remove.append((_renew_wall_rows, body.walls, shared.rows, candidates))
+        remove.append(steps.renew_wall_rows(body.walls, shared.rows, candidates))
     part = damage.part(shared, [], remove, dashpots)
     stages = {**part.stages, "constrain": [judge]}  # before any cell moves, as stresses change those of neighbours
     return Part(stages, part.record, lambda: damage.keep(body.facets.integrity, state))

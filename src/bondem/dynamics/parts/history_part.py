@@ -1,14 +1,9 @@
 """Rows of the history: the energies of a run and its gauges, and the guard of its energy."""
 
-from bondem._core_steps import StepPass
-from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, Rows
+from bondem._passes import steps
+from bondem._tables.step_tables import Gauges, HistoryRows
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.step_part import Part, Passes
-
-_sum_element_energies = StepPass("sum_element_energies", Moving, Portions)
-_judge_energy = StepPass("judge_energy", Rows, Portions)
-_write_ledger = StepPass("write_ledger", Rows, Portions, HistoryRows)
-_read_gauges = StepPass("read_gauges", Moving, Rows, Gauges, HistoryRows)
 
 
 def history(shared: SharedTables, gauges: Gauges, kinetic: Passes) -> Part:
@@ -17,12 +12,12 @@ def history(shared: SharedTables, gauges: Gauges, kinetic: Passes) -> Part:
     `kinetic` are the passes that correct the kinetic energies of elements.
     """
     moving, rows, portions = shared.moving, shared.rows, shared.portions
-    elements: Passes = [(_sum_element_energies, moving, portions), *kinetic]
+    elements: Passes = [steps.sum_element_energies(moving, portions), *kinetic]
 
     def record(to: HistoryRows) -> Passes:
-        passes: Passes = [*elements, (_write_ledger, rows, portions, to)]
+        passes: Passes = [*elements, steps.write_ledger(rows, portions, to)]
         if len(gauges.quantity):
-            passes.append((_read_gauges, moving, rows, gauges, to))
+            passes.append(steps.read_gauges(moving, rows, gauges, to))
         return passes
 
-    return Part({"guard": [*elements, (_judge_energy, rows, portions)]}, record)
+    return Part({"guard": [*elements, steps.judge_energy(rows, portions)]}, record)

@@ -2,20 +2,15 @@
 
 import numpy as np
 
-from bondem._core_steps import StepPass
+from bondem._passes import steps
 from bondem._tables.cell_tables import CorrectedMass, ElasticFacets, WallConstraints
-from bondem._tables.step_tables import Moving, Portions, Rows, StepCut
+from bondem._tables.step_tables import Moving
 from bondem.dynamics.parts.cell_part import BodyOfCells
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.step_part import Part
 from bondem.model.model import Model
 
 _OF_CELLS = Moving, ElasticFacets, WallConstraints, CorrectedMass
-_find_accelerations = StepPass("find_accelerations", Moving, Rows, StepCut, CorrectedMass)
-_find_dilatation_inertia = StepPass("find_dilatation_inertia", *_OF_CELLS)
-_find_inertia_forces = StepPass("find_inertia_forces", *_OF_CELLS)
-_add_inertia_forces = StepPass("add_inertia_forces", CorrectedMass, StepCut)
-_subtract_dilatation_energies = StepPass("subtract_dilatation_energies", *_OF_CELLS, Portions)
 
 
 def mass_of_waves(model: Model, shared: SharedTables, body: BodyOfCells) -> list[Part]:
@@ -34,11 +29,11 @@ def mass_of_waves(model: Model, shared: SharedTables, body: BodyOfCells) -> list
         Part(
             {
                 "correct": [
-                    (_find_accelerations, shared.moving, shared.rows, shared.cut, mass),
-                    (_find_dilatation_inertia, *of_cells), (_find_inertia_forces, *of_cells),
-                    (_add_inertia_forces, mass, shared.cut),
+                    steps.find_accelerations(shared.moving, shared.rows, shared.cut, mass),
+                    steps.find_dilatation_inertia(*of_cells), steps.find_inertia_forces(*of_cells),
+                    steps.add_inertia_forces(mass, shared.cut),
                 ],
             },
-            kinetic=[(_subtract_dilatation_energies, *of_cells, shared.portions)],
+            kinetic=[steps.subtract_dilatation_energies(*of_cells, shared.portions)],
         )
     ]  # fmt: skip

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from bondem._core_steps import StepPass
-from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed, Strengths
+from bondem._passes import steps
+from bondem._tables.damage_tables import BeamIntegrity
 from bondem._tables.non_local_tables import LaggedStresses, NonLocalBonds, NonLocalWork
-from bondem._tables.step_tables import Beams, Dashpots, HistoryRows, Moving, Portions, StepCut
+from bondem._tables.step_tables import Beams, Dashpots, HistoryRows, StepCut
 from bondem.damage.failure_passes import strengths_of
 from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
 from bondem.dynamics.parts.shared_tables import SharedTables
@@ -13,23 +13,6 @@ from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.non_local_tables import lagged_stresses, non_local_tables
 from bondem.model.state import State
-
-_turn_stresses = StepPass("turn_stresses", Moving, LaggedStresses)
-_find_non_local_forces = StepPass("find_non_local_forces", Moving, Beams, NonLocalBonds, LaggedStresses)
-_collect_moments = StepPass("collect_moments", StepCut, LaggedStresses)
-_find_stresses = StepPass("find_stresses", Moving, LaggedStresses)
-_add_non_local_loads = StepPass("add_non_local_loads", NonLocalBonds, StepCut)
-_add_lasting_loads = StepPass("add_lasting_loads", Moving, Beams, NonLocalBonds, LaggedStresses, StepCut)
-_find_stresses_of_block = StepPass("find_stresses_of_block", Moving, LaggedStresses)
-_add_dashpot_loads = StepPass("add_dashpot_loads", Moving, Beams, Dashpots, StepCut)
-_check_beams = StepPass("check_beams", Moving, Beams, Portions)
-_sum_non_local_energies = StepPass("sum_non_local_energies", Moving, Beams, NonLocalBonds, Portions, NonLocalWork)
-_mark_pairs = StepPass("mark_pairs", Beams, LaggedStresses, Strengths, Candidates)
-_judge_pairs = StepPass("judge_pairs", Beams, LaggedStresses, Strengths, Candidates, Postponed)
-_withdraw_dashpots = StepPass("withdraw_dashpots", Moving, Beams, Dashpots, Candidates, Postponed)
-_break_pairs = StepPass("break_pairs", Moving, Beams, NonLocalBonds, Candidates, Postponed, EventLog)
-_relieve_pairs = StepPass("relieve_pairs", Moving, Beams, NonLocalBonds, LaggedStresses, BeamIntegrity, Candidates)
-_write_non_local_work = StepPass("write_non_local_work", NonLocalWork, HistoryRows)
 
 
 def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> BondParts:
@@ -39,18 +22,18 @@ def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpo
     stresses = lagged_stresses(model, state, _rows_of_moments(model, cut), int(cut.part[-1]))
     work = NonLocalWork(np.zeros(len(portions.bonds)))
     damage = damage_of(model, state, cut, len(beams.i))
-    dashes: Passes = [] if dashpots is None else [(_add_dashpot_loads, moving, beams, dashpots, cut)]
-    stages: dict[str, Passes] = {"prepare": [(_turn_stresses, moving, stresses)]}
+    dashes: Passes = [] if dashpots is None else [steps.add_dashpot_loads(moving, beams, dashpots, cut)]
+    stages: dict[str, Passes] = {"prepare": [steps.turn_stresses(moving, stresses)]}
     if damage is None and model.contacts is None:  # nothing needs the stresses of now before the elements move
-        stages["loads"] = [(_add_lasting_loads, moving, beams, bonds, stresses, cut), *dashes]
-        stages["gather"] = [(_collect_moments, cut, stresses)]
-        stages["add"] = [(_find_stresses_of_block, moving, stresses)]
+        stages["loads"] = [steps.add_lasting_loads(moving, beams, bonds, stresses, cut), *dashes]
+        stages["gather"] = [steps.collect_moments(cut, stresses)]
+        stages["add"] = [steps.find_stresses_of_block(moving, stresses)]
     else:
-        stages["prepare"].append((_find_non_local_forces, moving, beams, bonds, stresses))
-        stages["prepare"].append((_collect_moments, cut, stresses))
-        stages["stress"] = [(_find_stresses, moving, stresses)]
-        stages["loads"] = [(_add_non_local_loads, bonds, cut), *dashes]
-    stages["guard"] = [(_check_beams, moving, beams, portions)]
+        stages["prepare"].append(steps.find_non_local_forces(moving, beams, bonds, stresses))
+        stages["prepare"].append(steps.collect_moments(cut, stresses))
+        stages["stress"] = [steps.find_stresses(moving, stresses)]
+        stages["loads"] = [steps.add_non_local_loads(bonds, cut), *dashes]
+    stages["guard"] = [steps.check_beams(moving, beams, portions)]
 
     def keep() -> None:
         if bonds.history is not state.history:
@@ -58,8 +41,9 @@ def non_local(model: Model, state: State, shared: SharedTables, dashpots: Dashpo
 
     def record(history: HistoryRows) -> Passes:
         return [
-            (_sum_non_local_energies, moving, beams, bonds, portions, work), (_write_non_local_work, work, history)
-        ]  # fmt: skip
+            steps.sum_non_local_energies(moving, beams, bonds, portions, work),
+            steps.write_non_local_work(work, history),
+        ]
 
     parts = [Part(stages, record, keep)]
     if damage is not None:
@@ -79,16 +63,16 @@ def _breakage(
     """Return the part of bonds that break."""
     moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
     strengths, integrity = strengths_of(damage.table), BeamIntegrity(beams.integrity, np.zeros(0))
-    judge: Passes = [(_judge_pairs, beams, stresses, strengths, candidates, postponed)]
+    judge: Passes = [steps.judge_pairs(beams, stresses, strengths, candidates, postponed)]
     remove: Passes = []
     if dashpots is not None:
-        remove.append((_withdraw_dashpots, moving, beams, dashpots, candidates, postponed))
+        remove.append(steps.withdraw_dashpots(moving, beams, dashpots, candidates, postponed))
     remove += [
-        (_break_pairs, moving, beams, bonds, candidates, postponed, damage.log),
-        (_relieve_pairs, moving, beams, bonds, stresses, integrity, candidates),
+        steps.break_pairs(moving, beams, bonds, candidates, postponed, damage.log),
+        steps.relieve_pairs(moving, beams, bonds, stresses, integrity, candidates),
     ]
     part = damage.part(shared, judge, remove, dashpots)
-    stages = {**part.stages, "loads": [(_mark_pairs, beams, stresses, strengths, candidates)]}
+    stages = {**part.stages, "loads": [steps.mark_pairs(beams, stresses, strengths, candidates)]}
     return Part(stages, part.record, lambda: damage.keep(beams.integrity, state))
 
 

@@ -4,24 +4,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._core_steps import StepPass
+from bondem._passes import steps
 from bondem._tables.beam_softening_tables import SofteningBeams, SofteningBounds
-from bondem._tables.damage_tables import Candidates, EventLog
-from bondem._tables.step_tables import AlikeBeams, Beams, HistoryRows, Moving, Portions
+from bondem._tables.step_tables import AlikeBeams, Beams
 from bondem.damage.beam_softening import BeamSoftening
 from bondem.damage.event_columns import SOFT_BOND, SOFT_COLUMNS
 from bondem.damage.failure_passes import strengths_of
-from bondem.dynamics.parts.damage_part import DamageTables, write_released
+from bondem.dynamics.parts.damage_part import DamageTables
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.dynamics.step_tables import BONDS_OF_PORTION
 from bondem.interactions.step_part import Part
 from bondem.model.state import State
-
-_soften_beams = StepPass("soften_beams", Moving, Beams, SofteningBounds, SofteningBeams)
-_log_softened_beams = StepPass("log_softened_beams", Moving, Beams, SofteningBeams, EventLog)
-_begin_softening = StepPass("begin_softening", Candidates, SofteningBounds, SofteningBeams, EventLog)
-_sum_pressed_energies = StepPass("sum_pressed_energies", Moving, Beams, SofteningBounds, Portions)
-_write_crushing = StepPass("write_crushing_of_beams", SofteningBounds, SofteningBeams, EventLog, HistoryRows)
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,14 +78,15 @@ def softening(
     return Part(
         {
             "prepare": [
-                (_soften_beams, moving, beams, bounds, soft),
-                (_log_softened_beams, moving, beams, soft, damage.log),
+                steps.soften_beams(moving, beams, bounds, soft),
+                steps.log_softened_beams(moving, beams, soft, damage.log),
             ],
-            "apply": [(_begin_softening, candidates, bounds, soft, damage.log)],
+            "apply": [steps.begin_softening(candidates, bounds, soft, damage.log)],
         },
         record=lambda history: [
-            (_sum_pressed_energies, moving, beams, bounds, shared.portions), (write_released, damage.log, history),
-            (_write_crushing, bounds, soft, damage.log, history),
+            steps.sum_pressed_energies(moving, beams, bounds, shared.portions),
+            steps.write_released(damage.log, history),
+            steps.write_crushing_of_beams(bounds, soft, damage.log, history),
         ],
         keep=keep,
     )  # fmt: skip
