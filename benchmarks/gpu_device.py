@@ -274,7 +274,7 @@ def report(device: Callable[[], Device], clock: Clock, sizes: Sizes) -> Iterator
         large = sections(device, clock, sizes, pool)
         first = next(large)  # begins to prepare bodies
         began = clock.spent
-        yield "compiled", carried_out(lambda: device().compile(tuple(pass_tables("index"))) or "all passes")
+        yield "compiled", carried_out(lambda: device().compile(tuple(pass_tables("kernels"))) or "all passes")
         yield "compiled in s", round(clock.spent - began, 1)
         deviations = carried_out(lambda: checked(device, clock))
         yield "deviation from the CPU", deviations

@@ -307,9 +307,9 @@ def step_pass(name: str) -> tuple[tuple[int, int], tuple[str, ...]]:
 
 
 def pass_tables(kind: str) -> dict[str, tuple[str, ...]]:
-    """Names of the tables of all passes of a kind: "calls", "steps" or "index"."""
+    """Names of the tables of all passes of a kind: "calls", "steps" or "kernels"."""
     library = _library()
-    if kind == "index":
+    if kind == "kernels":
         return library.index_passes
     return {name: one[1] for name, one in (library.passes if kind == "calls" else library.step_passes).items()}
 
@@ -327,15 +327,6 @@ def index_loop(name: str) -> Callable[[int, int, int], Any]:
     if not loops:
         raise ImportError("bondem's core has no loops over indices: only a source tree simulates a device")
     return loops[name]
-
-
-def checked_kinds(
-    name: str, tables: tuple[str, ...], kinds: tuple[type[tuple[Any, ...]], ...]
-) -> tuple[tuple[str, tuple[Field, ...]], ...]:
-    """Return names and fields of the tables of a pass; ImportError if they are not those of the library."""
-    if tables != tuple(kind.__name__ for kind in kinds):
-        raise ImportError(f"{name} takes the tables {', '.join(tables)}")
-    return tuple((kind.__name__, checked_fields(kind)) for kind in kinds)
 
 
 @functools.cache

@@ -23,7 +23,8 @@ import numpy as np
 
 from bondem._cache_folder import cache_folder
 from bondem._core_build import SOURCES, core_sources
-from bondem._device import Enqueue, IndexPass
+from bondem._device import Enqueue
+from bondem._passes import Kernel
 
 __all__ = ["CudaDevice", "Registers", "compiled_passes", "lacks_gpu"]
 
@@ -161,7 +162,7 @@ class CudaDevice:
             there.copy_from(here, stream=self._stream)
             self._stream.sync()
 
-    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+    def prepared(self, one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
         """See `Device`."""
         kernel, device_stream = self._kernel(one.name), self._stream
         config = core.LaunchConfig(grid=-(-count // _BLOCK), block=_BLOCK)

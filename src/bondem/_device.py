@@ -11,30 +11,15 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from bondem._core import checked_kinds, filled_table, index_loop, pass_tables
+from bondem._core import fields_of, filled_table, index_loop, pass_tables
+from bondem._passes import Kernel
 
-__all__ = ["Device", "DeviceTables", "Enqueue", "Host", "HostCall", "IndexPass", "Launch", "passes_of"]
+__all__ = ["Device", "DeviceTables", "Enqueue", "Host", "HostCall", "Launch", "passes_of"]
 
 # Bytes of a line of the memory.
 _LINE = 128
 #: Enqueues one launch to a stream or a graph; None is the stream of the device.
 Enqueue = Callable[[Any], None]
-
-
-class IndexPass:
-    """A pass over an index of the core.
-
-    Args:
-        name: name of the pass.
-        kinds: named tuples of its tables, each with the name and the fields that the header declares.
-
-    Raises:
-        ImportError: tables other than those of the library.
-    """
-
-    def __init__(self, name: str, *kinds: type[tuple[Any, ...]]) -> None:
-        self.name = name
-        self.fields = checked_kinds(name, pass_tables("index")[name], kinds)
 
 
 @dataclass(frozen=True)
@@ -48,13 +33,13 @@ class HostCall:
     work: Callable[["DeviceTables"], None]
 
 
-#: A pass, how many indices there are, and its tables; or what the CPU does, once, without tables.
-Launch = tuple[IndexPass | HostCall, int, tuple[Any, ...]]
+#: A pass with its tables, and how many indices there are; or what the CPU does, once.
+Launch = tuple[Kernel | HostCall, int]
 
 
 def passes_of(launches: Iterable[Launch]) -> list[str]:
     """Return the names of the passes of launches over at least one index."""
-    return [one.name for one, count, _ in launches if isinstance(one, IndexPass) and count > 0]
+    return [one.name for one, count in launches if isinstance(one, Kernel) and count > 0]
 
 
 class Device(Protocol):
@@ -76,7 +61,7 @@ class Device(Protocol):
         """Compile passes, which `prepared` would compile one by one."""
         ...
 
-    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+    def prepared(self, one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
         """Return a function that enqueues a pass over 0 … count - 1 with tables at some addresses.
 
         Args:
@@ -166,14 +151,16 @@ class DeviceTables:
         return [self._prepared(launch, flag) for launch in launches if launch[1] > 0]
 
     def _prepared(self, launch: Launch, flag: int) -> Enqueue:
-        one, count, tables = launch
+        one, count = launch
         if isinstance(one, HostCall):
             return lambda _: one.work(self)
-        addresses = [self._table(*kind, table) for kind, table in zip(one.fields, tables, strict=True)]
+        names = pass_tables("kernels")[one.name]
+        addresses = [self._table(name, table) for name, table in zip(names, one.tables, strict=True)]
         return self.device.prepared(one, count, addresses, flag)
 
-    def _table(self, name: str, fields: Any, table: tuple[Any, ...]) -> int:
+    def _table(self, name: str, table: tuple[Any, ...]) -> int:
         """Return the address of a table on the device."""
+        fields = fields_of(table, name)
         if id(table) not in self._tables:
             words = np.frombuffer(filled_table(name, fields, table, self.lengths), dtype=np.int64).copy()
             words[[field.offset // words.itemsize for field in fields if field.written is not None]] = 0
@@ -210,7 +197,7 @@ class Host:
     def compile(self, names: Sequence[str]) -> None:
         """See `Device`: they are compiled."""
 
-    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+    def prepared(self, one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
         """See `Device`."""
         addresses, loop = np.array(tables, dtype=np.int64), index_loop(one.name)
         return lambda _: loop(count, halted, addresses.ctypes.data)

@@ -7,7 +7,7 @@ other sources. A pass without a sentence of its own is refused.
 """
 
 import re
-from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 from textwrap import wrap
 
@@ -20,11 +20,13 @@ FOLDER = SOURCE / "_passes"
 TITLES = {
     "steps": "Passes that steps are composed of",
     "calls": "Passes that Python calls",
+    "kernels": "Passes over an index, for devices",
 }
-KINDS = {"steps": "StepEntry", "calls": "Call"}
+KINDS = {"steps": "StepEntry", "calls": "Call", "kernels": "Kernel"}
 # A function with its comment; a pass that is made of a template; what passes of each kind run over.
 FUNCTION = re.compile(
-    r"((?:^//[^\n]*\n)+)(?:^template <[^>]*>[ \n])?(?:void|Index) (\w+)\((?:const Turn &|Index\b)([^)]*)\)",
+    r"((?:^//[^\n]*\n)+)(?:^template <[^>]*>[ \n])?(?:inline )?"
+    r"(?:void|Index) (\w+)\((?:const Turn &|Index\b)([^)]*)\)",
     re.MULTILINE,
 )
 MADE = re.compile(r"BONDEM_(?:PASS|CALL)_AS\((\w+?)(?:##name)?, [^,]+, (\w+)")
@@ -36,6 +38,13 @@ from typing import Any, NamedTuple
 
 class StepEntry(NamedTuple):
     """An entry of a list of a step: a pass with its tables."""
+
+    name: str
+    tables: tuple[Any, ...]
+
+
+class Kernel(NamedTuple):
+    """A pass over an index with its tables: a thread of a device does one."""
 
     name: str
     tables: tuple[Any, ...]
@@ -107,6 +116,7 @@ def _wrapped(head: str, parts: list[str], tail: str, indent: str) -> list[str]:
 
 def _module(module: str, tables: dict[str, tuple[str, ...]], over: dict[str, str]) -> str:
     words, where = comments(), _modules_of_tables()
+    families = [of for of in _families() if any(name.startswith(of) for name in tables)]
     lines = [f'"""{TITLES[module]}; written by `python -m tests.core.passes`: change the core instead."""', "",
              f"from bondem._passes import {KINDS[module]}"]  # fmt: skip
     used = {table for names in tables.values() for table in names}
@@ -120,16 +130,28 @@ def _module(module: str, tables: dict[str, tuple[str, ...]], over: dict[str, str
         lines += [*(f'    "{one}",' for one in pass_kinds()), ")"]
     lines += ["", ""]
     for name in sorted(tables):
-        made = (of for of in words if of.endswith("_by_") and name.startswith(of))
-        found = words.get(name) or words.get(next(made, ""))
-        if found is None:
-            raise SystemExit(f"{name}: write a comment above its definition that says what the pass is for")
+        of = next((of for of in families if name.startswith(of)), name)
+        found = words.get(name) or words.get(of) or ("", [])
+        if module == "kernels" and not found[0]:
+            found = f"Pass of one index, defined in `core/gpu/{_header(of)}`.", []
         lines += _function(KINDS[module], name, tables[name], *found, over.get(name, ""))
-    for of in sorted(one for one in words if one.endswith("_by_")):
-        if made := sorted(name for name in tables if name.startswith(of)):
-            lines += [f"#: Passes `{of}…` by the name of their criterion.", f"{of[:-1].upper()} = {{"]
-            lines += [*(f'    "{name.removeprefix(of)}": {name},' for name in made), "}"]
+    for of in families:
+        lines += [f"#: Passes `{of}…` by the name of their criterion.", f"{of[:-1].upper()} = {{"]
+        lines += [*(f'    "{name.removeprefix(of)}": {name},' for name in sorted(tables) if name.startswith(of)), "}"]
     return "\n".join(lines).rstrip() + "\n"
+
+
+@cache
+def _families() -> list[str]:
+    """Return the beginnings of the names of passes that a macro makes for each criterion."""
+    texts = (path.read_text() for path in (SOURCE / "core").rglob("*.[ch]pp"))
+    return sorted({of for text in texts for of in re.findall(r"(?:void |_AS\()(\w+_by_)##name", text)})
+
+
+def _header(kernel: str) -> str:
+    """Return the name of the header of a pass over an index."""
+    defined = re.compile(rf"void {kernel}(?:##name)?\(Index")
+    return next(path.name for path in sorted((SOURCE / "core/gpu").glob("*.hpp")) if defined.search(path.read_text()))
 
 
 def _modules_of_tables() -> dict[str, str]:
@@ -142,16 +164,15 @@ def _modules_of_tables() -> dict[str, str]:
 
 def written() -> dict[Path, str]:
     """Return every generated file and its text."""
-    steps, calls = pass_tables("steps"), pass_tables("calls")
     words = pass_kinds()
-    over = {name: words[_core.step_pass(name)[0][1]] for name in steps}
-    texts = {"__init__": INIT, "steps": _module("steps", steps, over), "calls": _module("calls", calls, {})}
-    return {FOLDER / f"{name}.py": text for name, text in texts.items()}
+    over = {name: words[_core.step_pass(name)[0][1]] for name in pass_tables("steps")}
+    made = {module: _module(module, pass_tables(module), over if module == "steps" else {}) for module in KINDS}
+    return {FOLDER / f"{name}.py": text for name, text in {"__init__": INIT, **made}.items()}
 
 
-def stale(files: Iterable[tuple[Path, str]] | None = None) -> list[str]:
+def stale() -> list[str]:
     """Return the names of generated files that differ from what the library gives."""
-    made = dict(written().items() if files is None else files)
+    made = written()
     left = {path.name for path in set(FOLDER.glob("*.py")) - set(made)}
     return sorted(left | {path.name for path, text in made.items() if not path.exists() or path.read_text() != text})
 

@@ -7,7 +7,9 @@ import pytest
 
 import bondem as bd
 from bondem._core import pass_tables
-from bondem._device import DeviceTables, Enqueue, Host, IndexPass
+from bondem._device import DeviceTables, Enqueue, Host
+from bondem._passes import Kernel
+from bondem._tables.device_tables import BondsOfElements
 from bondem.damage.event_columns import BROKEN_STEP
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.device_loop import DeviceLoop
@@ -39,7 +41,7 @@ LAUNCHED: set[str] = set()
 class Noting(Host):
     """The CPU as a device, which notes what it has been asked for."""
 
-    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+    def prepared(self, one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
         LAUNCHED.add(one.name)
         return super().prepared(one, count, tables, halted)
 
@@ -47,7 +49,7 @@ class Noting(Host):
 class Backwards(Host):
     """The CPU as a device that begins with the last index."""
 
-    def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+    def prepared(self, one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
         return super().prepared(one, -count, tables, halted)
 
 
@@ -76,7 +78,7 @@ def test_these_runs_have_all_that_acts_on_bodies() -> None:
     for make in (*CASES.values(), *CRACKING.values(), *YIELDING.values()):
         model, start, _, dt, options = make()
         DeviceLoop(model, Plan(duration=dt, dt=dt, **options), start(model), dt, Noting()).look()
-    assert set(pass_tables("index")) - ONSET == LAUNCHED - ONSET
+    assert set(pass_tables("kernels")) - ONSET == LAUNCHED - ONSET
 
 
 @pytest.mark.parametrize(
@@ -186,5 +188,6 @@ def test_views_of_an_array_are_views_of_its_copy() -> None:
 
 
 def test_a_pass_over_an_index_of_other_tables_is_refused() -> None:
-    with pytest.raises(ImportError, match="load_beam takes the tables Moving, Beams, LoadsOfBonds"):
-        IndexPass("load_beam")
+    tables, bonds = DeviceTables(Host()), BondsOfElements(*[np.zeros(0)] * 3)
+    with pytest.raises(ImportError, match="BondsOfElements stands for Moving"):
+        tables.prepared([(Kernel("load_beam", (bonds, bonds, bonds)), 1)])

@@ -11,7 +11,8 @@ import pytest
 
 import bondem as bd
 from bondem._core import pass_tables
-from bondem._device import Enqueue, Host, IndexPass
+from bondem._device import Enqueue, Host
+from bondem._passes import Kernel
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import ExplicitResult, Plan
@@ -38,7 +39,7 @@ def without(name: str) -> type[Host]:
     """A device that leaves a pass out."""
 
     class Lacking(Host):
-        def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+        def prepared(self, one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
             return super().prepared(one, 0 if one.name == name else count, tables, halted)
 
     return Lacking
@@ -53,7 +54,7 @@ def launched() -> dict[str, tuple[ExplicitResult, frozenset[str]]]:
 
         class Noting(Host):
             def prepared(
-                self, one: IndexPass, count: int, tables: Sequence[int], halted: int, names: set[str] = names
+                self, one: Kernel, count: int, tables: Sequence[int], halted: int, names: set[str] = names
             ) -> Enqueue:
                 names.add(one.name)
                 return super().prepared(one, count, tables, halted)
@@ -95,7 +96,7 @@ def is_seen(name: str) -> bool:
 
 
 @pytest.mark.validate
-@pytest.mark.parametrize("name", sorted(set(pass_tables("index")) - _ELSEWHERE))
+@pytest.mark.parametrize("name", sorted(set(pass_tables("kernels")) - _ELSEWHERE))
 def test_a_run_without_a_pass_is_another_one(name: str) -> None:
     """In a process of its own, as tables that a pass should have filled may have any numbers."""
     launched()
@@ -108,7 +109,7 @@ def test_a_run_without_a_pass_is_another_one(name: str) -> None:
 
 
 def test_these_are_all_passes() -> None:
-    assert set(pass_tables("index")) >= _ELSEWHERE
+    assert set(pass_tables("kernels")) >= _ELSEWHERE
     assert OF_EACH["mean stress"] | OF_EACH["function"] <= ONSET
 
 

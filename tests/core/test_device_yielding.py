@@ -8,7 +8,8 @@ import pytest
 
 import bondem as bd
 from bondem import _core
-from bondem._device import Enqueue, Host, IndexPass
+from bondem._device import Enqueue, Host
+from bondem._passes import Kernel
 from bondem.damage.crack_columns import FACET, PARTED, STATUS
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
@@ -58,7 +59,7 @@ def without(name: str) -> type[Host]:
     """A device that leaves a pass out."""
 
     class Lacking(Host):
-        def prepared(self, one: IndexPass, count: int, tables: Sequence[int], halted: int) -> Enqueue:
+        def prepared(self, one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
             return super().prepared(one, 0 if one.name == name else count, tables, halted)
 
     return Lacking

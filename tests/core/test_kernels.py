@@ -46,7 +46,7 @@ def test_passes_of_every_step_keep_their_registers(name: str) -> None:
 def test_all_passes_over_an_index_compile_without_a_device(architecture: str) -> None:
     cubin, found = _cuda.compiled_passes(architecture)
     assert cubin[:4] == b"\x7fELF"
-    assert set(found) == set(pass_tables("index"))
+    assert set(found) == set(pass_tables("kernels"))
     assert {name for name, thread in found.items() if thread.spilled} == set()
     large = {"load_crack"}  # a crack that is open, closed or rubs has more to keep than other bonds
     assert {name for name, thread in found.items() if thread.registers > 168} <= large
@@ -129,7 +129,7 @@ class FakeDevice:
 def fake_launch(stream: Any, config: Any, kernel: Any, count: Any, halted: Any, *tables: Any) -> None:
     assert config.grid * config.block >= count > (config.grid - 1) * config.block
     assert len(tables) == 8
-    on_host, names = index_loop(kernel), pass_tables("index")[kernel]
+    on_host, names = index_loop(kernel), pass_tables("kernels")[kernel]
     assert all((int(table) != 0) == (k < len(names)) for k, table in enumerate(tables))
     addresses = np.array([int(table) for table in tables], dtype=np.int64)
     stream.calls.append(lambda: on_host(int(count), int(halted), addresses.ctypes.data))
@@ -175,7 +175,7 @@ def test_steps_with_work_of_the_cpu_are_no_graphs(monkeypatch, fake_cuda) -> Non
             of_run.fetch(run.loads.load)
             seen.append(float(np.abs(run.loads.load).max()))
 
-        return [*load(run, *tables), (HostCall(work), 1, ())]
+        return [*load(run, *tables), (HostCall(work), 1)]
 
     monkeypatch.setattr(_cuda.CudaDevice, "fetch", _synchronous(_cuda.CudaDevice.fetch))
     monkeypatch.setattr(_cuda.CudaDevice, "send", _synchronous(_cuda.CudaDevice.send))

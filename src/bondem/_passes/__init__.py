@@ -10,6 +10,13 @@ class StepEntry(NamedTuple):
     tables: tuple[Any, ...]
 
 
+class Kernel(NamedTuple):
+    """A pass over an index with its tables: a thread of a device does one."""
+
+    name: str
+    tables: tuple[Any, ...]
+
+
 class Call(NamedTuple):
     """A pass that Python calls, with its tables."""
 

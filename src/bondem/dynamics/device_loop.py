@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from bondem._device import Device, DeviceTables, Enqueue, HostCall, Launch, passes_of
+from bondem._passes import kernels
 from bondem._tables.device_tables import Tick
 from bondem._tables.step_tables import HistoryRows, StepScheme
 from bondem.boundary.wall_rows import wall_rows
@@ -21,7 +22,7 @@ from bondem.dynamics.on_device.breakage_counterparts import Postponement, end, r
 from bondem.dynamics.on_device.contact_counterparts import deepest_overlaps, lists_of_contacts, walls_listed
 from bondem.dynamics.on_device.counterparts import FURTHER, launches_of
 from bondem.dynamics.on_device.device_tables import FURTHER_COLUMNS, SUM_COLUMNS
-from bondem.dynamics.on_device.translation import Translation, count_record, names_of, set_clock
+from bondem.dynamics.on_device.translation import Translation, names_of
 from bondem.dynamics.parts.parts_of_model import parts_in_one_block
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Plan
 from bondem.interactions.step_part import FORCES, RESUME, Passes, composed
@@ -107,10 +108,10 @@ class DeviceLoop:
     def _recording(self, rows: HistoryRows) -> list[Launch]:
         """Return the launches that write one of some rows of the history."""
         passes = [one for part in self._parts for one in part.record(rows)]
-        return [*launches_of(passes, self._run), (count_record, 1, (self._run.span,))]
+        return [*launches_of(passes, self._run), (kernels.count_record(self._run.span), 1)]
 
     def _tick(self, *, ahead: int = 0, goes_on: bool = False, still: bool = False, first: bool = False) -> Launch:
-        return set_clock, 1, (self._run.span, self._scheme, Tick(ahead, goes_on, still, first))
+        return kernels.set_clock(self._run.span, self._scheme, Tick(ahead, goes_on, still, first)), 1
 
     def look(self) -> np.ndarray:
         """Bring the acceleration up to date and record the present state."""

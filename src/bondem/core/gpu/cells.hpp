@@ -139,7 +139,7 @@ BONDEM_INLINE double half_work(Index r, const WallConstraints &walls, const RowO
             work += 0.5 * walls.load(order.load(e), axis) * walls.came(order.load(e), axis);
     return work;
 }
-// Where the time of the clock was not reached by a step.
+// Sets the forces of walls on row r anew where the time of the clock was not reached by a step.
 inline void begin_walls_of_row(Index r, const DeviceSpan &span, const Moving &all, const WallConstraints &walls,
                                const RowOrder &order, const Rows &rows) {
     if (clock_of(span).first) load_row(r, all, walls, order, rows);

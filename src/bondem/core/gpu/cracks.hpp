@@ -253,7 +253,7 @@ inline void sum_group_of_losses(Index g, const LossesOfCracks &losses) {
     for (Index q = g * portions_of_losses; q < last; q++) sum += losses.portion(q);
     losses.group(g) = sum;
 }
-// Adds up what cracks have dissipated, and writes down those of which nothing is left, by the numbers of their facets.
+// Adds up what cracks have dissipated, and logs those that have no integrity left, by the numbers of their facets.
 inline void log_all_cracks(Index, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                            const CohesiveCracks &cracks, const EventLog &log, const LossesOfCracks &losses) {
     if (!takes_time(span)) return;

@@ -25,7 +25,7 @@ BONDEM_INLINE Row<double> gathered(Row<double> sum, Index p, const BondsOfElemen
     }
     return sum;
 }
-// Where further loads act on elements, sums are in memory.
+// Adds up the loads of bonds of an element in memory, where further loads act on elements.
 inline void gather_loads(Index e, const StepCut &cut, const BondsOfElements &bonds, const LoadsOfBonds &from) {
     const Short row = cut.ready_row(e);
     scatter(cut.sums.data, row, gathered(gather(cut.sums.data, row), cut.ready(e), bonds, from));

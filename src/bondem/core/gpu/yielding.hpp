@@ -48,7 +48,7 @@ inline void stretch_crack_of_cells(Index k, const DeviceSpan &span, const Elasti
                                    const CohesiveCracks &cracks) {
     if (takes_time(span) && cracks.listed(k) != 0) stretch_crack(facets, cells, cracks, k);
 }
-// Where strains have set the levers without plastic strain anew.
+// Keeps the levers without plastic strain where strains have set them anew.
 inline void keep_base_levers(Index k, const CellStrains &strains, const ElasticFacets &facets, const YieldingCells &cells) {
     if (!strains.due(1)) return;
     for (Index d = 0; d < 3; d++) {

@@ -4,52 +4,27 @@ from typing import Any
 
 import numpy as np
 
-from bondem._device import IndexPass, Launch
-from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, FailureBounds, Postponed, Strengths
-from bondem._tables.device_tables import BondMarks, BondsOfElements, DeviceSpan, LoadsOfBonds
+from bondem._device import Launch
+from bondem._passes import kernels
+from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed, Strengths
+from bondem._tables.device_tables import BondMarks
 from bondem._tables.step_tables import (
-    AlikeBeams,
     Beams,
     BodyForces,
     Dashpots,
     HistoryRows,
     Moving,
-    Resistance,
     Rows,
     StepCut,
 )
-from bondem.damage.failure_passes import BEAM_CRITERIA
-from bondem.dynamics.on_device.translation import Counterpart, Translation
+from bondem.dynamics.on_device.translation import Counterpart, KernelOf, Translation
 
-_MARKS = LoadsOfBonds, FailureBounds, BondMarks
-_load_marked_beam = IndexPass("load_marked_beam", Moving, Beams, *_MARKS)
-_load_marked_alike_beam = IndexPass("load_marked_alike_beam", Moving, Beams, AlikeBeams, *_MARKS)
-_JUDGES = {
-    name: IndexPass(f"judge_beam_by_{name}", DeviceSpan, Moving, Beams, Strengths, BondMarks, Candidates, Postponed)
-    for name in BEAM_CRITERIA
+_RESUMES: dict[tuple[bool, bool], KernelOf] = {
+    (False, False): kernels.resume_free,
+    (False, True): kernels.resume_resisted,
+    (True, False): kernels.resume_row,
+    (True, True): kernels.resume_resisted_row,
 }
-_rank_failing = IndexPass("rank_failing", BondMarks, Candidates)
-_count_failures = IndexPass("count_failures", Candidates, EventLog)
-_keep_gathered_sum = IndexPass("keep_gathered_sum", StepCut, BondsOfElements, LoadsOfBonds, Postponed)
-_keep_sum = IndexPass("keep_sum", StepCut, Postponed)
-_keep_dashed_sum = IndexPass("keep_dashed_sum", StepCut, Dashpots, Postponed)
-_load_failing_dashpot = IndexPass("load_failing_dashpot", Moving, Beams, Dashpots, Candidates, LoadsOfBonds)
-_OF_FAILING = BondsOfElements, BondMarks, LoadsOfBonds
-_take_dashpots_off = IndexPass("take_dashpots_off_element", *_OF_FAILING, Dashpots, Candidates, Postponed)
-_remove_beam = IndexPass(
-    "remove_failing_beam", DeviceSpan, Moving, Beams, BeamIntegrity, Candidates, EventLog, LoadsOfBonds
-)
-_take_beams_off = IndexPass("take_beams_off_element", *_OF_FAILING, Candidates, Postponed)
-_RESUMES = {
-    (False, False): IndexPass("resume_free", DeviceSpan, Moving, StepCut, Postponed),
-    (False, True): IndexPass("resume_resisted", DeviceSpan, Moving, StepCut, Resistance, Postponed),
-    (True, False): IndexPass("resume_row", DeviceSpan, Moving, StepCut, Rows, Postponed),
-    (True, True): IndexPass("resume_resisted_row", DeviceSpan, Moving, StepCut, Rows, Resistance, Postponed),
-}
-_reopen_work_of_body = IndexPass("reopen_work_of_body", DeviceSpan, Moving, BodyForces, Postponed)
-_release_element = IndexPass("release_element", Candidates, Postponed)
-_end_all_failures = IndexPass("end_all_failures", Candidates)
-_write_released_energy = IndexPass("write_released_energy", DeviceSpan, EventLog, HistoryRows)
 
 
 def marks_of(run: Translation) -> BondMarks:
@@ -66,45 +41,45 @@ def marks_of(run: Translation) -> BondMarks:
 
 def ranked(run: Translation, candidates: Candidates) -> Launch:
     """Return the launch that puts bonds that fail into their order."""
-    return _rank_failing, run.span.m, (marks_of(run), candidates)
+    return kernels.rank_failing(marks_of(run), candidates), run.span.m
 
 
 def counted(run: Translation, candidates: Candidates, log: EventLog) -> Launch:
     """Return the launch that counts the events of a step, whose rows are filled, and adds up their energies."""
     run.keep_log(log)
-    return _count_failures, 1, (candidates, log)
+    return kernels.count_failures(candidates, log), 1
 
 
-def marking(one: IndexPass) -> Counterpart:
+def marking(one: KernelOf) -> Counterpart:
     """Return the counterpart of a pass of loads that marks bonds near to failure."""
 
     def counterpart(run: Translation, moving: Moving, *tables: Any) -> list[Launch]:
         *bonds, _cut, bounds, _candidates = tables
-        return [(one, run.span.m, (moving, *bonds, run.loads, bounds, marks_of(run)))]
+        return [(one(moving, *bonds, run.loads, bounds, marks_of(run)), run.span.m)]
 
     return counterpart
 
 
-def judging(one: IndexPass) -> Counterpart:
+def judging(one: KernelOf) -> Counterpart:
     """Return the counterpart of a pass that evaluates marked bonds, and lists those that fail in their order."""
 
     def counterpart(
         run: Translation, moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, last: Any
     ) -> list[Launch]:
         tables = run.span, moving, beams, strengths, marks_of(run), candidates, last
-        return [(one, run.span.m, tables), ranked(run, candidates)]
+        return [(one(*tables), run.span.m), ranked(run, candidates)]
 
     return counterpart
 
 
 def _keep(run: Translation, cut: StepCut, postponed: Postponed) -> list[Launch]:
     if run.further:
-        return [(_keep_sum, run.span.n, (cut, postponed))]
-    return [(_keep_gathered_sum, run.span.n, (cut, run.bonds, run.loads, postponed))]
+        return [(kernels.keep_sum(cut, postponed), run.span.n)]
+    return [(kernels.keep_gathered_sum(cut, run.bonds, run.loads, postponed), run.span.n)]
 
 
 def _keep_dashed(run: Translation, dashpots: Dashpots, postponed: Postponed) -> list[Launch]:
-    return [(_keep_dashed_sum, run.span.n, (run.cut, dashpots, postponed))]
+    return [(kernels.keep_dashed_sum(run.cut, dashpots, postponed), run.span.n)]
 
 
 def _withdraw_dashpots(
@@ -117,8 +92,8 @@ def _withdraw_dashpots(
 ) -> list[Launch]:
     of_failing = run.bonds, marks_of(run), run.dashed
     return [
-        (_load_failing_dashpot, run.span.m, (moving, beams, dashpots, candidates, run.dashed)),
-        (_take_dashpots_off, run.span.n, (*of_failing, dashpots, candidates, postponed)),
+        (kernels.load_failing_dashpot(moving, beams, dashpots, candidates, run.dashed), run.span.m),
+        (kernels.take_dashpots_off_element(*of_failing, dashpots, candidates, postponed), run.span.n),
     ]
 
 
@@ -132,14 +107,14 @@ def _break(
     log: EventLog,
 ) -> list[Launch]:
     return [
-        (_remove_beam, run.span.m, (run.span, moving, beams, integrity, candidates, log, run.loads)),
-        (_take_beams_off, run.span.n, (run.bonds, marks_of(run), run.loads, candidates, postponed)),
+        (kernels.remove_failing_beam(run.span, moving, beams, integrity, candidates, log, run.loads), run.span.m),
+        (kernels.take_beams_off_element(run.bonds, marks_of(run), run.loads, candidates, postponed), run.span.n),
         counted(run, candidates, log),
     ]
 
 
 def _write(run: Translation, log: EventLog, history: HistoryRows) -> list[Launch]:
-    return [(_write_released_energy, 1, (run.span, log, history))]
+    return [(kernels.write_released_energy(run.span, log, history), 1)]
 
 
 #: Bonds that fail in a step, and elements that this postpones.
@@ -154,13 +129,13 @@ def resuming(late: Postponement) -> dict[str, Counterpart]:
         one = _RESUMES[rows is not None, len(more) > 0]
         count = run.span.n - run.held if rows is None else run.held
         given = more if rows is None else (rows, *more)
-        return [(one, count, (run.span, moving, cut, *given, postponed))]
+        return [(one(run.span, moving, cut, *given, postponed), count)]
 
     def move_rows(run: Translation, moving: Moving, cut: StepCut, rows: Rows, *more: Any) -> list[Launch]:
         return move(run, moving, cut, *more, rows=rows)
 
     def work(run: Translation, moving: Moving, body: BodyForces) -> list[Launch]:
-        return [(_reopen_work_of_body, run.span.n, (run.span, moving, body, postponed))]
+        return [(kernels.reopen_work_of_body(run.span, moving, body, postponed), run.span.n)]
 
     def nothing(*_: Any) -> list[Launch]:
         return []
@@ -180,13 +155,13 @@ def resuming(late: Postponement) -> dict[str, Counterpart]:
 def end(run: Translation, late: Postponement) -> list[Launch]:
     """Return the launches that end the failures of a step."""
     candidates, postponed = late
-    return [(_release_element, run.span.n, (candidates, postponed)), (_end_all_failures, 1, (candidates,))]
+    return [(kernels.release_element(candidates, postponed), run.span.n), (kernels.end_all_failures(candidates), 1)]
 
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "add_marked_beam_loads": marking(_load_marked_beam),
-    "add_marked_alike_beam_loads": marking(_load_marked_alike_beam),
-    **{f"judge_beams_by_{name}": judging(one) for name, one in _JUDGES.items()},
+    "add_marked_beam_loads": marking(kernels.load_marked_beam),
+    "add_marked_alike_beam_loads": marking(kernels.load_marked_alike_beam),
+    **{f"judge_beams_by_{name}": judging(one) for name, one in kernels.JUDGE_BEAM_BY.items()},
     "postpone_elements": lambda *_: [],
     "keep_sums": _keep,
     "keep_dashpots": _keep_dashed,

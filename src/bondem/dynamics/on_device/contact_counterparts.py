@@ -4,7 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from bondem._device import IndexPass, Launch
+from bondem._device import Launch
+from bondem._passes import kernels
 from bondem._tables.contact_tables import (
     AdheringPairs,
     ContactConstants,
@@ -22,76 +23,15 @@ from bondem._tables.contact_tables import (
 )
 from bondem._tables.crack_tables import CrackLists
 from bondem._tables.damage_tables import EventLog, Postponed
-from bondem._tables.device_tables import BegunFaces, BondMarks, BondsOfElements, DeviceSpan, EarlierPairs, RowOrder
+from bondem._tables.device_tables import BegunFaces, EarlierPairs
 from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, StepCut
 from bondem.boundary.wall_rows import no_rows
 from bondem.dynamics.on_device.breakage_counterparts import marks_of
 from bondem.dynamics.on_device.device_tables import new_row_order
-from bondem.dynamics.on_device.translation import Counterpart, Translation
+from bondem.dynamics.on_device.translation import Counterpart, KernelOf, Translation
 from bondem.interactions.step_part import Passes
 
-_move_walls = IndexPass("move_all_walls", DeviceSpan, WallMotions, Walls)
-_check_element = IndexPass("check_travel_of_element", DeviceSpan, Moving, Travel)
-_check_wall = IndexPass("check_travel_of_wall", DeviceSpan, Travel, Walls)
-_press_pair = IndexPass("press_pair", DeviceSpan, Moving, ContactConstants, ContactPairs, NearPairs)
-_add_pairs = IndexPass(
-    "add_pairs_of_element", ContactConstants, ContactPairs, EarlierPairs, NearPairs, ContactSums
-)
-_press_pair_or_faces = IndexPass(
-    "press_pair_or_faces", DeviceSpan, Moving, ContactConstants, ContactPairs, NearPairs, FacePairs
-)
-_add_faces = IndexPass("add_faces_of_element", ContactPairs, FacePairs, ContactSums)
-_sum_faces = IndexPass(
-    "sum_portion_of_faces", DeviceSpan, Moving, ContactConstants, ContactPairs, FacePairs, ContactEnergies
-)
-_open_face = IndexPass("open_face", ContactPairs, FacePairs, CrackLists)
-_begin_faces = IndexPass("begin_faces_of_pair", Moving, ContactPairs, FacePairs)
-_sum_begun = IndexPass("sum_portion_of_begun", DeviceSpan, ContactPairs, FacePairs, BegunFaces)
-_settle_face = IndexPass("settle_face", FacePairs)
-_settle_cell = IndexPass("settle_faces_of_cell", FacePairs)
-_take_over_from_cracks = IndexPass("take_over_from_cracks", BegunFaces, EventLog)
-_press_walls = IndexPass(
-    "press_walls_on_element", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, ContactSums
-)
-_add_contact_load = IndexPass("add_contact_load", DeviceSpan, Moving, StepCut, ContactSums)
-_load_wall = IndexPass("load_wall", DeviceSpan, WallContacts, RowOrder, Walls)
-_kick_free_wall = IndexPass("kick_free_wall", DeviceSpan, WallMotions, Walls)
 _PAIRS = ContactConstants, ContactPairs, NearPairs, EventLog
-_begin_contact = IndexPass("begin_contact_of_event", Moving, *_PAIRS)
-_add_begun = IndexPass("add_begun_contacts_of_element", BondsOfElements, BondMarks, *_PAIRS, Postponed)
-_take_over = IndexPass("take_over_energies", *_PAIRS[1:])
-_measure_overlaps = IndexPass(
-    "measure_overlaps", DeviceSpan, Moving, ContactConstants, ContactPairs, WallContacts, Walls, Travel
-)
-_sum_pairs = IndexPass("sum_portion_of_pairs", DeviceSpan, Moving, ContactConstants, ContactPairs, ContactEnergies)
-_sum_at_walls = IndexPass(
-    "sum_portion_at_walls", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, ContactEnergies
-)
-_roll_pair = IndexPass("roll_one_pair", DeviceSpan, Moving, ContactConstants, ContactPairs, NearPairs, RolledPairs)
-_add_rolling = IndexPass("add_rolling_of_element", ContactPairs, EarlierPairs, RolledPairs, ContactSums)
-_roll_at_walls = IndexPass(
-    "roll_element_at_walls", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, RolledWalls, ContactSums
-)
-_sum_rolling = IndexPass(
-    "sum_portion_of_rolling", DeviceSpan, ContactConstants, ContactPairs, RolledPairs, ContactEnergies
-)
-_sum_rolling_at_walls = IndexPass(
-    "sum_portion_of_rolling_at_walls", DeviceSpan, ContactConstants, WallContacts, RolledWalls, ContactEnergies
-)
-_adhere_pair = IndexPass("adhere_one_pair", Moving, ContactConstants, ContactPairs, AdheringPairs)
-_add_adhesion = IndexPass("add_adhesion_of_element", ContactPairs, EarlierPairs, AdheringPairs, ContactSums)
-_adhere_at_walls = IndexPass(
-    "adhere_element_at_walls", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, ContactSums
-)
-_sum_adhesion = IndexPass(
-    "sum_portion_of_adhesion", DeviceSpan, Moving, ContactConstants, ContactPairs, ContactEnergies
-)
-_sum_adhesion_at_walls = IndexPass(
-    "sum_portion_of_adhesion_at_walls", DeviceSpan, Moving, ContactConstants, WallContacts, Walls, ContactEnergies
-)
-_write_energy = IndexPass("write_energy_of_contacts", DeviceSpan, ContactEnergies, HistoryRows)
-_write_work = IndexPass("write_work_of_walls", DeviceSpan, Walls, HistoryRows)
-_write_gauge = IndexPass("write_gauge_of_wall", DeviceSpan, Walls, Gauges, HistoryRows)
 
 
 def earlier_pairs(run: Translation, pairs: ContactPairs) -> EarlierPairs:
@@ -106,21 +46,21 @@ def earlier_pairs(run: Translation, pairs: ContactPairs) -> EarlierPairs:
 
 
 def _move(run: Translation, motions: WallMotions, walls: Walls) -> list[Launch]:
-    return [(_move_walls, 1, (run.span, motions, walls))]
+    return [(kernels.move_all_walls(run.span, motions, walls), 1)]
 
 
 def _check(run: Translation, travel: Travel, walls: Walls, _: Portions) -> list[Launch]:
-    return [(_check_wall, len(walls.body), (run.span, travel, walls))]
+    return [(kernels.check_travel_of_wall(run.span, travel, walls), len(walls.body))]
 
 
 def _measure(run: Translation, moving: Moving, travel: Travel) -> list[Launch]:
-    return [(_check_element, run.span.n, (run.span, moving, travel))]
+    return [(kernels.check_travel_of_element(run.span, moving, travel), run.span.n)]
 
 
 def _press(
     run: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, near: NearPairs, _: Travel
 ) -> list[Launch]:
-    return [(_press_pair, len(pairs.first), (run.span, moving, law, pairs, near))]
+    return [(kernels.press_pair(run.span, moving, law, pairs, near), len(pairs.first))]
 
 
 def _add(
@@ -128,13 +68,13 @@ def _add(
 ) -> list[Launch]:
     if len(pairs.first) == 0:
         return []
-    return [(_add_pairs, run.span.n, (law, pairs, earlier_pairs(run, pairs), near, sums))]
+    return [(kernels.add_pairs_of_element(law, pairs, earlier_pairs(run, pairs), near, sums), run.span.n)]
 
 
 def _roll(
     run: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, near: NearPairs, of: RolledPairs
 ) -> list[Launch]:
-    return [(_roll_pair, len(pairs.first), (run.span, moving, law, pairs, near, of))]
+    return [(kernels.roll_one_pair(run.span, moving, law, pairs, near, of), len(pairs.first))]
 
 
 def _add_rolled(
@@ -142,7 +82,7 @@ def _add_rolled(
 ) -> list[Launch]:
     if len(pairs.first) == 0:
         return []
-    return [(_add_rolling, run.span.n, (pairs, earlier_pairs(run, pairs), of, sums))]
+    return [(kernels.add_rolling_of_element(pairs, earlier_pairs(run, pairs), of, sums), run.span.n)]
 
 
 def _roll_walls(
@@ -150,25 +90,25 @@ def _roll_walls(
     sums: ContactSums,
 ) -> list[Launch]:  # fmt: skip
     count = run.span.n if len(contacts.wall) else 0
-    return [(_roll_at_walls, count, (run.span, moving, law, contacts, walls, of, sums))]
+    return [(kernels.roll_element_at_walls(run.span, moving, law, contacts, walls, of, sums), count)]
 
 
 def _rolling_energies(
     run: Translation, law: ContactConstants, pairs: ContactPairs, of: RolledPairs, energies: ContactEnergies
 ) -> list[Launch]:
-    return [(_sum_rolling, len(energies.energy), (run.span, law, pairs, of, energies))]
+    return [(kernels.sum_portion_of_rolling(run.span, law, pairs, of, energies), len(energies.energy))]
 
 
 def _rolling_energies_at_walls(
     run: Translation, law: ContactConstants, contacts: WallContacts, of: RolledWalls, energies: ContactEnergies
 ) -> list[Launch]:
-    return [(_sum_rolling_at_walls, len(energies.energy), (run.span, law, contacts, of, energies))]
+    return [(kernels.sum_portion_of_rolling_at_walls(run.span, law, contacts, of, energies), len(energies.energy))]
 
 
 def _adhere(
     _: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, __: NearPairs, of: AdheringPairs
 ) -> list[Launch]:
-    return [(_adhere_pair, len(pairs.first), (moving, law, pairs, of))]
+    return [(kernels.adhere_one_pair(moving, law, pairs, of), len(pairs.first))]
 
 
 def _add_adhering(
@@ -176,7 +116,7 @@ def _add_adhering(
 ) -> list[Launch]:
     if len(pairs.first) == 0:
         return []
-    return [(_add_adhesion, run.span.n, (pairs, earlier_pairs(run, pairs), of, sums))]
+    return [(kernels.add_adhesion_of_element(pairs, earlier_pairs(run, pairs), of, sums), run.span.n)]
 
 
 def _press_with_faces(
@@ -188,11 +128,11 @@ def _press_with_faces(
     _: Travel,
     faces: FacePairs,
 ) -> list[Launch]:
-    return [(_press_pair_or_faces, len(pairs.first), (run.span, moving, law, pairs, near, faces))]
+    return [(kernels.press_pair_or_faces(run.span, moving, law, pairs, near, faces), len(pairs.first))]
 
 
 def _add_by_faces(run: Translation, pairs: ContactPairs, faces: FacePairs, sums: ContactSums) -> list[Launch]:
-    return [(_add_faces, run.span.n if len(pairs.first) else 0, (pairs, faces, sums))]
+    return [(kernels.add_faces_of_element(pairs, faces, sums), run.span.n if len(pairs.first) else 0)]
 
 
 def _begin_by_faces(
@@ -207,16 +147,16 @@ def _begin_by_faces(
     portions = len(faces.count)
     begun = run.once(faces, lambda: BegunFaces(np.zeros(portions)))
     return [
-        (_open_face, run.span.m, (pairs, faces, lists)),
-        (_begin_faces, len(pairs.first), (moving, pairs, faces)),
-        (_sum_begun, portions, (run.span, pairs, faces, begun)),
-        (_settle_face, run.span.m, (faces,)),
-        (_settle_cell, run.span.n, (faces,)),
-        (_take_over_from_cracks, 1, (begun, log)),
+        (kernels.open_face(pairs, faces, lists), run.span.m),
+        (kernels.begin_faces_of_pair(moving, pairs, faces), len(pairs.first)),
+        (kernels.sum_portion_of_begun(run.span, pairs, faces, begun), portions),
+        (kernels.settle_face(faces), run.span.m),
+        (kernels.settle_faces_of_cell(faces), run.span.n),
+        (kernels.take_over_from_cracks(begun, log), 1),
     ]
 
 
-def _at_walls(by: IndexPass) -> Counterpart:
+def _at_walls(by: KernelOf) -> Counterpart:
     """Return what contacts of elements with walls add to the sums of the elements, by one pass."""
 
     def launch(
@@ -224,7 +164,7 @@ def _at_walls(by: IndexPass) -> Counterpart:
         sums: ContactSums,
     ) -> list[Launch]:  # fmt: skip
         count = run.span.n if len(contacts.wall) else 0
-        return [(by, count, (run.span, moving, law, contacts, walls, sums))]
+        return [(by(run.span, moving, law, contacts, walls, sums), count)]
 
     return launch
 
@@ -233,13 +173,13 @@ def _load(run: Translation, contacts: WallContacts, motions: WallMotions, walls:
     run.walls = walls.body
     order = run.once(contacts, lambda: new_row_order(contacts.wall, len(walls.body)))
     return [
-        (_load_wall, len(walls.body), (run.span, contacts, order, walls)),
-        (_kick_free_wall, len(motions.free_wall), (run.span, motions, walls)),
+        (kernels.load_wall(run.span, contacts, order, walls), len(walls.body)),
+        (kernels.kick_free_wall(run.span, motions, walls), len(motions.free_wall)),
     ]
 
 
 def _contact_loads(run: Translation, moving: Moving, cut: StepCut, sums: ContactSums) -> list[Launch]:
-    return [(_add_contact_load, run.span.n, (run.span, moving, cut, sums))]
+    return [(kernels.add_contact_load(run.span, moving, cut, sums), run.span.n)]
 
 
 def _begin(
@@ -253,19 +193,19 @@ def _begin(
 ) -> list[Launch]:
     begun = law, pairs, near, log
     return [
-        (_begin_contact, run.span.m, (moving, *begun)),
-        (_add_begun, run.span.n, (run.bonds, marks_of(run), *begun, postponed)),
-        (_take_over, 1, begun[1:]),
+        (kernels.begin_contact_of_event(moving, *begun), run.span.m),
+        (kernels.add_begun_contacts_of_element(run.bonds, marks_of(run), *begun, postponed), run.span.n),
+        (kernels.take_over_energies(*begun[1:]), 1),
     ]
 
 
-def _pair_energies(by: IndexPass) -> Counterpart:
+def _pair_energies(by: KernelOf) -> Counterpart:
     """Return what pairs add to the energy of each portion, by one pass."""
 
     def launch(
         run: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, energies: ContactEnergies
     ) -> list[Launch]:
-        return [(by, len(energies.energy), (run.span, moving, law, pairs, energies))]
+        return [(by(run.span, moving, law, pairs, energies), len(energies.energy))]
 
     return launch
 
@@ -278,29 +218,29 @@ def _face_energies(
     faces: FacePairs,
     energies: ContactEnergies,
 ) -> list[Launch]:
-    return [(_sum_faces, len(energies.energy), (run.span, moving, law, pairs, faces, energies))]
+    return [(kernels.sum_portion_of_faces(run.span, moving, law, pairs, faces, energies), len(energies.energy))]
 
 
-def _wall_energies(by: IndexPass) -> Counterpart:
+def _wall_energies(by: KernelOf) -> Counterpart:
     """Return what contacts with walls add to the energy of each portion, by one pass."""
 
     def launch(
         run: Translation, moving: Moving, law: ContactConstants, contacts: WallContacts, walls: Walls,
         energies: ContactEnergies,
     ) -> list[Launch]:  # fmt: skip
-        return [(by, len(energies.energy), (run.span, moving, law, contacts, walls, energies))]
+        return [(by(run.span, moving, law, contacts, walls, energies), len(energies.energy))]
 
     return launch
 
 
 def _energy(run: Translation, energies: ContactEnergies, history: HistoryRows) -> list[Launch]:
-    return [(_write_energy, 1, (run.span, energies, history))]
+    return [(kernels.write_energy_of_contacts(run.span, energies, history), 1)]
 
 
 def _walls(run: Translation, walls: Walls, gauges: Gauges, history: HistoryRows) -> list[Launch]:
     return [
-        (_write_work, 1, (run.span, walls, history)),
-        (_write_gauge, len(gauges.quantity), (run.span, walls, gauges, history)),
+        (kernels.write_work_of_walls(run.span, walls, history), 1),
+        (kernels.write_gauge_of_wall(run.span, walls, gauges, history), len(gauges.quantity)),
     ]
 
 
@@ -321,17 +261,17 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "begin_face_contacts": _begin_by_faces,
     "adhere_pairs": _adhere,
     "add_adhesion_loads": _add_adhering,
-    "adhere_at_walls": _at_walls(_adhere_at_walls),
-    "sum_adhesion_energies": _pair_energies(_sum_adhesion),
-    "sum_adhesion_at_walls": _wall_energies(_sum_adhesion_at_walls),
-    "press_walls": _at_walls(_press_walls),
+    "adhere_at_walls": _at_walls(kernels.adhere_element_at_walls),
+    "sum_adhesion_energies": _pair_energies(kernels.sum_portion_of_adhesion),
+    "sum_adhesion_at_walls": _wall_energies(kernels.sum_portion_of_adhesion_at_walls),
+    "press_walls": _at_walls(kernels.press_walls_on_element),
     "measure_wall_overlaps": lambda *_: [],  # with the overlaps of pairs, at the guard
     "keep_measures": lambda *_: [],
     "load_walls": _load,
     "add_contact_loads": _contact_loads,
     "begin_contacts": _begin,
-    "sum_pair_energies": _pair_energies(_sum_pairs),
-    "sum_wall_energies": _wall_energies(_sum_at_walls),
+    "sum_pair_energies": _pair_energies(kernels.sum_portion_of_pairs),
+    "sum_wall_energies": _wall_energies(kernels.sum_portion_at_walls),
     "write_contact_energy": _energy,
     "write_walls": _walls,
     "count_wall_work": lambda *_: [],  # the CPU adds it
@@ -347,7 +287,7 @@ def deepest_overlaps(run: Translation, passes: Passes) -> list[Launch]:
     moving, law, pairs, _, travel = pressed[:5]
     _, walls, _ = named["check_travel"]
     contacts = named["press_walls"][2] if "press_walls" in named else run.once(walls, lambda: _none(run.span.n))
-    return [(_measure_overlaps, len(travel.portion), (run.span, moving, law, pairs, contacts, walls, travel))]
+    return [(kernels.measure_overlaps(run.span, moving, law, pairs, contacts, walls, travel), len(travel.portion))]
 
 
 def _none(n: int) -> WallContacts:

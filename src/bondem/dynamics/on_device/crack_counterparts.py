@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from bondem._device import IndexPass, Launch
+from bondem._device import Launch
+from bondem._passes import kernels
 from bondem._tables.cell_tables import CellDilatation, ElasticFacets, FacetForces
 from bondem._tables.contact_tables import ContactPairs, NearPairs
 from bondem._tables.crack_tables import (
@@ -14,8 +15,8 @@ from bondem._tables.crack_tables import (
     StressesOfCells,
 )
 from bondem._tables.damage_tables import EventLog
-from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LossesOfCracks
-from bondem._tables.step_tables import Moving, StepCut
+from bondem._tables.device_tables import DeviceSpan, LossesOfCracks
+from bondem._tables.step_tables import Moving
 from bondem.dynamics.cohesive_tables import BEGAN
 from bondem.dynamics.on_device.translation import Counterpart, Translation, bonds, elements, over
 
@@ -23,39 +24,8 @@ from bondem.dynamics.on_device.translation import Counterpart, Translation, bond
 _PORTION, _GROUP = 256, 64
 
 _CRACKS = ElasticFacets, CohesiveCracks, CrackLists
-_begin_levers = IndexPass("begin_all_levers", ElasticFacets, CohesiveCracks)
-_restore_crack = IndexPass("restore_crack", ElasticFacets, FacetForces, FacetStrengths, CohesiveCracks)
-_weigh_cell = IndexPass("weigh_cell", CellDilatation, CellSlack, CohesiveCracks)
-_carry_cell = IndexPass("carry_cell", StressesOfCells, CohesiveCracks, CrackLists)
-_link_halves = IndexPass("link_halves", CohesiveCracks, CrackLists, BondsOfElements)
-_begin_base = IndexPass("begin_base", DeviceSpan, Moving, CellDilatation, CrackLists)
-_measure_crack = IndexPass(
-    "measure_crack", DeviceSpan, Moving, ElasticFacets, CellSlack, StressesOfCells, CohesiveCracks, CrackLists,
-    LossesOfCracks,
-)  # fmt: skip
-_relax_cell = IndexPass("relax_cell", Moving, CellDilatation, CrackLists)
-_relax_stale_cell = IndexPass("relax_stale_cell", Moving, CellDilatation, CrackLists)
 _JUDGED = DeviceSpan, Moving, ElasticFacets, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists
-_watch_resting_crack = IndexPass(
-    "watch_resting_crack", DeviceSpan, Moving, ElasticFacets, FacetStrengths, CohesiveCracks, CrackLists
-)
-_wake_crack = IndexPass("wake_crack", Moving, *_CRACKS)
 _CHANGED = DeviceSpan, Moving, ElasticFacets, CellDilatation, CellSlack, CohesiveCracks, CrackLists
-_take_woken = IndexPass("take_woken", *_CHANGED)
-_soften_crack = IndexPass("soften_crack", *_JUDGED)
-_part_crack = IndexPass("part_crack", Moving, ElasticFacets, CellSlack, CohesiveCracks, CrackLists, LossesOfCracks)
-_leave_crack = IndexPass("leave_crack", *_CRACKS)
-_take_leaving = IndexPass("take_leaving", *_CHANGED)
-_touch_parted_face = IndexPass(
-    "touch_parted_face", Moving, ContactPairs, CohesiveCracks, CrackLists, PartedReach
-)  # fmt: skip
-_load_crack = IndexPass("load_crack", *_JUDGED, LossesOfCracks)
-_sum_cell = IndexPass("sum_cracks_of_cell", StressesOfCells, CohesiveCracks, CrackLists)
-_slide_crack = IndexPass("slide_crack_of", DeviceSpan, Moving, *_CRACKS)
-_add_crack_load = IndexPass("add_crack_load", DeviceSpan, Moving, CrackLists, StepCut)
-_sum_portion = IndexPass("sum_portion_of_losses", DeviceSpan, LossesOfCracks)
-_sum_group = IndexPass("sum_group_of_losses", LossesOfCracks)
-_log_cracks = IndexPass("log_all_cracks", DeviceSpan, Moving, ElasticFacets, CohesiveCracks, EventLog, LossesOfCracks)
 
 
 def _losses(run: Translation, cracks: CohesiveCracks) -> LossesOfCracks:
@@ -99,23 +69,23 @@ def _link(
 
     run.before_keeping.append(order)
     return [
-        (_begin_levers, 1, (facets, cracks)),
-        (_restore_crack, m, (facets, kept, strengths, cracks)),
+        (kernels.begin_all_levers(facets, cracks), 1),
+        (kernels.restore_crack(facets, kept, strengths, cracks), m),
     ]
 
 
 def _weigh(
     run: Translation, _: ElasticFacets, cells: CellDilatation, slack: CellSlack, cracks: CohesiveCracks
 ) -> list[Launch]:
-    return [(_weigh_cell, run.span.n, (cells, slack, cracks))]
+    return [(kernels.weigh_cell(cells, slack, cracks), run.span.n)]
 
 
 def _halves(run: Translation, cracks: CohesiveCracks, lists: CrackLists) -> Launch:
-    return _link_halves, run.span.n, (cracks, lists, run.bonds)
+    return kernels.link_halves(cracks, lists, run.bonds), run.span.n
 
 
 def _carry(run: Translation, stresses: StressesOfCells, cracks: CohesiveCracks, lists: CrackLists) -> list[Launch]:
-    return [_halves(run, cracks, lists), (_carry_cell, run.span.n, (stresses, cracks, lists))]
+    return [_halves(run, cracks, lists), (kernels.carry_cell(stresses, cracks, lists), run.span.n)]
 
 
 # ---- steps
@@ -130,7 +100,7 @@ def _measure(
     cracks: CohesiveCracks, lists: CrackLists,
 ) -> list[Launch]:  # fmt: skip
     losses = _losses(run, cracks)
-    return [(_measure_crack, run.span.m, (run.span, moving, facets, slack, stresses, cracks, lists, losses))]
+    return [(kernels.measure_crack(run.span, moving, facets, slack, stresses, cracks, lists, losses), run.span.m)]
 
 
 def _wake(
@@ -138,8 +108,8 @@ def _wake(
     cracks: CohesiveCracks, lists: CrackLists,
 ) -> list[Launch]:  # fmt: skip
     return [
-        (_wake_crack, run.span.m, (moving, facets, cracks, lists)),
-        (_take_woken, run.span.n, (run.span, moving, facets, cells, slack, cracks, lists)),
+        (kernels.wake_crack(moving, facets, cracks, lists), run.span.m),
+        (kernels.take_woken(run.span, moving, facets, cells, slack, cracks, lists), run.span.n),
     ]
 
 
@@ -148,9 +118,9 @@ def _leave(
     cracks: CohesiveCracks, lists: CrackLists,
 ) -> list[Launch]:  # fmt: skip
     return [
-        (_part_crack, run.span.m, (moving, facets, slack, cracks, lists, _losses(run, cracks))),
-        (_leave_crack, run.span.m, (facets, cracks, lists)),
-        (_take_leaving, run.span.n, (run.span, moving, facets, cells, slack, cracks, lists)),
+        (kernels.part_crack(moving, facets, slack, cracks, lists, _losses(run, cracks)), run.span.m),
+        (kernels.leave_crack(facets, cracks, lists), run.span.m),
+        (kernels.take_leaving(run.span, moving, facets, cells, slack, cracks, lists), run.span.n),
     ]
 
 
@@ -158,7 +128,7 @@ def _touch(
     run: Translation, moving: Moving, pairs: ContactPairs, _: NearPairs, cracks: CohesiveCracks, lists: CrackLists,
     reach: PartedReach,
 ) -> list[Launch]:  # fmt: skip
-    return [(_touch_parted_face, run.span.m, (moving, pairs, cracks, lists, reach))]
+    return [(kernels.touch_parted_face(moving, pairs, cracks, lists, reach), run.span.m)]
 
 
 def _load(
@@ -166,7 +136,7 @@ def _load(
     cracks: CohesiveCracks, lists: CrackLists,
 ) -> list[Launch]:  # fmt: skip
     losses = _losses(run, cracks)
-    return [(_load_crack, run.span.m, (run.span, moving, facets, strengths, stresses, cracks, lists, losses))]
+    return [(kernels.load_crack(run.span, moving, facets, strengths, stresses, cracks, lists, losses), run.span.m)]
 
 
 def _slide(
@@ -174,8 +144,8 @@ def _slide(
     lists: CrackLists,
 ) -> list[Launch]:  # fmt: skip
     return [
-        (_sum_cell, run.span.n, (stresses, cracks, lists)),
-        (_slide_crack, run.span.m, (run.span, moving, facets, cracks, lists)),
+        (kernels.sum_cracks_of_cell(stresses, cracks, lists), run.span.n),
+        (kernels.slide_crack_of(run.span, moving, facets, cracks, lists), run.span.m),
     ]
 
 
@@ -185,9 +155,9 @@ def _log(
     run.keep_log(log)
     losses = _losses(run, cracks)
     return [
-        (_sum_portion, len(losses.portion), (run.span, losses)),
-        (_sum_group, len(losses.group), (losses,)),
-        (_log_cracks, 1, (run.span, moving, facets, cracks, log, losses)),
+        (kernels.sum_portion_of_losses(run.span, losses), len(losses.portion)),
+        (kernels.sum_group_of_losses(losses), len(losses.group)),
+        (kernels.log_all_cracks(run.span, moving, facets, cracks, log, losses), 1),
     ]
 
 
@@ -196,17 +166,17 @@ COUNTERPARTS: dict[str, Counterpart] = {
     "weigh_cracked_cells": _weigh,
     "carry_cracks": _carry,
     "list_cracks": _list,
-    "begin_bases": over(_begin_base, elements),
+    "begin_bases": over(kernels.begin_base, elements),
     "measure_cracks": _measure,
-    "relax_cracked_cells": over(_relax_cell, elements, spans=False),
-    "relax_stale_cells": over(_relax_stale_cell, elements, spans=False),
-    "watch_resting_cracks": over(_watch_resting_crack, bonds),
+    "relax_cracked_cells": over(kernels.relax_cell, elements, spans=False),
+    "relax_stale_cells": over(kernels.relax_stale_cell, elements, spans=False),
+    "watch_resting_cracks": over(kernels.watch_resting_crack, bonds),
     "wake_cracks": _wake,
-    "soften_cracks": over(_soften_crack, bonds),
+    "soften_cracks": over(kernels.soften_crack, bonds),
     "leave_cracks": _leave,
     "touch_parted_faces": _touch,
     "load_cracks": _load,
     "slide_cracks": _slide,
     "log_cracks": _log,
-    "add_crack_loads": over(_add_crack_load, elements),
+    "add_crack_loads": over(kernels.add_crack_load, elements),
 }

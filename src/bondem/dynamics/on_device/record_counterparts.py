@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from bondem._device import IndexPass, Launch
-from bondem._tables.device_tables import DeviceSpan, FoldedPortions, GaugeParts
+from bondem._device import Launch
+from bondem._passes import kernels
+from bondem._tables.device_tables import GaugeParts
 from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, Rows
 from bondem.dynamics.on_device.device_tables import SUM_COLUMNS
 from bondem.dynamics.on_device.translation import Counterpart, Translation
@@ -11,14 +12,10 @@ from bondem.dynamics.on_device.translation import Counterpart, Translation
 # Elements of a part of a gauge, about, and parts of a gauge at most.
 _GAUGED, _PARTS = 256, 1024
 
-_sum_portion_of_elements = IndexPass("sum_portion_of_elements", DeviceSpan, Moving, Portions)
-_write_sum = IndexPass("write_sum", DeviceSpan, FoldedPortions, HistoryRows)
-_read_part_of_gauge = IndexPass("read_part_of_gauge", Moving, Rows, Gauges, GaugeParts)
-_write_gauge = IndexPass("write_gauge", DeviceSpan, Gauges, GaugeParts, HistoryRows)
 
 
 def _sum(run: Translation, moving: Moving, portions: Portions) -> list[Launch]:
-    return [(_sum_portion_of_elements, len(portions.elements), (run.span, moving, portions))]
+    return [(kernels.sum_portion_of_elements(run.span, moving, portions), len(portions.elements))]
 
 
 def _judge(run: Translation, rows: Rows, portions: Portions) -> list[Launch]:
@@ -27,7 +24,7 @@ def _judge(run: Translation, rows: Rows, portions: Portions) -> list[Launch]:
 
 
 def _write(run: Translation, rows: Rows, portions: Portions, history: HistoryRows) -> list[Launch]:
-    return [*run.fold(rows, portions), (_write_sum, len(SUM_COLUMNS), (run.span, run.folded, history))]
+    return [*run.fold(rows, portions), (kernels.write_sum(run.span, run.folded, history), len(SUM_COLUMNS))]
 
 
 def _read(run: Translation, moving: Moving, rows: Rows, gauges: Gauges, history: HistoryRows) -> list[Launch]:
@@ -35,8 +32,8 @@ def _read(run: Translation, moving: Moving, rows: Rows, gauges: Gauges, history:
     each = min(max(int(np.diff(gauges.start).max(initial=1)) // _GAUGED, 1), _PARTS)
     parts = run.once(gauges, lambda: GaugeParts(each, np.zeros((count * each, 3))))
     return [
-        (_read_part_of_gauge, count * each, (moving, rows, gauges, parts)),
-        (_write_gauge, 3 * count, (run.span, gauges, parts, history)),
+        (kernels.read_part_of_gauge(moving, rows, gauges, parts), count * each),
+        (kernels.write_gauge(run.span, gauges, parts, history), 3 * count),
     ]
 
 

@@ -2,28 +2,20 @@
 
 import numpy as np
 
-from bondem._device import DeviceTables, HostCall, IndexPass, Launch
+from bondem._device import DeviceTables, HostCall, Launch
+from bondem._passes import kernels
 from bondem._tables.cell_tables import ElasticFacets, FacetForces
 from bondem._tables.crack_tables import CrackOnset, StressesOfCells
 from bondem._tables.damage_tables import StressCandidates, StressFunction
-from bondem._tables.device_tables import DeviceSpan
 from bondem._tables.step_tables import Moving
 from bondem._tables.stress_onset_tables import CandidateFacets
 from bondem.damage.stress_passes import stress_indices
 from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
 
-_OF_CORE = "mean_stress", "cone"
-_judge_by = {
-    name: IndexPass(f"judge_cell_by_{name}", DeviceSpan, StressesOfCells, StressFunction, CandidateFacets, CrackOnset)
-    for name in _OF_CORE
+_OF_CORE = {
+    "mean_stress": (kernels.judge_cell_by_mean_stress, kernels.index_candidate_by_mean_stress),
+    "cone": (kernels.judge_cell_by_cone, kernels.index_candidate_by_cone),
 }
-_judge_by_size = IndexPass("judge_cell_by_size", DeviceSpan, StressesOfCells, CandidateFacets, CrackOnset)
-_FACETS = Moving, ElasticFacets, FacetForces, StressesOfCells, CrackOnset, CandidateFacets
-_clear = IndexPass("clear_candidates", CandidateFacets)
-_find = IndexPass("find_stress_candidate", DeviceSpan, *_FACETS)
-_index_by = {name: IndexPass(f"index_candidate_by_{name}", StressCandidates, StressFunction) for name in _OF_CORE}
-_mark = IndexPass("mark_failing_facet", *_FACETS)
-_find_strength = IndexPass("find_strength_along", CandidateFacets)
 
 
 def _find_candidates(
@@ -37,12 +29,12 @@ def _find_candidates(
 ) -> list[Launch]:
     run.scratch += [onset.bond, onset.stress, onset.found]
     tables = run.span, moving, facets, kept, stresses, cracks, onset
-    return [(_clear, 1, (onset,)), (_find, run.span.m, tables)]
+    return [(kernels.clear_candidates(onset), 1), (kernels.find_stress_candidate(*tables), run.span.m)]
 
 
 def _index(name: str) -> Counterpart:
     def counterpart(_: Translation, candidates: StressCandidates, function: StressFunction) -> list[Launch]:
-        return [(_index_by[name], len(candidates.bond), (candidates, function))]
+        return [(_OF_CORE[name][1](candidates, function), len(candidates.bond))]
 
     return counterpart
 
@@ -62,15 +54,15 @@ def _call(_: Translation, candidates: StressCandidates, function: StressFunction
         candidates.found[chosen] = stress_indices("function", candidates.stress[chosen], function)
         tables.send(candidates.found[:count])
 
-    return [(HostCall(work), 1, ())]
+    return [(HostCall(work), 1)]
 
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    **{f"judge_cells_by_{name}": over(one, elements) for name, one in _judge_by.items()},
-    "judge_cells_by_size": over(_judge_by_size, elements),
+    **{f"judge_cells_by_{name}": over(judge, elements) for name, (judge, _) in _OF_CORE.items()},
+    "judge_cells_by_size": over(kernels.judge_cell_by_size, elements),
     "find_stress_candidates": _find_candidates,
     **{f"index_candidates_by_{name}": _index(name) for name in _OF_CORE},
     "index_candidates_by_function": _call,
-    "mark_failing_facets": lambda _, *tables: [(_mark, len(tables[-1].bond), tables)],
-    "find_strengths_along": lambda _, onset: [(_find_strength, len(onset.bond), (onset,))],
+    "mark_failing_facets": lambda _, *tables: [(kernels.mark_failing_facet(*tables), len(tables[-1].bond))],
+    "find_strengths_along": lambda _, onset: [(kernels.find_strength_along(onset), len(onset.bond))],
 }

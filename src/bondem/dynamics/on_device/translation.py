@@ -5,8 +5,8 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from bondem._device import IndexPass, Launch
-from bondem._passes import StepEntry
+from bondem._device import Launch
+from bondem._passes import Kernel, StepEntry, kernels
 from bondem._tables.damage_tables import EventLog
 from bondem._tables.device_tables import (
     BondsOfElements,
@@ -14,19 +14,14 @@ from bondem._tables.device_tables import (
     FoldedPortions,
     LoadsOfBonds,
     RowOrder,
-    Tick,
     WorkPortions,
 )
-from bondem._tables.step_tables import Portions, Rows, StepCut, StepScheme
+from bondem._tables.step_tables import Portions, Rows, StepCut
 from bondem.dynamics.on_device.device_tables import GROUP, SUM_COLUMNS, WORKS, new_row_order
 from bondem.specimen.ordering import Layout
 
 _T = TypeVar("_T")
 
-set_clock = IndexPass("set_clock", DeviceSpan, StepScheme, Tick)
-count_record = IndexPass("count_record", DeviceSpan)
-_sum_portion_of_works = IndexPass("sum_portion_of_works", Rows, WorkPortions)
-_fold_portions = IndexPass("fold_portions", Portions, WorkPortions, FoldedPortions)
 
 
 class Translation:
@@ -102,16 +97,18 @@ class Translation:
     def fold(self, rows: Rows, portions: Portions) -> list[Launch]:
         """Return the launches that sum works, and all sums over portions."""
         return [
-            (_sum_portion_of_works, len(self._works.works), (rows, self._works)),
-            (_fold_portions, self.folded.sums.size, (portions, self._works, self.folded)),
+            (kernels.sum_portion_of_works(rows, self._works), len(self._works.works)),
+            (kernels.fold_portions(portions, self._works, self.folded), self.folded.sums.size),
         ]
 
 
+#: Passes over an index, of their tables (`bondem._passes.kernels`).
+KernelOf = Callable[..., Kernel]
 #: Launches that do what a pass does, of the tables of the pass.
 Counterpart = Callable[..., list[Launch]]
 
 
-def over(one: IndexPass, count: Callable[[Translation], int], *, spans: bool = True) -> Counterpart:
+def over(one: KernelOf, count: Callable[[Translation], int], *, spans: bool = True) -> Counterpart:
     """Return the counterpart of a pass that is one launch with the tables of the pass.
 
     Args:
@@ -121,7 +118,7 @@ def over(one: IndexPass, count: Callable[[Translation], int], *, spans: bool = T
     """
 
     def counterpart(run: Translation, *tables: Any) -> list[Launch]:
-        return [(one, count(run), (run.span, *tables) if spans else tables)]
+        return [(one(run.span, *tables) if spans else one(*tables), count(run))]
 
     return counterpart
 

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from bondem._device import IndexPass, Launch
+from bondem._device import Launch
+from bondem._passes import kernels
 from bondem._tables.cell_tables import (
     CellStrains,
     ElasticFacets,
@@ -19,48 +20,27 @@ from bondem._tables.crack_tables import (
     StressesOfCells,
     YieldingCells,
 )
-from bondem._tables.device_tables import DeviceSpan, RowOrder, StrainPortions
-from bondem._tables.step_tables import Moving, Rows, StepCut
+from bondem._tables.device_tables import DeviceSpan, StrainPortions
+from bondem._tables.step_tables import Moving, Rows
 from bondem.dynamics.on_device.crack_onset_counterparts import on_surface
-from bondem.dynamics.on_device.translation import Counterpart, Translation, bonds, elements, over
+from bondem.dynamics.on_device.translation import Counterpart, KernelOf, Translation, bonds, elements, over
 
-_find_still_stress = IndexPass("find_still_stress", DeviceSpan, Moving, FacetForces, StressesOfCells)
-_add_still_surface_stress = IndexPass(
-    "add_still_surface_stress", DeviceSpan, Moving, WallConstraints, RowOrder, FacetTractions, StressesOfCells
-)
-_mark_plane = IndexPass("mark_plane", DeviceSpan, Moving, ElasticFacets, FacetForces, FacetStrengths, CrackOnset)
-_yield_cell = IndexPass("yield_cell", DeviceSpan, Moving, StressesOfCells, YieldingCells, CrackOnset)
-_add_work_of_row = IndexPass(
-    "add_yielding_work_of_row", DeviceSpan, StepCut, FacetTractions, StressesOfCells, YieldingCells, Rows
-)
-_sum_heat = IndexPass("sum_portion_of_heat", DeviceSpan, StressesOfCells, YieldingCells, CrackEnergies)
 _OF_CELLS = ElasticFacets, FacetsOfCells, YieldingCells
-_stretch_yielded_cell = IndexPass("stretch_yielded_cell", *_OF_CELLS)
-_stretch_growing_cell = IndexPass("stretch_growing_cell", DeviceSpan, *_OF_CELLS)
-_stretch_wall = IndexPass("stretch_wall_of_cell", DeviceSpan, WallConstraints, YieldingCells)
-_stretch_crack = IndexPass("stretch_crack_of_cells", DeviceSpan, ElasticFacets, YieldingCells, CohesiveCracks)
-_keep_base_levers = IndexPass("keep_base_levers", CellStrains, ElasticFacets, YieldingCells)
-_stretch_cell_anew = IndexPass("stretch_cell_anew", CellStrains, *_OF_CELLS)
-_stretch_wall_anew = IndexPass("stretch_wall_anew", CellStrains, WallConstraints, YieldingCells)
-_follow_lever = IndexPass("follow_lever", CellStrains, ElasticFacets, CohesiveCracks)
 _POWERS = DeviceSpan, Moving, CellStrains, ElasticFacets, CohesiveCracks, StrainPortions
-_sum_powers = IndexPass("sum_portion_of_crack_powers", *_POWERS)
-_begin_powers = IndexPass("begin_portion_of_crack_powers", *_POWERS)
-_add_powers = IndexPass("add_crack_powers", CellStrains, StrainPortions)
 
 
 def _still_surface(
     run: Translation, moving: Moving, walls: WallConstraints, tractions: FacetTractions, stresses: StressesOfCells
 ) -> list[Launch]:
     tables = run.span, moving, walls, on_surface(run, walls), tractions, stresses
-    return [(_add_still_surface_stress, run.span.n, tables)]
+    return [(kernels.add_still_surface_stress(*tables), run.span.n)]
 
 
 def _planes(
     run: Translation, moving: Moving, facets: ElasticFacets, kept: FacetForces, strengths: FacetStrengths,
     onset: CrackOnset,
 ) -> list[Launch]:  # fmt: skip
-    return [(_mark_plane, len(strengths.planes), (run.span, moving, facets, kept, strengths, onset))]
+    return [(kernels.mark_plane(run.span, moving, facets, kept, strengths, onset), len(strengths.planes))]
 
 
 # ---- cells that yield
@@ -70,28 +50,28 @@ def _yield(
     run: Translation, moving: Moving, _: FacetStrengths, stresses: StressesOfCells, cells: YieldingCells,
     onset: CrackOnset,
 ) -> list[Launch]:  # fmt: skip
-    return [(_yield_cell, run.span.n, (run.span, moving, stresses, cells, onset))]
+    return [(kernels.yield_cell(run.span, moving, stresses, cells, onset), run.span.n)]
 
 
 def _work(
     run: Translation, tractions: FacetTractions, stresses: StressesOfCells, cells: YieldingCells, rows: Rows
 ) -> list[Launch]:
     count = run.held if len(stresses.pressed) else 0
-    return [(_add_work_of_row, count, (run.span, run.cut, tractions, stresses, cells, rows))]
+    return [(kernels.add_yielding_work_of_row(run.span, run.cut, tractions, stresses, cells, rows), count)]
 
 
 def _heat(
     run: Translation, stresses: StressesOfCells, cells: YieldingCells, found: CrackEnergies
 ) -> list[Launch]:  # fmt: skip
-    return [(_sum_heat, len(found.heat), (run.span, stresses, cells, found))]
+    return [(kernels.sum_portion_of_heat(run.span, stresses, cells, found), len(found.heat))]
 
 
 def _stretch_walls_and_cracks(
     run: Translation, facets: ElasticFacets, walls: WallConstraints, cells: YieldingCells, cracks: CohesiveCracks
 ) -> list[Launch]:
     return [
-        (_stretch_wall, len(walls.cell), (run.span, walls, cells)),
-        (_stretch_crack, run.span.m, (run.span, facets, cells, cracks)),
+        (kernels.stretch_wall_of_cell(run.span, walls, cells), len(walls.cell)),
+        (kernels.stretch_crack_of_cells(run.span, facets, cells, cracks), run.span.m),
     ]
 
 
@@ -100,16 +80,16 @@ def _stretch_anew(
     cells: YieldingCells,
 ) -> list[Launch]:  # fmt: skip
     return [
-        (_keep_base_levers, run.span.m, (strains, facets, cells)),
-        (_stretch_cell_anew, run.span.n, (strains, facets, of_cells, cells)),
-        (_stretch_wall_anew, len(walls.cell), (strains, walls, cells)),
+        (kernels.keep_base_levers(strains, facets, cells), run.span.m),
+        (kernels.stretch_cell_anew(strains, facets, of_cells, cells), run.span.n),
+        (kernels.stretch_wall_anew(strains, walls, cells), len(walls.cell)),
     ]
 
 
 # ---- work of strains at cracks
 
 
-def _powers(one: IndexPass) -> Counterpart:
+def _powers(one: KernelOf) -> Counterpart:
     def counterpart(
         run: Translation, moving: Moving, strains: CellStrains, facets: ElasticFacets, cracks: CohesiveCracks
     ) -> list[Launch]:
@@ -118,25 +98,25 @@ def _powers(one: IndexPass) -> Counterpart:
 
         portions = run.once(strains, make)
         return [
-            (one, len(portions.power), (run.span, moving, strains, facets, cracks, portions)),
-            (_add_powers, len(strains.schedule), (strains, portions)),
+            (one(run.span, moving, strains, facets, cracks, portions), len(portions.power)),
+            (kernels.add_crack_powers(strains, portions), len(strains.schedule)),
         ]
 
     return counterpart
 
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "find_still_stresses": over(_find_still_stress, elements),
+    "find_still_stresses": over(kernels.find_still_stress, elements),
     "add_still_surface_stresses": _still_surface,
     "mark_cracking_planes": _planes,
     "yield_cells": _yield,
     "add_yielding_work": _work,
     "sum_heat": _heat,
-    "stretch_all_cells": over(_stretch_yielded_cell, elements, spans=False),
-    "stretch_cells": over(_stretch_growing_cell, elements),
+    "stretch_all_cells": over(kernels.stretch_yielded_cell, elements, spans=False),
+    "stretch_cells": over(kernels.stretch_growing_cell, elements),
     "stretch_walls_and_cracks": _stretch_walls_and_cracks,
     "stretch_anew": _stretch_anew,
-    "follow_levers": over(_follow_lever, bonds, spans=False),
-    "sum_crack_powers": _powers(_sum_powers),
-    "begin_crack_powers": _powers(_begin_powers),
+    "follow_levers": over(kernels.follow_lever, bonds, spans=False),
+    "sum_crack_powers": _powers(kernels.sum_portion_of_crack_powers),
+    "begin_crack_powers": _powers(kernels.begin_portion_of_crack_powers),
 }
