@@ -201,7 +201,7 @@ def _surfaces() -> Section:
 
 
 def _elastic() -> Section:
-    """What comes back of E and ν where there are no walls."""
+    """Return the section on E and ν of bodies without walls."""
     found = ELASTIC.at("elastic")
     rows = []
     for nu in sorted({one["nu_given"] for one in found}):

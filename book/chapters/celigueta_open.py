@@ -75,7 +75,7 @@ def _speed() -> Section:
 
 
 def _forces() -> Section:
-    """Why the other plate bears less."""
+    """Return the section on the lower load of the other plate."""
     rows = []
     kinds: dict[tuple[str, float, bool], list[dict[str, Any]]] = {}
     for one in FORCES.at("cases"):

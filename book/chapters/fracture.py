@@ -188,7 +188,7 @@ def _missing() -> float:
 
 
 def _strengths() -> str:
-    """What the bar bore over f_t, from, to."""
+    """Return the least and largest strength of the bars over f_t."""
     found = [one["tension"] / one["strength"] for one in BEAMS.at("cases")]
     return f"{min(found):.3f} to {max(found):.3f}"
 

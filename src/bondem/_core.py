@@ -53,7 +53,7 @@ _WORD = 8
 
 
 def _is_source_tree() -> bool:
-    """Whether this is a checkout, whose sources may change, rather than an installed wheel."""
+    """Return True in a checkout, whose sources may change, and False for an installed wheel."""
     return (SOURCES.parents[2] / "hatch_build.py").is_file()
 
 
@@ -64,7 +64,7 @@ def _found(name: str, suffix: str, digest: str = "*") -> Path | None:
 
 
 def _compiled(target: Platform, name: str) -> Path:
-    """A library of the sources as they are.
+    """Return a library compiled from the present sources.
 
     Raises:
         ImportError: there is none, and none can be compiled.
@@ -138,13 +138,13 @@ class _PassDescription(ctypes.Structure):
 
 @dataclass(frozen=True)
 class _Library:
-    """A loaded library and what it says of itself.
+    """A loaded library and its descriptions of tables and passes.
 
     Attributes:
-        level: of its instructions.
+        level: level of its instructions.
         tables: fields of each table.
-        passes: of each, its function, its tables and how it may end.
-        step_passes: of each, its address and kind, and its tables.
+        passes: function, tables and endings of each pass.
+        step_passes: address, kind and tables of each pass of a step.
         index_passes: tables of each pass over an index.
         index_loops: the loop on the CPU of each pass over an index; none in a wheel.
         lanes: numbers of a register.
@@ -212,7 +212,7 @@ def _registered(function: Any) -> Iterator[_PassDescription]:
 
 
 def _check_layout(name: str, fields: tuple[Field, ...], size: int) -> None:
-    """Refuse a library whose compiler lays a table out otherwise than word by word."""
+    """Raise ImportError for a library whose tables are not laid out word by word."""
     offset = 0
     for field in fields:
         if field.offset != offset:
@@ -317,8 +317,8 @@ def pass_tables(kind: str) -> dict[str, tuple[str, ...]]:
 def index_loop(name: str) -> Callable[[int, int, int], Any]:
     """The loop on the CPU of a pass over an index, which simulates a device.
 
-    It is a function of how many indices there are, of the address of a number that is 0 unless nothing is to be done,
-    or 0, and of the address of a list of addresses of tables.
+    Its arguments are the number of indices, the address of a flag that skips all indices if it is not 0 (or 0 without
+    a     flag), and the address of a list of addresses of tables.
 
     Raises:
         ImportError: bondem was installed from a wheel, which does not contain the loops.
@@ -331,7 +331,7 @@ def index_loop(name: str) -> Callable[[int, int, int], Any]:
 
 @functools.cache
 def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[Field, ...]:
-    """The fields of the table that a named tuple is named after.
+    """Return the fields of the table with the name of a named tuple.
 
     Raises:
         ImportError: other fields than those of the header.
@@ -344,7 +344,7 @@ def checked_fields(kind: type[tuple[Any, ...]]) -> tuple[Field, ...]:
 
 
 def room_for(values: np.ndarray, rows: int) -> np.ndarray:
-    """A longer copy of an array, with room for more rows, (rows, …); what is added is undefined."""
+    """A longer copy of an array, with room for more rows, (rows, …); added rows are undefined."""
     longer = np.empty((rows, *values.shape[1:]), values.dtype)
     longer[: len(values)] = values
     return longer

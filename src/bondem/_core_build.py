@@ -104,7 +104,7 @@ class Platform:
 
     @property
     def tag(self) -> str:
-        """Tag of its wheels: any Python, as the libraries know nothing of it."""
+        """Tag of the wheels of the platform: any Python, because the libraries do not depend on it."""
         machine = {"macos": {"aarch64": "arm64"}, "windows": {"x86_64": "amd64", "aarch64": "arm64"}}.get(
             self.system, {}
         ).get(self.machine, self.machine)
@@ -113,12 +113,12 @@ class Platform:
 
     @property
     def suffix(self) -> str:
-        """Suffix of its libraries."""
+        """Suffix of the libraries of the platform."""
         return {"linux": ".so", "macos": ".dylib", "windows": ".dll"}[self.system]
 
     @property
     def levels(self) -> tuple[str, ...]:
-        """Names of the levels of instructions it is compiled for, the lowest first."""
+        """Names of the levels of instructions of the platform, the lowest first."""
         return tuple(_LEVELS[self.machine])
 
     def offered(self, level: int) -> tuple[str, ...]:
@@ -168,14 +168,14 @@ def source_digest(folder: Path = SOURCES) -> str:
 
 
 def compiler() -> list[str] | None:
-    """The command that compiles: that of BONDEM_CXX, or of `ziglang`; None where neither is there."""
+    """Return the command of the compiler: BONDEM_CXX, else that of `ziglang`; None if neither exists."""
     if other := os.environ.get(_OTHER):
         return shlex.split(other)
     return [sys.executable, "-m", "ziglang", "cc"] if importlib.util.find_spec("ziglang") else None
 
 
 def compile_core(target: Platform, names: Iterable[str], *, folder: Path = SOURCES) -> list[Path]:
-    """Compile some libraries, unless they are there, and remove older ones of their names.
+    """Compile libraries that do not exist yet, and remove older ones of the same names.
 
     Sources are compiled side by side, on all cores. The compiler keeps their objects in the folder `build`, and
     compiles those again that have changed.
@@ -238,7 +238,7 @@ def _run(command: list[str], environment: Mapping[str, str]) -> None:
 
 
 def core_sources(*patterns: str, folder: Path = SOURCES) -> list[Path]:
-    """Sources of the core, without what is compiled from them."""
+    """Sources of the core, without compiled files."""
     inner = {folder / "build", folder / LIBRARIES}
     return sorted(
         path for pattern in patterns for path in folder.rglob(pattern) if not inner & set(path.parents)

@@ -102,7 +102,7 @@ def filled_table(
 
 
 def _number(table: str, field: Field, value: Any) -> int:
-    """The word of a number; InputError for what is none, or none of the type that a field declares."""
+    """Return the word of a number; InputError for a value that is not a number of the type of the field."""
     real = field.dtype == np.float64
     if not isinstance(value, REAL if real else INTEGER) or value != value:
         raise InputError(f"{table}.{field.name} = {value!r}: not a number that the core can read; pass {field}")
@@ -113,7 +113,7 @@ def _number(table: str, field: Field, value: Any) -> int:
 
 
 def _checked_address(table: str, field: Field, value: Any) -> int:
-    """The address of an array; InputError for what is none as a field declares it, the lengths of its axes apart."""
+    """Return the address of an array; InputError if its type, order or number of axes is not that of the field."""
     if not isinstance(value, np.ndarray):
         raise InputError(f"{table}.{field.name} = {value!r}: not an array; pass {field}")
     flags = value.flags

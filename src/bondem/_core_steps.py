@@ -1,7 +1,7 @@
 """Steps of the core: lists of its passes, with the tables that they take.
 
 A run of steps is composed once, in Python, and walked by the core without returning (`core/steps.hpp`): lists of
-passes, each with its tables. What a model lacks is a pass that is not in a list.
+passes, each with its tables. A subject that a model lacks has no pass in these lists.
 """
 
 from collections.abc import Iterable
@@ -20,7 +20,7 @@ _WORDS = 8
 
 
 class Composer:
-    """Fills tables once, and makes lists of passes of them; it must live as long as these.
+    """Composer of lists of passes, which fills each table once and must live as long as its lists.
 
     A length that a header names, such as n, is one length in all tables of a composer.
 
@@ -47,7 +47,7 @@ class Composer:
         return np.array(entries, dtype=np.int64).reshape(-1, _WORDS)
 
     def _address(self, name: str, table: tuple[Any, ...]) -> int:
-        """Where a table is in memory; each is filled once."""
+        """Return the address of a table, which is filled at the first request."""
         fields, found = fields_of(table, name), self._filled.get(id(table))
         if found is None:
             words = filled_table(name, fields, table, self._lengths)

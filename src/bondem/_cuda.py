@@ -1,7 +1,7 @@
 """A CUDA device: passes over an index are compiled by NVRTC from the sources of the core, and launched.
 
-Loaded only where `device="gpu"` is asked for, and the only module that imports NVIDIA's `cuda.core`. Each pass is a
-program of its own, compiled when a run first needs it. What is compiled is kept in the folder `kernels` of bondem's
+Loaded for `device="gpu"` only, and the only module that imports NVIDIA's `cuda.core`. Each pass is a
+program of its own, compiled when a run first needs it. Compiled passes are stored in the folder `kernels` of bondem's
 cache, by the sources, the compiler and the architecture.
 """
 
@@ -38,7 +38,7 @@ _TABLES = 8
 
 
 def lacks_gpu() -> str | None:
-    """Return a sentence that says what a run on a device lacks here, or None."""
+    """Return a sentence on a requirement of runs on a device that is missing here, or None."""
     try:
         if core.Device.get_all_devices():
             return None
@@ -99,7 +99,7 @@ def _registers(log: str) -> dict[str, Registers]:
 
 @cache
 def _kept() -> Path:
-    """Return the folder of what is compiled from these sources by this compiler."""
+    """Return the folder of the passes compiled from these sources by this compiler."""
     digest = hashlib.sha256(str(nvrtc.nvrtcVersion()).encode())
     for path in core_sources("*.cpp", "*.hpp", "*.cu"):
         digest.update(path.read_bytes())
@@ -107,7 +107,7 @@ def _kept() -> Path:
 
 
 def _cubin(name: str, architecture: str) -> bytes:
-    """Return a compiled pass, from the cache where it is there."""
+    """Return a compiled pass, from the cache if it is stored there."""
     place = _kept() / f"{architecture}.{name}.cubin"
     try:
         return place.read_bytes()
@@ -156,7 +156,7 @@ class CudaDevice:
         self._copy(source, array.ctypes.data, array.nbytes)
 
     def _copy(self, source: int, to: int, size: int) -> None:
-        """Copy between the memories of host and device; the stream is at rest then."""
+        """Copy between the memories of host and device, after all work of the stream."""
         if size:
             there, here = (core.Buffer.from_handle(address, size) for address in (to, source))
             there.copy_from(here, stream=self._stream)

@@ -120,8 +120,8 @@ class _Row:
     """One quantity of an object.
 
     Attributes:
-        name: of the attribute.
-        value: as text.
+        name: name of the attribute.
+        value: value as text.
         unit: with a blank before it, or nothing.
         simple: whether the value is all there is to it.
     """
@@ -153,7 +153,7 @@ def _rows(thing: object) -> list[_Row]:
 
 
 def _title(thing: object) -> str:
-    """The class, and what the object is."""
+    """Return the name of the class and, if it has one, the headline of the object."""
     name = type(thing).__name__
     headline = _HEADLINES.get(name)
     try:

@@ -43,10 +43,10 @@ def passes_of(launches: Iterable[Launch]) -> list[str]:
 
 
 class Device(Protocol):
-    """Memory and launches of a device, in the order in which they are asked for."""
+    """Memory and launches of a device, in the order of the calls."""
 
     def allocate(self, size: int) -> tuple[int, object]:
-        """Return the address of memory filled with zeros [bytes], and what keeps it."""
+        """Return the address of memory filled with zeros [bytes], and the object that owns it."""
         ...
 
     def send(self, array: np.ndarray, to: int) -> None:
@@ -99,7 +99,7 @@ class DeviceTables:
         self._unread |= {id(_whole(array)) for array in arrays}
 
     def address(self, array: np.ndarray) -> int:
-        """Return the address of an array on the device, where it is copied when it is first asked for."""
+        """Return the address of an array on the device, where it is copied at the first request."""
         whole = _whole(array)
         if id(whole) not in self._arrays:
             address, kept = self.device.allocate(whole.nbytes + _LINE)
@@ -195,7 +195,7 @@ class Host:
         array.reshape(-1).view(np.uint8)[:] = _bytes_at(source, array.nbytes)
 
     def compile(self, names: Sequence[str]) -> None:
-        """See `Device`: they are compiled."""
+        """Do nothing, because the passes of the CPU are compiled already."""
 
     def prepared(self, one: Kernel, count: int, tables: Sequence[int], halted: int) -> Enqueue:
         """See `Device`."""

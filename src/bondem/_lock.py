@@ -11,21 +11,21 @@ from pathlib import Path
 from typing import Any
 
 _POSIX: Any = importlib.import_module("fcntl") if os.name == "posix" else None
-# Between two looks at a lock that another process holds [s].
+# Time between two attempts to lock a file [s].
 _LOOK = 0.02
-# Where the byte is that a claimed file is known by.
+# Position of the byte that a claim locks.
 _FAR = 1 << 62
 
 
 @contextmanager
 def alone(place: Path, *, patience: float) -> Iterator[None]:
-    """Be the only process in a block of this place; after so many seconds of waiting, one of several.
+    """Run a block as the only process at a place; after `patience` without the lock, beside others.
 
-    The system takes the lock from a process that dies. Where files cannot be locked nobody waits.
+    The system takes the lock from a process that dies. Without locks on files the block starts at once.
 
     Args:
-        place: of the lock, a file that is made; what it holds does not matter.
-        patience: [s].
+        place: path of the lock, a file that is created and stays empty.
+        patience: longest time until the block starts [s].
     """
     with ExitStack() as held:
         with suppress(OSError):
@@ -43,9 +43,9 @@ def alone(place: Path, *, patience: float) -> Iterator[None]:
 
 
 def claim(descriptor: int) -> bool:
-    """Claim an open file for writing, until it is closed; False where another process, or another open file, has it.
+    """Claim an open file for writing until it is closed; False if another process or open file has a claim.
 
-    Readers are not kept out, as by HDF5's own locks. Where such claims are not known nobody is refused.
+    Readers are not excluded, as HDF5's own locks would do. On systems without such locks every claim succeeds.
     """
     if _POSIX is None or not hasattr(_POSIX, "F_OFD_SETLK"):
         return True
@@ -60,10 +60,10 @@ def claim(descriptor: int) -> bool:
 
 @contextmanager
 def sole(place: Path) -> Iterator[bool]:
-    """Claim a place for the block, by a file that goes with it; False where another process has it.
+    """Claim a place for the block by a file that is removed with it; False if another process has a claim.
 
     Args:
-        place: of the file, in a folder that is there and can be written to; elsewhere nobody is refused.
+        place: path of the file; in a folder that is missing or read-only every claim succeeds.
     """
     with ExitStack() as held:
         file = None

@@ -81,7 +81,7 @@ def no_member(thing: object, name: str) -> str:
 
 
 def _other_words(name: str, names: Iterable[str]) -> list[str]:
-    """Return the names by which what other programs call `name` is known here."""
+    """Return the names in bondem of a term that other programs call `name`."""
     return [one for one in _SYNONYMS.get(name, ()) if one in names]
 
 

@@ -47,7 +47,7 @@ class _Range:
 
     Attributes:
         unit: SI unit.
-        advice: what to give in place of a value that is not positive.
+        advice: advice on a value that is not positive.
         low, high: lowest and highest plausible value; any solid of the field is within.
         slips: units of data sheets in which a value beyond the range may be, and their size in SI units, the more
             likely one first.

@@ -137,7 +137,7 @@ def reported(progress: Callable[[str, float], None] | None) -> Iterator[Callable
 
 @contextmanager
 def quiet() -> Iterator[None]:
-    """Show nothing within the block: the caller shows it, or nobody sees it."""
+    """Show no progress within the block."""
     _Chosen.hidden += 1
     try:
         yield
@@ -250,7 +250,7 @@ class _Lines:
         self._write(f"{self._stage}{far}" + (f", {self._board.note}" if self._board.note else ""))
 
     def close(self) -> None:
-        """Nothing is open."""
+        """Do nothing, because nothing is open."""
 
     def _write(self, words: str) -> None:
         if sys.stderr is None:  # print would take stdout
@@ -274,7 +274,7 @@ class _Bars:
         self._progress.update(self._tasks[stage], completed=share)
 
     def beat(self) -> None:
-        """Bars move by themselves."""
+        """Do nothing, because bars update themselves."""
 
     def close(self) -> None:
         self._progress.stop()

@@ -57,7 +57,7 @@ class ContactWarning(UserWarning):
 
 
 class ImbalanceWarning(UserWarning):
-    """Warning of an explicit run whose energy ledger has an error of more than a small share of its energies."""
+    """Warning of an explicit run whose energy balance has an error of more than a small share of its energies."""
 
 
 class NotQuasistaticWarning(UserWarning):

@@ -77,11 +77,12 @@ def solve_explicit(
             none.
         until: one event or several that end the run early.
         safety: share of the critical step to use if dt is None [-].
-        imbalance: limits of the error of the energy ledger [-], as shares of the largest energy so far (work, losses,
+        imbalance: limits of the error of the energy balance [-], as shares of the largest energy so far (work,
+        losses,
             stored energies). Beyond the first limit the run gives a warning. Beyond the second it stops with the
-            status IMBALANCED. None disables the check, and `math.inf` disables one limit. The ledger is checked with
+            status IMBALANCED. None disables the check, and `math.inf` disables one limit. The balance is checked with
             each record, or at intervals if `every` is 0. There is no check with `bd.TchamwaWielgosz`, whose
-            dissipation is not in the ledger.
+            dissipation is not in the balance.
         state: initial state, such as the end of another run of the same elements and bonds, or an equilibrium of
             `solve_static` or `solve_quasistatic`; it is not changed. Its time continues, also for all schedules:
             those of a second stage begin at `state.time`.
@@ -102,7 +103,7 @@ def solve_explicit(
 
     Warns:
         StepWarning: The given dt is above 0.9 of the critical step; the message of the result repeats this.
-        ImbalanceWarning: The error of the energy ledger exceeds the first limit of `imbalance`.
+        ImbalanceWarning: The error of the energy balance exceeds the first limit of `imbalance`.
         StageWarning: A schedule that is new in this stage began before it, or a load is not that of the equilibrium
             from which the run begins.
         NotQuasistaticWarning: The run looks quasi-static (a servo wall; two ends, one of them driven, with damping or

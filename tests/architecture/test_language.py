@@ -15,9 +15,7 @@ ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "src/bondem"
 
 # Files and folders that were not revised yet. Remove an entry once its text is revised; never add one.
-PENDING = [
-    "src/bondem/_lock.py",
-]
+PENDING: list[str] = []
 
 # Names under which tests record numbers; results of earlier measurements contain them.
 RECORDED = {"energy that comes back, plane wave", "energy that comes back, thin bar"}
@@ -81,9 +79,9 @@ def pending(path: Path, entries: list[str]) -> bool:
 
 
 def named(tree: ast.AST, prefix: str = "") -> Iterator[tuple[str, ast.AST]]:
-    """Public classes, functions and methods of a module."""
+    """Classes, functions and methods of a module, private ones included."""
     for node in ast.iter_child_nodes(tree):
-        if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
             yield prefix + node.name, node
             if isinstance(node, ast.ClassDef):
                 yield from named(node, f"{prefix}{node.name}.")
@@ -205,6 +203,14 @@ def test_texts_of_the_validation_and_examples_have_no_banned_phrase():
         for where, text in [*docstrings(tree), *messages(tree)]:
             if text not in RECORDED:
                 faults += [f"{path.relative_to(ROOT)} {where}: {phrase}" for phrase in banned_in(text)]
+    assert not faults, "\n".join(faults)
+
+
+def test_docstrings_are_not_colloquial():
+    faults = []
+    for path in sources():
+        for where, text in docstrings(parsed(path)):
+            faults += [f"{path.relative_to(PACKAGE)} {where}: {phrase}" for phrase in banned_in(text, COLLOQUIAL)]
     assert not faults, "\n".join(faults)
 
 

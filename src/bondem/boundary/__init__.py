@@ -1,1 +1,1 @@
-"""Boundary conditions: who is held, driven or loaded, by how much, and the walls."""
+"""Boundary conditions: fixed, driven and loaded elements, schedules over time, and walls."""

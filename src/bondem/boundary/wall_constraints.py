@@ -140,7 +140,7 @@ class Grips:
         return ((self.axes * turned_vectors(orientation, self.normal)) ** 2).sum(axis=1)
 
     def taken(self, base: Floats) -> "Grips":
-        """Return these grips with rotated shares and H, for walls that took over cells at poses `base`, (g, 7)."""
+        """Return held facets with rotated shares and H, for walls that hold cells since the poses `base`, (g, 7)."""
         other = (base[:, 4:] != 0.0).any(axis=1)
         if not other.any():
             return self
@@ -152,7 +152,7 @@ class Grips:
         return replace(self, share=share, H=H)
 
     def grown(self, strain: PerElement) -> "Grips":
-        """Return the grips of cells with a stress-free strain [-], user's order, (n,)."""
+        """Return the held facets of cells with a stress-free strain [-], user's order, (n,)."""
         return replace(self, arm=self.lever * (1.0 + strain[self.cell, None]))
 
     def gap(self, displacement: PerElement3, rotation: PerElement3, wall: Floats | None = None) -> Floats:
@@ -192,7 +192,7 @@ class Grips:
         return np.concatenate([held, turned]).reshape(-1, motion.shape[-1])
 
     def blocks(self, lever: Floats | None = None) -> tuple[Floats, Floats]:
-        """Return contributions of grips to diagonal blocks [N/m, N, N·m], (g, 6, 6), and to V θ of cells, (g, 6).
+        """Return parts of held facets in diagonal blocks [N/m, N, N·m], (g, 6, 6), and in V θ of cells, (g, 6).
 
         Args:
             lever: levers as rotated by the cells [m], (g, 3); None for those of the reference.

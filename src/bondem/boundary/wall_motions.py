@@ -135,7 +135,7 @@ class Free:
     about its centre, after Euler's equations (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997,
     5840-5851: symplectic, of second order in the step). Dashpots of its contacts take the reduced mass of both.
 
-    The energy ledger counts the work of the body on the elements as "work", and not the kinetic energy of the body;
+    The energy balance counts the work of the body on the elements as "work", and not the kinetic energy of the body;
     `bd.WallGauge(..., "velocity")` and `"angular_velocity"` record its motion. In a later stage the body continues
     at its velocities.
 

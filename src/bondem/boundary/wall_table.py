@@ -136,7 +136,7 @@ def _shapes(walls: Sequence[Wall], origin: Floats) -> Floats:
 
 
 def _inertias(walls: Sequence[Wall]) -> Floats:
-    """Return how free walls resist, with principal axes where their inertia is a matrix."""
+    """Return inverse masses and inertias of free walls, with principal axes if an inertia is a matrix."""
     numbers = no_rows("WallInertia", len(walls))
     rows = named_rows("WallInertia", numbers)
     rows["principal"][:, 0] = 1.0

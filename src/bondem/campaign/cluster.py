@@ -50,7 +50,7 @@ def connected(
     slurm: Slurm | None = None,
     shared: Path | None = None,
 ) -> Iterator[Any]:
-    """A client of a cluster, which is ended with the block unless it is somebody else's.
+    """Client of a cluster, which ends with the block if the campaign has started it.
 
     Args:
         workers: number of processes of this machine with one thread each; None for one per core.
@@ -102,7 +102,7 @@ def connected(
 def submitted(
     client: Any, work: Callable[[Named, Path], Any], asked: Iterable[Named], out: Path
 ) -> Iterator[tuple[Any, Named]]:
-    """Hand out work and yield each finished task with what it was asked for, as they come.
+    """Submit tasks and yield each finished one with its request, in the order of completion.
 
     Args:
         client: client of a cluster.

@@ -12,7 +12,7 @@ from bondem.damage.softening_table import SofteningTable
 def crushing_of(
     facets: SofteningTable | None, beams: BeamSoftening | None, cracks: Floats, softened: Floats
 ) -> Floats:
-    """Return what cracked facets or softening beams have released beyond their fracture energy [J], (1,).
+    """Return the energy that facets or softening beams have released beyond their fracture energy [J], (1,).
 
     The terms are added one by one, as the core does: a run that begins from damage has no crushing at first.
 

@@ -1,4 +1,4 @@
-"""Flaws of a weakest link: strengths that are alike near each other, and whose smallest one scatters by volume.
+"""Flaws of a weakest link: strengths equal near each flaw, whose smallest one scatters with the volume.
 
 Flaws of a strength below s are a Poisson process of density (s/s₀)^m / V₀. A body of volume V has none with
 probability exp(-(V/V₀) (s/s₀)^m), which is Weibull's distribution for every shape. A flaw sets the strength of all

@@ -30,7 +30,7 @@ _ENDINGS = {"sound": FINE, "not_finite": NOT_FINITE, "runaway": RUNAWAY}
 
 
 class CoreLoop:
-    """The lists of passes of one run, and the calls that go on with it."""
+    """Lists of passes of one run, and the calls that carry them out."""
 
     def __init__(self, model: Model, plan: Plan, state: State, dt: float) -> None:
         self.state = state

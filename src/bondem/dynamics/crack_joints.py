@@ -11,7 +11,7 @@ from bondem.model.model import Model
 from bondem.model.state import State
 
 # What breaks at once loses this share of its integrity, at most, in the time 1/ω in which the facet between its two
-# cells swings by itself, and in a step: the ledger closes, the better the shorter the step.
+# cells swings by itself, and in a step: the energy balance closes, better with a shorter step.
 LOSS = 0.1
 
 

@@ -1,4 +1,4 @@
-"""Check of the energy ledger during a run."""
+"""Check of the energy balance during a run."""
 
 import warnings
 
@@ -24,14 +24,14 @@ _STORED = ("translation", "rotation", "normal", "shear", "bending", "twisting", 
 
 
 class EnergyCheck:
-    """Check that compares the balance of the ledger with the energies of the run, record by record.
+    """Check that compares the error of the energy balance with the energies of a run, record by record.
 
     The scale is the largest energy so far: stored energies, and work and losses since the first record. The outcome
     depends on the records alone, so that a resumed run is checked like an uninterrupted one.
     """
 
     def __init__(self, model: Model, state: State, dt: float, limits: tuple[float, float], first: Floats) -> None:
-        """Begin a check.
+        """Start a check from the first record of a run.
 
         Args:
             model: model of the run.

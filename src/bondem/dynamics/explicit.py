@@ -174,13 +174,13 @@ def integrate(
 
 
 def _fractured(state: State) -> str:
-    """Return what broken facets have dissipated over the fracture energy of their area, for the message of a run."""
+    """Return the dissipation of broken facets over the fracture energy of their area, for the message of a run."""
     ratios = ", ".join(f"{one.ratio:.3g}" for one in fracture_energies(state) if one.ratio == one.ratio)
     return ratios and f"; broken area dissipated {ratios} G_f"
 
 
 def _pulse(before: Pulse | None, state: State, total: int, rate: float, since: History) -> Pulse:
-    """Return the present moment. The rate is smoothed, and the worst error of the ledger counts.
+    """Return the progress at the present step, with a smoothed rate and the worst error of the energy balance.
 
     `since` begins with the first record.
     """

@@ -57,7 +57,7 @@ class History:
 
     @property
     def energy(self) -> dict[str, Floats]:
-        """Energy ledger [J], a dict of arrays (s,).
+        """Energy balance [J], a dict of arrays (s,).
 
         Its entries are the kinetic energies "translation" and "rotation"; the elastic energies "normal", "shear",
         "bending", "twisting" and that of "contact"; the "work" of loads, drives and walls; the "loss" to damping and
@@ -126,7 +126,7 @@ class History:
 
     @property
     def imbalance(self) -> float:
-        """Largest balance of the ledger over its largest entry [-]; NaN without records, 0 without any energy."""
+        """Largest error of the energy balance over its largest entry [-]; NaN without records, 0 without energy."""
         if len(self) == 0:
             return np.nan
         ledger = self.energy

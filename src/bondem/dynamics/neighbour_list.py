@@ -1,4 +1,4 @@
-"""The list of contacts of a run, renewed whenever elements that it does not hold may have come near."""
+"""The list of contacts of a run, renewed before a pair that it lacks may touch."""
 
 from dataclasses import dataclass
 
@@ -191,7 +191,7 @@ class ContactSearch:
 
 
 def _recalled(pairs: FoundPairs, whole: Floats) -> Floats:
-    """Set how pairs with a memory touch; return the distance at which each touches as spheres [m], (c,)."""
+    """Set the kind of contact of pairs with a memory; return the distances at which spheres touch [m], (c,)."""
     kind, start = pairs.memory[:, KIND], pairs.memory[:, START]
     kept = pairs.touch == TOUCHING
     pairs.touch[kept & ((kind > 0.0) | (kind == BETWEEN))] = FACING

@@ -1,4 +1,4 @@
-"""The stable time step of the non-local law, found by steps of its lagged operator itself.
+"""The stable time step of the non-local law, found by trial steps of its lagged operator.
 
 ω_max of the springs is not a bound: a stress that is one step old drives the fastest motions, the more so the larger
 ν is. Undamped, the lag adds energy at any step; dashpots or local damping remove it, up to some ν.

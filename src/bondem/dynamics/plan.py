@@ -47,7 +47,7 @@ class Plan:
         snapshot_every: steps between snapshots for ParaView; 0 for none.
         until: one event or several that end the run.
         safety: share of the critical time step to use if dt is None [-].
-        imbalance: limits of the error of the energy ledger that give a warning and stop the run, as shares of the
+        imbalance: limits of the error of the energy balance that give a warning and stop the run, as shares of the
             largest energy so far [-]; None for no check.
     """
 
@@ -117,7 +117,7 @@ class ExplicitResult(Solution, Plotted):
     """Result of an explicit run.
 
     `iterations` is the number of steps since the start of the run. `residual` is the largest error of the energy
-    ledger over its largest entry (NaN without records).
+    balance over its largest entry (NaN without records).
 
     Attributes:
         state: final state; after an unstable run, the last good state, at most 10 000 steps earlier.

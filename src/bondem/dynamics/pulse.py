@@ -22,8 +22,8 @@ class Pulse:
         time: simulated time [s].
         rate: steps per second of wall time.
         broken: number of broken bonds or facets.
-        error: largest error of the energy ledger so far [J].
-        energy: largest entry of the ledger so far [J].
+        error: largest error of the energy balance so far [J].
+        energy: largest entry of the energy balance so far [J].
     """
 
     step: int
@@ -36,7 +36,7 @@ class Pulse:
 
     @property
     def balance(self) -> float | None:
-        """Relative error of the energy ledger [-]; None without any energy yet."""
+        """Relative error of the energy balance [-]; None without any energy yet."""
         return self.error / self.energy if self.energy > 0.0 else None
 
     @property

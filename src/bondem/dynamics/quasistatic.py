@@ -35,7 +35,7 @@ class Quasistatic:
 
     @property
     def faults(self) -> tuple[str, ...]:
-        """Measures beyond their limits, in words; empty for a quasi-static run and for one that is not meant so."""
+        """Measures beyond their limits, in words; empty for a quasi-static run, and for one not meant to be."""
         if not self.meant:
             return ()
         found = [

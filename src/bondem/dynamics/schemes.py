@@ -22,7 +22,7 @@ class Scheme(ABC):
     @property
     @abstractmethod
     def conserves(self) -> bool:
-        """True if the energy ledger closes, to second order in the step."""
+        """True if the energy balance closes, to second order in the step."""
 
     @abstractmethod
     def coefficients(self, dt: float) -> tuple[float, float, float]:

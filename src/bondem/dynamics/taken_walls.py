@@ -1,4 +1,4 @@
-"""Walls that hold facets of cells, as a stage takes them over from its initial state."""
+"""Walls that hold facets of cells, as a stage continues them from its initial state."""
 
 from typing import cast
 
@@ -58,7 +58,7 @@ def taken_walls(model: Model, state: State) -> Floats:
 
 
 def _both(grips: Grips, before: Grips) -> tuple[np.ndarray, np.ndarray]:
-    """Return the places in both tables of the facets that both hold."""
+    """Return the rows in both tables of the facets that walls of both models hold."""
     _, mine, theirs = np.intersect1d(grips.holds.facet, before.holds.facet, return_indices=True)
     return mine, theirs
 

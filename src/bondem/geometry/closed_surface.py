@@ -1,6 +1,6 @@
 """Conditions for triangles to enclose a body: closed, facing outwards, of solids that do not touch.
 
-Files of CAD programs are mended where there is only one way to: corners that several solids name are made one, and
+Files of CAD programs are mended where the result is unique: corners that several solids name are made one, and
 triangles that are there twice, or once each way as between two bodies that share a face, are taken out.
 
 Which solid lies within which is decided by the winding number (Jacobson et al., ACM Trans. Graph. 32, 2013): the

@@ -103,10 +103,10 @@ class _Frame:
 
     Attributes:
         lattice: elements and bonds.
-        state: of them, or None.
+        state: state of the elements, or None.
         position: centres [m], of cells their centroids, (n, 3).
         density: [kg/m³], or None.
-        fields: of the elements, each (n,) or (n, k).
+        fields: fields of the elements by name, each (n,) or (n, k).
     """
 
     lattice: Lattice

@@ -151,7 +151,7 @@ def read_lattice(
 
 @dataclass(frozen=True)
 class _Asked:
-    """What the caller says of a file; `read_particles` has the meanings."""
+    """Arguments of `read_particles` that describe a file."""
 
     unit: str | float | None
     columns: Sequence[str | int] | None

@@ -215,7 +215,7 @@ class JournaledFile(io.RawIOBase):
             raise OSError("it was replaced by another file during the run")
 
     def _require_uncut(self) -> os.stat_result:
-        """Return the state of the file, which is at least as long as this process left it.
+        """Return the status of the file, which must be at least as long as this process has written it.
 
         Raises:
             OSError: somebody has cut it.
@@ -283,7 +283,7 @@ def journal_of(path: Path) -> Path:
 
 
 def _pages_of(at: int, count: int) -> Iterator[tuple[int, int, int]]:
-    """Number of each page touched by count bytes from `at` on, and the bytes in it."""
+    """Yield the number of each page that `count` bytes from `at` on touch, and the bytes in that page."""
     for number in range(at // _PAGE, -(-(at + count) // _PAGE) if count else at // _PAGE):
         yield number, max(at, number * _PAGE), min(at + count, (number + 1) * _PAGE)
 

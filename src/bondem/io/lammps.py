@@ -81,7 +81,7 @@ def _require_counts(path: Path, head: _Lines, found: dict[str, int]) -> None:
 
 
 def _strained(path: Path, title: str, velocities: Iterable[tuple[int, str]]) -> str:
-    """Return the sign that bonds are not at rest, or an empty text: LAMMPS does not write their lengths at rest."""
+    """Return a reason to take bonds for strained, or an empty text; LAMMPS does not write lengths at rest."""
     if STRAINED in title:
         return "bd.export wrote it of a state with displacements"
     step = _STEP.search(title)

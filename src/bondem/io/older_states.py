@@ -67,7 +67,7 @@ def brought_up(model: Model, state: State, schema: int) -> None:
 
 
 def with_directions(model: Model, state: State) -> Floats:
-    """Return cracks of files whose facets had one integrity: it goes for all directions of the facet."""
+    """Return cracks of files whose facets had one integrity, which becomes that of all directions."""
     older, cells = state.cracks, model.cells
     if cells is None:
         return np.zeros((0, CRACK_COLUMNS))

@@ -95,7 +95,7 @@ def read_yade(path: Path, *, diameters: bool = False) -> RawSpheres:
 
 
 def _separator(text: str) -> str | None:
-    """What separates the columns of a line; None is blanks."""
+    """Return the separator of the columns of a line; None for blanks."""
     plain = text.split("#")[0].strip()
     for mark in (";", "\t"):
         if mark in plain:
@@ -133,8 +133,8 @@ def _row(
 
     Args:
         path: the file, for messages.
-        line: its number.
-        words: those of the line.
+        line: number of the line.
+        words: words of the line.
         chosen: columns to take.
         most: columns of a line at most, or None.
 

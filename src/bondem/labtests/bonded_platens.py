@@ -165,7 +165,7 @@ class BondedSpecimen:
 
     @property
     def cast(self) -> bool:
-        """True for platens that hold their elements along the axis, of cells, whose flat walls no sphere fills."""
+        """True if platens hold their elements along the axis, as for cells, whose flat walls spheres do not fill."""
         return self.lattice.cells is not None
 
     def require_smooth(self, friction: float) -> None:

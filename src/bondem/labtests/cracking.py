@@ -174,7 +174,7 @@ class Cracking:
             )  # fmt: skip
 
     def numbers(self) -> dict[str, Any]:
-        """Collect all numbers for `results.json`, in SI; without a section those that need it are NaN."""
+        """Collect all numbers for `results.json` in SI units; quantities per section are NaN without a section."""
         return {
             "mode": self.mode, "pieces": self.pieces, "crumbs": self.crumbs, "cracks": self.count,
             "broken_bonds": self.broken,

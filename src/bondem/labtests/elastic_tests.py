@@ -18,7 +18,7 @@ from bondem.specimen.lattice import Lattice
 
 @dataclass(frozen=True, eq=False)
 class ElasticBar:
-    """Bar whose elasticity is known, with what several of its tests share.
+    """Bar with known elasticity, and the results that several of its tests share.
 
     Attributes:
         lattice: the bar.

@@ -63,7 +63,7 @@ class SpecimenFaces:
         return float(particles.mean_radius + np.hypot(*particles.position[side, 1:].T).mean())
 
     def side_distance(self, distance: Floats, share: Floats) -> float:
-        """Distance from the axis of what moves at "side" [m]: R_M, or the mean for cells.
+        """Distance of the moving elements or facets at "side" from the axis [m]: R_M, or the mean for cells.
 
         A cylinder of cells is a prism, whose facets are nearer to the axis than the radius of its section.
 

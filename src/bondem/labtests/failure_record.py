@@ -1,4 +1,4 @@
-"""Record of a laboratory test to failure: all that studies, results and reports know of it."""
+"""Record of a laboratory test to failure, the input of studies, results and reports."""
 
 import math
 from collections.abc import Callable, Mapping

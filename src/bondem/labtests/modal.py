@@ -82,7 +82,7 @@ def natural_frequencies(
 
 
 def _effective_mass(model: Model, shape: Floats) -> Floats:
-    """(φ·M r)² / (φ·M φ · r·M r) for rigid motions r along x, y, z and about x, shape (count, 4)."""
+    """Effective masses (φ·M r)² / (φ·M φ · r·M r) of rigid motions r along x, y, z and about x, (count, 4)."""
     lattice = model.lattice
     moving = lattice.connected
     y, z = (lattice.centre - lattice.centre[moving].mean(axis=0))[:, 1:].T

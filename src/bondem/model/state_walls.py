@@ -34,7 +34,7 @@ def set_off(rows: Floats, before: Sequence[Wall | None], walls: Sequence[Wall]) 
 
 
 def _set_momentum(row: np.void, was: object, motion: Free) -> None:
-    """Set spin and angular momentum of a free wall, unless it turns on as before."""
+    """Set spin and angular momentum of a free wall, unless it continues to turn as before."""
     known = was.inertia if isinstance(was, Free) else None
     if known is None:
         row["spin"] = motion.spin

@@ -80,9 +80,10 @@ class BrokenBonds:
 def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
     """Compute the index of the model's criterion for each bond: 1 at failure, 0 for broken bonds.
 
-    A static solution is that of the same model without its criterion, `dataclasses.replace(model, failure=None)`.
+    A static solution comes from the same model without its criterion, `dataclasses.replace(model, failure=None)`.
 
-    Beams that soften have 1. Criteria on the stress of the material (`bd.Rankine`, or with a fracture energy) have
+    The index of softening beams is 1. Criteria on the stress of the material (`bd.Rankine`, or with a fracture
+    energy) have
     the largest principal stress over the strength. This index is 0 for a facet without tension and 1 for one that
     softens.
 

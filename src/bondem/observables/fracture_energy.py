@@ -51,7 +51,7 @@ class FractureEnergy:
 
     @property
     def fractured(self) -> float:
-        """Ratio without what is crushed, at most 1 [-]; NaN without an area or a fracture energy."""
+        """Ratio without crushing, at most 1 [-]; NaN without an area or a fracture energy."""
         return self.ratio - self.crushed / (self.area * self.entered) if self.area > 0.0 else math.nan
 
 
@@ -63,7 +63,7 @@ def areas_of(lattice: Lattice, stiffness: BondStiffness) -> PerBond:
 def fracture_energies(state: State) -> tuple[FractureEnergy, ...]:
     """Return the energy that broken bonds or facets have dissipated, for each criterion of `failure=` in its order.
 
-    All that are broken in the state count, also those of runs from which it came. None without a criterion.
+    All broken bonds of the state count, also those of earlier runs. The result is None without a criterion.
     """
     model = cast(Model, state.model)
     if model.failure is None:
@@ -85,7 +85,7 @@ def fracture_energies(state: State) -> tuple[FractureEnergy, ...]:
 
 
 def _broken(model: Model, state: State) -> tuple[Ints, Floats, Floats]:
-    """Return broken bonds in internal order, what each has dissipated, and what it absorbs as it fractures [J].
+    """Return broken bonds in internal order, with the dissipation and the absorbed energy of each [J].
 
     Brittle bonds absorb an infinite energy.
     """

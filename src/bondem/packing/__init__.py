@@ -200,7 +200,7 @@ def pack(
 def _two_sizes(
     shape: Shape, radii: Floats, target: Target, random: np.random.Generator, on_step: Callable[[int], None]
 ) -> SoftSpheres | None:
-    """Return spheres of two very different sizes that did not reach the target; None if they do not here either."""
+    """Return spheres of two very different sizes that did not reach the target; None if they fail again."""
     limit = parting(radii)
     if limit is None:
         return None

@@ -58,7 +58,7 @@ def even(
 
 
 def _lost(shape: Shape, x: Floats, width: float) -> Ints:
-    """Find centres that narrow walls pushed out of the shape, too far to come back, or onto another centre."""
+    """Find centres that narrow walls pushed onto another centre, or too far out of the shape to return."""
     close = KDTree(x, boxsize=shape.period).query_pairs(_ONTO * width, output_type="ndarray")
     return np.union1d(np.flatnonzero(shape.depth(x) < 0.0), close.max(axis=1, initial=-1))
 

@@ -13,7 +13,7 @@ _SUMS, _BLOCK = 8, 128
 
 
 def new_relaxing(count: int, tolerance: float, loose: float) -> Relaxing:
-    """The beginning of a relaxation of so many spheres."""
+    """Return the initial table of a relaxation of some spheres."""
     part = np.zeros((-(-count // _BLOCK), _SUMS))
     return Relaxing(tolerance, loose, 0, np.zeros(3), part, np.zeros(_RELAXING))
 
@@ -24,5 +24,5 @@ def new_growing(scale: float, rate: float, duration: float, events: int) -> Grow
 
 
 def new_flight(count: int) -> Flight:
-    """Room for so many spheres."""
+    """Return room for the flight of some spheres."""
     return Flight(np.empty(count), np.empty(count), *(np.empty(count, np.int64) for _ in range(3)))

@@ -65,7 +65,7 @@ class Compaction:
         radius: radii [m], (n,).
         length: final extent up to the pressure wall along x [m].
         history: gauges "pressure wall" (displacement), "pressure" (force), "shear wall" (displacement of the wall at
-            y_max, or growth of the mantle) and "shear" (force on it); energies [J], whose ledger restarts with the
+            y_max, or growth of the mantle) and "shear" (force on it); energies [J], whose balance restarts with the
             second run, after the radii were fitted. Density [kg/m³] and pressure [Pa] are 1.
         steps: number of time steps.
     """
@@ -190,7 +190,7 @@ class _Press:
         walls = self._walls(top, top / self._speed, cycles)
         model = Model(lattice, None, density=_DENSITY, contact=self._law, walls=walls)
         shearing = "growth" if isinstance(self._shape, Cylinder) else "displacement"
-        # collisions are damped and no result: the step need not resolve them, and the ledger is not judged
+        # collisions are damped and no result: the step need not resolve them, and the energy balance is not checked
         dt = 0.9 * critical_step(model, VelocityVerlet())
         plan = Plan(duration=duration, dt=dt, imbalance=None, gauges={
             "pressure wall": WallGauge(1, "displacement"),

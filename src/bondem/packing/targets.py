@@ -149,7 +149,7 @@ def _barely_touch(spheres: SoftSpheres, rest: Rest) -> bool:
 
 
 def _advice(spheres: SoftSpheres, narrow: str, target: Target) -> str:
-    """Return what to ask for; targets of widely spread radii are no way out of each other's failures."""
+    """Return advice on another target; for widely spread radii no target helps where another one fails."""
     spread = _spread_of(spheres)
     if spread < _WIDE:
         return narrow
@@ -210,8 +210,8 @@ def chosen(
 class _ScaleSearch:
     """A search for the scale of the radii at which the coordination number is on target.
 
-    Spheres that have not come to rest in time are taken as loose. Where radii are widely spread they come to rest so
-    slowly that those that press do not count as loose.
+    Spheres that have not come to rest in time are taken as loose. Spheres of widely spread radii come to rest slowly,
+    so that those under load do not count as loose.
     """
 
     def __init__(self, coordination_number: float, size: float, *, wide: bool) -> None:

@@ -98,7 +98,7 @@ def _parts(shape: Shape) -> _Parts:
 
 
 def _joint(one: _Parts, other: _Parts) -> _Parts:
-    """Walls of what two shapes have in common."""
+    """Walls of the intersection of two shapes."""
     a, b = one.depth, other.depth
     if a is None or b is None:
         return _Parts(one.planes + other.planes, b if a is None else a)
@@ -106,12 +106,12 @@ def _joint(one: _Parts, other: _Parts) -> _Parts:
 
 
 def _along_axes(shape: Placed) -> bool:
-    """Whether a shape is turned by right angles only."""
+    """Return True if a shape is turned by right angles only."""
     return bool(np.isin(np.abs(shape.turn), (0.0, 1.0)).all())
 
 
 def _beside_planes(shape: Surface, flat: list[str], points: PerElement3) -> PerElement:
-    """Depth behind all faces of a surface but those in sides of its box, beyond which it goes on as it is there."""
+    """Return the depth behind all faces of a surface except those in sides of its box, continued beyond the box."""
     lower, upper = (side.copy() for side in shape.bounds)
     tiny = 1e-6 * float((upper - lower).max())
     for axis, name in enumerate("xyz"):
@@ -135,9 +135,9 @@ def _box(planes: list[Planes]) -> tuple[Floats, Floats]:
 def _has_narrow_gap(
     shape: Shape, lower: Floats, upper: Floats, depth: Callable[[PerElement3], PerElement], radius: PerElement
 ) -> bool:
-    """Whether another wall comes nearer to a plane than a sphere is wide, without meeting it.
+    """Return True if another wall is nearer to a plane than a sphere is wide, without meeting it.
 
-    On the plane the depth behind other walls has a lowest place there, above 0.
+    At such a place the depth behind other walls has a minimum above 0 on the plane.
     """
     low, high = shape.bounds
     step = _GAP_SPACING * float(radius.mean())

@@ -67,7 +67,7 @@ def _mode(specimen: Examined, kind: str, column: int) -> tuple[int, Floats]:
 
 
 def _draw_cell_modes(path: Path, specimen: Examined) -> None:
-    """The same modes of a body of cells, which move and turn as rigid pieces."""
+    """Draw the modes of a body of cells, which move and turn as rigid pieces."""
     body, solid = specimen.lattice, polyhedra(specimen.lattice)
     assert specimen.frequencies is not None
     owner = np.repeat(solid.cell, np.diff(solid.start))

@@ -212,7 +212,7 @@ def _motion(model: Model, solution: Any) -> tuple[State | None, Floats | None, F
 
 
 def _supports(model: Model) -> tuple[Floats, list[Patch]]:
-    """Colours of the elements by what holds, drives or loads them, and what they mean."""
+    """Colours of the elements by their supports, drives and loads, and the meaning of each colour."""
     colour = np.tile(to_rgb(_PLAIN), (len(model.lattice.particles), 1))
     handles: dict[str, Patch] = {}
     for condition in model.boundary:
@@ -226,7 +226,7 @@ def _supports(model: Model) -> tuple[Floats, list[Patch]]:
 
 
 def _told(condition: Any) -> tuple[str, str] | None:
-    """What a condition does, in words, and its colour; None of those that act everywhere."""
+    """Return words for the effect of a condition, and its colour; None for conditions that act everywhere."""
     match condition:
         case Fix():
             turns = f", rotation {' '.join(condition.rotation)}" if condition.rotation else ""

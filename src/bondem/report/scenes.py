@@ -106,7 +106,7 @@ def view_run(
 
 
 def _require_display(run_file: Path) -> None:
-    """Make sure that a window can be opened.
+    """Check that a window can be opened.
 
     Raises:
         InputError: it cannot.

@@ -85,7 +85,7 @@ def _raster(corner: Floats, normal: Floats) -> _Raster:
 
 
 def _borders(patch: Ints) -> np.ndarray:
-    """Tell which pixels lie on a border between patches or at the outline, (height, width)."""
+    """Return a mask of the pixels on a border between patches or at the outline, (height, width)."""
     found = np.zeros(patch.shape, dtype=bool)
     for axis in (0, 1):
         for shift in (1, -1):
@@ -94,7 +94,7 @@ def _borders(patch: Ints) -> np.ndarray:
 
 
 def _write_names(ax: Axes, patches: tuple[Patch, ...], patch: Ints, extent: tuple[float, ...]) -> int:
-    """Write the names of patches in the middle of what is seen of them, and return how many there were room for."""
+    """Write the names of patches in the middle of their visible parts, and return the number of names."""
     named, (height, width) = 0, patch.shape
     for k, one in enumerate(patches[:_NAMED]):
         rows, columns = np.nonzero(patch == k)

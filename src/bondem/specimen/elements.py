@@ -1,6 +1,6 @@
 """Shape of the elements of a lattice: spheres, or cells that fill the bodies.
 
-What differs between them is a method here, so that no other room needs to ask which of them a lattice has.
+Their differences are methods here, so that no other room asks which shape a lattice has.
 """
 
 import warnings

@@ -164,7 +164,7 @@ def _names(lattices: Sequence[Lattice], given: Sequence[str] | None) -> tuple[st
 
 
 def _inner(name: str, scene: Lattice) -> tuple[str, ...]:
-    """Return names of the bodies of a scene that has a name: its own without their group, if these differ."""
+    """Return the names of the bodies of a named scene, without their own group where they stay different."""
     short = [own.rpartition("/")[2] for own in scene.names]
     return tuple(f"{name}/{own}" for own in (short if len(set(short)) == len(short) else scene.names))
 

@@ -1,4 +1,4 @@
-"""Rehearsal of a study: all that `bondem run` does before its first step, so that nothing is refused later."""
+"""Rehearsal of a study: the work of `bondem run` before its first step, which finds all errors of input."""
 
 import numpy as np
 

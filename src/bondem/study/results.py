@@ -74,7 +74,7 @@ def deviation(values: Sequence[float]) -> float | None:
 
 
 def _interval(values: Sequence[float]) -> list[float] | None:
-    """95 % interval of the mean of a sample; None for a single value, or where a value is NaN."""
+    """Interval of 95 % of the mean of a sample; None for a single value, or if a value is NaN."""
     several = len(values) > 1 and bool(np.isfinite(values).all())
     return list(Sample(np.array(values)).interval()) if several else None
 

@@ -51,7 +51,7 @@ def _link(
     run: Translation, facets: ElasticFacets, kept: FacetForces, strengths: FacetStrengths, cracks: CohesiveCracks,
     lists: CrackLists,
 ) -> list[Launch]:  # fmt: skip
-    """Cracks of the state are named by their facets, and places of lists are facets."""
+    """Give the cracks of the state the numbers of their facets, also as places of the lists."""
     count, m = int(cracks.size[0]), run.span.m
     facet = cracks.order[:count]
     cracks.listed[facet] = 1 + cracks.history[facet, 0].astype(np.uint8)

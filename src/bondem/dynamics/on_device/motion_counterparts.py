@@ -44,7 +44,7 @@ def _given(run: Translation, resistance: Resistance | None) -> list[Any]:
 
 
 def _gather(run: Translation, cut: StepCut) -> list[Launch]:
-    """Where nothing else acts on elements, they add up their loads as they move."""
+    """Return the launch that adds up loads; without further loads the motion of elements does it."""
     return [(kernels.gather_loads(cut, run.bonds, run.loads), run.span.n)] if run.further else []
 
 

@@ -20,7 +20,7 @@ _OF_PAIRS = DeviceSpan, Moving, Beams, NonLocalBonds
 def _forces(
     run: Translation, moving: Moving, beams: Beams, bonds: NonLocalBonds, stresses: LaggedStresses
 ) -> list[Launch]:
-    """Loads of the bonds on their elements are written at once."""
+    """Return the launches of forces, which also write the loads of bonds on their elements."""
     return [
         (kernels.find_force_of_pair(run.span, moving, beams, bonds, stresses, run.loads), run.span.m),
         (kernels.gather_moments(moving, bonds, run.bonds, stresses), run.span.n),

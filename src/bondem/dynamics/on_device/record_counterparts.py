@@ -19,7 +19,7 @@ def _sum(run: Translation, moving: Moving, portions: Portions) -> list[Launch]:
 
 
 def _judge(run: Translation, rows: Rows, portions: Portions) -> list[Launch]:
-    """The CPU judges the sums."""
+    """Return the launches of the sums that the CPU evaluates."""
     return run.fold(rows, portions)
 
 

@@ -1,4 +1,4 @@
-"""Translation of the passes of a step into launches: what all counterparts share."""
+"""Translation of the passes of a step into launches: the common part of all counterparts."""
 
 from collections.abc import Callable, Iterable
 from typing import Any, TypeVar
@@ -81,17 +81,17 @@ class Translation:
             self.logs.append(log)
 
     def once(self, of: Any, make: Callable[[], _T]) -> _T:
-        """Return what belongs to a table or an array, which is made once."""
+        """Return the object of a table or an array, which is made at the first request."""
         if id(of) not in self._made:
             self._made[id(of)] = of, make()
         return self._made[id(of)][1]
 
     def dropped(self, tables: Iterable[Any]) -> list[Any]:
-        """Return what was made of tables that are out of date, and forget it."""
+        """Remove and return the objects of tables that are out of date."""
         return [self._made.pop(id(table))[1] for table in tables if id(table) in self._made]
 
     def order_of(self, row: np.ndarray) -> RowOrder:
-        """Return the order of what acts on rows of the boundary."""
+        """Return the order of loads and walls that act on rows of the boundary."""
         return self.once(row, lambda: new_row_order(row, self._rows))
 
     def fold(self, rows: Rows, portions: Portions) -> list[Launch]:

@@ -85,7 +85,7 @@ class CrackingBody:
         )  # fmt: skip
 
     def parts(self, model: Model, dashpots: Dashpots | None) -> list[Part]:
-        """Return the parts of the body: what its stresses lead to, the elastic body, and its cracks."""
+        """Return the parts of the body: yielding and initiation by its stresses, the elastic body, and its cracks."""
         stretch, begin, behind = self._straining()
         elastic = cells(
             self.shared, model, self.state, self.body, dashpots, self.kept, stretch=stretch, powers=begin
@@ -104,7 +104,7 @@ class CrackingBody:
         return stretch, [steps.begin_crack_powers(*powers)], [steps.sum_crack_powers(*powers)]
 
     def _begin(self) -> Passes:
-        """A run begins: levers, lists, weights and stresses from what the state has."""
+        """Return the passes that begin a run: levers, lists, weights and stresses of the state."""
         moving, body, cracks = self.shared.moving, self.body, self.cracks
         passes: Passes = []
         if self.yielding is not None:
@@ -123,7 +123,7 @@ class CrackingBody:
         ]  # fmt: skip
 
     def _onset(self) -> Passes:
-        """A step begins: cells yield, and facets begin to crack, by the forces of the step before."""
+        """Return the passes by which cells yield and facets begin to crack, from the forces of the previous step."""
         moving, body, onset, stresses = self.shared.moving, self.body, self.onset, self.stresses
         by, strengths = self.by_stress, self.strengths
         passes: Passes = [
@@ -148,7 +148,7 @@ class CrackingBody:
         return [*passes, steps.begin_cracks(body.facets, self.kept, strengths, onset, self.cracks)]
 
     def _cracks(self, powers: Passes) -> Part:
-        """Cracks open, close, soften, rest and part, and bear forces."""
+        """Return the passes by which cracks open, close, soften, rest and part, and those of their forces."""
         moving, body, cracks, lists = self.shared.moving, self.body, self.cracks, self.lists
         strengths, stresses = self.strengths, self.stresses
         again = steps.relax_stale_cells(moving, body.cells, lists)

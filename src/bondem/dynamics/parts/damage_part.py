@@ -1,4 +1,4 @@
-"""The damage pipeline of a run: what is the same for beams, facets of cells and pairs of the non-local law."""
+"""The damage pipeline of a run: the common part of beams, facets of cells and pairs of the non-local law."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -25,7 +25,7 @@ from bondem.model.state import State
 
 @dataclass(frozen=True, eq=False)
 class DamageTables:
-    """Tables of the damage pipeline of a run: of beams, facets or pairs alike.
+    """Tables of the damage pipeline of a run, for beams, facets or pairs.
 
     Attributes:
         table: criteria of the bonds.
@@ -135,7 +135,7 @@ class Joints:
         cls, model: Model, state: State, integrity: PerBond, damage: DamageTables | None,
         pressed: SofteningBounds | None = None,
     ) -> "Joints":  # fmt: skip
-        """Return those of a run, given the integrity in the form of the loop over the bonds."""
+        """Return the parts of a run, given the integrity in the form of the loop over the bonds."""
         return cls(*joints(model, state, integrity), damage, pressed)
 
 

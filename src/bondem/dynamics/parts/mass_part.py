@@ -14,7 +14,7 @@ _OF_CELLS = Moving, ElasticFacets, WallConstraints, CorrectedMass
 
 
 def mass_of_waves(model: Model, shared: SharedTables, body: BodyOfCells) -> list[Part]:
-    """Return the part of the corrected mass of a body of cells, none if the model does not ask for it."""
+    """Return the part of the corrected mass of a body of cells, none for lumped masses."""
     if model.correction is None:
         return []
     layout, n = model.layout, len(model.layout.order)

@@ -2,7 +2,7 @@
 
 Read are meshes, components and the items of the build, also in model files of their own (production extension), by
 the standard library: archives that unpack to very much, document types and their entities, and components that refer
-to themselves are refused. Reference: 3MF Core Specification 1.3, and Production Extension 1.1.2 (3MF Consortium).
+to themselves are rejected. Reference: 3MF Core Specification 1.3, and Production Extension 1.1.2 (3MF Consortium).
 """
 
 import io
@@ -96,7 +96,7 @@ class _Archive:
         )  # fmt: skip
 
     def _add(self, path: str, number: str, transform: Floats, name: str, depth: int) -> None:
-        """Add an object of a file, moved by a transform (4, 4), under its own name or that of what it is part of."""
+        """Add an object of a file, moved by a transform (4, 4), under its own name or that of its parent object."""
         found = self._model(path).objects.get(number)
         if found is None:
             raise InputError(f"{self._name}: object {number} does not exist; export it again")

@@ -88,7 +88,7 @@ class ContactLaws:
 
     @property
     def of_beams(self) -> str:
-        """An option of the laws that only spheres have, "parallel" or "adhesion"; empty if there is none."""
+        """Name of an option that only spheres support, "parallel" or "adhesion"; empty if no law has one."""
         return "parallel" if self.parallel else "adhesion" if self.beyond > 0.0 else ""
 
     @property
@@ -158,12 +158,12 @@ class ContactLaws:
         return total
 
     def _pressed_by(self, where: np.ndarray) -> Mask:
-        """Return a mask of the elements of kinds for which a mask of kinds and others holds somewhere, (n,)."""
+        """Return a mask of the elements whose kind has an entry in a mask of (kinds, others), (n,)."""
         return np.any(where, axis=1)[self.kind]
 
 
 def _checked(contact: object) -> tuple[ContactLaw, ...]:
-    """Return the laws of an assignment, in its order; refuse what is no law, and laws that cannot be combined."""
+    """Return the laws of an assignment, in its order; reject other objects, and laws that cannot be combined."""
     if not isinstance(contact, Mapping):
         return (instance("Model", "contact", contact, ContactLaw, _WANTED),)
     found = tuple(instance("Model", "contact", law, ContactLaw, _WANTED) for law in contact.values())
@@ -179,7 +179,7 @@ def _checked(contact: object) -> tuple[ContactLaw, ...]:
 
 
 def _check_reach(laws: tuple[ContactLaw, ...], lattice: Lattice) -> None:
-    """Refuse adhesion over gaps that others fill."""
+    """Reject adhesion over gaps in which other elements may lie."""
     least = float(lattice.particles.radius.min())
     for law in laws:
         if law.adhesion is not None and law.adhesion.reach > least:

@@ -41,7 +41,7 @@ class NonLocal:
 
         kn = E A / L    kt = G A / L    F = kn δ_n n + kt δ_t + e(σ, δ_t of the step before)
 
-    The law has no potential. The work of its extra force e is therefore a separate entry of the energy ledger, and
+    The law has no potential. The work of its extra force e is therefore a separate entry of the energy balance, and
     there is no symmetric stiffness and no mode. Stress lags one step or one iteration behind. The only moments are
     those of forces. The page "The non-local law" of the documentation defines e and the stresses.
 

@@ -75,7 +75,7 @@ def _of_cells(n: int, ends: Pairs, branch: PerBond3) -> CellBranches:
 
 
 def _without_means(right: Floats, ends: Pairs) -> Floats:
-    """Return right-hand sides whose sum over each connected piece is zero, as it is but for rounding."""
+    """Return right-hand sides whose sum over each connected piece is zero, without rounding errors."""
     n = len(right)
     graph = coo_array((np.ones(len(ends), dtype=np.int8), tuple(ends.T)), shape=(n, n))
     _, piece = connected_components(graph, directed=False)

@@ -84,7 +84,7 @@ class DamagedBody:
 
         Args:
             model: model of cells.
-            system: its matrix and supports.
+            system: matrix and supports of the body.
             root: S of each element, by which the matrix is scaled, (n, 6, 6).
         """
         assert model.cells is not None
@@ -215,7 +215,7 @@ class DamagedBody:
         self._right = None
 
     def restore(self, integrity: Floats, closed: Mask) -> None:
-        """Set integrity (m,) and closed halves (m, 2) of all facets to what they were."""
+        """Restore earlier integrities (m,) and closed halves (m, 2) of all facets."""
         other = np.flatnonzero((integrity != self.integrity) | (closed != self.closed).any(axis=1))
         self.weaken(other, integrity[other], closed[other])
 

@@ -57,7 +57,7 @@ class Eliminated:
 
 
 class Iterated:
-    """Solver by conjugate gradients from the last solution, with a preconditioner kept while it serves.
+    """Solver by conjugate gradients from the last solution, with a preconditioner that is renewed when it is slow.
 
     Attributes:
         rounds, solutions: numbers of iterations and equilibria so far.
@@ -68,7 +68,7 @@ class Iterated:
 
         Args:
             system: system whose matrix changes.
-            matrix: the same matrix, scaled as in `begun`.
+            matrix: matrix of the present body, scaled as in `begun`.
             begun: iteration with the present matrix.
             integrity: integrity of its facets, which changes too, (m,).
         """

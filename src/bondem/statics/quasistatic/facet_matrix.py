@@ -50,7 +50,7 @@ class FacetMatrix:
         return self._i, self._j
 
     def rescale(self, root: Floats) -> None:
-        """Scale by other blocks S."""
+        """Scale the matrix by other blocks S."""
         self._root = root
         self.scaled = self.plain.scaled(root)
         assert self.scaled.forms is not None
@@ -58,16 +58,16 @@ class FacetMatrix:
         self.rounded = bonds.astype(np.float32), forms.astype(np.float32)
 
     def force(self, motion: Floats) -> Floats:
-        """Return K u of (6 n,)."""
+        """Return K u of motions (6 n,)."""
         weighted = self.plain.weight * (self._plain_rows @ motion)
         return np.asarray(self.plain.bonds @ motion, dtype=float) + self.swelling_force(weighted)
 
     def swelling_force(self, stress: Floats) -> Floats:
-        """Return Fᵀ σ of (n,), (6 n,)."""
+        """Return Fᵀ σ of stresses of cells (n,), (6 n,)."""
         return np.asarray(self._plain_columns @ stress, dtype=float)
 
     def add(self, facets: Ints, block: Floats, form_i: Floats, form_j: Floats) -> None:
-        """Add to the contributions of some facets.
+        """Add contributions of some facets to the matrix.
 
         Args:
             facets: internal numbers, each once, (c,).

@@ -33,7 +33,7 @@ class OpenedFacets:
         self._load = bound_pass(calls.load_weakened_facets(facets, self.motions, self.loading))
 
     def swelling(self, displacement: Floats, rotation: Floats, given: Floats) -> Floats:
-        """Return V θ of the cells under motions (n, 3), with what is given [m³], (n,)."""
+        """Return V θ of the cells under motions (n, 3), added to given values [m³], (n,)."""
         self.motions.displacement[:], self.motions.rotation[:] = displacement, rotation
         self.motions.swelling[:] = given
         self._open()

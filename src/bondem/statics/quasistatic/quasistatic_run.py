@@ -235,7 +235,7 @@ def _followed(
 
 
 def _balance(body: DamagedBody, equilibrium: Equilibrium, motion: Floats, size: float) -> tuple[Floats, Loaded]:
-    """Return the equilibrium with pressing halves closed, and its loads; `size` of the body before, initially 0."""
+    """Return the equilibrium with pressing halves closed, and its loads; `size` is the previous one, initially 0."""
     def rest() -> tuple[Floats, Loaded]:
         found = body.motion + equilibrium.solve(body.right - body.pull, motion - body.motion, size)
         return found, body.loaded(found)
@@ -328,7 +328,7 @@ class _Path:
     def result(
         self, body: DamagedBody, before: tuple[Floats, Mask], end: str, equilibrium: Equilibrium
     ) -> QuasistaticResult:
-        """Return the whole path; `before` are integrities and closed halves with which the last event came."""
+        """Return the whole path; `before` are the integrities and closed halves before the last event."""
         model, layout = self._model, self._model.layout
         rows = np.array(self._rows).reshape(-1, 5)
         facet = np.array([k for k, *_ in self._facets], dtype=np.int64)

@@ -1,4 +1,4 @@
-"""Cracks of an equilibrium, which have one integrity, as runs take them over (`core/laws/crack.hpp`)."""
+"""Cracks of an equilibrium, which have one integrity, converted to those of a run (`core/laws/crack.hpp`)."""
 
 from dataclasses import dataclass
 
