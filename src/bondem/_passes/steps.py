@@ -1921,7 +1921,7 @@ def write_heat(crack_energies: CrackEnergies, history_rows: HistoryRows) -> Step
 
 
 def write_ledger(rows: Rows, portions: Portions, history_rows: HistoryRows) -> StepEntry:
-    """Writes time and the energy ledger.
+    """Writes time and the entries of the energy balance.
 
     Over once.
     """
@@ -1929,7 +1929,7 @@ def write_ledger(rows: Rows, portions: Portions, history_rows: HistoryRows) -> S
 
 
 def write_non_local_work(non_local_work: NonLocalWork, history_rows: HistoryRows) -> StepEntry:
-    """Writes the work of the extra forces of bonds to the ledger.
+    """Writes the work of the extra forces of bonds to the energy balance.
 
     Over once.
     """

@@ -19,7 +19,7 @@ template <class Who, class T> BONDEM_INLINE void keep(double *acceleration, cons
     for (Index c = 0; c < 6; c++) put_number(acceleration, 6, c, who.element, all[c]);
 }
 
-// Adds the loss of the last step by the trapezoidal rule, which keeps the ledger second order.
+// Adds the loss of the last step by the trapezoidal rule, which keeps the energy balance of second order.
 template <class Who, class T> BONDEM_INLINE void add_loss(double *loss, const Who &who, double dt, T power) {
     const T taken = number_at(loss, 3, 0, who.element), before = number_at(loss, 3, 1, who.element);
     put_number(loss, 3, 0, who.element, taken + 0.5 * dt * (before + power));

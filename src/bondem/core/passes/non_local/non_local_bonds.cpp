@@ -146,7 +146,7 @@ BONDEM_PASS(add_lasting_loads, bonds_of_blocks)
 
 #endif
 
-// Writes the work of the extra forces of bonds to the ledger.
+// Writes the work of the extra forces of bonds to the energy balance.
 void write_non_local_work(const Turn &turn, const NonLocalWork &work, const HistoryRows &history) {
     history.record(turn.clock.record, column::non_local) = sum_of(work);
 }

@@ -1,4 +1,4 @@
-// A row of the history: time, the energy ledger, and gauges. And the guard of the energy.
+// A row of the history (time, energy balance and gauges), and the guard of the energy.
 #include "record.hpp"
 
 #include "../../registered.hpp"
@@ -57,7 +57,7 @@ void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
 }
 BONDEM_PASS(judge_energy, serial)
 
-// Writes time and the energy ledger.
+// Writes time and the entries of the energy balance.
 void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, const HistoryRows &history) {
     double *const record = &history.record(turn.clock.record, 0);
     record[time] = turn.clock.time;
