@@ -94,14 +94,14 @@ def assemble_facets(facet_rows: FacetRows, block_rows: BlockRows, dilatation_row
 def conjugate_gradients(
     scaled_matrix: ScaledMatrix, clump_correction: ClumpCorrection, conjugate_gradients: ConjugateGradients
 ) -> Call:
-    """Solves Sᵀ K S x = f by conjugate gradients from a guess, preconditioned by the clumps; 0 where they end, 1
-    where they do not.
+    """Solves Sᵀ K S x = f by conjugate gradients from a guess, preconditioned by the clumps; returns 0 if they
+    converge, else 1.
     """
     return Call("conjugate_gradients", (scaled_matrix, clump_correction, conjugate_gradients))
 
 
 def count_turned_beams(poses: Poses, beams: Beams, beam_turns: BeamTurns) -> Call:
-    """Counts those of all beams in any poses."""
+    """Counts unbroken beams turned wide and lost among all beams in any poses."""
     return Call("count_turned_beams", (poses, beams, beam_turns))
 
 
@@ -196,17 +196,17 @@ def index_pairs(
 
 
 def index_stresses_by_cone(stress_candidates: StressCandidates, stress_function: StressFunction) -> Call:
-    """Finds the index of each of the stresses that are given; the counts of portions are not read."""
+    """Finds the index of each given stress; the counts of portions are not read."""
     return Call("index_stresses_by_cone", (stress_candidates, stress_function))
 
 
 def index_stresses_by_function(stress_candidates: StressCandidates, stress_function: StressFunction) -> Call:
-    """Finds the index of each of the stresses that are given; the counts of portions are not read."""
+    """Finds the index of each given stress; the counts of portions are not read."""
     return Call("index_stresses_by_function", (stress_candidates, stress_function))
 
 
 def index_stresses_by_mean_stress(stress_candidates: StressCandidates, stress_function: StressFunction) -> Call:
-    """Finds the index of each of the stresses that are given; the counts of portions are not read."""
+    """Finds the index of each given stress; the counts of portions are not read."""
     return Call("index_stresses_by_mean_stress", (stress_candidates, stress_function))
 
 
@@ -253,12 +253,12 @@ def load_facets(poses: Poses, elastic_facets: ElasticFacets, beam_sums: BeamSums
 
 
 def load_non_local_bonds(poses: Poses, beams: Beams, non_local_bonds: NonLocalBonds) -> Call:
-    """Finds forces and torques of all bonds in any poses by what they have stored."""
+    """Finds forces and torques of all bonds in any poses from their stored values."""
     return Call("load_non_local_bonds", (poses, beams, non_local_bonds))
 
 
 def load_stored_beams(poses: Poses, beams: Beams, stored_loads: StoredLoads, loads_of_each: LoadsOfEach) -> Call:
-    """Finds what each beam does to its elements in any poses."""
+    """Finds the loads of each beam on its elements in any poses."""
     return Call("load_stored_beams", (poses, beams, stored_loads, loads_of_each))
 
 
@@ -270,8 +270,8 @@ def load_weakened_facets(
 
 
 def make_cells(bins: Bins, cell_request: CellRequest, cell_room: CellRoom, pile: Pile) -> Call:
-    """Cuts the cells of the chosen elements out of boxes about their centres: faces go to the pile, with what is
-    behind them as tags.
+    """Cuts the cells of the chosen elements out of boxes about their centres: faces go to the pile, with the
+    element behind each face as its tag.
     """
     return Call("make_cells", (bins, cell_request, cell_room, pile))
 
@@ -377,7 +377,7 @@ def turn_vectors(turned_vectors: TurnedVectors) -> Call:
 
 
 def weigh_cells(elastic_facets: ElasticFacets, facet_release: FacetRelease) -> Call:
-    """Weighs all cells by the facets that they have left, as a run begins."""
+    """Computes the weights of all cells from their unbroken facets at the start of a run."""
     return Call("weigh_cells", (elastic_facets, facet_release))
 
 

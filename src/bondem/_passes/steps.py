@@ -91,7 +91,7 @@ def accumulate_and_mark(
     moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation, failure_bounds: FailureBounds,
     candidates: Candidates
 ) -> StepEntry:
-    """Adds what facets contribute to V θ of their cells, and marks facets near to failure.
+    """Adds contributions of facets to V θ of their cells, and marks facets near to failure.
 
     Over bonds of a block.
     """
@@ -101,7 +101,7 @@ def accumulate_and_mark(
 def accumulate_dilatation(
     moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation
 ) -> StepEntry:
-    """Adds what the facets of a block contribute to V θ of their cells.
+    """Adds contributions of the facets of a block to V θ of their cells.
 
     Over bonds of a block.
     """
@@ -111,7 +111,7 @@ def accumulate_dilatation(
 def accumulate_left_dilatation(
     moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation
 ) -> StepEntry:
-    """Adds what facets contribute to V θ of their cells, where many facets have no integrity left.
+    """Adds contributions of facets to V θ of their cells in bodies with many broken facets.
 
     Over bonds of a block.
     """
@@ -167,7 +167,7 @@ def add_alike_beam_loads_softening_by_peripheral_stress(
 def add_and_keep_facet_loads(
     moving: Moving, elastic_facets: ElasticFacets, facet_forces: FacetForces, step_cut: StepCut
 ) -> StepEntry:
-    """Adds and keeps the forces of the facets of a block, and adds up the moments V σ of their cells.
+    """Adds and stores the forces of the facets of a block, and adds up the moments V σ of their cells.
 
     Over bonds of a block.
     """
@@ -210,8 +210,8 @@ def add_begun_contacts(
     moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs, lagged_stresses:
     LaggedStresses, event_log: EventLog
 ) -> StepEntry:
-    """Adds to the stresses of the ends of bonds that have failed in this step what the contact does that follows
-    them; after that contact has begun.
+    """Adds new contacts to the stresses of the ends of bonds that have failed in this step, after these contacts
+    have begun.
 
     Over once.
     """
@@ -227,8 +227,8 @@ def add_body_forces(moving: Moving, step_cut: StepCut, body_forces: BodyForces) 
 
 
 def add_body_work(moving: Moving, body_forces: BodyForces) -> StepEntry:
-    """Adds the work of body forces over the half of the step that begins, behind the pass by which elements move,
-    or open a step.
+    """Adds the work of body forces over the half of the step that begins, after the pass in which elements move or
+    open a step.
 
     Over elements of a block, then shared ones.
     """
@@ -247,7 +247,7 @@ def add_cell_energies(
 
 
 def add_contact_loads(moving: Moving, step_cut: StepCut, contact_sums: ContactSums) -> StepEntry:
-    """Adds forces of contacts to the sums of elements, and losses to theirs, and leaves them at zero.
+    """Adds forces and losses of contacts to those of the elements, and sets the former to zero.
 
     Over elements of a block, then shared ones.
     """
@@ -281,7 +281,7 @@ def add_dashpot_loads(moving: Moving, beams: Beams, dashpots: Dashpots, step_cut
 
 
 def add_dashpots(step_cut: StepCut, dashpots: Dashpots) -> StepEntry:
-    """Adds the forces of dashpots to those of springs; they stay, as the power that they take is found later.
+    """Adds the forces of dashpots to those of springs; the former are kept, because their power is found later.
 
     Over elements of a block, then shared ones.
     """
@@ -289,7 +289,7 @@ def add_dashpots(step_cut: StepCut, dashpots: Dashpots) -> StepEntry:
 
 
 def add_face_loads(contact_pairs: ContactPairs, face_pairs: FacePairs, contact_sums: ContactSums) -> StepEntry:
-    """Adds what faces do to the elements of a range.
+    """Adds forces of faces to the elements of a range.
 
     Over elements, in a range a thread.
     """
@@ -374,7 +374,7 @@ def add_pair_loads(
     contact_constants: ContactConstants, contact_pairs: ContactPairs, near_pairs: NearPairs, contact_sums:
     ContactSums
 ) -> StepEntry:
-    """Adds what pairs do to the elements of a range, in the order of the pairs.
+    """Adds forces of pairs to the elements of a range, in the order of the pairs.
 
     Over elements, in a range a thread.
     """
@@ -385,7 +385,7 @@ def add_pair_moments(
     moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs, near_pairs: NearPairs,
     lagged_stresses: LaggedStresses
 ) -> StepEntry:
-    """Adds what contacts of pairs do to the stresses of the elements of a range, in the order of the pairs.
+    """Adds contacts of pairs to the stresses of the elements of a range, in the order of the pairs.
 
     Over elements, in a range a thread.
     """
@@ -406,7 +406,8 @@ def add_still_surface_stresses(
     moving: Moving, wall_constraints: WallConstraints, facet_tractions: FacetTractions, stresses_of_cells:
     StressesOfCells
 ) -> StepEntry:
-    """Adds what walls and loads on free facets do to the stresses of surface cells that were found without a step.
+    """Adds forces of walls and of loads on free facets to stresses of surface cells that were found without a
+    step.
 
     Over once.
     """
@@ -446,7 +447,7 @@ def add_surface_stresses(
     moving: Moving, wall_constraints: WallConstraints, facet_tractions: FacetTractions, stresses_of_cells:
     StressesOfCells
 ) -> StepEntry:
-    """Adds what walls and loads on free facets do to the stresses of surface cells.
+    """Adds forces of walls and of loads on free facets to the stresses of surface cells.
 
     Over once.
     """
@@ -464,7 +465,7 @@ def add_traction_work(moving: Moving, facet_tractions: FacetTractions, rows: Row
 def add_wall_dilatation(
     moving: Moving, wall_constraints: WallConstraints, cell_dilatation: CellDilatation
 ) -> StepEntry:
-    """Adds what walls contribute to V θ of their cells.
+    """Adds contributions of walls to V θ of their cells.
 
     Over once.
     """
@@ -483,7 +484,7 @@ def add_wall_moments(
     moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts, walls: Walls,
     lagged_stresses: LaggedStresses
 ) -> StepEntry:
-    """Adds what walls do to the stresses of the elements of a portion.
+    """Adds contacts with walls to the stresses of the elements of a portion.
 
     Over elements, in portions.
     """
@@ -532,7 +533,7 @@ def apply_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -
 
 
 def begin_bases(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> StepEntry:
-    """Takes over V θ of cells without their cracks.
+    """Stores V θ of cells without their cracks.
 
     Over elements, in portions.
     """
@@ -587,8 +588,7 @@ def begin_softened_contacts(
     moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs, near_pairs: NearPairs,
     event_log: EventLog, contact_sums: ContactSums
 ) -> StepEntry:
-    """Begins contact where beams that soften have broken at the beginning of this step: its energy is that of the
-    pressure, which it replaces.
+    """Begins contact where softening beams have broken at the beginning of this step.
 
     Over once.
     """
@@ -601,7 +601,7 @@ def begin_softening(
     candidates: Candidates, softening_bounds: SofteningBounds, softening_beams: SofteningBeams, event_log:
     EventLog
 ) -> StepEntry:
-    """Writes the rows of beams that have begun to soften in this step, and adds up what they have dissipated.
+    """Writes the rows of beams that have begun to soften in this step, and adds up their dissipation.
 
     Over once.
     """
@@ -696,7 +696,7 @@ def check_travel(travel: Travel, walls: Walls, portions: Portions) -> StepEntry:
 
 
 def clear_row_forces(rows: Rows) -> StepEntry:
-    """Leaves the forces of all rows at zero, for the loads that are added next.
+    """Sets the forces of all rows to zero, before loads are added.
 
     Over once.
     """
@@ -704,7 +704,7 @@ def clear_row_forces(rows: Rows) -> StepEntry:
 
 
 def collect_dashpots(step_cut: StepCut, dashpots: Dashpots) -> StepEntry:
-    """Adds to the sums of shared elements what dashpots of other domains have for them, and leaves zeros there.
+    """Adds loads of dashpots of other domains to the sums of shared elements, and sets their rows to zero.
 
     Over elements that domains share.
     """
@@ -712,7 +712,7 @@ def collect_dashpots(step_cut: StepCut, dashpots: Dashpots) -> StepEntry:
 
 
 def collect_dilatation(step_cut: StepCut, cell_dilatation: CellDilatation) -> StepEntry:
-    """Adds to V θ of shared cells what facets of other domains have for them, and leaves zeros there.
+    """Adds contributions of facets of other domains to V θ of shared cells, and sets their rows to zero.
 
     Over elements that domains share.
     """
@@ -720,8 +720,7 @@ def collect_dilatation(step_cut: StepCut, cell_dilatation: CellDilatation) -> St
 
 
 def collect_facet_moments(step_cut: StepCut, facet_forces: FacetForces) -> StepEntry:
-    """Adds to the sums of moments of shared cells what facets of other domains have for them, and leaves zeros
-    there.
+    """Adds moments of facets of other domains to the sums of shared cells, and sets their rows to zero.
 
     Over elements that domains share.
     """
@@ -729,7 +728,7 @@ def collect_facet_moments(step_cut: StepCut, facet_forces: FacetForces) -> StepE
 
 
 def collect_moments(step_cut: StepCut, lagged_stresses: LaggedStresses) -> StepEntry:
-    """Adds to shared elements what bonds of other domains have for their stresses, and leaves zeros there.
+    """Adds moments of bonds of other domains to the stresses of shared elements, and sets their rows to zero.
 
     Over elements that domains share.
     """
@@ -737,7 +736,7 @@ def collect_moments(step_cut: StepCut, lagged_stresses: LaggedStresses) -> StepE
 
 
 def collect_sums(step_cut: StepCut) -> StepEntry:
-    """Adds to the sums of shared elements what bonds of other domains have for them, and leaves zeros there.
+    """Adds loads of bonds of other domains to the sums of shared elements, and sets their rows to zero.
 
     Over elements that domains share.
     """
@@ -745,7 +744,7 @@ def collect_sums(step_cut: StepCut) -> StepEntry:
 
 
 def count_wall_work(walls: Walls, portions: Portions) -> StepEntry:
-    """Finds what walls have supplied, for the guard of the energy.
+    """Finds the work supplied by walls, for the guard of the energy.
 
     Over once.
     """
@@ -793,8 +792,8 @@ def find_inertia_forces(
 def find_non_local_forces(
     moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, lagged_stresses: LaggedStresses
 ) -> StepEntry:
-    """Finds forces and torques of the bonds of a block, integrates what they store over the step, and adds what
-    they do to the stresses of their elements.
+    """Finds forces and torques of the bonds of a block, integrates their stored values over the step, and adds
+    their moments to the stresses of their elements.
 
     Over bonds of a block.
     """
@@ -802,7 +801,7 @@ def find_non_local_forces(
 
 
 def find_still_stresses(moving: Moving, facet_forces: FacetForces, stresses_of_cells: StressesOfCells) -> StepEntry:
-    """Finds the mean stresses of cells where forces of the present were found anew, without a step.
+    """Finds the mean stresses of cells from present forces that were found without a step.
 
     Over elements, in portions.
     """
@@ -832,7 +831,8 @@ def find_stress_candidates(
 
 
 def find_stresses(moving: Moving, lagged_stresses: LaggedStresses) -> StepEntry:
-    """Finds the stresses of a portion, and bounds of their principal stresses; leaves zeros in the moments.
+    """Finds the stresses of a portion of elements, and bounds of their principal stresses; sets the moments to
+    zero.
 
     Over elements, in portions.
     """
@@ -840,8 +840,8 @@ def find_stresses(moving: Moving, lagged_stresses: LaggedStresses) -> StepEntry:
 
 
 def find_stresses_of_block(moving: Moving, lagged_stresses: LaggedStresses) -> StepEntry:
-    """Finds the stresses of the elements of a block, and bounds of their principal stresses; leaves zeros in the
-    moments.
+    """Finds the stresses of the elements of a block, and bounds of their principal stresses; sets the moments to
+    zero.
 
     Over elements of a block, then shared ones.
     """
@@ -886,7 +886,7 @@ def follow_drives(timeline: Timeline, drives: Drives, rows: Rows) -> StepEntry:
 def follow_levers(
     cell_strains: CellStrains, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks
 ) -> StepEntry:
-    """Takes over the levers of facets, where strains of cells have changed them.
+    """Copies levers of facets that strains of cells have changed.
 
     Over once.
     """
@@ -894,7 +894,7 @@ def follow_levers(
 
 
 def follow_loads(timeline: Timeline, row_loads: RowLoads, moving: Moving, rows: Rows) -> StepEntry:
-    """Adds forces and torques, those that turn with their elements turned.
+    """Adds forces and torques of loads to their rows, turned with the element if they follow it.
 
     Over once.
     """
@@ -920,8 +920,7 @@ def follow_tractions(
 
 
 def follow_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -> StepEntry:
-    """Brings walls to the time of the clock; where it was not reached by a step, their forces are brought up to
-    date as well.
+    """Brings walls to the time of the clock; at a time that no step has reached, their forces are updated as well.
 
     Over once.
     """
@@ -957,7 +956,7 @@ def index_candidates_by_mean_stress(
 def judge_beams_by_ellipse(
     moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, postponed: Postponed
 ) -> StepEntry:
-    """Finds which of the marked beams of a block fail by a criterion, and postpones their elements.
+    """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 
     Over bonds of a block.
     """
@@ -967,7 +966,7 @@ def judge_beams_by_ellipse(
 def judge_beams_by_linear_sum(
     moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, postponed: Postponed
 ) -> StepEntry:
-    """Finds which of the marked beams of a block fail by a criterion, and postpones their elements.
+    """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 
     Over bonds of a block.
     """
@@ -977,7 +976,7 @@ def judge_beams_by_linear_sum(
 def judge_beams_by_mohr_coulomb(
     moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, postponed: Postponed
 ) -> StepEntry:
-    """Finds which of the marked beams of a block fail by a criterion, and postpones their elements.
+    """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 
     Over bonds of a block.
     """
@@ -987,7 +986,7 @@ def judge_beams_by_mohr_coulomb(
 def judge_beams_by_peripheral_stress(
     moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, postponed: Postponed
 ) -> StepEntry:
-    """Finds which of the marked beams of a block fail by a criterion, and postpones their elements.
+    """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 
     Over bonds of a block.
     """
@@ -1050,8 +1049,8 @@ def judge_facets_by_mohr_coulomb(
     moving: Moving, elastic_facets: ElasticFacets, facet_release: FacetRelease, strengths: Strengths, candidates:
     Candidates, postponed: Postponed
 ) -> StepEntry:
-    """Finds which of the marked facets fail by a criterion, at the present stresses, and postpones their cells and
-    the neighbours of these.
+    """Evaluates marked facets by a criterion at the present stresses, and postpones cells that lose facets and
+    their neighbours.
 
     Over once.
     """
@@ -1064,7 +1063,7 @@ def judge_pairs(
     beams: Beams, lagged_stresses: LaggedStresses, strengths: Strengths, candidates: Candidates, postponed:
     Postponed
 ) -> StepEntry:
-    """Finds which of the marked bonds of a block fail, and holds their elements.
+    """Evaluates marked bonds of a block, and postpones the elements of failed ones.
 
     Over bonds of a block.
     """
@@ -1072,7 +1071,7 @@ def judge_pairs(
 
 
 def keep_dashpots(dashpots: Dashpots, postponed: Postponed) -> StepEntry:
-    """Keeps the sums of the dashpots of elements that are held.
+    """Keeps the sums of the dashpots of postponed elements.
 
     Over postponed elements of a block.
     """
@@ -1080,7 +1079,7 @@ def keep_dashpots(dashpots: Dashpots, postponed: Postponed) -> StepEntry:
 
 
 def keep_measures(near_pairs: NearPairs, travel: Travel) -> StepEntry:
-    """Takes over what was measured anew in a step.
+    """Stores distances that were measured in a step.
 
     Over once.
     """
@@ -1088,7 +1087,7 @@ def keep_measures(near_pairs: NearPairs, travel: Travel) -> StepEntry:
 
 
 def keep_sums(step_cut: StepCut, postponed: Postponed) -> StepEntry:
-    """Keeps the sums of elements that are held.
+    """Keeps the sums of postponed elements.
 
     Over postponed elements of a block.
     """
@@ -1112,7 +1111,8 @@ def link_cracks(
     elastic_facets: ElasticFacets, facet_forces: FacetForces, facet_strengths: FacetStrengths, cohesive_cracks:
     CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Takes over the cracks of a state as a run begins: constants, weights of cells, lists, and what cracks carry.
+    """Prepares the cracks of a state at the start of a run: constants, weights of cells, lists, and forces of
+    cracks.
 
     Over once.
     """
@@ -1120,7 +1120,7 @@ def link_cracks(
 
 
 def list_cracks(elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists) -> StepEntry:
-    """Makes the lists of cracks anew where they are out of date.
+    """Renews lists of cracks that are out of date.
 
     Over once.
     """
@@ -1128,8 +1128,7 @@ def list_cracks(elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, 
 
 
 def list_postponed(rows: Rows, candidates: Candidates, postponed: Postponed) -> StepEntry:
-    """Lists all elements that are held, those that own rows of the boundary last, and ends the failures of the
-    step.
+    """Lists all postponed elements, those with rows of the boundary last, and ends the failures of the step.
 
     Over elements of a block, which it divides.
     """
@@ -1140,7 +1139,7 @@ def load_cracks(
     moving: Moving, elastic_facets: ElasticFacets, facet_strengths: FacetStrengths, stresses_of_cells:
     StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Finds forces and torques of the cracks that are treated one by one, and what they dissipate.
+    """Computes forces, torques and dissipation of the cracks that are treated one by one.
 
     Over once.
     """
@@ -1161,7 +1160,7 @@ def log_cracks(
     moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists,
     event_log: EventLog
 ) -> StepEntry:
-    """Adds up what cracks have dissipated, and logs those without strength left.
+    """Adds up the dissipation of cracks, and logs cracks without integrity.
 
     Over once.
     """
@@ -1171,7 +1170,7 @@ def log_cracks(
 def log_softened_beams(
     moving: Moving, beams: Beams, softening_beams: SofteningBeams, event_log: EventLog
 ) -> StepEntry:
-    """Adds up what all portions have dissipated, and logs beams that have broken.
+    """Adds up the dissipation of all portions, and logs broken beams.
 
     Over once.
     """
@@ -1230,8 +1229,8 @@ def measure_cracks(
     moving: Moving, elastic_facets: ElasticFacets, cell_slack: CellSlack, stresses_of_cells: StressesOfCells,
     cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Finds faces and halves of the cracks that are treated one by one, and axes of those that have lost nothing
-    yet.
+    """Finds faces and halves of the cracks that are treated one by one, and axes of cracks before any loss of
+    integrity.
 
     Over once.
     """
@@ -1252,8 +1251,8 @@ def measure_wall_overlaps(
     moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts, walls: Walls, near_pairs:
     NearPairs, travel: Travel
 ) -> StepEntry:
-    """Keeps the deepest overlap of the elements of a portion with a wall, over the radius, where distances are
-    measured anew.
+    """Keeps the deepest overlap of the elements of a portion with a wall, over the radius, if distances are
+    measured in this step.
 
     Over elements, in portions.
     """
@@ -1294,7 +1293,7 @@ def move_rows(moving: Moving, step_cut: StepCut, rows: Rows) -> StepEntry:
 
 
 def move_walls(wall_motions: WallMotions, walls: Walls) -> StepEntry:
-    """Takes walls to the end of the step that begins at the time of the clock.
+    """Moves walls to the end of the step that begins at the time of the clock.
 
     Over once.
     """
@@ -1326,7 +1325,7 @@ def open_elements_and_rows(moving: Moving, rows: Rows) -> StepEntry:
 
 
 def postpone_elements(step_cut: StepCut, candidates: Candidates, postponed: Postponed) -> StepEntry:
-    """Divides the elements of a block, or shared ones, into those that move on and those that are held.
+    """Divides the elements of a block, or shared ones, into those that continue and those that are postponed.
 
     Over elements of a block, which it divides.
     """
@@ -1337,8 +1336,8 @@ def press_pairs(
     moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs, near_pairs: NearPairs,
     travel: Travel
 ) -> StepEntry:
-    """Finds forces and memory of the pairs of a portion of elements; lists those that may touch where elements
-    have moved too far since that was done.
+    """Finds forces and memory of the pairs of a portion of elements; renews the list of near pairs where elements
+    have moved too far.
 
     Over elements, in portions.
     """
@@ -1394,7 +1393,7 @@ def relax_stale_cells(moving: Moving, cell_dilatation: CellDilatation, crack_lis
 
 
 def release_pressure(event_log: EventLog, softening_bounds: SofteningBounds) -> StepEntry:
-    """Ends the pressure on beams that soften and have broken at the beginning of this step.
+    """Ends the pressure on softening beams that have broken at the beginning of this step.
 
     Over once.
     """
@@ -1405,7 +1404,7 @@ def relieve_pairs(
     moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, lagged_stresses: LaggedStresses, beam_integrity:
     BeamIntegrity, candidates: Candidates
 ) -> StepEntry:
-    """Takes the force of bonds that fail out of the stresses of their elements, and sets their integrity to 0;
+    """Subtracts the force of failed bonds from the stresses of their elements, and sets their integrity to 0;
     after `break_pairs`.
 
     Over once.
@@ -1414,7 +1413,7 @@ def relieve_pairs(
 
 
 def renew_wall_rows(wall_constraints: WallConstraints, rows: Rows, candidates: Candidates) -> StepEntry:
-    """Sets the forces of walls on the rows of their cells anew.
+    """Updates the forces of walls on the rows of their cells.
 
     Over once.
     """
@@ -1441,7 +1440,7 @@ def restore_facets(
     moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints, facet_release: FacetRelease,
     candidates: Candidates, postponed: Postponed
 ) -> StepEntry:
-    """Adds the loads of the facets that are left, and of walls, to the kept sums.
+    """Adds the loads of the remaining facets and of walls to the kept sums.
 
     Over once.
     """
@@ -1507,7 +1506,7 @@ def soften_cracks(
 
 
 def stress_cells(moving: Moving, cell_dilatation: CellDilatation) -> StepEntry:
-    """Sets the stresses of cells, whose V θ is complete and left at zero.
+    """Sets the stresses of cells by their complete V θ, which is set to zero.
 
     Over elements of a block, then shared ones.
     """
@@ -1562,7 +1561,7 @@ def subtract_dilatation_energies(
     moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints, corrected_mass:
     CorrectedMass, portions: Portions
 ) -> StepEntry:
-    """Subtracts from the kinetic energies what the mass of the cells has too much.
+    """Subtracts the correction of the mass from the kinetic energies of cells.
 
     Over elements, in portions.
     """
@@ -1622,7 +1621,7 @@ def sum_crack_powers(
 
 
 def sum_dilatation_energies(cell_dilatation: CellDilatation, dilatation_energy: DilatationEnergy) -> StepEntry:
-    """Sums the energy of dilatation of a portion of cells, whose V θ is complete and left at zero [J].
+    """Sums the energy of dilatation of a portion of cells, whose V θ is complete and is set to zero [J].
 
     Over elements, in portions.
     """
@@ -1680,7 +1679,7 @@ def sum_heat(
 def sum_moments(
     moving: Moving, elastic_facets: ElasticFacets, facets_of_cells: FacetsOfCells, facet_forces: FacetForces
 ) -> StepEntry:
-    """Finds V σ of cells from the forces that are kept, as a run begins, to the bits of the sums of a step.
+    """Finds V σ of cells from stored forces at the start of a run, with the bits of the sums of a step.
 
     Over elements, in portions.
     """
@@ -1786,7 +1785,7 @@ def sum_wall_energies(
 
 
 def take_moments(facet_forces: FacetForces) -> StepEntry:
-    """Sets V σ and Σ `bending_square` of cells, whose sums are complete and left at zero.
+    """Sets V σ and Σ `bending_square` of cells from their complete sums, which are set to zero.
 
     Over elements of a block, then shared ones.
     """
@@ -1797,7 +1796,7 @@ def touch_parted_faces(
     moving: Moving, contact_pairs: ContactPairs, near_pairs: NearPairs, cohesive_cracks: CohesiveCracks,
     crack_lists: CrackLists, parted_reach: PartedReach
 ) -> StepEntry:
-    """Lets the cells touch like others whose faces have parted in this step.
+    """Makes pairs of the cells whose faces have parted in this step.
 
     Over once.
     """
@@ -1852,7 +1851,7 @@ def weigh_cracked_cells(
     elastic_facets: ElasticFacets, cell_dilatation: CellDilatation, cell_slack: CellSlack, cohesive_cracks:
     CohesiveCracks
 ) -> StepEntry:
-    """Finds the weights of the cells of all cracks, as a run begins.
+    """Computes the weights of the cells of all cracks at the start of a run.
 
     Over once.
     """
@@ -1862,7 +1861,7 @@ def weigh_cracked_cells(
 def withdraw_dashpots(
     moving: Moving, beams: Beams, dashpots: Dashpots, candidates: Candidates, postponed: Postponed
 ) -> StepEntry:
-    """Takes the dashpots of beams that fail off the kept sums of their ends; before the beams are removed.
+    """Subtracts dashpots of failed beams from the kept sums of their ends, before the beams are removed.
 
     Over once.
     """
@@ -1873,7 +1872,7 @@ def withdraw_facets(
     moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints, facet_release: FacetRelease,
     candidates: Candidates, postponed: Postponed
 ) -> StepEntry:
-    """Lists the cells whose loads change, and takes the loads of their facets and walls off the kept sums.
+    """Lists the cells whose loads change, and subtracts the loads of their facets and walls from the kept sums.
 
     Over once.
     """
@@ -1894,7 +1893,7 @@ def write_crushing_of_beams(
     softening_bounds: SofteningBounds, softening_beams: SofteningBeams, event_log: EventLog, history_rows:
     HistoryRows
 ) -> StepEntry:
-    """Writes what beams have released beyond their fracture energy.
+    """Writes the energy that beams have released beyond their fracture energy.
 
     Over once.
     """
@@ -1905,7 +1904,7 @@ def write_crushing_of_facets(
     facet_strengths: FacetStrengths, cohesive_cracks: CohesiveCracks, event_log: EventLog, history_rows:
     HistoryRows
 ) -> StepEntry:
-    """Writes what facets have released beyond their fracture energy.
+    """Writes the energy that facets have released beyond their fracture energy.
 
     Over once.
     """

@@ -6,7 +6,7 @@ from bondem._types import Floats, Ints, Singles
 
 
 class SofteningBounds(NamedTuple):
-    """Beams that may soften: bounds of those that have not begun, their criterion, and what softening changes."""
+    """Beams that may soften: bounds of whole beams, their criterion, and the data that softening changes."""
 
     limit: Singles  #: as of `FailureBounds`, inf of beams that have begun, (m,)
     of_force: float  #: [1/N²]

@@ -8,8 +8,8 @@ from bondem._types import Bytes, Floats, Int32s, Ints, Singles, Uint32s
 class ElasticFacets(NamedTuple):
     """Bonded facets, m of them, and a few without force behind them where they are fewer than a group.
 
-    Levers are whole multiples of a pitch, shares and H single precision: what is computed from them is exact, and
-    passes read half as much.
+    Levers are whole multiples of a pitch, shares and H single precision: results from them are exact, and passes read
+    half as much.
     """
 
     i: Uint32s  #: (m,)

@@ -15,7 +15,8 @@ class SofteningSamples(NamedTuple):
     kink: float  #: of the softening curve
     steep: float  #: of the softening curve
     wide: int  #: whether lanes are used
-    left: Floats  #: what is left of s_1, s_2, s_3, grip, and the traction below which a plane loses none [Pa], (5, m)
+    #: s_1, s_2, s_3 and grip after softening, and the traction below which a plane loses no integrity [Pa], (5, m)
+    left: Floats
 
 
 class CrackSamples(NamedTuple):
@@ -38,14 +39,16 @@ class YieldSamples(NamedTuple):
     strength: Floats  #: cohesion [Pa], slope, dilation, stiffness [Pa], slip held, (5, m)
     cone: int  #: whether by Drucker and Prager
     wide: int
-    #: bound of F [Pa], Δγ, what is held, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa], (12, m)
+    #: bound of F [Pa], Δγ, its part for the next step, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa], (12,
+    #: m)
     found: Floats
 
 
 class StressBoundSamples(NamedTuple):
-    """Bounds of principal stresses, and of what bending opens of a facet (`laws/stress.hpp`)."""
+    """Bounds of principal stresses, and of the opening traction of bending (`laws/stress.hpp`)."""
 
     stress: Floats  #: [Pa], (6, m)
     bent: Floats  #: T_b [Pa], (m,)
     wide: int
-    found: Floats  #: bounds of σ_1 and σ_3, another of σ_1; T_b less the pressure, and its bound [Pa], (5, m)
+    #: bounds of σ_1 and σ_3, a second bound of σ_1, T_b less the pressure, and the bound of that [Pa], (5, m)
+    found: Floats

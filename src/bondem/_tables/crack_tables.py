@@ -119,7 +119,7 @@ class CrackLists(NamedTuple):
     stale: Bytes  #: 1 for cells whose stress is to be found again, (n,)
     base: Floats  #: V θ without cracks that are treated one by one [m³], (n,)
     #: By number of the half a `SwellingHalf`, and once forces are known `crack::LoadColumn`, (halves, 16): one
-    #: memory for both, as what is known of many cracks is more than caches have., (halves, 16)
+    #: memory for both, because the data of many cracks exceed the caches., (halves, 16)
     half: Floats
     sum: Floats  #: of the first eight columns of loads over the halves of a cell, (n, 8)
     slip: Floats  #: by how much the cracks of a cell slip in this step [m], (n, 4)
@@ -127,7 +127,7 @@ class CrackLists(NamedTuple):
 
 
 class PartedReach(NamedTuple):
-    """Distances at which elements touch that facets do not join any more."""
+    """Distances at which elements touch whose facet has parted."""
 
     apart: Floats  #: by facet [m], (*,)
 

@@ -6,7 +6,7 @@ from bondem._types import Bytes, Floats, Ints, Singles, Uint32s
 
 
 class FailureBounds(NamedTuple):
-    """Bounds that bonds do not reach as long as they cannot fail."""
+    """Bounds of the loads of bonds, below which no bond fails."""
 
     limit: Singles  #: of of_force |F|² + of_moment |M|²; inf of bonds that cannot fail, (m,)
     of_force: float  #: [1/N²]
@@ -31,7 +31,7 @@ class Candidates(NamedTuple):
 
 
 class Postponed(NamedTuple):
-    """Elements that close a step with all bonds, and open the next without those that failed."""
+    """Postponed elements, which close a step with all bonds and open the next one without failed bonds."""
 
     held: Bytes  #: not 0 for elements that are postponed, (n,)
     element: Uint32s  #: lists of these elements, (n,)

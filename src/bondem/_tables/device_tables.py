@@ -73,7 +73,7 @@ class WorkPortions(NamedTuple):
 
 
 class StrainPortions(NamedTuple):
-    """Changes of strains in a step, and portions of what their work needs."""
+    """Changes of strains in a step, and portions of their power."""
 
     due: Ints  #: whether any changes, and whether ∂U/∂factor is needed, (2,)
     power: Floats  #: ∂U/∂factor [J], (*, *)
@@ -96,13 +96,13 @@ class LossesOfCracks(NamedTuple):
 
 
 class BegunFaces(NamedTuple):
-    """Energy that faces which begin to touch take over."""
+    """Energy that faces store as they begin to touch."""
 
     gained: Floats  #: of each portion of elements [J], (element_portions,)
 
 
 class FacetArms(NamedTuple):
-    """Levers of the cells of each facet in space, and the square of what bending opens."""
+    """Levers of the cells of each facet in space, and the square of T_b."""
 
     arm: Floats  #: [m], and T_b² [Pa²], (7, *)
 

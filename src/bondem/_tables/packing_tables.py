@@ -29,7 +29,7 @@ class PackingWalls(NamedTuple):
 
 
 class Near(NamedTuple):
-    """Neighbour lists, and how long they are valid."""
+    """Neighbour lists, and the motion for which they are valid."""
 
     start: Ints  #: where the neighbours of each sphere begin, (n + 1,)
     neighbour: Uint32s  #: (neighbours,)

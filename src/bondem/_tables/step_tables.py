@@ -36,7 +36,7 @@ class Beams(NamedTuple):
 
 
 class AlikeBeams(NamedTuple):
-    """Constants that all beams share that differ in length only."""
+    """Constants of beams that differ in length only."""
 
     hold: Floats  #: integrity over rest length [1/m], (m,)
     knL: float  #: kn L [N]
@@ -198,7 +198,7 @@ class Strain(NamedTuple):
 
 
 class Portions(NamedTuple):
-    """Sums over portions of elements and bonds, and what is made of them."""
+    """Sums over portions of elements and bonds, and their totals."""
 
     elements: Floats  #: translation, rotation, damped, rubbed [J], (element_portions, 4)
     bonds: Floats  #: energy of the four modes [J], (bond_portions, 4)
@@ -229,7 +229,7 @@ class StepPasses(NamedTuple):
     opening: Ints  #: elements open a step after a pause, (*, 8)
     travel: Ints  #: walls move, and lists of contacts may be out of date, (*, 8)
     forces: Ints  #: forces, and what elements do with them, (*, 8)
-    resume: Ints  #: elements that a failure has delayed find their acceleration without what failed, (*, 8)
+    resume: Ints  #: postponed elements find their acceleration without failed bonds, (*, 8)
     reopening: Ints  #: and open the next step, (*, 8)
     guard: Ints  #: whether the run is sound, (*, 8)
     record: Ints  #: a row of the history, (*, 8)

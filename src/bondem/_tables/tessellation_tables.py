@@ -52,7 +52,7 @@ class Solids(NamedTuple):
 class Pile(NamedTuple):
     """A list of polygons with room for more.
 
-    A pass that finds it full ends, and continues from there when there is more room.
+    A pass that fills the list ends, and continues from there when there is more room.
     """
 
     what: Ints  #: kind, tag, first corner, number of corners, shape, (*, 4)
@@ -138,7 +138,7 @@ class FaceGroups(NamedTuple):
     first: Ints  #: (groups + 1,)
     minus: Ints  #: (back,)
     second: Ints  #: (groups + 1,)
-    shift: Floats  #: from the centre that corners of the first are measured from to that of the others, (groups, 3)
+    shift: Floats  #: vector from the centre of the corners of the first side to that of the other side, (groups, 3)
     tolerance: float  #: patches of less area are left out [m²]
     work: Floats  #: polygons, (512, 3)
     other: Floats  #: polygons, (512, 3)
@@ -146,7 +146,7 @@ class FaceGroups(NamedTuple):
 
 
 class PolygonMeasures(NamedTuple):
-    """Polygons, f of them, and what is measured of each."""
+    """Polygons, f of them, and the measures of each."""
 
     corner: Ints  #: corners of polygon q are corner[q] … corner[q + 1] - 1, (polygons + 1,)
     vertex: Floats  #: corners [m], (corners, 3)

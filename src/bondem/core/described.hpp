@@ -20,7 +20,7 @@ struct TableDescription {
 
 template <class T> struct TypeName;
 template <> struct TypeName<double> { static constexpr const char *name = "float64"; };
-// Of the members of a row, which is no table itself: as many numbers as their shape says.
+// Numbers of the members of a row, which is no table itself, by their shape.
 template <> struct TypeName<Vector> { static constexpr const char *name = "float64"; };
 template <> struct TypeName<Quaternion<double>> { static constexpr const char *name = "float64"; };
 template <> struct TypeName<Index> { static constexpr const char *name = "int64"; };

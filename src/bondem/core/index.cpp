@@ -1,4 +1,4 @@
-// What Python finds in the library: its tables, its passes, and what the CPU is capable of.
+// Contents of the library for Python: its tables, its passes, and the abilities of the CPU.
 #include "described_tables.hpp"
 #include "exported.hpp"
 #include "gpu/for_each.hpp"

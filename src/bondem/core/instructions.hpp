@@ -21,7 +21,7 @@ constexpr Index compiled_level = 3;
 constexpr Index compiled_level = 2;
 #endif
 
-// Registers that the system saves when it changes between programs.
+// Register sets that the operating system saves when it switches programs.
 inline uint64_t saved_state() {
     uint32_t low, high;
     __asm__ volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(0));

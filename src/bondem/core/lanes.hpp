@@ -91,7 +91,7 @@ BONDEM_INLINE unsigned bits_of(Held held) {
 
 BONDEM_INLINE Lanes load(const double *from) { return *reinterpret_cast<const LanesInMemory *>(from); }
 BONDEM_INLINE void store(double *to, Lanes a) { *reinterpret_cast<LanesInMemory *>(to) = a; }
-// Numbers that stand in memory in half as many bytes.
+// Numbers stored in memory in half as many bytes.
 typedef int32_t WholeInMemory __attribute__((vector_size(lanes * 4), aligned(4)));
 typedef float SingleInMemory __attribute__((vector_size(lanes * 4), aligned(4)));
 BONDEM_INLINE Lanes load(const int32_t *from) {
@@ -237,7 +237,7 @@ BONDEM_INLINE void add_rows(double *table, const Short *first, const Short *seco
     add(lanes - 1);
 }
 
-// Asks for the first cache line of rows that are to come.
+// Prefetches the first cache line of later rows.
 BONDEM_INLINE void prefetch(const double *table, const Short *place) {
     for (int n = 0; n < lanes; n++) __builtin_prefetch(table + 8 * uint64_t(place[n]));
 }

@@ -1,4 +1,4 @@
-// What a CPU offers: a part of every library, and a small library by itself, which any CPU can load.
+// Abilities of a CPU: a part of every library, and a small library of its own, which any CPU can load.
 #include "exported.hpp"
 #include "instructions.hpp"
 

@@ -15,5 +15,5 @@ Loop *const loops[] = {BONDEM_INDEX_PASSES(X)};
 }  // namespace
 }  // namespace bondem
 
-// In the order in which `bondem_index_passes` describes the passes.
+// Loops in the order in which `bondem_index_passes` describes the passes.
 BONDEM_EXPORT const void *bondem_index_loops() { return bondem::loops; }

@@ -1,7 +1,8 @@
 // A pass registers itself where it is defined: names of its tables follow from the type of the function.
 //
 //     BONDEM_PASS(stress_cells, elements_of_blocks)    behind a pass of a step: what it runs over
-//     BONDEM_CALL(relax_spheres, "converged loose")    behind a pass that Python calls: names of what it may return, from
+//     BONDEM_CALL(relax_spheres, "converged loose")    behind a pass that Python calls: names of what it may return,
+//     from
 //                                                      0 on, or "" where there is one only
 //
 // Each adds a node to a list before main. Nodes are never destroyed and refer to no library of C++; Python reads the list
@@ -12,7 +13,7 @@
 
 namespace bondem {
 
-// What Python reads of a pass.
+// Description of a pass that Python reads.
 struct PassDescription {
     const char *name;
     const char *outcomes;  // of a pass that Python calls, else null

@@ -40,7 +40,7 @@ inline double absolute(double a) { return __builtin_fabs(a); }
 inline double arc_tangent(double y, double x) { return __builtin_atan2(y, x); }
 #endif
 
-// Numbers that several threads write: any of them in the end, as all write one value; and a count.
+// Numbers that several threads write: a number to which all write the same value, and a count.
 #if defined(__CUDACC_RTC__)
 template <class T> inline void put_shared(T &place, T value) { *const_cast<volatile T *>(&place) = value; }
 template <class T> inline T get_shared(const T &place) { return *const_cast<const volatile T *>(&place); }
@@ -51,7 +51,7 @@ template <class T> inline T get_shared(const T &place) { return __atomic_load_n(
 inline Index count_up(Index &count) { return __atomic_fetch_add(&count, Index(1), __ATOMIC_RELAXED); }
 #endif
 
-// Asks for a line of the memory that is read soon.
+// Prefetches a line of memory.
 BONDEM_INLINE void prefetch([[maybe_unused]] const void *at) {
 #if defined(BONDEM_LANES)
     __builtin_prefetch(at);

@@ -29,7 +29,7 @@ BONDEM_INLINE bool any(Mask<Lanes> a) {
 
 // One number in all lanes.
 template <class T> BONDEM_INLINE T all(double a) { return T{} + a; }
-// At least 0.
+// The number or 0, whichever is larger.
 template <class T> BONDEM_INLINE T positive(T a) { return select(a > T{}, a, T{}); }
 template <class T> BONDEM_INLINE Vector3<T> select(Mask<T> first, const Vector3<T> &a, const Vector3<T> &b) {
     return {select(first, a.x, b.x), select(first, a.y, b.y), select(first, a.z, b.z)};

@@ -8,7 +8,7 @@ namespace bondem {
 namespace {
 
 constexpr Index tables_of_pass = 6;
-// An ending of a call, behind those that the guard finds.
+// An ending of a call, after those that the guard finds.
 constexpr Index out_of_date = 3;
 // Steps between two passes of the guard.
 constexpr Index guard_interval = 100;
@@ -77,7 +77,7 @@ class ElementPasses {
     ElementDivision division;
 };
 
-// Whether bonds follow elements: they need what all elements, and not only those of their block, have just become.
+// True if bonds follow elements in a list: they need the results of all elements, not only of their block.
 bool begins_anew(const Entry *entry, Index p) {
     return entry[p].kind == bonds_of_blocks && entry[p - 1].kind != bonds_of_blocks;
 }

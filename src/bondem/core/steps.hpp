@@ -1,10 +1,10 @@
 // A step as a list of passes, which Python composes and the core walks without returning.
 //
-// A pass is a function over tables. What a model lacks is a pass that is not in its list. `take_steps` calls each pass
-// with a `Turn`, which says for what part of the step it is called, and with the tables that its entry names. Where it
-// stands in the list decides when, and its kind decides for what
-// (`PassKind`). The elements of a block are those whose last bond is in the block. A pass that divides them separates those
-// that continue from those that are postponed (`passes/damage/`): further passes over elements are called for either, for
+// A pass is a function over tables. Features that a model lacks have no pass in its list. `take_steps` calls each
+// pass with a `Turn`, which is the part of the step that it is called for, and with the tables that its entry names.
+// Its place in the list decides the time of its call, and its kind the parts that it runs over (`PassKind`). The
+// elements of a block are those whose last bond is in the block. A pass that divides them separates those that
+// continue from those that are postponed (`passes/damage/`): further passes over elements are called for either, for
 // the latter with a clock that stands still.
 //
 // Passes over blocks that follow each other go block by block, so that a block stays in the cache from its bonds to the
@@ -31,7 +31,7 @@ struct ElementList {
     Index first, last, held;
     const Short *element, *row;
 };
-// The elements of a block that continue to the next step, and those that do not before what failed is removed.
+// Elements of a block that continue to the next step, and those that continue after failed bonds are removed.
 struct ElementDivision {
     ElementList going, postponed;
 };
@@ -47,7 +47,7 @@ struct Turn {
     Index threads;  // that a serial pass may share tasks of its own with; 0 for all others
 };
 
-// What a pass runs over.
+// Parts of a step that a pass runs over.
 enum PassKind : Index {
     serial,  // once
     bonds_of_blocks,  // bonds of a block

@@ -7,7 +7,8 @@ namespace bondem {
 namespace {
 
 constexpr int most_threads = 256;
-// Looks at a flag before a thread sleeps, some microseconds: it spares most of the waking between two passes of a step.
+// Number of times that a thread reads the flag before it sleeps, some microseconds, which saves most wake-ups between
+// two passes.
 constexpr int spins = 2000;
 
 inline void pause() {
@@ -27,8 +28,8 @@ struct Team {
     Index tasks;
     void (*work)(Index, void *);
     void *data;
-    // Generation of the work, which counts up when there is some, and in the last 16 bits the members that share it, the
-    // caller among them: in one number, so that a thread that comes late cannot join work that it was not counted for.
+    // Generation of the work, which counts up when there is some, and in the last 16 bits the members that share it,
+    // the caller among them: in one number, so that a late thread cannot join work for which it was not counted.
     uint64_t call;
     int left;  // members still at work
 };
@@ -82,8 +83,8 @@ void *serve(void *recruit) {
 // Starts threads until there are so many beside the caller; fewer where the system gives no more.
 int started(int wanted) {
     if (team.process != getpid()) {
-        // In a forked child the threads of the parent are gone, and still counted as waiting: what they waited on
-        // would block the child.
+        // In a forked child the threads of the parent are gone, and still counted as waiting: conditions on which
+        // they slept would block the child.
         static const pthread_mutex_t unlocked = PTHREAD_MUTEX_INITIALIZER;
         static const pthread_cond_t nobody_waits = PTHREAD_COND_INITIALIZER;
         team.lock = unlocked;

@@ -1,6 +1,6 @@
 // A vector in space, of numbers or of lanes of numbers.
 //
-// Products and sums stand in one expression where one rounding is wanted (-ffp-contract=on fuses within an expression
+// Products and sums are in one expression where they are rounded once (-ffp-contract=on fuses within an expression
 // only, so that every instruction set gives the same bits).
 #pragma once
 #include "lanes.hpp"

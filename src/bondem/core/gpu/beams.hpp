@@ -1,4 +1,4 @@
-// Beams on a device: a thread computes one, and writes what it does to its ends into rows of its own.
+// Beams on a device: a thread computes one beam, and writes the loads on its ends into rows of the beam.
 #pragma once
 #include "../laws/damping.hpp"
 #include "../passes/beams/beam_report.hpp"
@@ -18,7 +18,7 @@ BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams
     const BeamStiffness<double> stiffness = stiffness_of(beams, k, beams.integrity(k));
     return beam_loads(ends_of(all.pose.data, beams, k), shape_of<double>(beams, k), stiffness);
 }
-// Of one of those that differ in length only.
+// Constants of a beam of a model whose beams differ in length only.
 BONDEM_INLINE BeamLoads<double> loads_of(Index k, const Moving &all, const Beams &beams, const AlikeBeams &alike) {
     const double h = alike.hold(k);
     const BeamStiffness<double> stiffness = {alike.knL * h, alike.AL * h, alike.BL * h, alike.AL * h, alike.ktL * h};

@@ -1,4 +1,5 @@
-// Contacts on a device that begin where bonds have broken in a step: a thread begins one, and one adds those of an element.
+// Contacts on a device that begin where bonds have broken in a step: a thread begins one contact, then a thread adds
+// the contacts of one element.
 #pragma once
 #include "../passes/contacts/handover.hpp"
 #include "breakage.hpp"
@@ -10,8 +11,8 @@ namespace bondem {
 BONDEM_INLINE Index pair_of_event(const ContactPairs &pairs, const EventLog &log, Index event) {
     return pairs.of_bond(Index(log.event(event, 2)));
 }
-// Begins the contact of event number e of this step. What it does stands in the output of its pair, with the energy that it
-// takes over from the event behind the force, and whether the two touch behind the torque.
+// Begins the contact of event number e of this step. The output of its pair has the force, the energy that moves from
+// the event to the contact, the torque, and whether the two touch.
 inline void begin_contact_of_event(Index e, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                                    const NearPairs &near, const EventLog &log) {
     const Index event = log.written(1) + e;
@@ -37,7 +38,7 @@ inline void add_begun_contacts_of_element(Index p, const BondsOfElements &bonds,
         add_begun(&postponed.kept(p, 0), pairs.second(k) == Short(p), c.radius(p), begun);
     });
 }
-// Takes the energies that contacts have taken over from what the run has released, in the order of the events.
+// Subtracts the energies that contacts store from the energy released in the run, in the order of the events.
 inline void take_over_energies(Index, const ContactPairs &pairs, const NearPairs &near, const EventLog &log) {
     for (Index event = log.written(1); event < log.written(0); event++) {
         const Index k = pair_of_event(pairs, log, event);

@@ -15,7 +15,7 @@ inline void follow_loads_of_row(Index r, const DeviceSpan &span, const Timeline 
     for (Index e = order.start(r); e < order.start(r + 1); e++)
         add_load(order.load(e), clock_of(span).time, timeline, loads, all, rows);
 }
-// One thread, as the elements of several moments may be the same.
+// Runs on one thread, because several moments may act on one element.
 inline void follow_all_couples(Index, const DeviceSpan &span, const Timeline &timeline, const CoupleTable &couples,
                                const Moving &all, const Rows &rows) {
     follow_couples(turn_of(span, 0), timeline, couples, all, rows);

@@ -1,8 +1,9 @@
-// Breakage on a device: a thread marks and judges one bond, finds the place of one that fails in the order of bonds, or
-// removes it; a thread each takes what has failed off the sum of an element, and resumes the elements that this postpones.
+// Breakage on a device: a thread marks or evaluates one bond, finds the place of a failed bond in the order of bonds,
+// or removes it. Further threads subtract failed bonds from the sum of one element, and resume one postponed element.
 //
-// The stages are those of the CPU (`passes/damage/pipeline.hpp`). Where nothing fails, all threads but those of the marks
-// return at once. What is added up is added in the order of bonds, by the thread of an element, or of energies by one thread.
+// The stages are those of the CPU (`passes/damage/pipeline.hpp`). Where no bond fails, all threads except those of
+// the marks return at once. Sums have the order of bonds: a thread adds those of one element, and one thread adds all
+// energies.
 #pragma once
 #include "../passes/damage/beam_removal.hpp"
 #include "../passes/damage/beam_verdicts.hpp"
@@ -15,7 +16,7 @@ namespace bondem {
 
 // ---- marks
 
-// What a bond is marked for: its load reaches its bound; it fails in this step.
+// Marks of a bond: its load reaches its bound; it fails in this step.
 namespace marked {
 enum : Byte { near = 1, fails };
 }
@@ -42,7 +43,7 @@ inline void load_marked_alike_beam(Index k, const Moving &all, const Beams &beam
 
 // ---- judging
 
-// Lists bond k as one that fails, in any order; returns whether it does.
+// Lists bond k if it fails, in any order; returns true if it fails.
 BONDEM_INLINE bool list_failing(Index k, const Verdict<double> &verdict, const BondMarks &marks,
                                 const Candidates &candidates) {
     if (!(verdict.index >= 1.0)) return false;
@@ -75,7 +76,7 @@ BONDEM_INLINE void hold_ends(const Postponed &postponed, const Beams &beams, Ind
 BONDEM_BEAM_CRITERIA(BONDEM_JUDGE, )
 #undef BONDEM_JUDGE
 
-// Puts bond number e of those that fail, in any order, to its place in the order of bonds.
+// Moves bond number e of the unordered list of failed bonds to its place in the order of bonds.
 inline void rank_failing(Index e, const BondMarks &marks, const Candidates &candidates) {
     const Index count = candidates.count(0);
     if (e >= count) return;
@@ -102,7 +103,7 @@ BONDEM_INLINE void write_failure(Index e, const DeviceSpan &span, const Candidat
                                  const Removal &removal) {
     write_event(clock_of(span), log, log.written(0) + e, candidates.marked(e), candidates.mode(e), removal);
 }
-// Counts the events of a step, and adds up what they have released.
+// Counts the events of a step, and adds up their released energies.
 inline void count_failures(Index, const Candidates &candidates, const EventLog &log) {
     log.written(1) = log.written(0);
     if (!any_fails(candidates)) return;
@@ -116,7 +117,7 @@ BONDEM_INLINE BeamLoads<double> loads_in(const LoadsOfBonds &from, Index k) {
     const auto at = [&](Index c) { return Vector{from.load(c, k), from.load(c + 1, k), from.load(c + 2, k)}; };
     return {at(0), at(3), at(6)};
 }
-// Removes beam number e of those that fail; its loads are those that its ends have lost.
+// Removes failed beam number e; its loads are then the loads that its ends lose.
 inline void remove_failing_beam(Index e, const DeviceSpan &span, const Moving &all, const Beams &beams,
                                 const BeamIntegrity &state, const Candidates &candidates, const EventLog &log,
                                 const LoadsOfBonds &to) {
@@ -140,7 +141,7 @@ inline void load_failing_dashpot(Index e, const Moving &all, const Beams &beams,
     const Index k = candidates.marked(e);
     put(to, k, loads_of_dashpot(all, beams, dashpots, k));
 }
-// Both the sums of all forces and those of dashpots alone have them.
+// The sums of all forces and the sums of dashpots alone both contain these loads.
 inline void take_dashpots_off_element(Index p, const BondsOfElements &bonds, const BondMarks &marks,
                                       const LoadsOfBonds &from, const Dashpots &dashpots, const Candidates &candidates,
                                       const Postponed &postponed) {
@@ -169,7 +170,7 @@ inline void keep_dashed_sum(Index e, const StepCut &cut, const Dashpots &dashpot
         row_at(dashpots.sums.data, Short(postponed.first_row + p)) = row_at(dashpots.sums.data, cut.ready_row(e));
 }
 
-// A postponed element finds its acceleration by the sum that is kept, and opens the next step if it continues.
+// Finds the acceleration of a postponed element by its kept sum, and opens its next step if the run continues.
 template <class Boundary, class Resisted>
 BONDEM_INLINE void resume(const DeviceSpan &span, const Moving &all, const Postponed &postponed, Index p,
                           const Boundary &row, const Resisted &resistance, Index r) {

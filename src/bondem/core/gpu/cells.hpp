@@ -157,7 +157,7 @@ inline void apply_walls_of_row(Index r, const Moving &all, const WallConstraints
     load_row(r, all, walls, order, rows);
     rows.work(r) += before + half_work(r, walls, order);
 }
-// Number h of the elements that own rows.
+// Tractions of element number h of those that own rows of the boundary.
 inline void add_wall_load(Index h, const Rows &rows, const StepCut &cut) {
     const Index e = cut.held(0) + h;
     const double *load = &rows.grip(rows.of(cut.ready(e)), 0);
@@ -193,7 +193,7 @@ inline void add_traction_work_of_row(Index h, const Moving &all, const StepCut &
     rows.work(rows.of(p)) += work;
 }
 
-// ---- what the guard and the history need
+// ---- sums for the guard and the history
 
 inline void check_portion_of_facets(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams,
                                     const ElasticFacets &facets, const Portions &portions) {

@@ -1,7 +1,9 @@
-// Contacts on a device: a thread computes one pair of the list, then one adds what pairs and walls do to one element.
+// Contacts on a device: a thread computes one pair of the list, then a thread adds the forces of pairs and walls on
+// one element.
 //
-// Every pair of the list is evaluated in each step, so that distances need not be measured between two lists. A list that
-// an element or a wall has left stops the run: what follows in a graph does nothing, and the CPU makes the list anew.
+// Every pair of the list is evaluated in each step, so that distances need not be measured between two lists. A list
+// that an element or a wall has left stops the run: later launches of a graph do nothing, and the CPU makes a new
+// list.
 #pragma once
 #include "../passes/contacts/contact_loads.hpp"
 #include "../passes/contacts/face_contacts.hpp"
@@ -65,7 +67,7 @@ inline void press_pair_or_faces(Index k, const DeviceSpan &span, const Moving &a
     const ContactRow &of = law_of(c, pairs, k);
     if (kind == PairOf::spheres) with_law(c, of, [&](auto law) { press_one(law, of, k, all, c, pairs, near, dt); });
 }
-// Adds what faces do to element p: of pairs whose later element it is, then of those whose earlier one.
+// Adds forces of faces on element p: of pairs whose later element it is, then of pairs whose earlier element it is.
 inline void add_faces_of_element(Index p, const ContactPairs &pairs, const FacePairs &faces, const ContactSums &to) {
     for (Index k = pairs.start(p); k < pairs.start(p + 1); k++)
         if (faces.close(k) != 0) add_faces_to(faces, k, true, &to.sums(p, 0));
@@ -73,7 +75,7 @@ inline void add_faces_of_element(Index p, const ContactPairs &pairs, const FaceP
         if (faces.close(faces.earlier(e)) != 0) add_faces_to(faces, faces.earlier(e), false, &to.sums(p, 0));
 }
 inline bool as_spheres(Byte touch) { return touch == touching || touch == parted; }
-// Adds what pairs do to element p: those whose later element it is, then those whose earlier one, in their order.
+// Adds forces of pairs on element p in their order: as the later element of a pair, then as the earlier one.
 inline void add_pairs_of_element(Index p, const ContactConstants &c, const ContactPairs &pairs, const EarlierPairs &earlier,
                                  const NearPairs &near, const ContactSums &to) {
     Row<double> sum = {};
@@ -119,7 +121,7 @@ inline void load_wall(Index w, const DeviceSpan &span, const WallContacts &conta
     put_load(row, sum);
     end_loads(walls, w, half);
 }
-// Half a kick of free wall e, when the forces on it are known.
+// Applies half a kick to free wall e, when the forces on the wall are known.
 inline void kick_free_wall(Index e, const DeviceSpan &span, const WallMotions &motions, const Walls &walls) {
     kick_free(motions, walls, e, 0.5 * clock_of(span).dt);
     show_free_spin(walls, motions.free_wall(e));

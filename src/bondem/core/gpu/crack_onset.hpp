@@ -104,7 +104,7 @@ inline void mark_facet(Index k, const DeviceSpan &span, const Moving &all, const
     };
     if (begins_to_crack(traction_of(kept, strengths, k), size, bends, strengths.strength(k), place)) onset.marked(k) = 1;
 }
-// Number e of the facets of material planes.
+// Evaluates facet number e of the material planes.
 inline void mark_plane(Index e, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                        const FacetForces &kept, const FacetStrengths &strengths, const CrackOnset &onset) {
     const Index k = strengths.planes(e);

@@ -1,8 +1,9 @@
 // Cracks on a device: a thread treats one crack, or adds up one cell. There are no lists of cracks: places and halves have
 // the numbers of their facets, and the list of the halves of a cell is made by the thread of the cell.
 //
-// What several cracks change of a cell is added by its thread, in the order of the CPU, from flags of its facets. Flags of
-// both kinds are those of the present step: `flag` of cracks that are treated one by one, `waking` of those at rest.
+// Changes of a cell by several cracks are added by the thread of the cell, in the order of the CPU, from flags of its
+// facets. Flags of both kinds are those of the present step: `flag` of cracks that are treated one by one, `waking`
+// of those at rest.
 #pragma once
 #include "../passes/contacts/face_contacts.hpp"
 #include "../passes/contacts/handover.hpp"
@@ -20,7 +21,7 @@ namespace bondem {
 
 BONDEM_INLINE bool takes_time(const DeviceSpan &span) { return clock_of(span).dt > 0.0; }
 BONDEM_INLINE bool is_treated(const CohesiveCracks &cracks, Index k) { return cracks.listed(k) == 1 + crack::active; }
-// Whether a crack is no longer treated one by one from this step on.
+// True if a crack is no longer treated one by one from this step on.
 BONDEM_INLINE bool leaves(Byte flag) { return flag == crack::calmed || flag == crack::parts; }
 BONDEM_INLINE void make_stale(const CrackLists &lists, const ElasticFacets &facets, Index k) {
     put_shared(lists.stale(facets.i(k)), Byte(1));
@@ -50,7 +51,7 @@ inline void weigh_cell(Index p, const CellDilatation &cells, const CellSlack &sl
 inline void carry_cell(Index p, const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (lists.head(p) != 0) carry_cracks_of(stresses, cracks, lists, p);
 }
-// Takes over the levers of a facet, where strains of cells have changed them.
+// Copies the levers of a facet that strains of cells have changed.
 inline void follow_lever(Index k, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks) {
     if (strains.due(1) && cracks.listed(k) != 0) write_levers(facets, cracks, k);
 }
@@ -115,7 +116,7 @@ inline void wake_crack(Index k, const Moving &all, const ElasticFacets &facets, 
     begin_treating(one, facets, cracks, lists, k, k);
     make_stale(lists, facets, k);
 }
-// Adds to V θ of cell p without its cracks what those contribute that `changes` names, times a sign.
+// Adds contributions of the cracks that `changes` names to V θ of cell p without its cracks, times a sign.
 template <class Changes>
 BONDEM_INLINE bool change_base(Index p, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                                const CohesiveCracks &cracks, const CrackLists &lists, double sign, Changes changes) {
@@ -150,8 +151,8 @@ inline void soften_crack(Index k, const DeviceSpan &span, const Moving &all, con
 
 // ---- parting and rest
 
-// The energy of a crack that parts, in the state in which those have left that the CPU treats before: whole ones first,
-// then broken ones by their numbers.
+// Energy of a crack that parts, in the state without the cracks that the CPU treats earlier: whole ones first, then
+// broken ones by their numbers.
 inline void part_crack(Index k, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                        const CohesiveCracks &cracks, const CrackLists &lists, const LossesOfCracks &losses) {
     if (lists.flag(k) != crack::parts) return;
@@ -179,7 +180,7 @@ inline void take_leaving(Index p, const DeviceSpan &span, const Moving &all, con
     const auto left = [&](Index k) { return leaves(lists.flag(k)); };
     if (change_base(p, all, facets, slack, cracks, lists, 1.0, left)) weigh_cracked(cells, slack, cracks, p);
 }
-// Lets the cells touch like others whose faces have parted in this step.
+// Makes pairs of the cells whose faces have parted in this step.
 inline void touch_parted_face(Index k, const Moving &all, const ContactPairs &pairs, const CohesiveCracks &cracks,
                               const CrackLists &lists, const PartedReach &reach) {
     if (lists.flag(k) != crack::parts && lists.waking(k) != crack::parts) return;
@@ -208,12 +209,12 @@ inline void settle_face(Index k, const FacePairs &faces) {
 inline void settle_faces_of_cell(Index p, const FacePairs &faces) {
     if (faces.faced(p) == 2) faces.faced(p) = 1;
 }
-// Takes what faces that begin to touch have gained off the energy that has been released.
+// Subtracts the energy that faces store as they begin to touch from the released energy.
 inline void take_over_from_cracks(Index, const BegunFaces &begun, const EventLog &log) {
     for (Index b = 0; b < begun.gained.size(); b++) log.released(0) -= begun.gained(b);
 }
 
-// ---- forces, and what is dissipated
+// ---- forces and dissipated energy
 
 inline void load_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                        const FacetStrengths &strengths, const StressesOfCells &stresses, const CohesiveCracks &cracks,

@@ -1,9 +1,9 @@
-// Breakage of facets of cells on a device: a thread marks, judges or removes one facet; a thread each postpones the cells
-// next to those of facets that fail, exchanges the loads of one postponed cell, and weighs a cell that loses facets.
+// Breakage of facets of cells on a device: a thread marks, evaluates or removes one facet. Further threads postpone
+// the neighbours of cells that lose facets, exchange the loads of one postponed cell, and set the weight of one cell.
 //
-// The stages are those of the CPU (`passes/cells/facet_failure.cpp`), which has lists of cells where each thread here asks
-// for what its cell is postponed. Facets fail one after the other, in their order: a thread finds the energy of its facet
-// with those that come before it gone.
+// The stages are those of the CPU (`passes/cells/facet_failure.cpp`), which has lists of cells; here each thread
+// reads the reason for which its cell is postponed. Facets fail in their order: a thread finds the energy of its
+// facet without the facets that fail earlier.
 #pragma once
 #include "../passes/cells/facet_failure.hpp"
 #include "../passes/cells/facet_removal.hpp"
@@ -12,7 +12,7 @@
 
 namespace bondem {
 
-// Marks facets by the stresses of the step before, as stresses of this step need all facets.
+// Marks facets by the stresses of the previous step, because stresses of this step need all facets.
 inline void dilate_marked_facet(Index k, const Moving &all, const ElasticFacets &facets, const LoadsOfBonds &to,
                                 const FailureBounds &bounds, const BondMarks &marks) {
     const Row<double> i = gather(all.pose.data, facets.i(k)), j = gather(all.pose.data, facets.j(k));
@@ -55,7 +55,7 @@ inline void withdraw_facets_of_cell(Index p, const Moving &all, const ElasticFac
     if (any_fails(candidates) && is_held(postponed, p))
         take_off_changing(1.0, all, facets, walls, release, postponed, p);
 }
-// Energy of dilatation of both cells of facet k, where those that fail have gone up to a number [J].
+// Energy of dilatation of both cells of facet k without the failed facets below a number [J].
 BONDEM_INLINE double energy_of_cells(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                                      const FacetRelease &release, const BondMarks &marks, Index k, Index up_to) {
     const auto left = [&](Index other) {
@@ -69,7 +69,7 @@ BONDEM_INLINE double energy_of_cells(const Moving &all, const ElasticFacets &fac
     }
     return sum;
 }
-// Facet number e of those that fail; it keeps its integrity until all of them have their energies.
+// Finds the energy of failed facet number e, which keeps its integrity until all energies are known.
 inline void write_facet_failure(Index e, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                                 const WallConstraints &walls, const FacetRelease &release, const BondMarks &marks,
                                 const Candidates &candidates, const EventLog &log) {
@@ -83,7 +83,7 @@ inline void write_facet_failure(Index e, const DeviceSpan &span, const Moving &a
     }
     write_failure(e, span, candidates, log, removal);
 }
-// Weight and stress of a cell without the facets that fail, which end here.
+// Sets weight and stress of a cell without its failed facets, and ends the failures of the step.
 inline void end_facets_of_cell(Index p, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                                const FacetRelease &release, const BondMarks &marks, const Candidates &candidates) {
     if (!any_fails(candidates)) return;

@@ -4,12 +4,12 @@
 
 namespace bondem {
 
-// Tables of a pass at most.
+// Largest number of tables of a pass.
 constexpr Index tables_of_index_pass = 8;
 
 template <auto pass> struct ForEach;
 template <class... Tables, void (*pass)(Index, const Tables &...)> struct ForEach<pass> {
-    // Tables are read once: what a pass writes cannot change them.
+    // Tables are read once, because no pass writes the tables themselves.
     template <Index... n> static void with(Index k, const void *const *tables, Numbers<n...>) {
         on(k, Tables(*static_cast<const Tables *>(tables[n]))...);
     }
@@ -17,8 +17,8 @@ template <class... Tables, void (*pass)(Index, const Tables &...)> struct ForEac
     static void at(Index k, const void *const *tables) {
         with(k, tables, typename CountTo<sizeof...(Tables)>::type{});
     }
-    // Nothing is done where a number that is given is not 0. A count below 0 is that of indices from the last to the first,
-    // by which tests find passes that need an order.
+    // Does nothing if the flag is not 0. A count below 0 runs over the indices from the last to the first, by which
+    // tests find passes that depend on the order.
     static Index on_host(Index count, const Index *halted, const void *const *tables) {
         if (halted && *halted) return 0;
         for (Index k = 0; k < count; k++) at(k, tables);

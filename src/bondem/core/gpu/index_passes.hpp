@@ -1,4 +1,4 @@
-// The passes over an index: what a thread of a device does, by number. `X(pass)` is called for each.
+// The passes over an index, each the work of a thread of a device, by number. `X(pass)` is called for each.
 #pragma once
 #include "adhesion.hpp"
 #include "beams.hpp"

@@ -7,7 +7,7 @@
 
 namespace bondem {
 
-// A row of sums, and what bonds do to element p.
+// The sum of the loads of bonds on element p.
 BONDEM_INLINE Row<double> gathered(Row<double> sum, Index p, const BondsOfElements &bonds, const LoadsOfBonds &from) {
     const Index m = from.load.shape[1];
     const auto load = [&](Index c, Index k) { return from.load.data[c * m + k]; };
@@ -38,7 +38,7 @@ inline void gather_dashpots(Index e, const StepCut &cut, const BondsOfElements &
     for (Index c = 0; c < 8; c++) cut.sums(row, c) += sum.column[c];
 }
 
-// The load of an element: what its bonds do to it, or the sum in memory, which is left at zero.
+// The load of an element: the sum over its bonds, or the sum in memory, which is set to zero.
 struct Gathered {
     const BondsOfElements &bonds;
     const LoadsOfBonds &from;
@@ -53,14 +53,14 @@ struct Summed {
     }
 };
 
-// The clock of an element: those that a failure postpones do not open the next step.
+// The clock of an element, with which postponed elements do not open the next step.
 BONDEM_INLINE Clock clock_on(const DeviceSpan &span, Index p) {
     Clock clock = clock_of(span);
     if (span.postponed.size() > 0 && span.postponed(p) != 0) clock.goes_on = 0;
     return clock;
 }
 
-// Moves element number e of the list, which owns no row of the boundary, and number h of those that own one.
+// Moves element number e of those without a row of the boundary, or number h of those with a row.
 template <class Load, class Resisted>
 BONDEM_INLINE void move_free_one(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut, const Load &load,
                                  const Resisted &resistance) {

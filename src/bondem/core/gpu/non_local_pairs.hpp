@@ -1,7 +1,8 @@
-// Bonds of the non-local law on a device: a thread finds the force of one, then one finds the stress of one element, and one
-// judges a bond by the stresses of its ends. A thread each removes one that fails, and relieves one element.
+// Bonds of the non-local law on a device: a thread finds the force of one bond, then a thread finds the stress of one
+// element, then a thread evaluates one bond by the stresses of its ends. Further threads remove one failed bond, and
+// relieve one element.
 //
-// An element adds up what its bonds and its contacts have for its stress in the order of the CPU.
+// The stress of an element adds up its bonds and contacts in the order of the CPU.
 #pragma once
 #include "../passes/non_local/non_local_bonds.hpp"
 #include "../passes/non_local/own_stress.hpp"
@@ -117,7 +118,7 @@ inline void add_all_begun_contacts(Index, const DeviceSpan &span, const Moving &
     add_begun_contacts(turn_of(span, 0), all, c, pairs, stresses, log);
 }
 
-// ---- what the history needs
+// ---- sums for the history
 
 inline void sum_portion_of_springs(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams,
                                    const NonLocalBonds &bonds, const Portions &portions, const NonLocalWork &work) {

@@ -10,8 +10,8 @@ namespace bondem {
 // Columns of the sums: translation, rotation, damped, rubbed; normal, shear, bending, twisting; bonds turned wide, lost,
 // numbers that are not finite; work, its absolute value.
 constexpr Index sum_columns = 13, portions_of_group = 64;
-// Behind them in a record: energies of contacts, of non-local stresses, that bonds released, of plasticity, and of the
-// released energy that of crushing; work of walls; then gauges.
+// Further columns of a record: energies of contacts and of non-local stresses, released, plastic and crushing
+// energies; work of walls; then gauges.
 enum FurtherColumn : Index {
     of_contacts = sum_columns, of_non_local, of_release, of_plasticity, of_crushing, of_walls_work, before_gauges
 };

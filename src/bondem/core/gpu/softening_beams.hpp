@@ -1,6 +1,6 @@
-// Beams that soften, on a device: a thread lets one row of the lists lose integrity, one thread a portion adds up what its
-// rows have dissipated, a thread loads one beam, and one each lets a marked beam begin to soften, before loads are
-// gathered; one thread logs beams that have broken and begins the rows.
+// Beams that soften, on a device: a thread lowers the integrity of one row of the lists, a thread adds up the
+// dissipation of one portion, a thread loads one beam, and a thread softens one marked beam before loads are
+// gathered. One thread logs broken beams and begins rows.
 //
 // The stages are those of the CPU (`passes/damage/beam_softening.cpp`), in the same order of rows and bonds.
 #pragma once
@@ -56,7 +56,7 @@ inline void load_softening_alike_beam(Index k, const Moving &all, const Beams &b
     mark_one(k, loads, bounds, marks);
     put_pressed(k, all, beams, loads, to, bounds);
 }
-// Lets beam k begin to soften where it is marked and its criterion is reached; its loads, those of a whole beam, fall.
+// Softens beam k if it is marked and reaches its criterion; its loads, first those of a whole beam, fall.
 template <class Criterion>
 BONDEM_INLINE void begin_one(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams, const LoadsOfBonds &to,
                              const SofteningBounds &bounds, const BondMarks &marks, const Candidates &candidates) {
@@ -94,7 +94,7 @@ inline void begin_all_softened_contacts(Index, const DeviceSpan &span, const Mov
     begin_softened_contacts(turn_of(span, 0), all, c, pairs, near, log, to);
 }
 
-// ---- what the history needs
+// ---- sums for the history
 
 inline void sum_portion_of_pressure(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams,
                                     const SofteningBounds &bounds, const Portions &portions) {

@@ -1,5 +1,5 @@
-// Strains that change, on a device: one thread follows their factors, one each stretches a facet or computes a portion, and
-// one adds up their work (`passes/boundary/strains.cpp`, `passes/cells/cell_strains.cpp`).
+// Strains that change, on a device: one thread updates the factors, a thread stretches one facet or computes one
+// portion, and one thread adds up the work (`passes/boundary/strains.cpp`, `passes/cells/cell_strains.cpp`).
 #pragma once
 #include "../passes/boundary/strained_beam.hpp"
 #include "../passes/boundary/timeline.hpp"

@@ -1,4 +1,4 @@
-// How a thread of a device calls what the passes of a step have in common: with a turn of one index.
+// Calls of the common functions of CPU passes by a thread of a device, with a turn of one index.
 #pragma once
 #include "../steps.hpp"
 #include "../tables/device_tables.hpp"
@@ -8,7 +8,7 @@ namespace bondem {
 static_assert(sizeof(Clock) == 9 * sizeof(Index));
 BONDEM_INLINE Clock &clock_of(const DeviceSpan &span) { return *reinterpret_cast<Clock *>(span.clock.data); }
 
-// Works, or walls, of a portion.
+// Number of works, or of walls, of a portion.
 constexpr Index works_of_portion = 1024;
 
 // A turn of element p.

@@ -3,10 +3,10 @@
 //     F = F_c            g < 0        U = F_c (g - D / 2)
 //     F = F_c (1 - g/D)  0 <= g < D   U = -F_c (D - g)² / 2 D      F_c = σ A,  A = π min(R_i, R_j)², at a wall π R²
 //
-// g is the gap, F pulls the two together, beside the spring and the dashpot that press them apart. The force is continuous and
-// a function of the gap alone: adhesion stores all work, and has no memory. Friction is that of the spring, whose force is
-// F_c more than what presses from outside. Source: linear adhesion within a range, as in the adhesive rolling resistance
-// linear model of PFC (pull-off force F_0, range D_0); σ A as in the cohesive law of Yade.
+// g is the gap, F pulls the two together, beside the spring and the dashpot that press them apart. The force is
+// continuous and a function of the gap alone: adhesion stores all work, and has no memory. Friction is that of the
+// spring, whose force exceeds the outer pressure by F_c. Source: linear adhesion within a range, as in the adhesive
+// rolling resistance linear model of PFC (pull-off force F_0, range D_0); σ A as in the cohesive law of Yade.
 #pragma once
 #include "linear_contact.hpp"
 
@@ -15,7 +15,7 @@ namespace bondem {
 struct Adhesion {
     double pull_off, reach;  // F_c [N], D [m], 0 for none
 
-    // Of the stress σ between two spheres, or between a sphere and a wall for equal radii.
+    // Pull-off force F_c of the stress σ between two spheres, or between a sphere and a wall for equal radii.
     Adhesion(double strength, double reach, double ra, double rb)
         : pull_off(strength * pi * (ra < rb ? ra * ra : rb * rb)), reach(reach) {}
     double force(double gap) const { return gap < 0.0 ? pull_off : gap < reach ? pull_off * (1.0 - gap / reach) : 0.0; }

@@ -16,7 +16,7 @@ template <class T> BONDEM_INLINE Symmetric3<T> agreed_stress(const Symmetric3<T>
             s.zz + 2.0 * r.z * n.z - along * n.z * n.z, s.xy + r.x * n.y + r.y * n.x - along * n.x * n.y,
             s.xz + r.x * n.z + r.z * n.x - along * n.x * n.z, s.yz + r.y * n.z + r.z * n.y - along * n.y * n.z};
 }
-// A stress with what bending pulls along n beyond it.
+// A stress with the additional traction of bending along n.
 template <class T> BONDEM_INLINE Symmetric3<T> bent_stress(const Symmetric3<T> &s, Vector3<T> n, T bent) {
     const T zero = {}, along = dot(n, s * n), pulled = along > zero ? along : zero;
     const T more = bent > pulled ? bent - pulled : zero;

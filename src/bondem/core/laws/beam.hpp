@@ -11,8 +11,8 @@
 //     U = ½ kn (ℓ - L)² + ½ A (1 - c1²) + B (X1 · X2 - c1 c2) + ½ C (1 - c2²) + 2 kt (1 - w²)
 //     A = ks a² + k'      B = ks a b - k'      C = ks b² + k'
 //
-// Four stiffnesses and the contact point are what laws differ in (Chen et al. 2022, eqs (21) to (26), Tables 1 and 9);
-// for a circular section of radius r, with A = π r², I = π r⁴ / 4, J = 2 I and G = E / (2 (1 + ν)):
+// Laws differ in four stiffnesses and the contact point (Chen et al. 2022, eqs (21) to (26), Tables 1 and 9); for a
+// circular section of radius r, with A = π r², I = π r⁴ / 4, J = 2 I and G = E / (2 (1 + ν)):
 //
 //                        kn        ks                     kb            kt            a
 //     Euler–Bernoulli    E A / L   12 E I / L³            E I / L       G J / L       L / 2
@@ -45,7 +45,7 @@ template <class T> struct BeamStiffness {
     T A, B, C;  // [N·m]
     T kt;  // [N·m]
 };
-// What a beam does to its elements.
+// Force and torques of a beam on its elements.
 template <class T> struct BeamLoads {
     Vector3<T> force;  // on j; its opposite on i [N]
     Vector3<T> on_i, on_j;  // torques [N·m]
@@ -57,7 +57,7 @@ BONDEM_INLINE BeamLoads<T> beam_loads(const Ends<T> &ends, const BeamShape<T> &s
     const T present = length(ends.branch), inverse = 1.0 / present;
     const Vector3<T> X = inverse * ends.branch;
     const Vector3<T> X1 = rotate(ends.i, shape.direction), X2 = rotate(ends.j, shape.direction);
-    // which of two products is fused with a sum is part of the bits: in c2 that of y
+    // the product that is fused with a sum determines the bits: in c2 that of y
     const T c1 = dot(X, X1), c2 = X.y * X2.y + X.x * X2.x + X.z * X2.z;
     const T g1 = k.A * c1 + k.B * c2, g2 = k.B * c1 + k.C * c2;
     // force = axial X + (g1 X1 + g2 X2) / ℓ
@@ -93,7 +93,7 @@ BONDEM_INLINE BeamEnergy<T> beam_energy(const Ends<T> &ends, const BeamShape<T> 
     return {0.5 * k.kn * ((present - L) * (present - L)), shear, bending, 2.0 * k.kt * along};
 }
 
-// How far a beam is from its false minima: the smaller of c1 and c2, and w².
+// Distance of a beam from its false minima: the smaller of c1 and c2, and w².
 template <class T> struct BeamTurn {
     T c1, c2, w2;
 };

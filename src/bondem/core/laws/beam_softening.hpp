@@ -43,16 +43,16 @@ template <class T> BONDEM_INLINE OpeningEnergy<T> opening_energy(const BeamEnerg
     return {at_least_zero(whole.bending + pulled), at_least_zero(whole.shear + whole.twisting)};
 }
 
-// λf over λ0 of a beam that stores all that it absorbs, or more, as it begins.
+// λf over λ0 of a beam that stores at least its fracture energy G A at onset.
 constexpr double snap_of_beams = 1.05;
 
-// Opening λf where no integrity is left, of a beam that begins to soften at λ0 = `first` [√J]; `tear` and `slide` are
-// G_f A and G_II A [J].
+// Opening λf at zero integrity of a beam that begins to soften at λ0 = `first` [√J]; `tear` and `slide` are G_f A and
+// G_II A [J].
 inline double last_opening(const OpeningEnergy<double> &at_first, double tear, double slide, double first) {
     const double energy = (at_first.opening + at_first.sliding) / (at_first.opening / tear + at_first.sliding / slide);
     return most(energy / first, snap_of_beams * first);
 }
-// G A [J]. A beam that stores more as it begins has no λf of its own: the energy is that of its mode.
+// Fracture energy G A [J]. It is that of the mode for a beam that stores more at onset, which has no λf of its own.
 inline double absorbed_energy(double first, double last, double of_mode) {
     return last > snap_of_beams * first ? first * last : of_mode;
 }
@@ -65,17 +65,17 @@ struct SofteningLine {
         if (opening <= first) return opening;
         return opening >= last ? 0.0 : first * (1.0 - opening / last) / (1.0 - first / last);
     }
-    // What the beam absorbs from an opening on [J].
+    // Energy that a beam absorbs from an opening on [J].
     double beyond(double opening) const { return opening >= last ? 0.0 : (last - opening) * at(opening); }
 };
 
 // Integrity, at most s, of a beam whose opening grows from `before` to `opening` in a step; it has dissipated `spent` [J].
 //
-// Between two corners of the line, steps of the same size d have its work. A step over a corner does not: from zero beyond
-// the last opening it would have none. There s λ is the force by which the work of this step, of the next one of the same
-// size, and of the line behind that is what is left of G A. It is between the forces of the line a step before and a step
-// after, so that it is that of the line as d tends to zero. A whole beam that was pressed has `before` below zero: its
-// pressure, which acts for half a step longer than it is pressed, is made up for.
+// Between two corners of the line, steps of the same size d have its work. A step over a corner does not: from zero
+// beyond the last opening it would have none. There s λ is the force by which the work of this step, of the next one
+// of the same size, and of the line behind that is the rest of G A. It is between the forces of the line a step
+// before and a step after, so that it is that of the line as d tends to zero. A whole beam that was pressed has
+// `before` below zero: its pressure, which acts for half a step longer than it is pressed, is made up for.
 inline double softened(double s, const SofteningLine &line, double spent, double before, double opening) {
     const double step = opening - before, opened = at_least_zero(before);
     if (s * opening <= line.at(opening)) return s;

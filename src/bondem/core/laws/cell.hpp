@@ -53,11 +53,11 @@ template <class T> struct FacetStiffness {
     T k;  // [N/m]
     Symmetric3<T> H;  // [N·m]
 };
-// A number of each of the two cells of a facet, such as their stresses σ [Pa].
+// Two numbers, one per cell of a facet, such as their stresses σ [Pa].
 template <class T> struct OfCells {
     T i, j;
 };
-// What a facet does to its cells.
+// Force and torques of a facet on its cells.
 template <class T> struct FacetLoads {
     Vector3<T> force;  // on j; its opposite on i [N]
     Vector3<T> on_i, on_j;  // torques [N·m]
@@ -72,7 +72,7 @@ template <class T> BONDEM_INLINE OpenFacet<T> opened(const Ends<T> &ends, const 
     return {a, b, ends.branch + b - a};
 }
 
-// What a facet contributes to V θ of its cells [m³].
+// Contributions of a facet to V θ of its cells [m³].
 template <class T> BONDEM_INLINE OfCells<T> dilatation(const Ends<T> &ends, const FacetShape<T> &shape) {
     const Vector3<T> gap = opened(ends, shape).gap;
     return {dot(turned_by(ends.i, shape.share_i), gap), dot(turned_by(ends.j, shape.share_j), gap)};
@@ -104,9 +104,8 @@ template <class T> BONDEM_INLINE Vector3<T> bending_moment(const Ends<T> &ends, 
     return c + c;
 }
 
-// The gradient of U with the opposite sign, with the stresses of both cells known. The facet is given in space too, so
-// that a caller who needs its arms computes them once, and the moment, which is best computed before: what follows it
-// fits fewer registers.
+// The gradient of U with the opposite sign, with the stresses of both cells known. Callers pass the facet in space,
+// whose arms they need too, and its moment, which takes fewer registers if it is computed first.
 template <class T>
 BONDEM_INLINE FacetLoads<T> facet_loads(const Ends<T> &ends, const FacetShape<T> &shape, const OpenFacet<T> &open,
                                         Vector3<T> moment, T k, OfCells<T> stress) {

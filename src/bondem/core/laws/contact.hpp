@@ -8,10 +8,11 @@
 //
 //     cn = 2 β √(kn m̄)      cs = 2 β √(ks m̄)      kn = dF/du,   1/m̄ = 1/m_i + 1/m_j
 //
-// Energy: U = ∫ F du + ½ ks ξ². Where ks depends on the overlap, forces are the gradient of U: a contact that does not
-// slide stores all work, and comes back to its place after any cycle of load (docs/decisions/0053-tangential-potential-and-rolling.md).
-// Work on the spring that it does not store is friction. Losses are the trapezoid of force over displacement, of second
-// order as the step is. At the limit of friction F_t = μ F_n and F_n = N + F_t² h, h = ks' / 2 ks², so that
+// Energy: U = ∫ F du + ½ ks ξ². Where ks depends on the overlap, forces are the gradient of U: a contact that does
+// not slide stores all work, and returns to its place after any cycle of load
+// (docs/decisions/0053-tangential-potential-and-rolling.md). Work on the spring that it does not store is friction.
+// Losses are the trapezoid of force over displacement, of second order as the step is. At the limit of friction F_t =
+// μ F_n and F_n = N + F_t² h, h = ks' / 2 ks², so that
 //
 //     F_t = 2 μ N / (1 + √(1 - 4 μ² N h))
 //
@@ -44,12 +45,12 @@ template <class T> struct ContactStiffness {
     T rise, rise_before;  // ½ dks/du, of laws that harden [N/m²]
     T cn, cs;  // [N·s/m]
 };
-// Where two bodies touch.
+// Geometry and velocity of a contact of two bodies.
 template <class T> struct Meeting {
     Vector3<T> normal;
     Vector3<T> velocity;  // of the second body against the first at the contact, over the step [m/s]
 };
-// What a contact knows of its past.
+// Memory of a contact.
 template <class T> struct ContactMemory {
     Vector3<T> stretch;  // ξ [m]
     Vector3<T> viscous;  // force of the dashpots [N]
@@ -85,8 +86,8 @@ BONDEM_INLINE ContactStiffness<T> contact_stiffness(const Law &, const ContactSp
     return k;
 }
 
-// The largest F_t <= μ F_n where F_n = N + F_t² h, N >= 0. As h grows no F_t is as large as μ F_n; then that of the largest
-// F_t / F_n.
+// The largest F_t <= μ F_n where F_n = N + F_t² h, N >= 0. For an h so large that no F_t equals μ F_n, the F_t of the
+// largest F_t / F_n.
 template <class T, class Number> BONDEM_INLINE T sliding_limit(Number friction, T N, T h) {
     const T wide = 4.0 * N * h, square = T{} + friction * friction;
     const T held = select(square * wide > all<T>(1.0), 1.0 / wide, square);
@@ -105,8 +106,8 @@ template <class T> BONDEM_INLINE Vector3<T> turned_with(Vector3<T> s, Vector3<T>
 // Force of a contact, its memory and its losses over a step of dt; `hardens` of a law whose ks depends on the overlap. Numbers
 // of the law are one for all lanes, or one of each.
 //
-// `last` is `now` a step ago, `twist` the rate at which the pair turns about the normal [rad/s]. An overlap of 0 is that
-// of bodies that have just parted.
+// `last` is `now` a step ago, `twist` the rate at which the pair turns about the normal [rad/s]. Bodies that have
+// just parted have an overlap of 0.
 template <bool hardens, class T, class Number>
 BONDEM_INLINE ContactLoads<T> contact_loads(const ContactStiffness<T> &k, Number friction, T overlap, const Meeting<T> &now,
                                             const Meeting<T> &last, T twist, const ContactMemory<T> &memory, double dt) {

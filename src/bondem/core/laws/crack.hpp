@@ -1,5 +1,5 @@
-// A cracked facet: two halves in series with springs that stand for what has been lost, and friction where it has
-// closed.
+// A cracked facet: two halves in series with springs that represent the lost stiffness, and friction where the crack
+// is closed.
 //
 // Half p of a facet of stiffness k has the part w_p of its compliance, so its own stiffness is k / w_p. A crack has an
 // orthonormal frame e_1, e_2, e_3 that turns with cell i; e_1 is its normal. Along e_d half p keeps the share s⁺_d of a
@@ -7,19 +7,19 @@
 // their opening u_p is eliminated. With δ the gap of the two faces less what they have slipped, σ_p = λ θ of the cell,
 // and g_p = R_p (A w m)_p its share in the swelling,
 //
-//     F_p = k δ + σ_p g_p / w_p        the force of that half as if it were whole
+//     F_p = k δ + σ_p g_p / w_p force of the whole half
 //     L_p = Σ_d [(1 - s⁺_d) ⟨F_p·e_d⟩ + (1 - s⁻_d) min(F_p·e_d, 0)] e_d        what it has lost of it
 //     u_p = w_p L_p / k        V_p θ_p = Σ g_p·δ - g_p·L_p / k
 //     f = Σ_p w_p (F_p - L_p) + q
 //
 //     s⁺_1 = s_1    s⁺_2 = γ s_2    s⁺_3 = γ s_3        s⁻_1 = 1    s⁻_2 = s⁻_3 = γ
 //
-// A crack of the material loses s_d along each direction by itself: what acts along the crack stays, as in the material
-// beside it, and what closes along e_1 presses with Lamé's λ, as whole material does. Its grip γ on what acts along it
-// is 1 until its faces are far apart. A facet of a material plane, or of a cell without cohesion, has e_1 = n and one
-// integrity, s_1 = γ = s: it loses all but the pressure across it. q = (1 - γ) k (δ_t - slip) is friction on what is
-// broken of the latter, and of cracks of the material once γ = 0, cut at μ times the pressure along e_1. An open crack
-// has no friction (Alfano and Sacco 2006).
+// A crack of the material loses s_d along each direction separately. Traction along the crack stays, as in the
+// material beside it, and closure along e_1 transmits pressure with Lamé's λ, as whole material does. The grip γ on
+// traction along the crack is 1 until its faces are far apart. A facet of a material plane, or of a cell without
+// cohesion, has e_1 = n and one integrity, s_1 = γ = s: it loses all but the pressure across it. q = (1 - γ) k (δ_t -
+// slip) is friction on what is broken of the latter, and of cracks of the material once γ = 0, cut at μ times the
+// pressure along e_1. An open crack has no friction (Alfano and Sacco 2006).
 //
 // Energy U: halves store ½ k / w |w δ - u|², their springs ½ s (1 - s) w (F·e_d)² / k for s⁺ or s⁻, friction
 // ½ |q|² / (1 - γ) k, and bending s 2 v·H v with v the vector part of q_i* q_j and s the least of s_1, s_2, s_3.
@@ -41,7 +41,7 @@ template <class T> struct FacetCompliance {
     T k;  // [N/m]
     T part;  // w of cell i; that of j is 1 - w [-]
 };
-// What a crack has left: s_1, s_2, s_3, and its grip.
+// Integrities s_1, s_2, s_3 of a crack, and its grip.
 template <class T> struct CrackIntegrity {
     T s[3], grip;
 
@@ -59,7 +59,7 @@ template <class T> BONDEM_INLINE CrackAxes<T> axes_of(Quaternion<T> cell, Quater
     const T one = all<T>(1.0), side = select(stored.w < T{}, -one, one);
     return {{{r.x.x, r.y.x, r.z.x}, {r.x.y, r.y.y, r.z.y}, {side * r.x.z, side * r.y.z, side * r.z.z}}};
 }
-// The same the other way round, of axes in the frame of the cell.
+// The quaternion that stores axes given in the frame of the cell.
 inline Quaternion<double> stored_axes(const CrackAxes<double> &axes) {
     const Vector a = axes.e[0], b = axes.e[1], c = cross(a, b);
     const double side = dot(c, axes.e[2]) < 0.0 ? -1.0 : 1.0, trace = a.x + b.y + c.z;
@@ -78,14 +78,14 @@ inline Quaternion<double> stored_axes(const CrackAxes<double> &axes) {
     const double size = root(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z), one = (q.w < 0.0 ? -side : side) / size;
     return {one * q.w, one * q.x, one * q.y, one * q.z};
 }
-// Axes with a first direction, and the others anyhow.
+// Axes with a given first direction and arbitrary others.
 inline CrackAxes<double> axes_along(Vector e) {
     const Vector other = absolute(e.x) < 0.6 ? Vector{1.0, 0.0, 0.0} : Vector{0.0, 1.0, 0.0};
     const Vector a = minus(other, dot(other, e), e), b = (1.0 / length(a)) * a;
     return {{e, b, cross(e, b)}};
 }
 
-// A crack now.
+// A crack in its present state.
 template <class T> struct CrackFaces {
     Vector3<T> gap, strained;  // gap of the faces, and δ [m]
     Vector3<T> normal;  // of the facet, turned with cell i [-]
@@ -105,7 +105,7 @@ BONDEM_INLINE CrackFaces<T> crack_faces(const Ends<T> &ends, const FacetShape<T>
     const OpenFacet<T> open = opened(ends, shape);
     const Vector3<T> n = turned_by(ends.i, normal), m = turned_by(ends.j, normal);
     const CrackAxes<T> at = axes_of(ends.i, axes);
-    // where friction is by its own spring, the slip along the crack is that of the spring
+    // with a spring of friction, the slip along the crack is that of the spring
     const Vector3<T> slipped = turned_by(ends.i, slip), across = dot(slipped, at.e[0]) * at.e[0];
     return {open.gap, open.gap - select<T>(rubs, across, slipped), n, dot(n, m),
             turned_by(ends.i, shape.share_i), turned_by(ends.j, shape.share_j), open.arm_i, open.arm_j, at, left, rubs};
@@ -113,15 +113,15 @@ BONDEM_INLINE CrackFaces<T> crack_faces(const Ends<T> &ends, const FacetShape<T>
 
 // Faces whose normals are further apart than this cosine do not press on each other as planes.
 constexpr double least_facing = 0.7;
-// Whether the faces of a crack of a facet of this area no longer face each other: they are further apart than √A, or have
-// slid by more than `slide` √A.
+// True if the faces of a crack of area A no longer face each other: they are further apart than √A, or have slid by
+// more than `slide` √A.
 template <class T> BONDEM_INLINE Mask<T> turned_away(const CrackFaces<T> &now, T area, double slide) {
     const T d = dot(now.gap, now.across()), along = positive(d);
     const Vector3<T> beside = minus(now.gap, d, now.across());
     return (now.facing < all<T>(least_facing)) | (along * along > area) | (dot(beside, beside) > slide * slide * area);
 }
 
-// A half: its force along each direction as if it were whole, and what it has lost [N].
+// A half of a crack: the force of the whole half along each direction, and its lost part [N].
 template <class T> struct CrackHalf {
     T along[3];
     Vector3<T> lost;
@@ -152,7 +152,7 @@ template <class T> BONDEM_INLINE Vector3<T> whole_force(T k, const CrackFaces<T>
     return plus(plus(k * at.strained, stress.i, at.share_i), stress.j, at.share_j);
 }
 
-// What a half adds to V θ of its cell, a piecewise linear function of the stress σ of the cell:
+// Contribution of a half to V θ of its cell, a piecewise linear function of the stress σ of the cell:
 //
 //     swollen - Σ_d loose_d F_d g_d        F_d = pulled_d + σ inverse g_d
 //
@@ -188,7 +188,7 @@ BONDEM_INLINE SwellingHalf<T> swelling_half(T k, T part, const CrackFaces<T> &at
     }
     return half;
 }
-// What it adds at the stress of its cell [m³], and by how much less at a larger one [m³/Pa].
+// Contribution of a half at the stress of its cell [m³], and its decrease with that stress [m³/Pa].
 template <class T> struct Swelling {
     T swelling, softness;
 };
@@ -213,12 +213,12 @@ template <class T> BONDEM_INLINE FacetBending<T> facet_bending(const Ends<T> &en
     const Vector3<T> c = plus_cross(turn.w * h, turn.space, h);
     return {2.0 * dot(turn.v, resisted), c + c};
 }
-// T_b [Pa]; `factor` is 4 k / A².
+// T_b, the rms of tractions by bending [Pa]; `factor` is 4 k / A².
 template <class T> BONDEM_INLINE T bending_traction(const Ends<T> &ends, T factor, const Symmetric3<T> &H) {
     return root(positive(bending_square(ends, factor, H)));
 }
 
-// Friction q on what is broken [N], and the slip that belongs to it [m]; `limit` is μ times the pressure on it [N].
+// Friction q on the broken part [N], and its slip [m]; `limit` is μ times the pressure on that part [N].
 template <class T> struct CrackFriction {
     Vector3<T> force, slip;
 };
@@ -251,7 +251,7 @@ BONDEM_INLINE CrackRates<T> crack_rates(const FacetCompliance<T> &facet, const C
     return rates;
 }
 
-// What a crack does to its cells, but for bending.
+// Force and torques of a crack on its cells, without bending.
 template <class T> struct CrackLoads {
     Vector3<T> force;  // on i; its opposite on j [N]
     Vector3<T> on_i, on_j;  // torques [N·m]
@@ -270,7 +270,7 @@ BONDEM_INLINE CrackLoads<T> crack_loads(const FacetCompliance<T> &facet, const C
     CrackFriction<T> rub = crack_friction(k, at.left.grip, at.gap, at.across(), slip, limit);
     const Vector3<T> none = {};
     rub.force = select<T>(at.rubs, rub.force, none);
-    // along each direction by itself, so that nothing is left exactly where all is lost
+    // each direction separately, so that the force is exactly zero at zero integrity
     Vector3<T> f = rub.force;
     for (int d = 0; d < 3; d++) {
         const auto kept = [&](T F) { return select(F > zero, T(at.left.open(d) * F), T(at.left.shut(d) * F)); };
@@ -280,11 +280,11 @@ BONDEM_INLINE CrackLoads<T> crack_loads(const FacetCompliance<T> &facet, const C
     return {f, cross(at.arm_i + at.gap, f) - couple, cross(f, at.arm_j) + couple, rub};
 }
 
-// What a crack has dissipated in a step, and what friction has [J].
+// Energy dissipated in a step by a crack, and by its friction [J].
 template <class T> struct CrackLosses {
     T cracked, rubbed;
 };
-// Integrities, rates and friction force before and now, and the slip that came between.
+// Integrities, rates and friction force before and after a step, and the slip in between.
 template <class T> struct CrackStep {
     CrackIntegrity<T> before, now;
     CrackRates<T> rate_before, rate;
@@ -306,11 +306,11 @@ template <class T> BONDEM_INLINE CrackLosses<T> crack_losses(T k, const CrackSte
             0.5 * (dot(step.rub_before, step.came) + dot(step.rub, step.came))};
 }
 
-// Elastic energy across and along a crack, but for bending [J].
+// Elastic energy across and along a crack, without bending [J].
 template <class T> struct CrackEnergy {
     T across, along;
 };
-// That of the spring of friction.
+// Elastic energy of the spring of friction [J].
 template <class T> BONDEM_INLINE T friction_energy(T k, T grip, Vector3<T> rub) {
     const T stiff = k * (1.0 - grip);
     return select(stiff > T{}, T(0.5 * dot(rub, rub) / stiff), T{});

@@ -30,7 +30,7 @@ template <class T> struct BeamDashpots {
     T cb, ct;  // [N·m·s]
 };
 
-// `share` is where the contact point divides the distance, from i [-].
+// `share` is the distance of the contact point from i over that of the centres [-].
 template <class T>
 BONDEM_INLINE BeamLoads<T> dashpot_loads(Vector3<T> branch, const RelativeMotion<T> &motion, T share,
                                          const BeamDashpots<T> &c) {

@@ -1,5 +1,5 @@
-// Contact of two plane faces of cells that no facet joins: a spring along the mean of their normals, as strong as they
-// overlap.
+// Contact of two plane faces of cells that no facet joins: a spring along the mean of their normals, in proportion to
+// their overlap.
 //
 //     u = ½ g·(n_b - n_a)      A_ab = w A_0 (1 - g²/R²)²      A_0 = 2 A_a A_b / (A_a + A_b),  R² = 3 (A_a + A_b) / 2π
 //
@@ -22,7 +22,7 @@ struct CellFace {
     Vector arm, normal;  // from the centre of the cell to the centroid [m], outward [-]
     double area, stiffness;  // [m²], κ [N/m³]
 };
-// Two faces, and how they lie.
+// Two faces and their relative position.
 struct TwoFaces {
     CellFace a, b;
     Vector branch, between;  // from the centre of cell a to that of b, and g [m]
@@ -39,14 +39,14 @@ struct TwoFaces {
         return share > 0.0 ? 2.0 * a.area * b.area / (a.area + b.area) * share * share : 0.0;
     }
 };
-// What two faces do to each other.
+// Force, torques and energy of two faces in contact.
 struct FaceLoads {
     double kn, pressed;  // κ A_ab [N/m], F [N]
     double energy;  // [J]
     Vector normal, point;  // from a to b [-]; the middle of the centroids, from the centre of cell a [m]
     Vector force, torque_a, torque_b;  // [N, N·m]
 };
-// That of faces of weight w, whose overlap counts from u0; nothing where they do not touch.
+// Contact of faces of weight w, whose overlap counts from u0; zero for faces that do not touch.
 inline FaceLoads face_loads(const TwoFaces &at, double w, double u0) {
     const double overlap = at.overlap - u0, area = at.area();
     if (!(overlap > 0.0 && area > 0.0 && w > 0.0)) return {};

@@ -15,7 +15,7 @@
 
 namespace bondem {
 
-// Its numbers are one for all contacts, or one of each.
+// Parameters of the law: one for all contacts, or one per contact.
 template <class Number> struct HertzMindlinLaw {
     Number modulus;  // E* of two spheres [Pa]
     Number damping;  // β of a linear spring of the same restitution [-]

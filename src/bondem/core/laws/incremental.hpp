@@ -33,7 +33,7 @@
 
 namespace bondem {
 
-// What a bond stores.
+// Stored force and moment of a bond.
 template <class T> struct StoredLoad {
     Vector3<T> force;  // on i at the contact point [N]
     Vector3<T> moment;  // on i [N·m]
@@ -91,7 +91,7 @@ BONDEM_INLINE StoredLoad<T> integrated(const StoredLoad<T> &stored, Vector3<T> b
             integrated(stored.moment, spin, q - p, n, {k.kt, k.kb}, h)};
 }
 
-// What a stored load does to the elements of its bond.
+// Force and torques of a stored load on the elements of its bond.
 template <class T>
 BONDEM_INLINE BeamLoads<T> stored_loads(const StoredLoad<T> &stored, Vector3<T> branch, const StoredShape<T> &shape) {
     const PresentBond<T> now(branch, shape);

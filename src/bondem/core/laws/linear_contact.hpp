@@ -13,7 +13,7 @@ namespace bondem {
 
 constexpr double pi = 3.141592653589793;
 
-// Its numbers are one for all contacts, or one of each.
+// Parameters of the law: one for all contacts, or one per contact.
 template <class Number> struct LinearLaw {
     Number modulus;  // E [Pa]
     Number damping;  // β [-]
@@ -25,7 +25,7 @@ template <class Number> struct LinearLaw {
         const T small = select(ra < rb, ra, rb), k = modulus * pi * small * small / (ra + rb);
         return {select(own > T{}, own, k), all<T>(1.0), all<T>(0.5), T{} + damping, T{}};
     }
-    // The stiffness kn of two spheres a step ago, when their overlap was another.
+    // The stiffness kn of two spheres a step ago; it does not depend on the overlap.
     template <class T> BONDEM_INLINE T before(T, T, T, T, T kn) const { return kn; }
 
     template <class T> BONDEM_INLINE ContactSpring<T> at_wall(T r, T) const {

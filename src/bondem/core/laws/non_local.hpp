@@ -7,9 +7,10 @@
 //     F = kn δ_n n + kt δ_t + e                                             eqs (2), (3), (6)
 //     e = A ν (tr σ - n·σ n) n + t - kt δ_t⁻      t = A (σ n - (n·σ n) n)
 //
-// where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t changes by kt (δ_t - δ_t⁻) from A τ:
-// what kt δ_t lacks is the other half of the engineering shear strain. F acts on i, and -F on j, both at the middle
-// of the gap, so that they make no moment together. The stress of an element of volume V is the symmetric part of
+// where δ_t⁻ is the tangential gap when σ was found, so that in one step F_t changes by kt (δ_t - δ_t⁻) from A τ: the
+// part that kt δ_t lacks is the other half of the engineering shear strain. F acts on i, and -F on j, both at the
+// middle of the gap, so that they make no moment together. The stress of an element of volume V is the symmetric part
+// of
 //
 //     σ = (1/V) Σ b ⊗ F                                                     eq (1)
 //
@@ -17,7 +18,7 @@
 // element i, an element its stress in its own frame: neither changes when all turns together.
 //
 // Energy: ½ kn δ_n² + ½ kt δ_t² in the springs. The law has no potential: the work of e is an entry of its own in the
-// ledger, by the trapezoidal rule in the frame of i.
+// energy balance, by the trapezoidal rule in the frame of i.
 //
 // Limits: the stress lags a step behind, which adds energy where nothing damps; ω_max of the springs is no bound for
 // the time step. With `limited`, the length of t - kt δ_t⁻ is at most |t|; the text of the paper does not print a
@@ -40,24 +41,24 @@ struct PairLaw {
     double nu;  // ν [-]
     bool limited;
 };
-// A bond now.
+// A bond in its present geometry.
 template <class T> struct PairPose {
     Vector3<T> normal;  // [-]
     Vector3<T> lever_i, lever_j;  // [m]
     Vector3<T> gap;  // δ [m]
 };
-// What a bond stores, in the frame of its element i.
+// Stored values of a bond, in the frame of its element i.
 template <class T> struct PairStore {
     Vector3<T> gap, extra;  // δ [m], e [N]
     T taken;  // work of e [J]
 };
-// What a bond does to its elements.
+// Force and moments of a bond on its elements.
 template <class T> struct NonLocalLoads {
     Vector3<T> force;  // on i; its opposite on j [N]
     Vector3<T> on_i, on_j;  // torque on i, and minus the torque on j [N·m]
 };
 
-// Keeps 0 / 0 away where an element has turned right round, and where no shear force is asked for.
+// Prevents 0 / 0 for an element turned by half a revolution, and without a shear force.
 constexpr double nothing = 1e-200;
 
 // The present geometry of a bond, from the orientations of its elements.
@@ -78,7 +79,7 @@ BONDEM_INLINE Vector3<T> extra_force(const Stress<T> &s, Vector3<T> n, T area, V
     const Vector3<T> t = area * minus(pull, along, n);
     Vector3<T> e = t - slip;
     if (law.limited) {
-        // exactly 1 within the limit; where nothing is asked for, nothing is left
+        // exactly 1 within the limit, and 0 without a shear force
         const T largest = dot(t, t), found = dot(e, e);
         e = root(largest / ((found > largest ? found : largest) + nothing)) * e;
     }
@@ -105,8 +106,7 @@ BONDEM_INLINE PairStore<T> store_after(const PairStore<T> &before, Vector3<T> e,
     return {gap, extra, before.taken + 0.5 * s * dot(before.extra + extra, gap - before.gap)};
 }
 
-// The force F of a bond [N], from its stored values, so that the forces of a state that is kept are found again bit
-// by bit.
+// The force F of a bond [N], from its stored values, which give the forces of a stored state to the bit.
 template <class T>
 BONDEM_INLINE Vector3<T> present_force(const PairStore<T> &store, const PairPose<T> &now, const Rotation<T> &i,
                                        const PairStiffness<T> &k) {

@@ -32,7 +32,7 @@
 
 namespace bondem {
 
-// By how much the distance from the yield surface falls in a step; what slip follows of the growth of F, and of F.
+// Decrease of the distance from the yield surface in a step, and the shares of the growth of F and of F in the slip.
 constexpr double decay_of_excess = 0.8;
 constexpr double part_of_growth = 1.0 - decay_of_excess * decay_of_excess;
 constexpr double part_of_excess = (1.0 - decay_of_excess) * (1.0 - decay_of_excess);
@@ -51,12 +51,13 @@ BONDEM_INLINE T yield_bound(const StressInvariants<T> &s, const YieldStrength<T>
     return s.deviator + by.slope * (s.mean + 0.57735026918962576 * s.deviator) - by.cohesion;
 }
 
-// A step of plastic strain: Δγ, what the next step holds of it, and Δε along the principal directions of the stress.
+// A step of plastic strain: Δγ, the part of Δγ that the next step starts from, and Δε along the principal directions
+// of the stress.
 template <class T> struct PlasticStep {
     T gamma, held;
     T along[3];
 };
-// Δγ and what is held of it; slip takes no more than `most_slip`.
+// Δγ and its part for the next step; slip is at most `most_slip`.
 template <class T> BONDEM_INLINE PlasticStep<T> slip_after(T F, T most_slip, const YieldStrength<T> &by) {
     const T over = F / by.stiffness, zero = {};
     const T gamma = positive(least(T(by.held + (part_of_growth + part_of_excess) * over), most_slip));

@@ -4,7 +4,7 @@
 //
 //     t = tan = ± σ_pq / (|d| + √(d² + σ_pq²)), the sign that of d      σ_pp ← σ_pp - t σ_pq,   σ_qq ← σ_qq + t σ_pq
 //
-// Sweeps over the three planes converge with the square of what is left: the third leaves rounding. A component below
+// Sweeps over the three planes converge quadratically; after the third only rounding errors remain. A component below
 // rounding is not cleared, so a stress whose sweeps are done does not change while those of other lanes continue.
 //
 // Source: Golub and Van Loan, Matrix Computations, 4th ed., section 8.5.
@@ -36,7 +36,7 @@ template <class T> BONDEM_INLINE T square_of(const Symmetric3<T> &s) {
 template <class T> BONDEM_INLINE T largest_at_most(const StressInvariants<T> &s) {
     return s.mean + 1.1547005383792515 * s.deviator;
 }
-// Whether all principal stresses are below a limit, that is, whether limit - σ is positive definite.
+// True if all principal stresses are below a limit, that is, whether limit - σ is positive definite.
 template <class T> BONDEM_INLINE Mask<T> is_below(const Symmetric3<T> &s, T limit) {
     const T a = limit - s.xx, b = limit - s.yy, c = limit - s.zz, zero = {};
     const T det = a * (b * c - s.yz * s.yz) - s.xy * (s.xy * c + s.yz * s.xz) - s.xz * (s.xy * s.yz + b * s.xz);

@@ -31,7 +31,7 @@ template <class T> BONDEM_INLINE Vector3<T> rotate(Quaternion<T> q, Vector3<T> v
     return {v.x + q.w * tx + (q.y * tz - q.z * ty), v.y + q.w * ty + (q.z * tx - q.x * tz),
             v.z + q.w * tz + (q.x * ty - q.y * tx)};
 }
-// The same vector in fewer operations, with other rounding, where several vectors are turned by one q.
+// The vector v turned by q in fewer operations, with other rounding, for several vectors and one q.
 template <class T> BONDEM_INLINE Vector3<T> turned_by(Quaternion<T> q, Vector3<T> v) {
     const T x = q.x + q.x, y = q.y + q.y, z = q.z + q.z;
     const T tx = y * v.z - z * v.y, ty = z * v.x - x * v.z, tz = x * v.y - y * v.x;
@@ -61,7 +61,7 @@ template <class T> BONDEM_INLINE Rotation<T> inverse(const Rotation<T> &r) {
 template <class T> BONDEM_INLINE T relative_cosine(Quaternion<T> i, Quaternion<T> j) {
     return i.w * j.w + i.x * j.x + i.y * j.y + i.z * j.z;
 }
-// Its vector part.
+// Vector part of the relative rotation q_j q_i*.
 template <class T> BONDEM_INLINE Vector3<T> relative_sine(Quaternion<T> i, Quaternion<T> j) {
     return {i.w * j.x - j.w * i.x + i.y * j.z - i.z * j.y, i.w * j.y - j.w * i.y + i.z * j.x - i.x * j.z,
             i.w * j.z - j.w * i.z + i.x * j.y - i.y * j.x};
@@ -104,8 +104,8 @@ BONDEM_INLINE HalfAngle<Lanes> half_angle(Lanes h2) {
 }
 #endif
 
-// The orientation q turned further by the rotation vector r [rad], and normalised: one Newton step towards unit length
-// is enough, because the exponential map itself leaves it to rounding.
+// The orientation q turned further by the rotation vector r [rad], and normalised: one Newton step towards unit
+// length is enough, because the exponential map changes the length by rounding only.
 template <class T> BONDEM_INLINE Quaternion<T> turned(Quaternion<T> o, Vector3<T> rotation) {
     const HalfAngle<T> half = half_angle(0.25 * dot(rotation, rotation));
     const T p = 0.5 * half.sinc * rotation.x, q = 0.5 * half.sinc * rotation.y, r = 0.5 * half.sinc * rotation.z;

@@ -1,4 +1,4 @@
-// Facets that lose their integrity: from strength and fracture energy to the integrity that loads leave.
+// Facets that lose their integrity: the integrity under given loads, by strength and fracture energy.
 //
 // With t the traction that a facet of the material would have if it were whole, n its normal, and e_1, e_2, e_3 the axes
 // that its crack keeps (`laws/crack.hpp`), each direction has its own criterion and its own integrity s_d:
@@ -7,13 +7,14 @@
 //     strength r f_t c_d        c_d = max(|n·e_d|, 0.2)        r = T_d / (p_d + b_d)
 //
 // Bending opens one edge of a facet more than the other: T_b = √(2 k U_b) / A is the rms of the tractions by which
-// its points differ, U_b the energy of bending of the whole facet, and b = ⟨T_b - max ⟨-σ_dd⟩⟩ what of it opens the
-// facet, with the mean stress σ of its two cells.
+// its points differ, U_b the energy of bending of the whole facet, and b = ⟨T_b - max ⟨-σ_dd⟩⟩ the part that opens
+// the facet, with the mean stress σ of its two cells.
 //
-// An integrity is what the softening curve gives, and never rises: s T falls from the strength t_0 to 0 as the opening
-// u = (1 - s) A T / k grows to its last one, 2 G_f / f_t (of a straight line; over r), which is the same for all facets.
-// So every facet begins to soften at σ_1 = f_t, and dissipates G_f A c_d, which is G_f per area projected on the crack.
-// With T_l = k u / A at the last opening, the curve is the larger of two lines, each of the form a - b (1 - s) T,
+// An integrity follows the softening curve, and never rises: s T falls from the strength t_0 to 0 as the opening u =
+// (1 - s) A T / k grows to its last one, 2 G_f / f_t (of a straight line; over r), which is the same for all facets.
+// So every facet begins to soften at σ_1 = f_t, and dissipates G_f A c_d, which is G_f per area projected on the
+// crack. With T_l = k u / A at the last opening, the curve is the larger of two lines, each of the form a - b (1 - s)
+// T,
 //
 //     s = t_0 (1 - T / m T_l) / T (1 - t_0 / m T_l)
 //     s = g (1 - T / T_l) / T (1 - g / T_l)        g = κ t_0 / (1 - (1 - κ) m)
@@ -37,15 +38,15 @@
 
 namespace bondem {
 
-// Least |n·e| by which the strength of a facet is reduced: one along a crack keeps this share of it.
+// Least factor |n·e| on the strength of a facet, that of a facet along a crack.
 constexpr double least_slope = 0.2;
-// Traction at which nothing is left of a facet that is too long for its fracture energy, over its strength.
+// Traction of zero integrity over the strength, for a facet that is too long for its fracture energy.
 constexpr double snap = 1.05;
 
 struct CurveShape {
     double kink, steep;  // κ and m [-]
 };
-// A facet as its softening curve has it.
+// Softening curve of a facet.
 template <class T> struct Softening {
     T strength;  // [Pa]; 0 where a cell of the facet has no cohesion
     T brittleness;  // 1 / T_l [1/Pa]; inf for a facet that breaks at once, 0 for one that never does
@@ -81,14 +82,13 @@ template <class T> BONDEM_INLINE Vector3<T> opening_part(Vector3<T> f, Vector3<T
     return minus(f, least(along, T{}), normal);
 }
 
-// What a traction t pulls along a direction e that has lost nothing, where the principal stress is `stress` and n·e is
-// `slope` [Pa].
+// Pull of a traction t along an intact direction e, with the principal stress `stress` and n·e = `slope` [Pa].
 template <class T> BONDEM_INLINE T pulled_along(Vector3<T> t, Vector3<T> e, T slope, T stress) {
     const T pull = dot(t, e), zero = {};
     return select(stress > zero, absolute(pull), positive(select(slope >= zero, pull, -pull)));
 }
 
-// What a traction pulls and bending opens along a direction of a crack, rms, and its strength over that of the facet.
+// Traction of pull and bending along a direction of a crack (rms), and its strength over that of the facet.
 template <class T> struct LoadAlong {
     T traction, share, slope;  // T_d [Pa], r, c_d [-]
 };
@@ -96,23 +96,23 @@ template <class T> BONDEM_INLINE LoadAlong<T> load_along(T pull, T bending, T sl
     const T both = pull + bending, traction = root(pull * pull + bending * bending), zero = {};
     return {traction, select(both > zero, traction / both, all<T>(1.0)), most(slope, all<T>(least_slope))};
 }
-// The integrity that is left along it, at most s.
+// The integrity along a direction of a crack, at most s.
 template <class T>
 BONDEM_INLINE T left_along(T s, const LoadAlong<T> &load, const Softening<T> &facet, const CurveShape &curve) {
     const T zero = {}, onset = facet.strength * load.slope * load.share;
     const T left = select(load.traction > zero,
                           softened(s, load.traction, onset, facet.brittleness * load.share, curve), s);
-    // what breaks at once continues
+    // brittle failure continues once begun
     return select((facet.brittleness == all<T>(infinity)) & (s < all<T>(1.0)), zero, left);
 }
-// What a direction of integrity s bears at most, over its strength.
+// Largest traction along a direction of integrity s, over its strength.
 template <class T>
 BONDEM_INLINE T borne_of(T s, T slope, const Softening<T> &facet, const CurveShape &curve) {
     const T onset = facet.strength * slope, one = all<T>(1.0);
     return select(s < one, least(one, T(s * softens_at(s, onset, facet.brittleness, curve) / onset)), one);
 }
 
-// What a material plane has besides its strength in tension.
+// Parameters of a material plane besides its tensile strength.
 template <class T> struct PlaneStrength {
     T cohesion;  // c [Pa], inf for a plane that does not slip
     T brittleness;  // 1 / T_l of the slip that exhausts the cohesion [1/Pa], 0 for a constant cohesion
@@ -156,11 +156,11 @@ BONDEM_INLINE T integrity_left(T s, const FacetTraction<T> &load, const CrackStr
         const T size = root(dot(opening, opening) + load.bent * load.bent);
         left = select(loose, softened(s, size, zero, by.tension.brittleness, curve), left);
     }
-    // what breaks at once continues
+    // brittle failure continues once begun
     const Mask<T> breaks = (by.tension.brittleness == all<T>(infinity)) & (s < all<T>(1.0));
     return select(breaks, zero, left);
 }
-// The traction below which it does not soften, whatever its direction [Pa].
+// The traction below which a facet of a plane does not soften in any direction [Pa].
 template <class T> BONDEM_INLINE T unsoftened_below(T s, const CrackStrength<T> &by) {
     const T zero = {}, one = all<T>(1.0), strength = by.tension.strength;
     const Mask<T> brittle = by.tension.brittleness == all<T>(infinity);

@@ -13,7 +13,7 @@
 
 namespace bondem {
 
-// In Pa.
+// A stress by its six components [Pa].
 template <class T> using Stress = Symmetric3<T>;
 
 template <class T> BONDEM_INLINE Stress<T> mean_of(const Stress<T> &a, const Stress<T> &b) {
@@ -41,9 +41,9 @@ template <class T> BONDEM_INLINE T trisected(T r) {
                           x * (-0.052799498696539826 + x * (0.021003507189659234 + x * -0.004206982020150463)))));
 }
 
-// What the polynomial and rounding may take off a principal stress, over the size of the stress.
+// Largest error of a principal stress by the polynomial and rounding, over the size of the stress.
 constexpr double principal_margin = 1e-6;
-// Keeps 0 / 0 away [Pa³], and changes no other number.
+// Prevents 0 / 0, without an effect on other numbers [Pa³].
 constexpr double no_stress = 1e-200;
 
 template <class T> BONDEM_INLINE PrincipalBounds<T> principal_bounds(const Stress<T> &s) {

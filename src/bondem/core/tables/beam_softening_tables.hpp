@@ -1,10 +1,10 @@
-// What passes over beams that soften take.
+// Tables of the passes over softening beams.
 #pragma once
 #include "damage_tables.hpp"
 
 namespace bondem {
 
-// Beams that may soften: bounds of those that have not begun, their criterion, and what softening changes.
+// Beams that may soften: bounds of whole beams, their criterion, and the data that softening changes.
 struct SofteningBounds {
     Array<float, 1> limit;  // as of `FailureBounds`, inf of beams that have begun, (m,)
     double of_force;  // [1/N²]

@@ -1,4 +1,4 @@
-// What the passes over facets and cells take.
+// Tables of the passes over facets and cells.
 //
 // A pose has the stress λ θ of its cell in its spare column [Pa]: the pass over forces finds it with the rest of the row.
 #pragma once
@@ -10,8 +10,8 @@ using Byte = uint8_t;
 
 // Bonded facets, m of them, and a few without force behind them where they are fewer than a group.
 //
-// Levers are whole multiples of a pitch, shares and H single precision: what is computed from them is exact, and passes
-// read half as much.
+// Levers are whole multiples of a pitch, shares and H single precision: results from them are exact, and passes read
+// half as much.
 struct ElasticFacets {
     Array<const Short, 1> i;  // (m,)
     Array<const Short, 1> j;  // (m,)

@@ -1,4 +1,4 @@
-// What contacts of elements and walls take.
+// Tables of the passes over contacts of elements and walls.
 //
 // Pairs stand once, sorted by their later element and then by their earlier one, as bonds are. A portion of elements
 // (`steps.hpp`) owns the pairs whose later element is in it.

@@ -1,4 +1,4 @@
-// What the passes take that evaluate the laws of cracks and of yielding over arrays, m samples each, a column a
+// Tables of the passes that evaluate the laws of cracks and of yielding over arrays of m samples, a column per
 // quantity.
 #pragma once
 #include "../array.hpp"
@@ -14,7 +14,7 @@ struct SofteningSamples {
     double kink;  // of the softening curve
     double steep;  // of the softening curve
     Index wide;  // whether lanes are used
-    // what is left of s_1, s_2, s_3, grip, and the traction below which a plane loses none [Pa]
+    // s_1, s_2, s_3 and grip after softening, and the traction below which a plane loses no integrity [Pa]
     Array<double, 2> left;  // (5, m)
 };
 // Cracks (`laws/crack.hpp`).
@@ -34,15 +34,15 @@ struct YieldSamples {
     Array<const double, 2> strength;  // cohesion [Pa], slope, dilation, stiffness [Pa], slip held, (5, m)
     Index cone;  // whether by Drucker and Prager
     Index wide;
-    // bound of F [Pa], Δγ, what is held, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa]
+    // bound of F [Pa], Δγ, its part for the next step, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa]
     Array<double, 2> found;  // (12, m)
 };
-// Bounds of principal stresses, and of what bending opens of a facet (`laws/stress.hpp`).
+// Bounds of principal stresses, and of the opening traction of bending (`laws/stress.hpp`).
 struct StressBoundSamples {
     Array<const double, 2> stress;  // [Pa], (6, m)
     Array<const double, 1> bent;  // T_b [Pa], (m,)
     Index wide;
-    // bounds of σ_1 and σ_3, another of σ_1; T_b less the pressure, and its bound [Pa]
+    // bounds of σ_1 and σ_3, a second bound of σ_1, T_b less the pressure, and the bound of that [Pa]
     Array<double, 2> found;  // (5, m)
 };
 

@@ -1,4 +1,4 @@
-// What the passes over cracked facets and cells that yield take.
+// Tables of the passes over cracked facets and yielding cells.
 #pragma once
 #include "../array.hpp"
 
@@ -109,14 +109,14 @@ struct CrackLists {
     Array<Index, 1> woken;  // whether there is a flag in a portion, (crack_portions,)
     Array<Byte, 1> stale;  // 1 for cells whose stress is to be found again, (n,)
     Array<double, 1> base;  // V θ without cracks that are treated one by one [m³], (n,)
-    // By number of the half a `SwellingHalf`, and once forces are known `crack::LoadColumn`, (halves, 16): one
-    // memory for both, as what is known of many cracks is more than caches have.
+    // By number of the half a `SwellingHalf`, and once forces are known `crack::LoadColumn`, (halves, 16): one memory
+    // for both, because the data of many cracks exceed the caches.
     Array<double, 2> half;  // (halves, 16)
     Array<double, 2> sum;  // of the first eight columns of loads over the halves of a cell, (n, 8)
     Array<double, 2> slip;  // by how much the cracks of a cell slip in this step [m], (n, 4)
     Array<double, 2> lost;  // energy of portions dissipated, and that of cracks that part [J], (crack_portions, 2)
 };
-// Distances at which elements touch that facets do not join any more.
+// Distances at which elements touch whose facet has parted.
 struct PartedReach {
     Array<double, 1> apart;  // by facet [m], (*,)
 };

@@ -1,11 +1,11 @@
-// What the damage pipeline takes (`passes/damage/pipeline.hpp`). "Bonds" are beams, facets of cells or pairs of the
+// Tables of the damage pipeline (`passes/damage/pipeline.hpp`). "Bonds" are beams, facets of cells or pairs of the
 // non-local law: the m interactions of one kind that may fail.
 #pragma once
 #include "step_tables.hpp"
 
 namespace bondem {
 
-// Bounds that bonds do not reach as long as they cannot fail.
+// Bounds of the loads of bonds, below which no bond fails.
 struct FailureBounds {
     Array<float, 1> limit;  // of of_force |F|² + of_moment |M|²; inf of bonds that cannot fail, (m,)
     double of_force;  // [1/N²]
@@ -25,7 +25,7 @@ struct Candidates {
     Array<Index, 1> count;  // number of each block, (blocks,)
     Array<Index, 1> any;  // 1 where a bond fails in this step, (1,)
 };
-// Elements that close a step with all bonds, and open the next without those that failed.
+// Postponed elements, which close a step with all bonds and open the next one without failed bonds.
 struct Postponed {
     Array<Byte, 1> held;  // not 0 for elements that are postponed, (n,)
     Array<Short, 1> element;  // lists of these elements, (n,)

@@ -1,4 +1,4 @@
-// What passes over an index take on a device beside the tables of a step.
+// Tables of passes over an index on a device, beside those of a step.
 #pragma once
 #include "contact_tables.hpp"
 #include "step_tables.hpp"
@@ -55,7 +55,7 @@ struct RowOrder {
 struct WorkPortions {
     Array<double, 2> works;  // work and its absolute value [J], (work_portions, 2)
 };
-// Changes of strains in a step, and portions of what their work needs.
+// Changes of strains in a step, and portions of their power.
 struct StrainPortions {
     Array<Index, 1> due;  // whether any changes, and whether ∂U/∂factor is needed, (2,)
     Array<double, 2> power;  // ∂U/∂factor [J], (*, *)
@@ -72,11 +72,11 @@ struct LossesOfCracks {
     Array<Index, 1> fallen;  // facets, in any order until they are logged, (*,)
     Array<Index, 1> number;  // how many, (1,)
 };
-// Energy that faces which begin to touch take over.
+// Energy that faces store as they begin to touch.
 struct BegunFaces {
     Array<double, 1> gained;  // of each portion of elements [J], (element_portions,)
 };
-// Levers of the cells of each facet in space, and the square of what bending opens.
+// Levers of the cells of each facet in space, and the square of T_b.
 struct FacetArms {
     Array<double, 2> arm;  // [m], and T_b² [Pa²], (7, *)
 };

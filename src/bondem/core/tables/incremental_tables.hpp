@@ -1,4 +1,4 @@
-// What passes over beams of the incremental formulation take beside `Beams`.
+// Tables of the passes over beams of the incremental formulation, beside `Beams`.
 #pragma once
 #include "../array.hpp"
 

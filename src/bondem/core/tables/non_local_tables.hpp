@@ -1,4 +1,4 @@
-// What passes over bonds of the non-local law take beside `Beams`, which has their ends and their integrity.
+// Tables of the passes over bonds of the non-local law, beside `Beams`, which has their ends and their integrity.
 #pragma once
 #include "../array.hpp"
 

@@ -1,4 +1,4 @@
-// What the passes of a packing take.
+// Tables of the passes of a packing.
 #pragma once
 #include "../array.hpp"
 
@@ -26,7 +26,7 @@ struct PackingWalls {
     Array<const double, 3> depth;  // at its nodes [m], (a, b, c); empty without a grid, (grid_x, grid_y, grid_z)
 };
 
-// Neighbour lists, and how long they are valid.
+// Neighbour lists, and the motion for which they are valid.
 struct Near {
     Array<const Index, 1> start;  // where the neighbours of each sphere begin, (n + 1,)
     Array<const Short, 1> neighbour;  // (neighbours,)

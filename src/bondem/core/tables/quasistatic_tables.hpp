@@ -1,4 +1,4 @@
-// What quasi-static loading takes: facets of any integrity in small motions, and the search for those that fail next.
+// Tables of quasi-static loading: facets of any integrity in small motions, and the search for those that fail next.
 #pragma once
 #include "../array.hpp"
 

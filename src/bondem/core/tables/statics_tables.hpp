@@ -1,4 +1,4 @@
-// What passes that seek equilibrium take.
+// Tables of the passes that find equilibria.
 #pragma once
 #include "step_tables.hpp"
 

@@ -1,4 +1,4 @@
-// What the passes of a step take.
+// Tables of the passes of a step.
 //
 // Rows of eight are one cache line: pose (x, y, z, spare, quaternion w x y z), motion (velocity, 1/m, angular velocity,
 // 1/I) and sums (force, 0, torque, 0).
@@ -38,7 +38,7 @@ struct Beams {
     Array<const double, 1> integrity;  // 1 intact … 0 broken [-], (m,)
     Array<const double, 1> period;  // edges of the periodic cell and their inverses, zero where there is none, (6,)
 };
-// Constants that all beams share that differ in length only.
+// Constants of beams that differ in length only.
 struct AlikeBeams {
     Array<const double, 1> hold;  // integrity over rest length [1/m], (m,)
     double knL;  // kn L [N]
@@ -172,7 +172,7 @@ struct Strain {
     Index place;  // in the list of works
 };
 
-// Sums over portions of elements and bonds, and what is made of them.
+// Sums over portions of elements and bonds, and their totals.
 struct Portions {
     Array<double, 2> elements;  // translation, rotation, damped, rubbed [J], (element_portions, 4)
     Array<double, 2> bonds;  // energy of the four modes [J], (bond_portions, 4)
@@ -199,7 +199,7 @@ struct StepPasses {
     Array<const Index, 2> opening;  // elements open a step after a pause, (*, 8)
     Array<const Index, 2> travel;  // walls move, and lists of contacts may be out of date, (*, 8)
     Array<const Index, 2> forces;  // forces, and what elements do with them, (*, 8)
-    // elements that a failure has delayed find their acceleration without what failed
+    // postponed elements find their acceleration without failed bonds
     Array<const Index, 2> resume;  // (*, 8)
     Array<const Index, 2> reopening;  // and open the next step, (*, 8)
     Array<const Index, 2> guard;  // whether the run is sound, (*, 8)

@@ -1,4 +1,4 @@
-// What the passes that assemble stiffness matrices take.
+// Tables of the passes that assemble stiffness matrices.
 #pragma once
 #include "../array.hpp"
 

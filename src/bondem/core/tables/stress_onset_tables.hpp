@@ -1,4 +1,4 @@
-// What passes over facets that crack by a function of the stress take.
+// Tables of the passes over facets that crack by a function of the stress.
 #pragma once
 #include "damage_tables.hpp"
 

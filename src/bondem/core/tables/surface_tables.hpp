@@ -1,4 +1,4 @@
-// What the search of the nearest triangle takes.
+// Tables of the search of the nearest triangle.
 #pragma once
 #include "../array.hpp"
 

@@ -1,4 +1,4 @@
-// What the passes that cut a shape into cells take.
+// Tables of the passes that cut a shape into cells.
 #pragma once
 #include "../array.hpp"
 
@@ -55,7 +55,7 @@ struct Solids {
 
 // A list of polygons with room for more.
 //
-// A pass that finds it full ends, and continues from there when there is more room.
+// A pass that fills the list ends, and continues from there when there is more room.
 struct Pile {
     Array<Index, 2> what;  // kind, tag, first corner, number of corners, shape, (*, 4)
     Array<double, 2> plane;  // shape, (*, 4)
@@ -136,7 +136,7 @@ struct FaceGroups {
     Array<const Index, 1> first;  // (groups + 1,)
     Array<const Index, 1> minus;  // (back,)
     Array<const Index, 1> second;  // (groups + 1,)
-    // from the centre that corners of the first are measured from to that of the others
+    // vector from the centre of the corners of the first side to that of the other side
     Array<const double, 2> shift;  // (groups, 3)
     double tolerance;  // patches of less area are left out [m²]
     Array<double, 2> work;  // polygons, (512, 3)
@@ -144,7 +144,7 @@ struct FaceGroups {
     Array<Index, 1> done;  // groups matched, (1,)
 };
 
-// Polygons, f of them, and what is measured of each.
+// Polygons, f of them, and the measures of each.
 struct PolygonMeasures {
     Array<const Index, 1> corner;  // corners of polygon q are corner[q] … corner[q + 1] - 1, (polygons + 1,)
     Array<const double, 2> vertex;  // corners [m], (corners, 3)

@@ -4,7 +4,7 @@
 
 namespace bondem {
 
-// Where a wall is, how it moves, and its loads.
+// Place, motion and loads of a wall.
 struct WallRow {
     Vector displacement;  // of the point about which it turns [m]
     double growth;  // of its radius [m]
@@ -19,7 +19,7 @@ struct WallRow {
     Vector torque;  // of the elements about the point about which it turns [N·m]
     Vector momentum;  // angular momentum of a free wall about its centre [kg·m²/s]
 };
-// Its shape in the reference, of a kind of `WallKind`.
+// Shape of a wall in the reference, of a kind of `WallKind`.
 struct WallShape {
     Vector point;  // a point of it [m], and its normal or axis, zero of a sphere
     Vector axis;  // a point of it [m], and its normal or axis, zero of a sphere
@@ -28,20 +28,20 @@ struct WallShape {
     double hole;  // radius, and that of the hole of a disc [m]
     Vector about;  // the point about which it turns [m]
 };
-// How a free wall resists; zero for other walls.
+// Mass and inertia of a free wall; zero for other walls.
 struct WallInertia {
     double inverse_mass;  // [1/kg]
     Vector inverse_moment;  // of its principal moments; zero where it does not turn [1/(kg·m²)]
     Quaternion<double> principal;  // orientation of the principal axes in the reference
 };
-// Where a wall was when the list of contacts was made.
+// Place of a wall when the list of contacts was made.
 struct WallListed {
     Vector point;
     Vector axis;
     double growth;  // [m]
     double farthest;  // distance of an element from the point [m]
 };
-// What an element does to a wall.
+// Force of an element on a wall.
 struct WallLoad {
     Vector force;  // [N]
     double normal;  // its component along the normal [N]
@@ -50,7 +50,7 @@ struct WallLoad {
 inline WallLoad operator+(const WallLoad &a, const WallLoad &b) {
     return {a.force + b.force, a.normal + b.normal, a.torque + b.torque};
 }
-// What all elements have done to a wall so far.
+// Sums of the forces of all elements on a wall.
 inline WallLoad load_of(const WallRow &row) { return {row.force, row.normal_force, row.torque}; }
 inline void put_load(WallRow &row, const WallLoad &load) {
     row.force = load.force, row.normal_force = load.normal, row.torque = load.torque;

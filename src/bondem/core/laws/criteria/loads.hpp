@@ -1,4 +1,4 @@
-// What a failure criterion sees of a bond or facet, and what it answers.
+// Loads of a bond or facet as a failure criterion takes them, and its result.
 //
 // A criterion is a function of these loads and of four coefficients, which Python computes from strengths, once a bond
 // (`bondem/damage/`). The bond fails where the index reaches 1. The index is of degree one in the loads, or grows
@@ -8,7 +8,7 @@
 
 namespace bondem {
 
-// How a bond fails; states and run files store the number.
+// Mode of a failure; states and run files store its number.
 enum FailureMode : Index { intact_mode, tension_mode, shear_mode, bending_mode, twisting_mode };
 
 // Loads of a bond, tension positive. A facet has an axial and a shear force only.
@@ -23,7 +23,7 @@ template <class T> struct BondLoads {
 template <class T> struct Coefficients {
     T a, b, c, d;
 };
-// Answer of a criterion.
+// Index and mode that a criterion returns.
 template <class T> struct Verdict {
     T index;  // the bond fails at 1 [-]
     T mode;  // a `FailureMode`

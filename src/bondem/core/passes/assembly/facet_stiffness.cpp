@@ -1,4 +1,4 @@
-// The stiffness matrix of the facets of cells at rest, and what the dilatation of each cell is a sum of.
+// The stiffness matrix of the facets of cells at rest, and the forms whose sum is the dilatation of each cell.
 #include "../../registered.hpp"
 #include "../../tables/stiffness_tables.hpp"
 #include "../../vector3.hpp"
@@ -42,7 +42,7 @@ void put_blocks(const FacetRows &facets, Index facet, const Crossing &near, cons
         }
 }
 
-// Adds what the motion (u, φ) of an end adds to V θ: sign · share·(u + φ × lever).
+// Adds the form by which the motion (u, φ) of an end contributes to V θ: sign · share·(u + φ × lever).
 void add_form(Vector share, Vector lever, double sign, double *form) {
     const Vector moment = cross(lever, share);
     for (Index a = 0; a < 3; a++) {

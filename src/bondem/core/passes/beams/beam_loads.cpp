@@ -10,7 +10,7 @@
 namespace bondem {
 namespace {
 
-// Bonds ahead of the loop whose first elements are asked for: those of the second ends follow one another.
+// Bonds ahead of the loop whose first elements are prefetched; second ends follow one another in memory.
 constexpr Index ahead = 32;
 
 // Beams with constants of their own, or those that all share, over their length.
@@ -53,7 +53,7 @@ struct BeamMarks {
     }
 };
 
-// Beams that begin to soften where their criterion is reached, and are pressed on.
+// Beams that begin to soften where they reach their criterion, and that transmit pressure.
 template <class Criterion> struct SofteningMarks {
     Marks marks;
     const Turn &turn;
@@ -162,8 +162,8 @@ BONDEM_INLINE void add_softening_loads(const Turn &turn, const Moving &all, cons
 
 // Adds forces and torques of beams that may soften, with the pressure on softened ones.
 //
-// Those that reach their criterion lose integrity before their loads are added, and are listed as those that fail in
-// this step.
+// Beams that reach their criterion lose integrity before their loads are added, and are listed as failed in this
+// step.
 template <class Criterion>
 void add_softening(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut, const SofteningBounds &bounds,
                    const Candidates &candidates) {

@@ -1,4 +1,4 @@
-// What the guard and the history need of beams.
+// Counts and energies of beams for the guard and the history.
 #include "beam_report.hpp"
 
 #include "../../registered.hpp"
@@ -7,7 +7,7 @@
 namespace bondem {
 namespace {
 
-// Counts unbroken beams that are turned wide and lost, and says whether a number was not finite.
+// Counts unbroken beams that are turned wide and lost, and returns whether a number was not finite.
 void count_turned(Index first, Index last, const double *pose, const Beams &beams, Index *count) {
     Index wide = 0, lost = 0, not_finite = 0;
     for (Index k = first; k < last; k++) {
@@ -42,7 +42,7 @@ void check_beams(const Turn &turn, const Moving &all, const Beams &beams, const 
 }
 BONDEM_PASS(check_beams, of_bonds)
 
-// Counts those of all beams in any poses.
+// Counts unbroken beams turned wide and lost among all beams in any poses.
 Index count_turned_beams(Index, const Poses &all, const Beams &beams, const BeamTurns &found) {
     count_turned(0, beams.i.size(), all.pose.data, beams, found.found.data);
     return 0;

@@ -56,9 +56,9 @@ struct Group {
     Index first;
     int known;  // how many of it belong to the group before
 };
-// Calls on(group) for the groups of the bonds first … last - 1. The last group is moved back to end with the last bond, so
-// that it is read as a whole like the others. Tables hold at least one group, and what fills it behind fewer bonds has
-// no effect.
+// Calls on(group) for the groups of the bonds first … last - 1. The last group is moved back to end with the last
+// bond, so that every group is read as a whole. Tables contain at least one group; entries behind fewer bonds have no
+// effect.
 template <class On> BONDEM_INLINE void for_each_group(Index first, Index last, On on) {
     for (Index k = first; k < last; k += lanes) {
         if (k + lanes <= last || last < lanes)

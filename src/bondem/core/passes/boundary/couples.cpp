@@ -1,7 +1,8 @@
 // Moments of loads, as forces on regions that turn: the smallest forces about the present centroid of their points.
 //
-// With shares w of the points and s their places from the centroid, f = w ω × s and J ω = M, J = Σ w (s² 1 - s⊗s). The
-// forces have no resultant, and torques carry the rest of M where the points cannot, as in a row: the total is M.
+// With shares w of the points and s their places from the centroid, f = w ω × s and J ω = M, J = Σ w (s² 1 - s⊗s).
+// The forces have no resultant, and torques supply the part of M that the points cannot, as points in a row: the
+// total is M.
 #include "../../registered.hpp"
 #include "../motion/elements.hpp"
 #include "rows.hpp"
@@ -10,7 +11,7 @@
 namespace bondem {
 namespace {
 
-// Square of the share of the largest moments of inertia below which points have none about an axis.
+// Square of the share of the largest moment of inertia below which the inertia about an axis counts as zero.
 constexpr double none = 1e-8;
 
 struct Point {

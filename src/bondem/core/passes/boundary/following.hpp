@@ -1,4 +1,4 @@
-// What one load and one driven degree of freedom are at the time of a clock.
+// One load and one driven degree of freedom at the time of a clock.
 #pragma once
 #include "../motion/elements.hpp"
 #include "timeline.hpp"

@@ -5,14 +5,14 @@
 
 namespace bondem {
 
-// Leaves the forces of all rows at zero, for the loads that are added next.
+// Sets the forces of all rows to zero, before loads are added.
 void clear_row_forces(const Turn &, const Rows &rows) {
     for (Index r = 0; r < rows.force.size(); r++)
         for (Index c = 0; c < 6; c++) rows.force(r, c) = 0.0;
 }
 BONDEM_PASS(clear_row_forces, serial)
 
-// Adds forces and torques, those that turn with their elements turned.
+// Adds forces and torques of loads to their rows, turned with the element if they follow it.
 void follow_loads(const Turn &turn, const Timeline &timeline, const RowLoads &loads, const Moving &all, const Rows &rows) {
     for (Index e = 0; e < loads.row.size(); e++) add_load(e, turn.clock.time, timeline, loads, all, rows);
 }

@@ -1,4 +1,5 @@
-// One beam with a stress-free strain that changes: its rest length L (1 + ε*), and the tension that strains work against.
+// One beam with a stress-free strain that changes: its rest length L (1 + ε*), and the tension that does work on the
+// strain.
 #pragma once
 #include "../beams/bonds.hpp"
 

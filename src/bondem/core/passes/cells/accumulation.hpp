@@ -22,7 +22,7 @@ struct LeftFacets : NoFacetMarks {
     BONDEM_INLINE bool counts(const FacetColumns &columns, Index k) { return any_left(columns, k); }
 };
 
-// Adds what the facets first … last - 1 contribute to V θ of their cells, one by one, and marks those near to failure.
+// Adds contributions of the facets first … last - 1 to V θ of their cells, and marks facets near to failure.
 template <class Marking>
 BONDEM_INLINE void accumulate(Index first, Index last, const double *pose, const ElasticFacets &facets,
                               const CellDilatation &cells, Marking &marking) {

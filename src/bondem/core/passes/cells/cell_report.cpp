@@ -1,4 +1,4 @@
-// What the guard and the history need of facets and cells.
+// Counts and energies of facets and cells for the guard and the history.
 #include "cell_report.hpp"
 
 #include "../../registered.hpp"

@@ -1,11 +1,11 @@
-// Stress-free strains of cells that change in time: levers that grow, and the work this does.
+// Stress-free strains of cells that change in time: longer levers, and the work of the strains.
 //
 // A facet whose cells are larger by ε* without stress has levers 1 + ε* times as long, and with the force f of the gap
 //
 //     ∂U/∂ε* = f · (R_j b_j - R_i b_i)      b in the reference
 //
-// The work is the trapezoid of that over dε*. Steps in which nothing changes cost nothing; ∂U/∂ε* is also found one step
-// before a change, because the trapezoid needs it.
+// The work is the trapezoid of that over dε*. Steps without a change of strains cost nothing; ∂U/∂ε* is also found
+// one step before a change, because the trapezoid needs it.
 #include "cell_strains.hpp"
 
 #include "../../registered.hpp"

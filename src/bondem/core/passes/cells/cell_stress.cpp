@@ -9,7 +9,7 @@
 namespace bondem {
 namespace {
 
-// Columns of a row of sums that the components of a moment and the bending stand in.
+// Columns of the components of a moment and of the bending in a row of sums.
 constexpr Index column_of[7] = {0, 1, 2, 4, 5, 6, 3};
 
 void add(double *moment, const Symmetric3<double> &m, double bent) {
@@ -19,7 +19,7 @@ void add(double *moment, const Symmetric3<double> &m, double bent) {
 
 }  // namespace
 
-// Adds to the sums of moments of shared cells what facets of other domains have for them, and leaves zeros there.
+// Adds moments of facets of other domains to the sums of shared cells, and sets their rows to zero.
 void collect_facet_moments(const Turn &turn, const StepCut &cut, const FacetForces &kept) {
     for (Index e = turn.first; e < turn.last; e++)
         for (Index q = cut.parts + cut.part(e); q < cut.parts + cut.part(e + 1); q++)
@@ -30,7 +30,7 @@ void collect_facet_moments(const Turn &turn, const StepCut &cut, const FacetForc
 }
 BONDEM_PASS(collect_facet_moments, parts_of_shared)
 
-// Sets V σ and Σ `bending_square` of cells, whose sums are complete and left at zero.
+// Sets V σ and Σ `bending_square` of cells from their complete sums, which are set to zero.
 void take_moments(const Turn &turn, const FacetForces &kept) {
     for (Index e = turn.first; e < turn.last; e++) {
         double *const sums = &kept.sums(turn.row[e], 0);

@@ -4,7 +4,7 @@
 
 namespace bondem {
 
-// Finds V σ of cells from the forces that are kept, as a run begins, to the bits of the sums of a step.
+// Finds V σ of cells from stored forces at the start of a run, with the bits of the sums of a step.
 void sum_moments(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetsOfCells &of_cells,
                  const FacetForces &kept);
 

@@ -36,7 +36,7 @@ void add_inertia_forces(const Turn &turn, const CorrectedMass &mass, const StepC
 }
 BONDEM_PASS(add_inertia_forces, elements_of_blocks)
 
-// Subtracts from the kinetic energies what the mass of the cells has too much.
+// Subtracts the correction of the mass from the kinetic energies of cells.
 void subtract_dilatation_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass,
                                   const Portions &portions) {
     double sum = 0.0;

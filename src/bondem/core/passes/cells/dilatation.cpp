@@ -20,14 +20,14 @@ struct FacetMarks {
 
 }  // namespace
 
-// Adds what the facets of a block contribute to V θ of their cells.
+// Adds contributions of the facets of a block to V θ of their cells.
 void accumulate_dilatation(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells) {
     NoFacetMarks none;
     accumulate(turn.first, turn.last, all.pose.data, facets, cells, none);
 }
 BONDEM_PASS(accumulate_dilatation, bonds_of_blocks)
 
-// Adds what facets contribute to V θ of their cells, where many facets have no integrity left.
+// Adds contributions of facets to V θ of their cells in bodies with many broken facets.
 void accumulate_left_dilatation(const Turn &turn, const Moving &all, const ElasticFacets &facets,
                                 const CellDilatation &cells) {
     LeftFacets left;
@@ -35,7 +35,7 @@ void accumulate_left_dilatation(const Turn &turn, const Moving &all, const Elast
 }
 BONDEM_PASS(accumulate_left_dilatation, bonds_of_blocks)
 
-// Adds what facets contribute to V θ of their cells, and marks facets near to failure.
+// Adds contributions of facets to V θ of their cells, and marks facets near to failure.
 void accumulate_and_mark(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                          const FailureBounds &bounds, const Candidates &candidates) {
     FacetMarks marked = {Marks(bounds, candidates, turn)};
@@ -44,7 +44,7 @@ void accumulate_and_mark(const Turn &turn, const Moving &all, const ElasticFacet
 }
 BONDEM_PASS(accumulate_and_mark, bonds_of_blocks)
 
-// Adds to V θ of shared cells what facets of other domains have for them, and leaves zeros there.
+// Adds contributions of facets of other domains to V θ of shared cells, and sets their rows to zero.
 void collect_dilatation(const Turn &turn, const StepCut &cut, const CellDilatation &cells) {
     const Index n = cells.weight.size();
     for (Index e = turn.first; e < turn.last; e++)
@@ -55,7 +55,7 @@ void collect_dilatation(const Turn &turn, const StepCut &cut, const CellDilatati
 }
 BONDEM_PASS(collect_dilatation, parts_of_shared)
 
-// Sets the stresses of cells, whose V θ is complete and left at zero.
+// Sets the stresses of cells by their complete V θ, which is set to zero.
 void stress_cells(const Turn &turn, const Moving &all, const CellDilatation &cells) {
     for (Index e = turn.first; e < turn.last; e++) stress_cell(all.pose, cells, turn.element[e]);
 }

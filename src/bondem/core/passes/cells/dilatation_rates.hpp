@@ -111,7 +111,7 @@ inline void add_inertia_force(const CorrectedMass &mass, double *sum, Index p) {
     }
 }
 
-// The part ½ ρ V β θ̇² of a cell that the kinetic energy of its mass has too much [J].
+// Excess ½ ρ V β θ̇² of the kinetic energy of a cell without the correction [J].
 inline double surplus_of_kinetic_energy(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass, Index p) {
     const auto of = [&](Index q) { return velocity_of(all, q); };
     const double rate = dilatation_rate(all.pose, facets, walls, mass, p, of);

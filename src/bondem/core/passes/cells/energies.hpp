@@ -18,7 +18,7 @@ inline void sum_energies(Index first, Index last, const double *pose, const Elas
     }
 }
 
-// ½ V λ θ² of a cell [J]; leaves V θ at zero.
+// ½ V λ θ² of a cell [J]; sets V θ to zero.
 inline double take_dilatation_energy(const CellDilatation &cells, Index p) {
     const double grown = cells.swelling(p) + cells.given(p);
     cells.swelling(p) = 0.0;

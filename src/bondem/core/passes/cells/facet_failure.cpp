@@ -1,10 +1,10 @@
 // Facets that fail at once: they are free facets of both cells from then on, whose dilatation weighs less.
 //
-// With a facet its two cells change their stress, and with these the force of all their other facets. So the neighbours
-// of both cells are postponed too, and the loads of all these facets are exchanged in the kept sums: taken off with the
-// facets that fail, added without them, cell by cell in the order of its facets. Facets are evaluated between the two
-// passes over them, when stresses are known and no cell has moved; which of them are near to failure is found with the
-// stresses of the step before.
+// With a facet its two cells change their stress, and with these the force of all their other facets. So the
+// neighbours of both cells are postponed too, and the loads of all these facets are exchanged in the kept sums, cell
+// by cell in the order of its facets: loads with the failed facets are subtracted, loads without them are added.
+// Facets are evaluated between the two passes over them, when stresses are known and no cell has moved; which of them
+// are near to failure is found with the stresses of the step before.
 #include "facet_failure.hpp"
 
 #include "../../registered.hpp"
@@ -21,8 +21,8 @@ void hold_with_neighbours(const ElasticFacets &facets, const FacetRelease &relea
     hold(postponed, p, postponed_for::own_facet);
 }
 
-// Finds which of the marked facets fail by a criterion, at the present stresses, and postpones their cells and the
-// neighbours of these.
+// Evaluates marked facets by a criterion at the present stresses, and postpones cells that lose facets and their
+// neighbours.
 template <class Criterion>
 void judge_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetRelease &release,
                   const Strengths &strengths, const Candidates &candidates, const Postponed &postponed) {
@@ -61,7 +61,7 @@ double dilate(const Moving &all, const ElasticFacets &facets, const WallConstrai
     return now.energy;
 }
 
-// That of both cells of facet k [J].
+// Energy of dilatation of both cells of facet k [J].
 double dilate_both(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                    const FacetRelease &release, Index k) {
     double sum = 0.0;
@@ -136,7 +136,7 @@ void add_changed(const Moving &all, const ElasticFacets &facets, const WallConst
     take_off_changing(-1.0, all, facets, walls, release, postponed, p);
 }
 
-// Lists the cells whose loads change, and takes the loads of their facets and walls off the kept sums.
+// Lists the cells whose loads change, and subtracts the loads of their facets and walls from the kept sums.
 void withdraw_facets(const Turn &, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                      const FacetRelease &release, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
@@ -153,7 +153,7 @@ void break_facets(const Turn &turn, const Moving &all, const ElasticFacets &face
 }
 BONDEM_PASS(break_facets, serial)
 
-// Adds the loads of the facets that are left, and of walls, to the kept sums.
+// Adds the loads of the remaining facets and of walls to the kept sums.
 void restore_facets(const Turn &, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                     const FacetRelease &release, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
@@ -162,13 +162,13 @@ void restore_facets(const Turn &, const Moving &all, const ElasticFacets &facets
 }
 BONDEM_PASS(restore_facets, serial)
 
-// Sets the forces of walls on the rows of their cells anew.
+// Updates the forces of walls on the rows of their cells.
 void renew_wall_rows(const Turn &, const WallConstraints &walls, const Rows &rows, const Candidates &candidates) {
     if (any_fails(candidates)) set_rows(walls, rows);
 }
 BONDEM_PASS(renew_wall_rows, serial)
 
-// Weighs all cells by the facets that they have left, as a run begins.
+// Computes the weights of all cells from their unbroken facets at the start of a run.
 Index weigh_cells(Index, const ElasticFacets &facets, const FacetRelease &release) {
     for (Index p = 0; p < release.whole.size(); p++) weigh(facets, release, p);
     return 0;

@@ -5,11 +5,11 @@
 
 namespace bondem {
 
-// Takes the loads that a failure changes, times a sign, off the kept sum of postponed cell p: those of its facets, where
-// it or the other cell loses a facet, and those of its walls where it loses one.
+// Subtracts the loads that a failure changes, times a sign, from the kept sum of postponed cell p: loads of its
+// facets if one of both cells loses a facet, and loads of its walls if cell p loses one.
 void take_off_changing(double sign, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                        const FacetRelease &release, const Postponed &postponed, Index p);
-// Adds them as they are after the failure; the loads of its walls are brought up to date.
+// Adds the loads after the failure to the kept sum of postponed cell p, and updates the loads of its walls.
 void add_changed(const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                  const FacetRelease &release, const Postponed &postponed, Index p);
 

@@ -28,8 +28,8 @@ void add_facet_loads(const Turn &turn, const Moving &all, const ElasticFacets &f
 }
 BONDEM_PASS(add_facet_loads, bonds_of_blocks)
 
-// Adds and keeps the forces of the facets of a block, and adds up the moments V σ of their cells. A facet without
-// integrity has no force, whatever was kept of it before.
+// Adds and stores the forces of the facets of a block, and adds up the moments V σ of their cells. A facet without
+// integrity has no force, also if an earlier one is stored.
 void add_and_keep_facet_loads(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                               const StepCut &cut) {
     const FacetColumns columns(facets);

@@ -1,4 +1,4 @@
-// Facets, walls and neighbours of one cell, and what a failure postpones it for.
+// Facets, walls and neighbours of one cell, and the reasons for which a failure postpones the cell.
 #pragma once
 #include "../../tables/cell_tables.hpp"
 #include "../damage/pipeline.hpp"
@@ -17,11 +17,12 @@ inline Index other_cell(const ElasticFacets &facets, Index k, Index p) {
     return facets.i(k) != Short(p) ? facets.i(k) : facets.j(k);
 }
 
-// What a cell is postponed for, bit by bit: as a neighbour, or for a facet of its own; and whether it is listed.
+// Reasons for which a cell is postponed, one bit each: as a neighbour, or for a facet of its own; and whether the
+// cell is listed.
 namespace postponed_for {
 enum : Byte { neighbour = 1, own_facet = 2, listed = 4 };
 }
-// Whether a postponed cell loses a facet in this step.
+// True if a postponed cell loses a facet in this step.
 inline bool loses_facet(const Postponed &postponed, Index p) {
     return (get_shared(postponed.held(p)) & postponed_for::own_facet) != 0;
 }

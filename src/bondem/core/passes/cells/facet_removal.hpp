@@ -1,7 +1,7 @@
-// What the removal of a facet changes: its own energy, and the weight, the stress and the energy of its cells.
+// Changes by the removal of a facet: its own energy, and weight, stress and energy of its cells.
 //
-// With poses at rest the energy of dilatation of a cell depends on which of its own facets are left, so the energy that a
-// facet releases follows from its cells alone, given the facets that are removed before it. `left(k)` is the integrity of
+// At given poses the energy of dilatation of a cell depends on its unbroken facets. The energy that a facet releases
+// therefore follows from its cells alone, given the facets that are removed before it. `left(k)` is the integrity of
 // facet k at such an instant.
 #pragma once
 #include "../damage/integrity.hpp"
@@ -11,7 +11,7 @@
 
 namespace bondem {
 
-// λ / V of a cell with the facets that it has left: those that failed open until they have no traction.
+// λ / V of a cell with its unbroken facets; failed facets open until they have no traction.
 template <class Left> inline double weight_left(const FacetRelease &release, Index p, Left left) {
     double inward = 0.0, outward = 0.0;
     for (Index k = release.in_start(p); k < release.in_start(p + 1); k++) inward += (1.0 - left(k)) * release.slack_j(k);
@@ -39,7 +39,7 @@ inline Dilated dilated(const Moving &all, const ElasticFacets &facets, const Wal
     return {weight * grown, 0.5 * weight * grown * grown};
 }
 
-// The removal of facet k, without what dilatation releases.
+// The removal of facet k, without the released energy of dilatation.
 inline Removal removal_of_facet(const Moving &all, const ElasticFacets &facets, Index k) {
     const FacetColumns columns(facets);
     const Index i = facets.i(k);

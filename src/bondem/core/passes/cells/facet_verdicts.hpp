@@ -1,4 +1,4 @@
-// Loads of one facet at the stresses in the poses, and the verdict of a criterion on them.
+// Loads of one facet at the stresses in the poses, and the index of a criterion.
 #pragma once
 #include "../../laws/criteria/bond_criteria.hpp"
 #include "../damage/pipeline.hpp"

@@ -26,7 +26,7 @@ template <class T> BONDEM_INLINE Vector3<T> lever_of(const int32_t *lever, Index
     return {pitch[0] * whole.x, pitch[1] * whole.y, pitch[2] * whole.z};
 }
 
-// The columns of the table of facets, as a loop over them holds them.
+// Columns of the table of facets, read once before a loop.
 struct FacetColumns {
     const int32_t *lever_i, *lever_j;
     const float *share_i, *share_j, *H;
@@ -77,8 +77,8 @@ inline Vector normal_of(const ElasticFacets &facets, Index k) {
 
 #if defined(BONDEM_LANES)
 
-// Calls on(k, known, i, j, ends) for the groups of the facets first … last - 1 that counts(k) names, with the poses of
-// their cells; rows that are to come are asked for.
+// Calls on(k, known, i, j, ends) for the groups of the facets first … last - 1 that counts(k) names, with the poses
+// of their cells; later rows are prefetched.
 template <class Counts, class On>
 BONDEM_INLINE void for_each_facets(Index first, const Index last, const double *const pose, const ElasticFacets &facets,
                                    const double *const period, Counts counts, On on) {
@@ -102,7 +102,7 @@ BONDEM_INLINE void for_each_facets(Index first, const Index last, const double *
                                    const double *const period, On on) {
     for_each_facets(first, last, pose, facets, period, [](Index) { return true; }, on);
 }
-// Whether any of a group of facets has integrity left.
+// True if a facet of a group has a positive integrity.
 BONDEM_INLINE bool any_left(const FacetColumns &columns, Index k) {
     return any(load(columns.integrity + k) != Lanes{});
 }

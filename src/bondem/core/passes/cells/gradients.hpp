@@ -43,7 +43,7 @@ inline LayerTurn layer_turn(const Array<double, 2> &pose, const DilatationGradie
     const RelativeTurn<double> turn = relative_turn(own, orientation(gather(pose.data, gradients.next(e))));
     return positive(turn.w, turn.v);
 }
-// That of cell p since the wall of entry e holds it, in space.
+// Rotation of cell p since the wall of entry e began to hold it, in space.
 inline LayerTurn wall_turn(const Array<double, 2> &pose, const WallConstraints &walls,
                            const DilatationGradients &gradients, Index e) {
     const HeldTurn turn = held_turn(pose, walls, gradients.wall(e));

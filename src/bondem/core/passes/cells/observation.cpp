@@ -1,4 +1,4 @@
-// What is read off cells in any poses: vectors that turn with them, and moments of forces on them.
+// Observations of cells in any poses: vectors that turn with cells, and moments of forces on cells.
 #include "../../laws/rotations.hpp"
 #include "../../registered.hpp"
 #include "../../symmetric3.hpp"

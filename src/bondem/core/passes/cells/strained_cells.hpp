@@ -1,4 +1,4 @@
-// Facets and walls of cells whose stress-free strains change: their levers, and what the strains work against.
+// Facets and walls of cells whose stress-free strains change: their levers, and the power of the strains.
 #pragma once
 #include "../boundary/timeline.hpp"
 #include "strain_growth.hpp"
@@ -6,8 +6,8 @@
 
 namespace bondem {
 
-// Brings the factors to the time of the clock. Powers are due where one changes in this step or in the next. Returns
-// whether one has changed.
+// Brings the factors to the time of the clock. Powers are needed if a factor changes in this step or the next one.
+// Returns true if a factor has changed.
 inline bool follow_factors(const Clock &clock, const Timeline &timeline, const CellStrains &strains) {
     using namespace strain_factor;
     const auto &factor = strains.factor;
@@ -55,7 +55,7 @@ inline void sum_powers(Index first, Index last, const double *pose, const CellSt
     }
 }
 
-// Adds up the portions, and what walls add to them.
+// Adds up the powers of portions and of walls.
 inline void sum_all_powers(const Moving &all, const CellStrains &strains, const WallConstraints &walls) {
     for (Index g = 0; g < strains.schedule.size(); g++) {
         double sum = strains.cracked(g);

@@ -18,7 +18,7 @@ void add_half_work(const WallConstraints &walls, const Rows &rows) {
 
 }  // namespace
 
-// Brings walls to the time of the clock; where it was not reached by a step, their forces are brought up to date as well.
+// Brings walls to the time of the clock; at a time that no step has reached, their forces are updated as well.
 void follow_walls(const Turn &turn, const Moving &all, const WallConstraints &walls, const Rows &rows) {
     for (Index g = 0; g < walls.cell.size(); g++) place_hold(walls, turn.clock.time, g);
     if (!turn.clock.first) return;
@@ -28,7 +28,7 @@ void follow_walls(const Turn &turn, const Moving &all, const WallConstraints &wa
 }
 BONDEM_PASS(follow_walls, serial)
 
-// Adds what walls contribute to V θ of their cells.
+// Adds contributions of walls to V θ of their cells.
 void add_wall_dilatation(const Turn &, const Moving &all, const WallConstraints &walls, const CellDilatation &cells) {
     for (Index g = 0; g < walls.cell.size(); g++)
         cells.swelling(walls.cell(g)) += dilatation_of_hold(all.pose, all.rest, walls, g);

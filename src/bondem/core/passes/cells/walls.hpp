@@ -7,9 +7,9 @@
 // A wall with friction μ holds a facet across its pressure N as long as |f_t| ≤ μ N; beyond, the facet slides: the wall is
 // moved after it, by as much as brings f_t to μ N, and the work ½ (f before + f after) · slip is lost to friction.
 //
-// P keeps the held axes, k = 2 G A / d is that of the half facet of the cell, and v the vector part of q q₀*, the rotation
-// of the cell since the wall holds it. A wall that takes over a face which has moved begins where that is: `base` has the
-// displacement there and q₀.
+// P keeps the held axes, k = 2 G A / d is that of the half facet of the cell, and v the vector part of q q₀*, the
+// rotation of the cell since the wall holds it. A wall that begins to hold a moved face starts at the place of the
+// face: `base` has the displacement there and q₀.
 #pragma once
 #include "../boundary/timeline.hpp"
 #include "facets.hpp"
@@ -45,7 +45,7 @@ inline const Symmetric3<double> &resistance_of(const WallConstraints &walls, Ind
     return walls.H.row<const Symmetric3<double>>(g);
 }
 
-// What a wall contributes to V θ of its cell [m³].
+// Contribution of a wall to V θ of its cell [m³].
 inline double dilatation_of_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest,
                                  const WallConstraints &walls, Index g) {
     return dot(walls.share.row<const Vector>(g), held_facet(pose, rest, walls, g).gap);
@@ -56,7 +56,7 @@ inline Vector force_of_hold(const Array<double, 2> &pose, const WallConstraints 
     return plus(walls.k(g) * gap, pose(walls.cell(g), stress_column), walls.share.row<const Vector>(g));
 }
 
-// Lets a facet slide on its wall where friction cannot hold it; returns the energy that is lost to friction [J].
+// Slides a facet on its wall beyond the limit of friction; returns the energy lost to friction [J].
 inline double slide_hold(const Array<double, 2> &pose, const Array<const double, 2> &rest, const WallConstraints &walls,
                          Index g) {
     const double friction = walls.friction(g);

@@ -1,4 +1,4 @@
-// Adhesion of spheres that touch or are near, and of spheres at walls: a force along the normal that remembers nothing.
+// Adhesion of spheres that touch or are near, and of spheres at walls: a force along the normal without memory.
 //
 // Pairs that a bond joins or joined do not adhere: broken surfaces do not heal.
 #pragma once
@@ -24,7 +24,7 @@ inline void adhere_pair(const Moving &all, const ContactConstants &c, const Cont
     }
     of.force.row<Vector>(k) = force;
 }
-// Adds what pair k does to its later or its earlier element.
+// Adds the adhesion of pair k to its later or its earlier element.
 inline void add_adhesion(const AdheringPairs &of, Index k, bool later, double *row) {
     for (Index x = 0; x < 3; x++) row[x] += later ? of.force(k, x) : -of.force(k, x);
 }

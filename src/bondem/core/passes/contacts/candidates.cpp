@@ -1,4 +1,4 @@
-// Candidates for contact: pairs, and elements at walls, that may touch before the list is made anew.
+// Candidates for contact: pairs, and elements at walls, that may touch before the list is renewed.
 //
 // Each pair stands once, sorted by its later element, then by its earlier one, as bonds are.
 #include "../../registered.hpp"
@@ -29,7 +29,7 @@ void insert(const FoundPairs &found, Index begin, Index count, Short first, Inde
     found.bond(k) = bond;
 }
 
-// Brings back the gap and the memory that a contact had in the list before.
+// Restores gap and memory of a contact of the previous list.
 template <class Found>
 void recall(const Found &found, Index k, const Array<const double, 1> &rest_gap, Index rest,
             const Array<const double, 2> &kept_memory, Index kept) {
@@ -44,8 +44,8 @@ double gap_of(const Poses &all, const Walls &walls, const WallSources &from, Ind
 
 }  // namespace
 
-// Lists spheres of a sorted grid that are near and that no bond joins, and pairs of bonds that are wanted, with the memory
-// of those that touch. Ends where there is no room for more.
+// Lists spheres of a sorted grid that are near and that no bond joins, and pairs of bonds that are wanted, with the
+// memory of those that touch. Ends when the list is full.
 Index list_pairs(Index, const SphereGrid &grid, const PairSources &from, const FoundPairs &found) {
     const Period period(grid.period);
     const Index n = grid.sphere.size(), room = found.first.size();

@@ -1,9 +1,9 @@
-// Contacts of pairs: each that touches gives its force and keeps its memory, then elements add what their pairs do.
+// Contacts of pairs: each touching pair computes its force and memory, then elements add the forces of their pairs.
 //
-// Most pairs of a list are bonded, or further apart than elements move until distances are measured anew: only the others
-// are looked at in every step, in the order of the list, and those that touch are taken as many at a time as there are
-// lanes. Two phases, and an order that no division changes: no bit depends on threads. What a list has beyond the pairs
-// that touch changes no bit either, because it adds nothing to any sum.
+// Most pairs of a list are bonded, or further apart than elements move until distances are measured anew: only the
+// others are evaluated in every step, in the order of the list, and touching pairs in groups of lanes. Two phases,
+// and an order that no division changes: no bit depends on threads. Pairs of a list that do not touch change no bit
+// either, because they add nothing to any sum.
 #include "contact_loads.hpp"
 
 #include "../../registered.hpp"
@@ -15,7 +15,7 @@
 namespace bondem {
 namespace {
 
-// Share of a distance by which rounding may be wrong about it.
+// Largest relative error of a distance by rounding.
 constexpr double rounding = 1e-9;
 
 // Lists the pairs of a portion that may touch before an element has moved by `width`, and those that do; `outer` is the
@@ -49,7 +49,7 @@ void list_near(const Turn &turn, const Moving &all, const ContactConstants &c, c
     travel.portion(turn.block, 2) = most(travel.portion(turn.block, 2), deepest);
 }
 
-// Finds the near pairs that touch, or did a step ago; the rest is far enough.
+// Finds the near pairs that touch, or did a step ago.
 Index find_close(const Turn &turn, const Moving &all, const ContactPairs &pairs, const NearPairs &near) {
     const Index begin = pairs.start(turn.first), count = near.counts(turn.block, 0);
     Index found = 0;
@@ -66,7 +66,7 @@ Index find_close(const Turn &turn, const Moving &all, const ContactPairs &pairs,
     return found;
 }
 
-// The same of bodies with cracks: pairs whose faces face each other give what these do.
+// Computes pairs of bodies with cracks, of which some touch by faces that face each other.
 Index find_close(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                  const NearPairs &near, const FacePairs &faces) {
     const Index begin = pairs.start(turn.first), count = near.counts(turn.block, 0);
@@ -157,8 +157,8 @@ void press_close(const Turn &turn, const Moving &all, const ContactConstants &c,
 
 #if defined(BONDEM_LANES)
 
-// Finds forces and memory of the pairs of a portion of elements; lists those that may touch where elements have moved
-// too far since that was done.
+// Finds forces and memory of the pairs of a portion of elements; renews the list of near pairs where elements have
+// moved too far.
 void press_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                  const NearPairs &near, const Travel &travel) {
     if (measures_anew(turn, near, travel)) list_near(turn, all, c, pairs, near, travel, [](Index) { return 0.0; });
@@ -175,7 +175,7 @@ void press_pairs_and_faces(const Turn &turn, const Moving &all, const ContactCon
 }
 BONDEM_PASS(press_pairs_and_faces, of_elements)
 
-// Adds what pairs do to the elements of a range, in the order of the pairs.
+// Adds forces of pairs to the elements of a range, in the order of the pairs.
 void add_pair_loads(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs,
                     const NearPairs &near, const ContactSums &to) {
     const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };

@@ -4,7 +4,7 @@
 
 namespace bondem {
 
-// Adds forces of contacts to the sums of elements, and losses to theirs, and leaves them at zero.
+// Adds forces and losses of contacts to those of the elements, and sets the former to zero.
 void add_contact_loads(const Turn &turn, const Moving &all, const StepCut &cut, const ContactSums &contacts);
 // Sums the elastic energy of the pairs of a portion [J].
 void sum_pair_energies(const Turn &turn, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,

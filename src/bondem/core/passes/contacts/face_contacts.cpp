@@ -14,7 +14,7 @@ template <class On> void over_pairs_of(const ContactPairs &pairs, const FacePair
 
 }  // namespace
 
-// Adds what faces do to the elements of a range.
+// Adds forces of faces to the elements of a range.
 void add_face_loads(const Turn &turn, const ContactPairs &pairs, const FacePairs &faces, const ContactSums &to) {
     const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };
     for (Index q = turn.first / elements_of_portion; q < faces.count.size(); q++) {

@@ -6,10 +6,10 @@
 // they are apart. Cells whose cracked faces face each other do not touch as spheres, which would stand out of the plane of
 // the faces.
 //
-// Nothing has kept faces apart before they may touch: those that find themselves inside each other touch from the overlap
-// on that they have then, without a force. Faces that lie in one plane in the reference, of a joint, do not: they take over
-// the pressure of what parts, and find the next ones where they do not overlap yet. All is a function of positions, of
-// what has parted, and of the memory of the pair, and does not depend on lists.
+// Faces may overlap before they may touch: such faces touch from their initial overlap on, without a force. Faces in
+// one plane of the reference, those of a joint, receive the pressure of facets that part instead, and find the next
+// faces before they overlap. The rule is a function of positions, of parted facets, and of the memory of the pair,
+// and does not depend on lists.
 #pragma once
 #include "../../laws/crack.hpp"
 #include "../../laws/face_contact.hpp"
@@ -39,9 +39,9 @@ struct ChosenFaces {
     static constexpr Index facets = Index(1) << 26;
 };
 
-// Whether facet k has faces by which cells touch: that of a material plane that has cracked.
+// True if cells touch by the faces of facet k: it belongs to a material plane and has cracked.
 inline bool has_faces(const FacePairs &of, Index k) { return of.listed(k) != 0 && of.plane(k) != 0.0; }
-// Calls on(facet) for those of cell p.
+// Calls on(facet) for the cracked facets of material planes of cell p.
 template <class On> inline void over_cracked_faces(const FacePairs &of, Short p, On on) {
     for (Index k = of.in_start(p); k < of.in_start(p + 1); k++)
         if (has_faces(of, k)) on(k);
@@ -73,7 +73,7 @@ struct TwoCells {
     TwoCells(const Moving &all, const ContactPairs &pairs, Index k)
         : p(pairs.first(k)), q(pairs.second(k)), a(orientation(gather(all.pose.data, p))),
           b(orientation(gather(all.pose.data, q))), branch(branch_of(all.pose.data, pairs, k)) {}
-    // As they were in the reference.
+    // Two cells of a pair in the reference.
     static TwoCells in_reference(const Moving &all, const ContactPairs &pairs, Index k) {
         TwoCells cells(all, pairs, k);
         cells.a = cells.b = {1.0, 0.0, 0.0, 0.0};
@@ -85,20 +85,20 @@ struct TwoCells {
         return {cell_face(of, e.first, p, a), cell_face(of, e.second, q, b), branch};
     }
 };
-// Whether two faces face each other.
+// True if two faces face each other.
 inline bool face_each_other(const TwoFaces &at) {
     const double ahead = least_ahead * length(at.branch);
     return dot(at.a.normal, at.branch) > ahead && dot(at.b.normal, at.branch) < -ahead &&
            dot(at.a.normal, at.b.normal) < -least_facing;
 }
-// Whether two faces lie in one plane in the reference, but for rounding.
+// True if two faces lie in one plane in the reference, but for rounding.
 inline bool in_one_plane(const Moving &all, const ContactPairs &pairs, const FacePairs &of, Index k, ChosenFaces e) {
     constexpr double rounding = 1e-6;
     const TwoFaces at = TwoCells::in_reference(all, pairs, k).faces(of, e);
     return dot(at.a.normal, at.b.normal) < rounding - 1.0 && at.overlap * at.overlap < rounding * rounding * at.a.area;
 }
 
-// What cracked faces of two cells do: whether any face each other, and those that overlap most of those that have parted.
+// Cracked faces of two cells: whether any face each other, and the parted ones with the largest overlap.
 struct FacedCells {
     bool facing;
     double number, area;  // of the faces chosen, 0 where none overlap
@@ -130,14 +130,14 @@ inline double outer_reach(const ContactPairs &pairs, const FacePairs &of, Index 
     const Short a = pairs.first(k), b = pairs.second(k);
     return (of.faced(a) | of.faced(b)) != 0 ? of.outer(a) + of.outer(b) : 0.0;
 }
-// What the faces that pair k has chosen do to each other.
+// Contact of the faces that pair k has chosen.
 inline FaceLoads chosen_loads(const Moving &all, const ContactPairs &pairs, const FacePairs &of, Index k) {
     if (of.chosen(k) == 0.0) return {};
     const ChosenFaces e(of.chosen(k));
     return face_loads(TwoCells(all, pairs, k).faces(of, e), weight_of(of, e), pairs.memory(k, began_at));
 }
 
-// Writes what the faces of pair k do to its cells, and their memory; `lost` is elastic energy that nothing holds any more.
+// Writes forces and memory of the faces of pair k; `lost` is elastic energy without a spring that stores it.
 inline void press_met(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const FacePairs &of, Index k,
                       const FaceLoads &met, double lost, double dt) {
     const Short a = pairs.first(k), b = pairs.second(k);
@@ -172,7 +172,7 @@ inline void press_met(const Moving &all, const ContactConstants &c, const Contac
     memory[stiff_before] = met.kn;
 }
 
-// What pair k, which no facet joins, touches by in this step; that of faces is computed.
+// Kind of contact of pair k, which no facet joins, in this step; contact of faces is computed.
 enum class PairOf { nothing, spheres, faces };
 inline PairOf press_faces(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const FacePairs &of,
                           Index k, double dt) {
@@ -230,7 +230,7 @@ inline double face_energy(const Moving &all, const ContactConstants &c, const Co
     const Vector s = pairs.memory.row<const Vector>(k);
     return chosen_loads(all, pairs, of, k).energy + 0.5 * law_of(c, pairs, k).soft * pairs.memory(k, stiff_before) * dot(s, s);
 }
-// Adds what the faces of pair k do to a row of sums of its later or its earlier cell.
+// Adds forces of the faces of pair k to a row of sums of its later or its earlier cell.
 inline void add_faces_to(const FacePairs &of, Index k, bool later, double *row) {
     const double *const out = &of.output(k, 0);
     for (Index x = 0; x < 3; x++) {
@@ -248,8 +248,8 @@ inline void mark_parting(const ContactPairs &pairs, const FacePairs &of, Index k
     put_shared(of.faced(pairs.first(pair)), Byte(2));
     put_shared(of.faced(pairs.second(pair)), Byte(2));
 }
-// Begins the contact of pair k by faces in one plane of which some part in this step, or changes its weight. Returns the
-// energy that it takes over [J].
+// Begins the contact of pair k by faces in one plane of which some part in this step, or changes its weight. Returns
+// the energy that moves to the contact [J].
 inline double begin_by_faces(const Moving &all, const ContactPairs &pairs, const FacePairs &of, Index k) {
     const Vector d = branch_of(all.pose.data, pairs, k);
     const double outer = outer_reach(pairs, of, k);

@@ -1,7 +1,7 @@
-// Contact of two elements from which a bond or a facet has gone: the pair was listed, and passed over so far.
+// Contact of two elements whose bond or facet has failed: the pair was listed, but not evaluated before.
 //
-// What presses the two together acts at once, with the tangential spring at rest, at the end of the step in which the
-// bond fails. The contact takes over the energy that it stores.
+// The pressure between the two acts at once, with the tangential spring at rest, at the end of the step in which the
+// bond fails. The energy stored by the contact is subtracted from that of the event.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/beam_softening_tables.hpp"
@@ -12,15 +12,15 @@ namespace bondem {
 // Examines pair k in every step from now on; it keeps its place in the order of the pairs.
 void examine(const ContactPairs &pairs, const NearPairs &near, Index k);
 
-// Whether the two elements of a pair touch whose contact begins, and what they do to each other then.
+// Initial contact of a pair: whether its two elements touch, and their forces.
 struct BegunContact {
     bool touches;
     Vector force;  // on the later element [N]
     Vector torque;  // on either, over its radius [N]
 };
-// Begins the contact of pair k as the pair is now.
+// Begins the contact of pair k in its present position.
 BegunContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k);
-// Adds it to a row of sums of one of the two elements.
+// Adds an initial contact to a row of sums of one of its two elements.
 inline void add_begun(double *row, bool is_later, double radius, const BegunContact &begun) {
     const double sign = is_later ? 1.0 : -1.0;
     for (Index x = 0; x < 3; x++) {
@@ -29,13 +29,13 @@ inline void add_begun(double *row, bool is_later, double radius, const BegunCont
     }
 }
 
-// Begins the contact of the pair of a bond, and adds its force to rows of sums of elements (first_row + element); the
-// energy that it takes over [J].
+// Begins the contact of the pair of a bond, and adds its force to rows of sums of elements (first_row + element);
+// returns the energy that moves to the contact [J].
 double hand_over(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index bond,
                  double *sums);
 
-// Contact of a facet that carries nothing any more begins at its rest length `apart`, or at the present distance where that
-// is less: without a force, and with no energy. Returns that distance [m].
+// Contact of a broken facet begins at its rest length `apart`, or at the present distance if that is less, without
+// force and energy. Returns that distance [m].
 inline double open_pair(const Moving &all, const ContactPairs &pairs, Index facet, double apart) {
     const Index k = pairs.of_bond(facet);
     const double reach = least(apart, length(branch_of(all.pose.data, pairs, k)));
@@ -43,13 +43,13 @@ inline double open_pair(const Moving &all, const ContactPairs &pairs, Index face
     pairs.reach(k) = reach;
     return reach;
 }
-// The same, and the pair is examined in every step from now on.
+// Begins the contact of a broken facet, and examines the pair in every step from now on.
 double let_touch(const Moving &all, const ContactPairs &pairs, const NearPairs &near, Index facet, double apart);
 
-// Ends the pressure on beams that soften and have broken at the beginning of this step.
+// Ends the pressure on softening beams that have broken at the beginning of this step.
 void release_pressure(const Turn &turn, const EventLog &log, const SofteningBounds &bounds);
-// Begins contact where beams that soften have broken at the beginning of this step: its energy is that of the
-// pressure, which it replaces.
+// Begins contact where softening beams have broken at the beginning of this step. The contact replaces their
+// pressure, with its energy.
 void begin_softened_contacts(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                              const NearPairs &near, const EventLog &log, const ContactSums &to);
 

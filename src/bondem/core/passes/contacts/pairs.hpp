@@ -1,4 +1,4 @@
-// A pair of spheres in contact, or as many as there are lanes: what passes over pairs make of their tables.
+// A pair of spheres in contact, or as many as there are lanes: as passes read it from the tables of pairs.
 //
 // The contact point divides the distance of the centres as the radii do, so that a contact has no net moment.
 #pragma once
@@ -9,9 +9,9 @@
 
 namespace bondem {
 
-// What a contact is. One that has parted in this step still gives what it lost. Cells whose cracked faces face each other
-// touch by these, not as spheres; where they turn away from each other inside their spheres, the spheres touch from the
-// distance then, until they have come apart.
+// Kind of a contact. A contact that has parted in this step still counts its losses. Cells whose cracked faces face
+// each other touch by these faces, not as spheres; where they turn away from each other inside their spheres, the
+// spheres touch from the distance then, until they have come apart.
 enum TouchState : Byte { separate, touching, parted, facing, late };
 
 // Calls on(law) with the law of numbers of a contact, or of as many as there are lanes.
@@ -38,7 +38,7 @@ template <class T> struct Spheres2 {
     BONDEM_INLINE Spheres2(T ra, T rb, T reach, Vector3<T> branch, const Motion<T> &a, const Motion<T> &b)
         : ra(ra), rb(rb), reach(reach), branch(branch), velocity(b.v - a.v), spin(ra * a.w + rb * b.w),
           turning(a.w + b.w), mass(1.0 / (a.m + b.m)) {}
-    // Their distance, and the direction and the velocity at the contact, of a branch.
+    // Distance of two spheres, and direction and velocity at their contact, for a given branch.
     BONDEM_INLINE Meeting<T> meeting(Vector3<T> d, T &distance) const {
         distance = length(d);
         const Vector3<T> n = d / distance;
@@ -75,7 +75,7 @@ inline Vector branch_of(const double *pose, const ContactPairs &pairs, Index k) 
     return {over_nearest_image(d.x, period[0], period[3]), over_nearest_image(d.y, period[1], period[4]),
             over_nearest_image(d.z, period[2], period[5])};
 }
-// Whether a bond joins pair k.
+// True if a bond joins pair k.
 inline bool bonded(const ContactPairs &pairs, Index k) { return pairs.bond(k) >= 0 && pairs.joined(pairs.bond(k)) > 0.0; }
 
 // Elastic energy of a pair that touches [J].

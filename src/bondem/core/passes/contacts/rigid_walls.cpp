@@ -1,4 +1,4 @@
-// Walls as rigid bodies: how they move, what they do to elements, and what elements do to them.
+// Walls as rigid bodies: their motion, and the forces between walls and elements.
 //
 // A contact is evaluated in the frame of its wall, which moves and turns with the wall: there the wall is at rest.
 // A driven wall follows its schedules. A servo is a platen of some mass that is pushed along its normal by a wanted force
@@ -89,7 +89,8 @@ void move_wall(const Walls &walls, Index w, double dt) {
         row.orientation = turned(row.orientation, dt * row.spin);
 }
 
-// 1/m of a wall along a normal at a place that is so far from the one about which it turns; 0 unless it is free [1/kg].
+// Inverse mass of a wall along a normal at a distance from the point about which it turns; 0 unless it is free
+// [1/kg].
 double inverse_mass_at(const WallRow &row, const WallInertia &inertia, Vector arm, Vector normal) {
     if (!turns_freely(inertia)) return inertia.inverse_mass;
     const Vector lever = rotate(inverse(product(row.orientation, inertia.principal)), cross(arm, normal));
@@ -180,7 +181,8 @@ void press_walls(const Turn &turn, const Moving &all, const ContactConstants &c,
 }
 BONDEM_PASS(press_walls, of_elements)
 
-// Keeps the deepest overlap of the elements of a portion with a wall, over the radius, where distances are measured anew.
+// Keeps the deepest overlap of the elements of a portion with a wall, over the radius, if distances are measured in
+// this step.
 void measure_wall_overlaps(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                            const Walls &walls, const NearPairs &near, const Travel &travel) {
     if (!measures_anew(turn, near, travel)) return;
@@ -241,7 +243,7 @@ void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstan
 }
 BONDEM_PASS(sum_wall_energies, of_elements)
 
-// Finds what walls have supplied, for the guard of the energy.
+// Finds the work supplied by walls, for the guard of the energy.
 void count_wall_work(const Turn &, const Walls &walls, const Portions &portions) {
     double supplied = 0.0;
     for (Index w = 0; w < walls.body.size(); w++) supplied += absolute(walls.body.row<const WallRow>(w).work);

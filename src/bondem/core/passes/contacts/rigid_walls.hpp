@@ -4,12 +4,12 @@
 
 namespace bondem {
 
-// Takes walls to the end of the step that begins at the time of the clock.
+// Moves walls to the end of the step that begins at the time of the clock.
 void move_walls(const Turn &turn, const WallMotions &motions, const Walls &walls);
-// Half a kick of free wall e, and its angular velocity after it.
+// Applies half a kick to free wall e, and returns its angular velocity afterwards.
 void kick_free(const WallMotions &motions, const Walls &walls, Index e, double dt);
 void show_free_spin(const Walls &walls, Index w);
-// Half a step of the work of a wall by its loads before, and after they have been summed.
+// Work of a wall over half a step, by its loads before or after their sum.
 void begin_loads(WallRow &row, double half);
 void end_loads(const Walls &walls, Index w, double half);
 // Adds forces of walls to the elements of a portion, and keeps their memory.

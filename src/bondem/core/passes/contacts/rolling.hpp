@@ -30,7 +30,7 @@ struct RollingLoads {
     double rubbed;  // [J]
 };
 
-// What a contact does over a step of dt.
+// Moments and losses of a rolling contact over a step of dt.
 inline RollingLoads rolling_loads(const RollingContact &at, const ContactRow &law, const Vector &before, double dt) {
     const Vector n = at.normal, m = at.last_normal;
     const auto turned = [&](const Vector &v) {
@@ -80,7 +80,7 @@ inline void roll_pair(const Moving &all, const ContactConstants &c, const Contac
     for (Index x = 0; x < 3; x++) of.output(k, x) = loads.moment[x];
     of.output(k, 3) = loads.rubbed;
 }
-// Adds what pair k does to its later or its earlier element.
+// Adds the moment of pair k to its later or its earlier element.
 inline void add_rolling(const RolledPairs &of, Index k, bool later, double *row) {
     for (Index x = 0; x < 3; x++) row[4 + x] += later ? of.output(k, x) : -of.output(k, x);
     if (later) row[7] += of.output(k, 3);

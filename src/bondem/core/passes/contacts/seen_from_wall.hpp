@@ -1,4 +1,4 @@
-// How an element and what its contact remembers look from a wall that may turn.
+// An element and the memory of its contact in the frame of a wall that may turn.
 #pragma once
 #include "../../laws/contact.hpp"
 #include "../beams/bonds.hpp"
@@ -6,25 +6,25 @@
 
 namespace bondem {
 
-// An element at a wall, as one that turns with the wall sees it.
+// An element at a wall, in the frame of the wall.
 struct AtWall {
     double radius;
     Vector spin, velocity;  // angular velocity and velocity against the wall, at the place of the element
     double growing;  // of the wall towards the element [m/s]
 
-    // Direction and velocity at the contact, where the wall is so far from the surface.
+    // Direction and velocity at the contact, for a distance of the wall from the surface.
     Meeting<double> meeting(const WallSurface &at) const {
         return {at.normal, velocity - growing * at.normal - cross((radius + at.gap) * spin, at.normal)};
     }
 };
 
-// The same now and a step ago, and what the contact knew then, turned with the wall since.
+// An element at a wall now and a step ago, and the memory of its contact, turned with the wall over the step.
 struct SeenFromWall {
     AtWall now, last;
     WallSurface before;
     ContactMemory<double> memory;
 };
-// That from a wall that turns; apart, so that walls that do not cost what they did.
+// An element in the frame of a wall that turns; a separate function, so that other walls cost no more.
 __attribute__((noinline)) inline SeenFromWall seen_from_turning(const WallPlace &wall, Vector place, const AtWall &who,
                                                                 const ContactMemory<double> &memory, double dt) {
     const WallRow &row = wall.row;

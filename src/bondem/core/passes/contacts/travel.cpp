@@ -45,7 +45,7 @@ void check_travel(const Turn &, const Travel &travel, const Walls &walls, const 
 }
 BONDEM_PASS(check_travel, serial)
 
-// Takes over what was measured anew in a step.
+// Stores distances that were measured in a step.
 void keep_measures(const Turn &turn, const NearPairs &near, const Travel &travel) {
     if (!measures_anew(turn, near, travel)) return;
     double farthest = 0.0;

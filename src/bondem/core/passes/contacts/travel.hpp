@@ -4,7 +4,8 @@
 
 namespace bondem {
 
-// Whether distances are measured anew in this step: an element has moved too far since, or may be anywhere.
+// True if distances are measured in this step: an element has moved too far since the last time, or its place is not
+// finite.
 inline bool measures_anew(const Turn &turn, const NearPairs &near, const Travel &travel) {
     return turn.clock.dt == 0.0 || !(travel.far(0) <= near.width);
 }

@@ -1,4 +1,4 @@
-// Where a wall is, and where the surface of a sphere is from it.
+// Place of a wall, and its distance from the surface of a sphere.
 #pragma once
 #include "../../tables/contact_tables.hpp"
 #include "../record/reading.hpp"
@@ -14,8 +14,8 @@ inline Vector rotation_vector(Quaternion<double> q) {
     return {gauge::rotation_component(q, 0), gauge::rotation_component(q, 1), gauge::rotation_component(q, 2)};
 }
 
-// What a gauge reads of a wall, beside the quantities of elements. Power is that of the wall on the elements: by its
-// velocity and its growth, by its spin, and their sum.
+// Quantities of a wall that gauges record, beside those of elements. Power is that of the wall on the elements: by
+// its velocity and its growth, by its spin, and their sum.
 namespace gauge_of_wall {
 enum Quantity : Index { displacement = 5, force, growth_and_force, velocity, torque, rotation, angular_velocity, power };
 }
@@ -50,7 +50,7 @@ struct WallSurface {
     Vector normal;  // from the wall to the sphere
 };
 
-// One wall: its shape, and where it is.
+// One wall: its shape and place.
 struct WallPlace {
     const WallShape &shape;
     const WallRow &row;
@@ -59,13 +59,13 @@ struct WallPlace {
 
     Index kind() const { return Index(shape.kind); }
     bool flat() const { return kind() == plane_wall || kind() == disc_wall; }
-    // Whether elements are outside of a round wall.
+    // True if elements are outside of a round wall.
     bool among() const { return kind() == cylinder_among || kind() == sphere_among; }
     BONDEM_INLINE bool turned() const { return !is_zero({row.orientation.x, row.orientation.y, row.orientation.z}); }
     BONDEM_INLINE Vector axis() const { return turned() ? turned_axis() : shape.axis; }
-    // The place about which it turns [m].
+    // Point about which a wall turns [m].
     Vector pivot() const { return shape.about + row.displacement; }
-    // From its point to a place [m].
+    // Vector from the point of a wall to a place [m].
     BONDEM_INLINE Vector from_point(Vector place) const {
         return turned() ? from_turned_point(place) : from_resting_point(place);
     }
@@ -84,12 +84,12 @@ struct WallPlace {
 
   private:
     BONDEM_INLINE Vector from_resting_point(Vector place) const { return place - shape.point - row.displacement; }
-    // Apart, so that walls that have not turned cost what they did.
+    // A separate function, so that walls that have not turned cost no more.
     __attribute__((noinline)) Vector turned_axis() const { return rotate(row.orientation, shape.axis); }
     __attribute__((noinline)) Vector from_turned_point(Vector place) const {
         return place - pivot() - rotate(row.orientation, shape.point - shape.about);
     }
-    // That of walls that are not planes, from a place that is so far along their axis.
+    // Distance from a wall that is no plane, for a place at a given distance along its axis.
     __attribute__((noinline)) WallSurface beside_axis(const Vector &d, const Vector &n, double along, double radius) const {
         const Vector across = minus(d, along, n);
         const double distance = length(across);
@@ -106,7 +106,8 @@ struct WallPlace {
     }
 };
 
-// How far a wall has moved since the list of contacts was made, for elements within reach of where they were then [m].
+// Largest displacement of a wall since the list of contacts was made, for elements within reach of their places then
+// [m].
 //
 // Every wall is a surface of revolution: a turn about its own axis moves nothing.
 inline double travel_of_wall(const Walls &walls, Index w, double reach) {

@@ -10,7 +10,7 @@ constexpr Index has_cracks = 3;
 struct Carried {
     double sum[12];  // b_x f, b_y f, b_z f, each and another number, b in its pitch
 
-    // `b` is the lever; `f` has three numbers and another one, which is of no account.
+    // `b` is the lever; `f` has the three components of the force and a fourth number that does not count.
     BONDEM_INLINE void add(const int32_t *b, const double *f) {
         for (int r = 0; r < 3; r++) {
             const double along = b[r];
@@ -23,7 +23,7 @@ struct Carried {
     }
 };
 
-// Those of cell p, from the forces of the last step.
+// Σ b⊗f of the cracks of cell p, from the forces of the last step.
 inline void carry_cracks_of(const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
                             Index p) {
     Carried sum = {};

@@ -1,9 +1,9 @@
-// The axes of a crack of the material that has lost nothing yet.
+// Axes of a crack of the material before any loss of integrity.
 //
-// Neighbouring facets with axes of their own hold each other: 6 to 8 % of the fracture energy at a notch. So a crack
-// takes the axes of that crack of its two cells which has lost most, where the first of these is within 45° of the
-// largest principal stress around it; else the principal directions of that stress, the mean over both cells and all
-// their neighbours.
+// Neighbouring facets with axes of their own block each other, which costs 6 to 8 % of the fracture energy at a
+// notch. So a crack takes the axes of that crack of its two cells which has lost most, where the first of these is
+// within 45° of the largest principal stress around it; else the principal directions of that stress, the mean over
+// both cells and all their neighbours.
 #pragma once
 #include "../../laws/principal.hpp"
 #include "single_cracks.hpp"

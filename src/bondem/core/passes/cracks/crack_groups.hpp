@@ -1,5 +1,5 @@
-// Cracks as passes read and write them: one, or as many as there are lanes. What becomes of them is written once, of
-// either (`crack_places.hpp` and others).
+// Cracks as passes read and write them: one, or as many as there are lanes. Their changes are written once for both
+// (`crack_places.hpp` and others).
 #pragma once
 #include "../../threads.hpp"
 #include "../cells/facets.hpp"
@@ -18,7 +18,7 @@ BONDEM_INLINE FacetShape<double> facet_shape(const CohesiveCracks &cracks, Index
     return {lever(of.lever_i), lever(of.lever_j), share(of.share_i), share(of.share_j)};
 }
 
-// How cracks soften: resistance to bending, and what `CrackSofteningRow` has.
+// Softening of cracks: resistance to bending, and the numbers of `CrackSofteningRow`.
 template <class T> struct CrackSoftening {
     Symmetric3<T> H;
     T plane, bends, brittleness, fastest, strength;
@@ -144,7 +144,7 @@ struct CrackGroup {
         for (int n = 0; n < lanes; n++) row[n] = n < known ? table.data + 8 * crack[n] : unused;
         scatter_rows(row, all);
     }
-    // A number of each.
+    // Numbers of a column, one per crack of a group.
     BONDEM_INLINE Lanes number(const Array<double, 2> &table, int column) const {
         Lanes all;
         for (int n = 0; n < lanes; n++) all[n] = table.data[8 * crack[n] + column];
@@ -155,7 +155,7 @@ struct CrackGroup {
         for (int n = 0; n < lanes; n++) all[n] = column.data[crack[n]];
         return all;
     }
-    // The force on their cell i.
+    // Forces of the cracks of a group on their cells i.
     BONDEM_INLINE Vector3<Lanes> pull(const CohesiveCracks &cracks) const {
         Lanes f[3];
         for (int part = 0; part < lanes; part += 4) {
@@ -181,7 +181,7 @@ struct CrackGroup {
     BONDEM_INLINE void put(const Array<double, 2> &table, int column, Lanes all) const {
         for (int n = 0; n < known; n++) table.data[8 * crack[n] + column] = all[n];
     }
-    // Asks for the lines of a table that the crack some places later has.
+    // Prefetches the lines of a table for the crack some places later.
     BONDEM_INLINE void prefetch(const Array<double, 2> &table) const {
         constexpr Index ahead = 24;
         for (int n = 0; n < known; n++) bondem::prefetch(table.data + 8 * crack[known == lanes ? ahead + n : 0]);
@@ -191,7 +191,7 @@ struct CrackGroup {
         for (int n = 0; n < known; n++)
             bondem::prefetch(cracks.pull.data + 4 * crack[known == lanes ? ahead + n : 0]);
     }
-    // The shape of their facets.
+    // Shapes of the facets of a group of cracks.
     BONDEM_INLINE FacetShape<Lanes> shapes(const CohesiveCracks &cracks) const {
         const Row<Lanes> of = lines(cracks.shape);
         const double *const pitch = cracks.pitch.data;
@@ -209,7 +209,7 @@ struct CrackGroup {
         const Lanes *const c = of.column;
         return {{h(0), h(1), h(2), h(3), h(4), h(5)}, h(6), c[4], c[5], c[6], c[7]};
     }
-    // Which of them have a flag.
+    // Mask of the cracks of a group with a flag.
     BONDEM_INLINE Mask<Lanes> flagged(const Array<Byte, 1> &flag) const {
         Lanes all;
         for (int n = 0; n < lanes; n++) all[n] = flag.data[e + n];

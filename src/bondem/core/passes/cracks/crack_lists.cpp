@@ -1,8 +1,8 @@
 // Lists of cracks in the order of their facets, and the halves of each cell, from the last facet to the first. Levers
 // of the halves are written where the shapes of the cracks are read (`measure_cracks`).
 //
-// What is added to a cell is added in that order, whatever place a crack has in a list, so that a pause changes no
-// bit. Facets that follow each other are near each other, and so is what cracks of a list read and write.
+// Contributions to a cell are added in that order, independent of the place of a crack in a list, so that a pause
+// changes no bit. Consecutive facets are near each other, and so are the data of consecutive cracks of a list.
 #include "crack_lists.hpp"
 
 #include "../../registered.hpp"
@@ -44,7 +44,7 @@ void fill_treated(const CrackLists &lists) {
         for (Index q = cells; q < cells + lanes; q++) lists.cell(q) = lists.cell(cells - 1);
 }
 
-// Makes the lists of cracks anew where they are out of date.
+// Renews lists of cracks that are out of date.
 void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists) {
     lists.size(3) = 0;
     if (cracks.size(1) == 0) return;
@@ -97,7 +97,7 @@ void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks
 }
 BONDEM_PASS(list_cracks, serial)
 
-// Takes over the cracks of a state as a run begins: constants, weights of cells, lists, and what cracks carry.
+// Prepares the cracks of a state at the start of a run: constants, weights of cells, lists, and forces of cracks.
 void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept,
                  const FacetStrengths &strengths,
                  const CohesiveCracks &cracks, const CrackLists &lists) {
@@ -114,14 +114,14 @@ void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForce
 }
 BONDEM_PASS(link_cracks, serial)
 
-// Takes over the levers of facets, where strains of cells have changed them.
+// Copies levers of facets that strains of cells have changed.
 void follow_levers(const Turn &, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks) {
     if (!strains.due(1)) return;
     for (Index c = 0; c < cracks.size(0); c++) write_levers(facets, cracks, cracks.order(c));
 }
 BONDEM_PASS(follow_levers, serial)
 
-// Finds the weights of the cells of all cracks, as a run begins.
+// Computes the weights of the cells of all cracks at the start of a run.
 void weigh_cracked_cells(const Turn &, const ElasticFacets &facets, const CellDilatation &cells,
                          const CellSlack &slack, const CohesiveCracks &cracks) {
     for (Index c = 0; c < cracks.size(0); c++) {

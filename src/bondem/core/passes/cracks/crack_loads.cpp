@@ -1,4 +1,4 @@
-// Forces and torques of cracks, what they dissipate, and their sums on cells.
+// Forces, torques and dissipation of cracks, and their sums on cells.
 #include "crack_loads.hpp"
 
 #include "../../registered.hpp"
@@ -10,7 +10,7 @@ namespace bondem {
 
 #if defined(BONDEM_LANES)
 
-// Finds forces and torques of the cracks that are treated one by one, and what they dissipate.
+// Computes forces, torques and dissipation of the cracks that are treated one by one.
 void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
                  const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     const bool changes = turn.clock.dt > 0.0;
@@ -24,7 +24,7 @@ BONDEM_PASS(load_cracks, serial)
 
 #endif
 
-// Adds up what cracks have dissipated, and logs those without strength left.
+// Adds up the dissipation of cracks, and logs cracks without integrity.
 void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                 const CrackLists &lists, const EventLog &log) {
     if (!(turn.clock.dt > 0.0)) return;
@@ -112,7 +112,7 @@ void write_heat(const Turn &turn, const CrackEnergies &found, const HistoryRows 
 }
 BONDEM_PASS(write_heat, serial)
 
-// Writes what facets have released beyond their fracture energy.
+// Writes the energy that facets have released beyond their fracture energy.
 void write_crushing_of_facets(const Turn &turn, const FacetStrengths &strengths, const CohesiveCracks &cracks,
                               const EventLog &log, const HistoryRows &history) {
     double sum = 0.0;

@@ -1,10 +1,10 @@
-// Cracks in space, how they soften, and their halves: of one crack, or of as many as there are lanes.
+// Cracks in space, their softening, and their halves: one crack, or as many as there are lanes.
 #pragma once
 #include "crack_groups.hpp"
 
 namespace bondem {
 
-// The faces of the cracks of a group, and what belongs to them.
+// Faces of the cracks of a group, with their data.
 template <class T> struct CrackPlace {
     Ends<T> ends;
     OfCells<T> stress;  // of both cells [Pa]
@@ -35,8 +35,8 @@ BONDEM_INLINE CrackPlace<T> place_of(const Group &group, const Array<double, 2> 
     return at;
 }
 
-// -∂U/∂s a step ago. A direction of a crack of the material that was whole had it from the force along it, which all of a
-// facet carried; the first also from the energy of bending.
+// -∂U/∂s a step ago. For an intact direction of a crack of the material it follows from the force of the whole facet
+// along it; for the first direction also from the energy of bending.
 template <class T>
 BONDEM_INLINE CrackRates<T> rates_before(const FacetCompliance<T> &facet, const CrackFaces<T> &now, Mask<T> alike,
                                          const CrackHalves<T> &half, Vector3<T> pull, T bending,
@@ -53,7 +53,7 @@ BONDEM_INLINE CrackRates<T> rates_before(const FacetCompliance<T> &facet, const 
     return found;
 }
 
-// How the cracks of a group soften.
+// Softening of the cracks of a group.
 template <class T> struct CrackJudgement {
     Symmetric3<T> H;
     T bends, fastest;
@@ -77,7 +77,7 @@ template <class T> BONDEM_INLINE Symmetric3<T> mean_stress(const Row<T> &a, cons
     const auto mean = [&](int c) { return 0.5 * (a.column[c] + b.column[c]); };
     return {mean(0), mean(1), mean(2), mean(3), mean(4), mean(5)};
 }
-// A bound of what bending opens of a facet, without an angle: σ_3 is at most the least of the diagonal.
+// A bound of the opening of a facet by bending, without an angle: σ_3 is at most the least of the diagonal.
 template <class T> BONDEM_INLINE T opened_at_most(T bent, const Symmetric3<T> &mean) {
     return positive(T(bent + least(least(least(mean.xx, mean.yy), mean.zz), T{})));
 }

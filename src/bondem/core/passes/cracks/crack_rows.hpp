@@ -60,15 +60,15 @@ inline CrackHistoryRow &history_of(const CohesiveCracks &cracks,
                                    Index c) { return cracks.history.row<CrackHistoryRow>(c); }
 
 namespace crack {
-// A crack of the material; one with one integrity for all directions, of a material plane or a cell without cohesion; and
-// one of the material that has let go of what acts along it, so that friction is by a spring of its own.
+// A crack of the material; one with one integrity for all directions, of a material plane or a cell without cohesion;
+// and one of the material that no longer transmits shear along it, with a spring of friction.
 enum Kind : int { of_material, alike, let_go };
-// How a crack is treated: one by one; as a facet of less stiffness; not at all, as its faces have parted.
+// Treatment of a crack: one by one; as a facet of less stiffness; or not at all, because its faces have parted.
 enum Status : int { active, resting, parted };
-// What becomes of a crack in a step, besides nothing.
+// Changes of the treatment of a crack in a step.
 enum Flag : Byte { unchanged, fell, calmed, parts, wakes };
-// Columns of the loads of a half: force on its cell, energy rubbed away, torque, and N of `slides.hpp`; and what would
-// slide, K, Σ of it as it is, and what it bears.
+// Columns of the loads of a half: force on its cell, energy rubbed away, torque, and N of `slides.hpp`; and the
+// sliding force, K, its present sum Σ, and the transmitted force.
 enum LoadColumn : Index { force = 0, slides = 8 };
 // Places of a portion of a list.
 constexpr Index of_portion = 256;

@@ -1,4 +1,4 @@
-// What becomes of cracks in a step: they soften, go to rest, wake, or part.
+// Changes of cracks in a step: softening, rest, waking and parting.
 //
 // A crack that is open and does not soften is a facet of less stiffness among all others, which is the same to
 // rounding. It goes to rest at nine tenths of the traction at which it softens, and wakes at 0.98 of it, or where it
@@ -14,8 +14,8 @@
 namespace bondem {
 namespace {
 
-// Adds what the crack of facet k, which is not treated one by one, does to V θ of its cells to their bases, or takes
-// it off.
+// Adds the contribution of facet k to V θ of its cells without cracks, or subtracts it; its crack is not treated one
+// by one.
 void hand_over(const SingleCrack &one, const ElasticFacets &facets, const CellDilatation &cells,
                const CellSlack &slack,
                const CohesiveCracks &cracks, const CrackLists &lists, Index k, double sign) {
@@ -41,7 +41,7 @@ void insert_half(const CrackLists &lists, Short p, Index number, Index side, con
     (before == 0 ? lists.head(p) : lists.node(before, 0)) = int32_t(number);
 }
 
-// Asks for the rows of halves, in the order in which those of the cells first … last - 1 of a list are read, some ahead.
+// Prefetches the rows of halves in the order in which the cells first … last - 1 of a list read them.
 struct HalvesAhead {
     const CrackLists &lists;
     Index q, last, half = 0;
@@ -61,7 +61,8 @@ struct HalvesAhead {
     }
 };
 
-// Treats a resting crack one by one: at the end of the list in this step, in order in the next.
+// Moves a resting crack to the list of cracks that are treated one by one: to its end in this step, to its order in
+// the next one.
 void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists,
           Index k) {
     const Index e = lists.size(0)++;

@@ -1,4 +1,4 @@
-// Forces and torques of cracks, and what they dissipate: of one crack, or of as many as there are lanes.
+// Forces, torques and dissipation of cracks: of one crack, or of as many as there are lanes.
 #pragma once
 #include "../damage/pipeline.hpp"
 #include "slides.hpp"
@@ -50,14 +50,14 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
                 rates_before(at.facet, at.now, at.alike, half, pull, bending.energy, before, past.column + 4);
             lost = crack_losses(at.facet.k, CrackStep<T>{before, left, was, rates, was_rub, rub, came});
         }
-        // work of the force against what the faces of a crack of the material have slipped
+        // work of the force on the slip of the faces of a crack of the material
         const Vector3<T> both = pull + f;
         const T slid = select(at.now.rubs, zero, T(0.5 * dot(both, turned_by(at.ends.i, stored))));
         const Mask<T> grinds = (slid != zero) & (at.friction > zero);
         const T rubbed = any(grinds) ? T(friction_share(group, at, both, strengths, cracks) * slid) : zero;
         lost = {kept(lost.cracked + (slid - rubbed)), kept(select(at.now.rubs, lost.rubbed, rubbed))};
         across = shear_each(group, at, f, treated, strengths, stresses, cracks, lists);
-        // the spring of friction of a crack that has let go is at rest where the faces are now
+        // the spring of friction of a crack that has lost its grip is at rest at the present place of the faces
         const Mask<T> lets_go = opposite(at.now.rubs) & (left.grip == zero);
         const Vector3<T> e = at.now.across(), beside = plus(minus(at.now.gap, dot(at.now.gap, e), e), dot(slip, e), e);
         const Vector3<T> end = select<T>(lets_go, beside, now), back = turned_by(inverse(at.ends.i), end);
@@ -87,7 +87,7 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
     group.add(lost.cracked, total);
 }
 
-// Writes down that nothing is left of the crack of facet k.
+// Logs the loss of all integrity of the crack of facet k.
 inline void log_crack(const Clock &clock, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                       const EventLog &log, Index k) {
     const SingleCrack one(all.pose, facets, cracks, k);

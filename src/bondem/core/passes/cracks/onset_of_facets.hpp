@@ -1,8 +1,8 @@
-// Whether facets begin to crack: they are pulled or sheared, and the largest principal stress of σ* reaches their
-// strength.
+// Condition for facets to begin to crack: they are pulled or sheared, and the largest principal stress of σ* reaches
+// their strength.
 //
-// σ* is the mean stress σ of both cells made to agree with the traction t of the facet, with what bending opens of it
-// (`laws/softening.hpp`) added to the traction that pulls:
+// σ* is the mean stress σ of both cells made to agree with the traction t of the facet, with the opening part of
+// bending (`laws/softening.hpp`) added to its normal traction:
 //
 //     σ* = σ + r⊗n + n⊗r - (r·n) n⊗n        r = t - σ n
 //
@@ -20,7 +20,7 @@ template <class T> struct FacetInBody {
     T bent;
 };
 
-// Whether a facet of traction t begins, `bent` being what bending opens of it.
+// True if a facet of traction t begins to crack; `bent` is the opening traction of bending.
 template <class T>
 BONDEM_INLINE Mask<T> reaches_strength(Vector3<T> t, Vector3<T> n, const Symmetric3<T> &mean, T bent, T strength) {
     const T across = dot(t, n), zero = {}, pulled = positive(across) + bent;
@@ -31,8 +31,8 @@ BONDEM_INLINE Mask<T> reaches_strength(Vector3<T> t, Vector3<T> n, const Symmetr
     const Mask<T> sheared = dot(pull, pull) - along * along >= strength * (strength - along);
     return ((along > zero) | sheared) & opposite(is_below(agreed_stress(mean, n, pull), strength));
 }
-// The same without what bending opens: `size` is the sum of |σ| of both cells, `bends` the lesser of their T_b² in the
-// last step. place() gives the facet, and is called where the bound is reached only.
+// True if a facet begins to crack, by a bound first: `size` is the sum of |σ| of both cells, `bends` the lesser of
+// their T_b² in the last step. place() returns the facet, and is called only if the bound is reached.
 template <class T, class Place>
 BONDEM_INLINE Mask<T> begins_to_crack(Vector3<T> t, T size, T bends, T strength, Place place) {
     constexpr double root_two = 1.4142135623730951;
@@ -42,7 +42,7 @@ BONDEM_INLINE Mask<T> begins_to_crack(Vector3<T> t, T size, T bends, T strength,
     if (!any(begin)) return begin;
     const FacetInBody<T> at = place();
     const T most_open = opened_at_most(at.bent, at.mean);
-    // what opens is at most this; more of it never keeps a facet from cracking
+    // an upper bound of the opening traction; a larger one never prevents cracking
     begin &= reaches_strength(t, at.normal, at.mean, most_open, strength);
     if (!any(begin)) return begin;
     const T open = select(most_open > T{}, positive(T(at.bent - largest_pressure(principal(at.mean)))), T{});
@@ -62,7 +62,7 @@ inline Vector traction_of(const FacetForces &kept, const FacetStrengths &strengt
     return {one * kept.force(0, k), one * kept.force(1, k), one * kept.force(2, k)};
 }
 
-// Whether facet k of a material plane begins to crack.
+// True if facet k of a material plane begins to crack.
 inline bool plane_begins(const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                          const FacetStrengths &strengths, Index k) {
     const Ends<double> ends = ends_of(all.pose.data, facets, k);

@@ -9,7 +9,7 @@ namespace {
 
 #if defined(BONDEM_LANES)
 
-// Asks for the first two halves of a cell.
+// Prefetches the first two halves of a cell.
 inline void ask_for_halves(const CrackLists &lists, Short p) {
     Index h = lists.head(p);
     for (int links = 0; links < 2; links++, h = lists.node(h, 0)) {
@@ -32,7 +32,7 @@ BONDEM_PASS(begin_bases, of_elements)
 
 #if defined(BONDEM_LANES)
 
-// Finds faces and halves of the cracks that are treated one by one, and axes of those that have lost nothing yet.
+// Finds faces and halves of the cracks that are treated one by one, and axes of cracks before any loss of integrity.
 void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                     const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     const bool changes = turn.clock.dt > 0.0;

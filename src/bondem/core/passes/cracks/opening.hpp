@@ -5,7 +5,7 @@
 
 namespace bondem {
 
-// Takes over V θ of cells without their cracks.
+// Stores V θ of cells without their cracks.
 void begin_bases(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists);
 
 }  // namespace bondem

@@ -7,7 +7,7 @@
 
 namespace bondem {
 
-// Halves of the cracks of a group, and which of these part; axes of those that have lost nothing yet.
+// Halves of the cracks of a group, a mask of cracks that part, and axes of cracks before any loss of integrity.
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                                 const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,

@@ -7,7 +7,7 @@
 
 namespace bondem {
 
-// Lets the cells touch like others whose faces have parted in this step.
+// Makes pairs of the cells whose faces have parted in this step.
 void touch_parted_faces(const Turn &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
                         const CohesiveCracks &cracks, const CrackLists &lists, const PartedReach &reach) {
     for (Index e = 0; e < lists.size(3); e++) {

@@ -4,14 +4,14 @@
 
 namespace bondem {
 
-// The spring of friction is at rest where the faces are now. What they have slipped across the present normal stays.
+// Puts the spring of friction to rest at the present place of the faces. Their slip across the present normal stays.
 inline void rest_friction(CrackStateRow &state, const SingleCrack &one) {
     const Vector across = one.now.across(), beside = minus(one.now.gap, dot(one.now.gap, across), across);
     const Vector slipped = turned_by(one.ends.i, Vector{state.slip[0], state.slip[1], state.slip[2]});
     const Vector slip = turned_by(inverse(one.ends.i), plus(beside, dot(slipped, across), across));
     for (int d = 0; d < 3; d++) state.slip[d] = slip[d], state.rub[d] = 0.0;
 }
-// Treats a resting crack one by one, at a place of the list: its halves, and the slip as it is now.
+// Moves a resting crack to a place of the list of cracks treated one by one, with its halves and its present slip.
 inline void begin_treating(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCracks &cracks,
                            const CrackLists &lists, Index k, Index e) {
     treat(facets, cracks, k, crack::active);
@@ -43,8 +43,8 @@ inline void end_treating(const ElasticFacets &facets, const CohesiveCracks &crac
 
 // ---- parting
 
-// How much the stress of cell p, of this weight, changes with V θ, with one of its halves open [Pa/m³]. Halves that
-// `gone` names are those of cracks that have left the list before.
+// Change of the stress of cell p, of a given weight, with V θ if one of its halves is open [Pa/m³]. Halves that
+// `gone` names belong to cracks that have left the list earlier.
 template <class Gone>
 inline double stiffness_without(const Moving &all, const CrackLists &lists, double weight, Short p, Index without,
                                 Gone gone) {

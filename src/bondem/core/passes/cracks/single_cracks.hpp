@@ -1,4 +1,4 @@
-// One crack at a time, for what concerns few of them: when they begin, rest, wake, or part.
+// One crack at a time, for rare changes: onset, rest, waking and parting.
 #pragma once
 #include "../damage/integrity.hpp"
 #include "crack_places.hpp"
@@ -31,10 +31,10 @@ struct SingleCrack {
                           quaternion_of(frame.axes), left, state.kind > crack::of_material,
                           {state.slip[0], state.slip[1], state.slip[2]});
     }
-    // Whether nothing is left but what presses along its normal.
+    // True if a crack transmits only pressure along its normal.
     bool is_gone() const { return now.left.s[0] == 0.0 && now.left.grip == 0.0; }
 };
-// Writes the axes of crack k down, which are given in space.
+// Stores the axes of crack k, given in space.
 inline void put_axes(const CohesiveCracks &cracks, Index k, Quaternion<double> cell, const CrackAxes<double> &axes) {
     CrackAxes<double> own;
     for (int d = 0; d < 3; d++) own.e[d] = turned_by(inverse(cell), axes.e[d]);
@@ -69,7 +69,8 @@ inline void clear_half(const CrackLists &lists, Index number) {
     half.turns[0] = half.turns[1] = half.turns[2] = infinity;
 }
 
-// Treats the crack of facet k one by one from now on, or as a facet of its integrity among the others, or not at all.
+// Sets the treatment of the crack of facet k: one by one, as a facet of its integrity among the others, or not at
+// all.
 inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Index k, int status) {
     history_of(cracks, k).status = status;
     cracks.listed(k) = Byte(1 + status);
@@ -77,7 +78,8 @@ inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Ind
     put_shared(cracks.size(1), Index(1));
 }
 
-// λ / V of a cell: of what its cracks lack that are not treated one by one, they are free facets. `counts` names them.
+// λ / V of a cell: the lost parts of cracks that are not treated one by one act as free facets. `counts` names these
+// cracks.
 template <class Counts>
 inline double weight_with(const CellSlack &of, const CohesiveCracks &cracks, Index p, Counts counts) {
     double slack = 0.0;
@@ -94,7 +96,7 @@ inline void weigh_cracked(const CellDilatation &cells, const CellSlack &of, cons
     cells.weight(p) = weight_with(of, cracks, p, [&](Index k) { return treated_as_facet(cracks, k); });
 }
 
-// What facet k has dissipated beyond its fracture energy; of a facet whose cell had no cohesion, all [J].
+// Dissipation of facet k beyond its fracture energy; all of it for a facet of a cell without cohesion [J].
 inline double crushed_by_facet(const FacetStrengths &strengths, const CohesiveCracks &cracks, Index k) {
     const double absorbed = softening_of(cracks, k).strength > 0.0 ? strengths.absorbed(k) : 0.0;
     return most(history_of(cracks, k).spent - absorbed, 0.0);
@@ -109,10 +111,10 @@ inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &crac
     put_shared(cracks.size(1), Index(1));  // lists have levers too
 }
 
-// Whether a crack that has dissipated so much may slip: it takes one fracture energy for opening and one for slip.
+// True if a crack with a given dissipation may slip: it absorbs one fracture energy by opening and one by slip.
 template <class T> BONDEM_INLINE Mask<T> may_slip(T spent, T absorbed) { return spent < 2.0 * absorbed; }
 
-// Writes down what is constant of a facet as it becomes a crack.
+// Stores the constants of a facet as it begins to crack.
 inline void write_constants(const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
                             const CohesiveCracks &cracks, Index k) {
     write_levers(facets, cracks, k);

@@ -1,28 +1,28 @@
-// Slip of the faces of cracks: what an open crack bears along itself falls with its opening.
+// Slip of the faces of cracks: the shear that an open crack transmits falls with its opening.
 //
-// A crack crosses a body by inclined facets. What is common to the shear of the cracked facets of a cell is sliding
-// along the crack; what alternates from facet to facet is the stress along the crack, which it has to keep. So a cell
-// has one slip for all its cracked facets. With e the normal of the crack of a facet, P = 1 - e⊗e, ω = 1 - r where r is
-// what the crack bears across over its strength, ± f the force of the facet on the cell, n its normal outwards, and σ
-// the stress of the cell, by which a uniform stress along the crack slides nothing,
+// A crack crosses a body by inclined facets. The common part of the shear of the cracked facets of a cell is sliding
+// along the crack. The part that alternates from facet to facet is the stress along the crack, which has to stay. So
+// a cell has one slip for all its cracked facets. With e the normal of the crack of a facet, P = 1 - e⊗e, ω = 1 - r
+// where r is the traction across the crack over its strength, ± f the force of the facet on the cell, n its normal
+// outwards, and σ the stress of the cell, by which a uniform stress along the crack slides nothing,
 //
 //     R = Σ ω [± P f - A P σ P n]        K = Σ ω² k        C = Σ ω A |n·e| r f_t        N = Σ ω f·e
-//     what the crack bears: L = √(C² - ⟨N⟩²) + μ ⟨-N⟩ with the friction μ of one of its facets
+//     transmitted by the crack: L = √(C² - ⟨N⟩²) + μ ⟨-N⟩ with the friction μ of one of its facets
 //     cell: where |R| > L and R·Σ ± ω P f > 0,  b = ½ (1 - L / |R|) R / K        facet: slip += ω P (b_i - b_j)
 //
-// A facet slips while it has taken less than two fracture energies, one for its opening and one for its slip: below an
-// impact the stress along the crack does work on slip that no cohesion resists.
-// Half of it each, as a facet has two cells: where all facets of a crack are alike it goes at once. Slip only takes
-// energy; its work is that of the mean of the forces before and after.
+// A facet slips while it has taken less than two fracture energies, one for its opening and one for its slip: below
+// an impact the stress along the crack does work on slip that no cohesion resists. Each cell of a facet contributes
+// half of the slip; equal facets of a crack slip at once. Slip only dissipates energy; its work is that of the mean
+// of the forces before and after.
 #pragma once
 #include "carried.hpp"
 
 namespace bondem {
 
-// Share of the slip of the step before that goes on in the next one: steady slip lags by a fifth of what it would else.
+// Share of the slip of a step that continues in the next one; it reduces the lag of steady slip to a fifth.
 constexpr double kept_slip = 0.8;
 
-// What the cracks of a group carry along themselves without friction: over their strength [-], and as a force [N].
+// Shear that the cracks of a group transmit without friction: over their strength [-], and as a force [N].
 template <class T> struct Cohesion {
     T share, force;
 };
@@ -45,8 +45,7 @@ BONDEM_INLINE T friction_share(const Group &group, const CrackPlace<T> &at, Vect
     return select(rubs > zero, T(rubs / (rubs + cohesion_of(group, at, strengths, cracks).force)), zero);
 }
 
-// What would slide of the cracks of a group, by half; 0 for those of which friction is a spring of their own. Returns their
-// part of N.
+// Sliding force of the cracks of a group, per half; 0 for cracks with a spring of friction. Returns their part of N.
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<T> f, Mask<T> treated,
                               const FacetStrengths &strengths, const StressesOfCells &stresses,
@@ -76,7 +75,7 @@ BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<
     return across;
 }
 
-// Sums what the cracks of cell p do to it, and finds by how much they slip. `on_half()` is called once for each half.
+// Sums the forces of the cracks of cell p, and finds their slip. `on_half()` is called once for each half.
 template <class OnHalf>
 inline void sum_cracks_of(const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
                           Index p, OnHalf on_half) {
@@ -119,7 +118,7 @@ inline void slide_crack(const Moving &all, const ElasticFacets &facets, const Co
     const Vector across = axes_of(turn, quaternion_of(frame_of(cracks, k).axes)).e[0];
     const double loose = root(stiff / face_of(cracks, k).k);
     Vector came = turned_by(inverse(turn), loose * minus(apart, dot(apart, across), across));
-    // slip that goes on does so without lag, where it takes energy
+    // continuing slip has no lag where it dissipates energy
     const Vector more = plus(came, kept_slip, before), f = {cracks.pull(k, 0), cracks.pull(k, 1), cracks.pull(k, 2)};
     if (dot(came, before) > 0.0 && dot(f, turned_by(turn, more)) > 0.0) came = more;
     for (int d = 0; d < 3; d++) state.slip[d] += came[d], state.rub[d] = came[d];

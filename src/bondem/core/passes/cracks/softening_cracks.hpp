@@ -5,12 +5,12 @@
 namespace bondem {
 
 namespace crack {
-// By how much the integrity of a facet falls in a step at most where its opening grows by a share `steady` at most, and
-// how much more by what it grows beyond; below what integrity it is none.
+// Largest loss of integrity of a facet in a step whose opening grows by a share `steady` at most, its increase with
+// larger growth, and the integrity below which a facet has none.
 constexpr double fastest = 0.1, follows = 5.0, steady = 0.2, nothing_left = 1e-9;
 // Shares of the traction that softens at which a crack goes to rest and wakes, and of its force across it.
 constexpr double asleep = 0.9, calm = 0.98, grazing = 0.1;
-// A facet that is open along its own normal too loses its grip on what acts along the crack while its faces move apart
+// A facet that is open along its own normal too loses its grip on traction along the crack while its faces move apart
 // from the first to the second of these shares of the distance of its cells. Where the other directions have lost
 // `rubble` of their integrity, it is while they open from the first to the second of these multiples of the last one.
 constexpr double apart = 0.05, far_apart = 0.1, lets_go = 2.0, has_let_go = 4.0, rubble = 0.5;
@@ -63,7 +63,8 @@ BONDEM_INLINE void watch_each(const Group &group, const Moving &all, const doubl
 
 // ---- softening
 
-// The largest loss of integrity in a step, from -∂U/∂s before and now, which go with the square of the opening.
+// Largest loss of integrity in a step, from -∂U/∂s before and now, which is proportional to the square of the
+// opening.
 template <class T> BONDEM_INLINE T largest_loss(T rate_before, T rate) {
     const T grows = 1.0 - root(positive(T(rate_before / most(rate, all<T>(1e-300)))));
     return most(all<T>(crack::fastest), T(crack::follows * (grows - crack::steady)));
@@ -73,12 +74,12 @@ template <class T> BONDEM_INLINE T fallen(T s, T left, T loss) {
     return select(now < all<T>(crack::nothing_left), zero, least(s, now));
 }
 
-// What softening leaves of cracks: their axes, which turn before anything is lost along them, and integrities.
+// Result of softening: axes of cracks, which turn before any loss along them, and integrities.
 template <class T> struct Softened {
     CrackAxes<T> at;
     CrackIntegrity<T> left;
 };
-// Directions 2 and 3, where nothing is lost along either, as the principal directions of the stress in their plane.
+// Directions 2 and 3, if both are intact, as the principal directions of the stress in their plane.
 template <class T> BONDEM_INLINE void turn_in_plane(CrackAxes<T> &at, const Symmetric3<T> &s, Mask<T> turns) {
     const Vector3<T> a = at.e[1], b = at.e[2], sa = s * a;
     const T ab = dot(b, sa), d = 0.5 * (dot(b, s * b) - dot(a, sa)), size = absolute(d) + root(d * d + ab * ab), zero = {};
@@ -87,15 +88,15 @@ template <class T> BONDEM_INLINE void turn_in_plane(CrackAxes<T> &at, const Symm
     at.e[1] = minus(c * a, sine, b);
     at.e[2] = plus(sine * a, c, b);
 }
-// What the faces of a crack have done: their slip, as the traction of a whole facet [Pa], and how far they are apart
-// over the distance of their cells [-].
+// Motion of the faces of a crack: their slip, as the traction of a whole facet [Pa], and how far they are apart over
+// the distance of their cells [-].
 template <class T> struct FacesMoved {
     Vector3<T> slip;
     T apart;
 };
-// Cracks of the material under a traction t as if they were whole. What they have slipped along themselves opens them
-// as much as what is across, and along a direction that has begun to soften as what pulls along it. `losses()` are the
-// largest ones in a step of each direction; most cracks soften in few steps, and need none.
+// Cracks of the material under the traction t of whole facets. Slip along a crack opens it as much as opening across,
+// and along a softening direction as much as a pull along it. `losses()` are the largest ones in a step of each
+// direction; most cracks soften in few steps, and need none.
 template <class T, class Losses>
 BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTraction<T> &load,
                                        const Symmetric3<T> &mean, Losses losses, const Softening<T> &facet,
@@ -109,7 +110,7 @@ BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTr
         Vector3<T> &e = found.at.e[d];
         const Vector3<T> on = mean * e;
         const T stress = dot(e, on), along = dot(load.normal, e);
-        // a direction begins without the shear of the stress in these axes, which pulls at facets beside its crack
+        // onset of a direction excludes the shear of the stress in these axes, which pulls at facets beside its crack
         const Mask<T> whole = s[d] == one;
         const T pull = dot(load.t, e) - select(whole, T(dot(load.normal, on) - along * stress), zero);
         const Mask<T> flips = whole & (select(stress > zero, pull, along) < zero);
@@ -167,7 +168,7 @@ inline void put_turned(const Moving &all, const ElasticFacets &facets, const Coh
     const SingleCrack one(all.pose, facets, cracks, k);
     put_halves_of(lists, e, one.stiffness, one.now);
 }
-// Writes what softening has left of the cracks of a group.
+// Stores axes and integrities of the cracks of a group after softening.
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void put_softened(const Group &group, const Moving &all, const ElasticFacets &facets,
                                 const CohesiveCracks &cracks, const CrackLists &lists, const FacetCompliance<T> &facet,

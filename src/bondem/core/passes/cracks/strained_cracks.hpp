@@ -1,4 +1,4 @@
-// What stress-free strains work against at a crack.
+// Power of stress-free strains at a crack.
 #pragma once
 #include "../cells/facets.hpp"
 #include "../cells/strain_growth.hpp"

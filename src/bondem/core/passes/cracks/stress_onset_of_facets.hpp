@@ -1,13 +1,13 @@
 // Facets that begin to crack by a function of the stress, such as Drucker and Prager's cone.
 //
-// Facets in tension are candidates, by σ* (`laws/agreed_stress.hpp`) with what bending opens of them added to the traction
-// that pulls. The function sees σ* times f_t over that of the facet. For those that fail it is evaluated once more, of the
-// mean stress of their cells: the largest principal stress over this index is the strength of the direction in which the
-// facet cracks.
+// Facets in tension are candidates, by σ* (`laws/agreed_stress.hpp`) with the opening part of bending added to their
+// normal traction. The function sees σ* times f_t over that of the facet. For those that fail it is evaluated once
+// more, of the mean stress of their cells: the largest principal stress over this index is the strength of the
+// direction in which the facet cracks.
 //
-// Facets of a cell without cracks are not evaluated while the cell stays below a criterion of the core at its stress over a
-// share of the strength, and at that with a tension from all sides, a share of its size and what its facets bend. For the
-// function of a user the size of these stresses alone decides.
+// Facets of a cell without cracks are not evaluated while the cell stays below a criterion of the core at its stress
+// over a share of the strength, and at that with a tension from all sides, a share of its size and the bending of its
+// facets. For the function of a user the size of these stresses alone decides.
 #pragma once
 #include "../../laws/agreed_stress.hpp"
 #include "../../tables/stress_onset_tables.hpp"
@@ -72,7 +72,7 @@ struct JudgedFacet {
     }
 };
 
-// Whether the stresses of a facet are far below the criterion, by bounds that need no angle.
+// True if the stresses of a facet are far below the criterion, by bounds that need no angle.
 inline bool is_far_below(const StressesOfCells &stresses, const CandidateFacets &onset, Index i, Index j, Index k, Vector t) {
     constexpr double root_two = 1.4142135623730951;
     constexpr double near_bound = 0.8;  // share of the bound that stresses have to reach; T_b in it is that of the last step

@@ -52,14 +52,14 @@ void find_still_stresses(const Turn &turn, const Moving &all, const FacetForces 
 }
 BONDEM_PASS(find_still_stresses, of_elements)
 
-// Adds what walls and loads on free facets do to the stresses of surface cells.
+// Adds forces of walls and of loads on free facets to the stresses of surface cells.
 void add_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
                           const FacetTractions &tractions, const StressesOfCells &stresses) {
     if (turn.clock.dt > 0.0) add_of_surface(all, walls, tractions, stresses);
 }
 BONDEM_PASS(add_surface_stresses, serial)
 
-// Adds what walls and loads on free facets do to the stresses of surface cells that were found without a step.
+// Adds forces of walls and of loads on free facets to stresses of surface cells that were found without a step.
 void add_still_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
                                 const FacetTractions &tractions, const StressesOfCells &stresses) {
     if (!(turn.clock.dt > 0.0)) add_of_surface(all, walls, tractions, stresses);

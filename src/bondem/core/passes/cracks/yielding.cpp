@@ -5,7 +5,7 @@
 namespace bondem {
 namespace {
 
-// Cells that may flow, as many as there are lanes, with what is left of their cohesion.
+// Cells that may flow, as many as there are lanes, with the remaining share of their cohesion.
 struct Batch {
     Index count = 0, cell[lanes];
     double cohesion[lanes], held[lanes];

@@ -1,4 +1,5 @@
-// Cells that yield under their mean stress, and what their plastic deformation stretches: one cell, facet or wall at a time.
+// Cells that yield under their mean stress, and the levers that their plastic deformation stretches: one cell, facet
+// or wall at a time.
 #pragma once
 #include "../../laws/plasticity.hpp"
 #include "../../laws/stress.hpp"
@@ -21,21 +22,21 @@ inline const PlasticDeformation<double> &deformation_of(const YieldingCells &cel
     return *reinterpret_cast<const PlasticDeformation<double> *>(&cells.plastic(p, plastic_column::deformation));
 }
 inline bool has_yielded(const YieldingCells &cells, Index p) { return cells.plastic(p, plastic_column::gamma) != 0.0; }
-// Whether the plastic deformation of cell p grows in this step.
+// True if the plastic deformation of cell p grows in this step.
 inline bool grows(const YieldingCells &cells, Index p) {
     return has_yielded(cells, p) && work_of(strain_of(cells, p), strain_of(cells, p)) > 0.0;
 }
 
 // ---- flow
 
-// Adds what the last increment dissipated, by the mean of the stresses before and after it.
+// Adds the dissipation of the last increment, by the mean of the stresses before and after it.
 inline void close_increment(const StressesOfCells &stresses, const YieldingCells &cells, Index p) {
     using namespace plastic_column;
     if (!has_yielded(cells, p)) return;
     cells.plastic(p, heat) += 0.5 * stresses.volume(p) * work_of(tensor_of(stresses, p), strain_of(cells, p));
     for (Index d = 0; d < 6; d++) cells.plastic(p, increment + d) = 0.0;
 }
-// The share of its cohesion that cell p has left, after the slip of the cells near it.
+// Remaining share of the cohesion of cell p, after the slip of the cells near it.
 inline double cohesion_left(const YieldingCells &cells, Index p) {
     const Index first = cells.near_start(p), last = cells.near_start(p + 1);
     double sum = 0.0;
@@ -54,7 +55,7 @@ inline void where_yields(const StressesOfCells &stresses, const YieldingCells &c
     if (by.held > 0.0 || yield_bound(invariants(tensor_of(stresses, p)), by, cells.cone != 0) > 0.0) on(by);
 }
 
-// Δγ, what is held of it, and Δε in space.
+// Δγ, its part for the next step, and Δε in space.
 template <class T> struct PlasticFlow {
     T gamma, held;
     Symmetric3<T> strain;
@@ -64,7 +65,7 @@ template <class T> BONDEM_INLINE PlasticFlow<T> flow_under(const Symmetric3<T> &
     const PlasticStep<T> step = cone ? cone_step(found, invariants(s), by) : slip_step(found, by);
     return {step.gamma, step.held, plastic_strain(found, step)};
 }
-// Cell p flows, if it does.
+// Lets cell p flow if it yields.
 inline void flow(const Moving &all, const StressesOfCells &stresses, const YieldingCells &cells, Index p,
                  const PlasticFlow<double> &by) {
     using namespace plastic_column;
@@ -102,7 +103,7 @@ inline void stretch_cell(const ElasticFacets &facets, const FacetsOfCells &of_ce
 inline void stretch_yielding_wall(const WallConstraints &walls, const YieldingCells &cells, Index g) {
     walls.arm.row<Vector>(g) = stretched(deformation_of(cells, walls.cell(g)), cells.base_wall.row<const Vector>(g));
 }
-// The same, where strains have set the lever without plastic strain anew.
+// Lever of wall g after strains have changed the lever without plastic strain.
 inline void stretch_from_present(const WallConstraints &walls, const YieldingCells &cells, Index g) {
     cells.base_wall.row<Vector>(g) = walls.arm.row<Vector>(g);
     stretch_yielding_wall(walls, cells, g);

@@ -6,7 +6,7 @@
 namespace bondem {
 namespace {
 
-// Finds which of the marked beams of a block fail by a criterion, and postpones their elements.
+// Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 template <class Criterion>
 void judge_beams(const Turn &turn, const Moving &all, const Beams &beams, const Strengths &strengths,
                  const Candidates &candidates, const Postponed &postponed) {
@@ -65,7 +65,7 @@ Removal break_beam(const double *pose, const Beams &beams, const BeamIntegrity &
 
 void withdraw_dashpot(const Moving &all, const Beams &beams, const Dashpots &dashpots, const Postponed &postponed, Index k) {
     const BeamLoads<double> loads = loads_of_dashpot(all, beams, dashpots, k);
-    // both the sums of all forces and those of dashpots alone have them
+    // the sums of all forces and the sums of dashpots alone both contain these loads
     double *const tables[2] = {postponed.kept.data, dashpots.sums.data + 8 * postponed.first_row};
     for (double *sums : tables) {
         take_off_end(sums + 8 * beams.i(k), true, loads);
@@ -83,7 +83,7 @@ BONDEM_BEAM_CRITERIA(BONDEM_CRITERION, )
 #undef BONDEM_CRITERION
 #endif
 
-// Takes the dashpots of beams that fail off the kept sums of their ends; before the beams are removed.
+// Subtracts dashpots of failed beams from the kept sums of their ends, before the beams are removed.
 void withdraw_dashpots(const Turn &, const Moving &all, const Beams &beams, const Dashpots &dashpots,
                        const Candidates &candidates, const Postponed &postponed) {
     for_each_failing(candidates, [&](Index k, Index) { withdraw_dashpot(all, beams, dashpots, postponed, k); });

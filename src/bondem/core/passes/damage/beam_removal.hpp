@@ -1,4 +1,4 @@
-// What the removal of a beam changes: the loads on its ends, its event, and its integrity; and the loads of its dashpot.
+// Changes by the removal of a beam: loads on its ends, event, integrity, and loads of its dashpot.
 #pragma once
 #include "../../laws/damping.hpp"
 #include "../beams/bonds.hpp"
@@ -30,7 +30,7 @@ inline BeamLoads<double> loads_of_dashpot(const Moving &all, const Beams &beams,
     const BeamDashpots<double> dashpot = {s * c[k], s * c[m + k], s * c[2 * m + k], s * c[3 * m + k]};
     return dashpot_loads(ends_of(all.pose.data, beams, k).branch, {b.v - a.v, a.w, b.w}, dashpots.share(k), dashpot);
 }
-// Takes the loads of a beam off the kept sum of its end i, or of its end j.
+// Subtracts the loads of a beam from the kept sum of its end i, or of its end j.
 inline void take_off_end(double *row, bool is_i, const BeamLoads<double> &loads) {
     take_off(row, is_i ? -1.0 : 1.0, loads.force, 1.0, is_i ? loads.on_i : loads.on_j);
 }

@@ -1,9 +1,10 @@
 // Beams that soften in a step (`laws/beam_softening.hpp`).
 //
-// Those that have begun stand in lists, one per portion of bonds, and lose integrity before the forces of a step. They
-// stay in the pass over all beams, with the integrity that they have, and carry pressure there by a stiffness of their own.
-// A beam that reaches its strength softens in the same step, as the pass over all beams comes to it, so that its whole
-// force never acts beyond its strength; it is listed at the end of the step. It holds no element, as its force does not jump.
+// Softening beams are in lists, one per portion of bonds, and lose integrity before the forces of a step. They stay
+// in the pass over all beams, with their present integrity, and transmit pressure there by a stiffness of their own.
+// A beam that reaches its strength softens in the same step, as the pass over all beams comes to it, so that its
+// whole force never acts beyond its strength; it is listed at the end of the step. It postpones no element, as its
+// force does not jump.
 #include "beam_softening.hpp"
 
 #include "../../registered.hpp"
@@ -73,7 +74,7 @@ void sum_pressed_energies(const Turn &turn, const Moving &all, const Beams &beam
 }
 BONDEM_PASS(sum_pressed_energies, of_bonds)
 
-// Writes what beams have released beyond their fracture energy.
+// Writes the energy that beams have released beyond their fracture energy.
 void write_crushing_of_beams(const Turn &turn, const SofteningBounds &bounds, const SofteningBeams &soft, const EventLog &log,
                              const HistoryRows &history) {
     double sum = 0.0;

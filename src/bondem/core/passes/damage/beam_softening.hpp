@@ -4,10 +4,10 @@
 
 namespace bondem {
 
-// Adds up what all portions have dissipated, and logs beams that have broken.
+// Adds up the dissipation of all portions, and logs broken beams.
 void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBeams &soft,
                         const EventLog &log);
-// Writes the rows of beams that have begun to soften in this step, and adds up what they have dissipated.
+// Writes the rows of beams that have begun to soften in this step, and adds up their dissipation.
 void begin_softening(const Turn &turn, const Candidates &candidates, const SofteningBounds &bounds, const SofteningBeams &soft,
                      const EventLog &log);
 // Adds the energy of the pressure on softened beams of a portion to their normal energy.

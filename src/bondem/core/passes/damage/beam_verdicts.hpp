@@ -1,4 +1,4 @@
-// The verdict of a criterion on beams: one, or as many as there are lanes.
+// Index of a criterion for beams: one, or as many as there are lanes.
 #pragma once
 #include "../../laws/angles.hpp"
 #include "../../laws/criteria/bond_criteria.hpp"
@@ -15,7 +15,7 @@ template <class T> BONDEM_INLINE T angle_at(Quaternion<T> end, Vector3<T> direct
     return angle_of(length(cross(own, e)), dot(own, e));
 }
 
-// What a criterion sees of a beam of the ends and the loads given; `station` is where its moment counts.
+// Loads of a beam for a criterion, from its ends and forces; `station` is the place where its moment counts.
 template <class Criterion, class T>
 BONDEM_INLINE BondLoads<T> seen_loads(const Ends<T> &ends, const BeamShape<T> &shape, const BeamLoads<T> &loads, T station) {
     const T l = length(ends.branch), zero = {};
@@ -31,7 +31,7 @@ BONDEM_INLINE BondLoads<T> seen_loads(const Ends<T> &ends, const BeamShape<T> &s
             absolute(dot(loads.on_i, e)), l / shape.length - 1.0, angle};
 }
 
-// The verdict of a criterion on one beam, whose ends and `strengths` (coefficients, and station) are given.
+// Index and mode of a criterion for one beam, with its ends and `strengths` (coefficients, and station).
 template <class Criterion, class Strong>
 inline Verdict<double> verdict_at(const Ends<double> &ends, const Beams &beams, const Strong &strengths, Index k) {
     const BeamShape<double> shape = shape_of<double>(beams, k);

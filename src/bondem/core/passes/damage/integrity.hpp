@@ -1,4 +1,4 @@
-// What is left of bonds that fail or soften. No other place writes an integrity.
+// Integrity of bonds that fail or soften. No other place writes an integrity.
 #pragma once
 #include "../../array.hpp"
 

@@ -1,33 +1,38 @@
-// The damage pipeline: how bonds, facets and pairs fail in an explicit step. It exists once; what fails is a parameter.
+// The damage pipeline: failure of bonds, facets and pairs in an explicit step. It exists once, with the kind of bond
+// as a parameter.
 //
 // Bonds fail at the end of a step. Their two elements close it with the whole force, and open the next without it, so
 // that the energy of a bond is released between two steps, and the balance of energy is as exact as the scheme is.
 //
 // In the order of a step (stages of `bondem/interactions/step_part.py`):
 //
-//     loads    The pass of forces compares a size of the load of each bond with its bound, and `mark`s those that reach
+//     loads    The pass of forces compares a size of the load of each bond with its bound, and `mark`s those that
+//              reach
 //              it, block by block. Nearly all bonds do not.
-//     judge    `judge` evaluates the criterion of the marked bonds of a block, index(k) → (index, mode), and keeps those
-//              with index ≥ 1. `postpone(k)` says for which elements the failure matters: they are held.
-//     divide   `postpone_elements` divides the elements of each block into those that move on, and those that are held:
-//              these close the step, and do not open the next. `keep_sums` keeps the sums of their forces.
-//     apply    `remove` calls apply(k) → (energy, gap, place) of each bond that fails, one after the other in the order
-//              of bonds. It takes the force of the bond off the kept sums of its ends, and sets the integrity. The event
-//              is logged, and its energy added to what the run has released.
+//     judge    `judge` evaluates the criterion of the marked bonds of a block, index(k) → (index, mode), and keeps
+//              those
+//              with index ≥ 1. `postpone(k)` postpones the elements that the failure changes.
+//     divide   `postpone_elements` divides the elements of each block into those that continue, and those that are
+//     postponed: these close the step, and do not open the next. `keep_sums` keeps the sums of their forces.
+//     apply    `remove` calls apply(k) → (energy, gap, place) of each bond that fails, one after the other in the
+//              order
+//              of bonds. It subtracts the force of the bond from the kept sums of its ends, and sets the integrity.
+//              The event is logged, and its energy added to the energy released in the run.
 //              A further pass may follow for each of these bonds (`for_each_event`): contact where its ends press on
-//              each other, which adds to the kept sums, and takes over a part of the energy (`take_over`).
-//     resume   `list_postponed` lists all held elements, and ends the failures of the step. They find their acceleration
+//              each other, which adds to the kept sums, and stores a part of the energy (`take_over`).
+//     resume   `list_postponed` lists all postponed elements, and ends the failures of the step. They find their
+//     acceleration
 //              by the passes of motion, with a clock that stands still, and then open the next step.
 //
 // Each criterion and each kind of bond gives two functions:
 //
-//     index(k) → Verdict<double>     at the poses of the step, before any of the elements that k holds moves
+//     index(k) → Verdict<double>     at the poses of the step, before any element postponed by k moves
 //     apply(k) → Removal             at the same poses, on one thread
 //
-// Beams: `beam_failure.cpp`. Facets of cells hold the neighbours of both cells too, as their stresses change; pairs of
-// the non-local law hold their ends. Beams that soften hold no element, as their force does not jump.
+// Beams: `beam_failure.cpp`. Facets of cells postpone the neighbours of both cells too, as their stresses change;
+// pairs of the non-local law postpone their ends. Softening beams postpone no element, as their force does not jump.
 //
-// No bit depends on threads, on blocks or on pauses: what fails is decided bond by bond, from the poses alone.
+// No bit depends on threads, on blocks or on pauses: failure is decided bond by bond, from the poses alone.
 #pragma once
 #include "../../laws/criteria/loads.hpp"
 #include "../../steps.hpp"
@@ -36,7 +41,7 @@
 
 namespace bondem {
 
-// What the removal of a bond does.
+// Result of the removal of a bond.
 struct Removal {
     double energy;  // released [J]
     double gap;  // how far it is open [m]
@@ -96,7 +101,7 @@ class Marks {
 
 // ---- judging
 
-// Holds an element at the end of the step. Several threads may hold an element that domains share.
+// Postpones an element at the end of the step. Several threads may postpone an element that domains share.
 inline void hold(const Postponed &postponed, Index element, Byte as = 1) {
     put_shared(postponed.held(element), as);
 }
@@ -105,11 +110,11 @@ inline bool is_held(const Postponed &postponed, Index element) {
 }
 inline bool any_fails(const Candidates &candidates) { return get_shared(candidates.any(0)) != 0; }
 
-// Keeps those of the marked bonds of a block that fail. Nothing fails where the time was not reached by a step.
+// Keeps the marked bonds of a block that fail. No bond fails at a time that no step has reached.
 //
 //     may_fail(k)    whether the bond is unbroken
 //     index(k)       its index and mode
-//     postpone(k)    holds the elements that the failure of the bond changes
+//     postpone(k) postpones the elements that the failure of the bond changes
 template <class MayFail, class IndexOf, class Postpone>
 inline void judge(const Turn &turn, const Candidates &candidates, MayFail may_fail, IndexOf index, Postpone postpone) {
     const Index first = candidates.begin(turn.block);
@@ -165,19 +170,19 @@ inline void remove(const Turn &turn, const Candidates &candidates, const EventLo
     });
 }
 
-// Takes from the energy of an event what a contact between the two elements stores from then on [J].
+// Subtracts the energy that a contact of the two elements stores from the energy of an event [J].
 inline void take_over(const EventLog &log, Index event, double energy) {
     log.event(event, 5) -= energy;
     log.released(0) -= energy;
 }
 
-// Ends the failures of a step that hold no element.
+// Ends the failures of a step that postpone no element.
 inline void end_failures(const Candidates &candidates) {
     for (Index b = 0; b < candidates.count.size(); b++) candidates.count(b) = 0;
     candidates.any(0) = 0;
 }
 
-// Takes a force and a torque off the kept sums of an element, each times a number.
+// Subtracts a force and a torque, each times a number, from the kept sums of an element.
 inline void take_off(double *row, double sign, Vector force, double turning, Vector torque) {
     for (Index c = 0; c < 3; c++) {
         row[c] -= sign * force[c];

@@ -1,4 +1,4 @@
-// Elements that a failure delays from the end of a step to the removal of what failed.
+// Elements that a failure postpones from the end of a step to the removal of failed bonds.
 #include "../../registered.hpp"
 #include "../motion/elements.hpp"
 #include "../record/columns.hpp"
@@ -7,7 +7,7 @@
 namespace bondem {
 namespace {
 
-// A list of elements under way: those that own no row of the boundary, then those that do.
+// A list of elements that is being written: those without a row of the boundary, then those with a row.
 struct Filling {
     Index first, held, last;
 
@@ -23,7 +23,7 @@ void put(const Postponed &postponed, Index place, Short element, Short row) {
 
 }  // namespace
 
-// Divides the elements of a block, or shared ones, into those that move on and those that are held.
+// Divides the elements of a block, or shared ones, into those that continue and those that are postponed.
 void postpone_elements(const Turn &turn, const StepCut &cut, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
     Index free = 0, own = 0;  // held elements that own no row, and that own one
@@ -44,21 +44,21 @@ void postpone_elements(const Turn &turn, const StepCut &cut, const Candidates &c
 }
 BONDEM_PASS(postpone_elements, divides_elements)
 
-// Keeps the sums of elements that are held.
+// Keeps the sums of postponed elements.
 void keep_sums(const Turn &turn, const StepCut &cut, const Postponed &postponed) {
     for (Index e = turn.first; e < turn.last; e++)
         row_at(postponed.kept.data, turn.element[e]) = row_at(cut.sums.data, turn.row[e]);
 }
 BONDEM_PASS(keep_sums, postponed_of_blocks)
 
-// Keeps the sums of the dashpots of elements that are held.
+// Keeps the sums of the dashpots of postponed elements.
 void keep_dashpots(const Turn &turn, const Dashpots &dashpots, const Postponed &postponed) {
     for (Index e = turn.first; e < turn.last; e++)
         row_at(dashpots.sums.data, Short(postponed.first_row + turn.element[e])) = row_at(dashpots.sums.data, turn.row[e]);
 }
 BONDEM_PASS(keep_dashpots, postponed_of_blocks)
 
-// Lists all elements that are held, those that own rows of the boundary last, and ends the failures of the step.
+// Lists all postponed elements, those with rows of the boundary last, and ends the failures of the step.
 void list_postponed(const Turn &turn, const Rows &rows, const Candidates &candidates, const Postponed &postponed) {
     if (!any_fails(candidates)) return;
     Index count = 0, free = 0;

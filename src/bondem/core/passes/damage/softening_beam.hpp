@@ -12,7 +12,7 @@ namespace bondem {
 namespace soft_column {
 enum : Index { bond, first, last, rate, spent, mode, began };
 }
-// And what is kept of one that begins in this step.
+// Further columns of a beam that begins to soften in this step.
 namespace onset_column {
 enum : Index { first, last, rate, spent };
 }
@@ -22,7 +22,7 @@ constexpr double broken_integrity = 1e-9;
 inline Ends<double> ends_of(const Row<double> &i, const Row<double> &j, const Beams &beams) {
     return ends_of(i, j, beams.period.data);
 }
-// Energy of beam k as if it were whole.
+// Energy of beam k at full integrity [J].
 __attribute__((noinline)) inline OpeningEnergy<double> opening_energy_of(const Ends<double> &ends, const Beams &beams, Index k) {
     const BeamShape<double> shape = shape_of<double>(beams, k);
     const BeamEnergy<double> energy = beam_energy(ends, shape, stiffness_of(beams, k, 1.0), beams.ks(k), beams.lever(k));
@@ -47,7 +47,8 @@ inline void put_softened(const Beams &beams, const SofteningBounds &bounds, Inde
     bounds.press(k) = (1.0 - s) * beams.kn(k);
 }
 
-// Lets the beam of row c lose integrity, unless the time was not reached by a step; returns the energy dissipated [J].
+// Lowers the integrity of the beam of row c, except at a time that no step has reached; returns the dissipated energy
+// [J].
 inline double soften_beam(const Clock &clock, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                           const SofteningBeams &soft, Index c) {
     double *const row = &soft.row(c, 0);
@@ -64,7 +65,7 @@ inline double soften_beam(const Clock &clock, const Moving &all, const Beams &be
     put_softened(beams, bounds, k, left);
     return spent;
 }
-// What the beam of row c has dissipated beyond its fracture energy [J].
+// Dissipation of the beam of row c beyond its fracture energy [J].
 inline double crushed_by_beam(const SofteningBounds &bounds, const SofteningBeams &soft, Index c) {
     const double *const row = &soft.row(c, 0);
     const Index k = bond_of_row(soft, c), mode = Index(row[soft_column::mode]);
@@ -77,7 +78,7 @@ inline bool has_broken(const SofteningBounds &bounds, const SofteningBeams &soft
 
 // ---- onset
 
-// The row of an element a step ago: it has moved at the velocity that it still has.
+// Pose of an element a step ago: it has moved at its present velocity since then.
 __attribute__((noinline)) inline Row<double> row_before(const Moving &all, Short element, double dt) {
     const Row<double> now = gather(all.pose.data, element);
     const Motion<double> moving(gather(all.motion.data, element));
@@ -86,14 +87,14 @@ __attribute__((noinline)) inline Row<double> row_before(const Moving &all, Short
     return {{now.column[0] + back.x, now.column[1] + back.y, now.column[2] + back.z, now.column[3], q.w, q.x, q.y, q.z}};
 }
 
-// Two poses of a beam are judged by one function, as its registers would count twice.
+// Two poses of a beam are evaluated by one function, because two would need twice the registers.
 template <class Criterion>
 __attribute__((noinline)) Verdict<double> verdict_apart(const Ends<double> &ends, const Beams &beams,
                                                         const SofteningBounds &bounds, Index k) {
     return verdict_at<Criterion>(ends, beams, bounds, k);
 }
 
-// Lets whole beam k begin to soften where its criterion is reached, within the last step; returns the verdict.
+// Softens whole beam k if it has reached its criterion within the last step; returns index and mode.
 //
 // The criterion was reached where its index, which grows on a line, was 1; that of pressure counts as none. A beam that loses all keeps half of the least
 // integrity until the next step, which treats it as any other that breaks.

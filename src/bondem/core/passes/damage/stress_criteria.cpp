@@ -40,7 +40,7 @@ template <class Criterion>
 void index_candidates(const Turn &, const StressCandidates &candidates, const StressFunction &by) {
     evaluate<Criterion>(candidates, by, move_together(candidates));
 }
-// Finds the index of each of the stresses that are given; the counts of portions are not read.
+// Finds the index of each given stress; the counts of portions are not read.
 template <class Criterion> Index index_stresses(Index, const StressCandidates &candidates, const StressFunction &by) {
     evaluate<Criterion>(candidates, by, candidates.bond.size());
     return 0;

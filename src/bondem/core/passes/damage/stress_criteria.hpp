@@ -1,13 +1,14 @@
-// Criteria that are functions of a stress tensor, evaluated once a step for all bonds or facets that a bound lets through.
+// Criteria that are functions of a stress tensor, evaluated once per step for all bonds or facets that reach a bound.
 //
 // A pass over portions of bonds writes the candidates, `write_candidate`, and how many there are. `index_candidates_by_…`
 // moves them together and evaluates the function: one of the core's own, or that of a user, a C function
 //
 //     void function(int64_t count, const double *stress, const double *parameter, double *index)
 //
-// of `count` symmetric stresses (count, 3, 3) [Pa], tension positive, and of the parameters of the criterion, that writes
-// an index for each; at 1 or above, or where it is no number, the bond fails. It is called on the thread that called the
-// core, and not where there is no candidate. A function of Python acquires the lock of the interpreter by itself.
+// of `count` symmetric stresses (count, 3, 3) [Pa], tension positive, and of the parameters of the criterion, that
+// writes an index for each; at 1 or above, or where it is no number, the bond fails. It is called on the thread that
+// called the core, and only if there are candidates. A function of Python acquires the lock of the interpreter by
+// itself.
 #pragma once
 #include "../../laws/stress.hpp"
 #include "../../steps.hpp"

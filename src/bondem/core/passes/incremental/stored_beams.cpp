@@ -1,4 +1,4 @@
-// Beams of the incremental formulation: what they store advances by a step, and acts on their elements.
+// Beams of the incremental formulation: their stored loads advance by a step, and act on their elements.
 #include "stored_beams.hpp"
 
 #include "../../registered.hpp"
@@ -62,7 +62,7 @@ void sum_stored_energies(const Turn &turn, const Moving &all, const Beams &beams
 }
 BONDEM_PASS(sum_stored_energies, of_bonds)
 
-// Finds what each beam does to its elements in any poses.
+// Finds the loads of each beam on its elements in any poses.
 Index load_stored_beams(Index, const Poses &all, const Beams &beams, const StoredLoads &stored,
                         const LoadsOfEach &loads) {
     const StoredColumns<double> history(stored);

@@ -1,4 +1,4 @@
-// How passes read what beams of the incremental formulation store, and write it: one, or as many as there are lanes.
+// Access of passes to the stored loads of beams of the incremental formulation: one, or as many as there are lanes.
 #pragma once
 #include "../../laws/incremental.hpp"
 #include "../../tables/incremental_tables.hpp"
@@ -6,7 +6,7 @@
 
 namespace bondem {
 
-// Columns of what beams store.
+// Columns of the stored loads of beams.
 template <class T> class StoredColumns {
   public:
     explicit StoredColumns(const StoredLoads &stored) : first(stored.history.data), m(stored.history.shape[1]) {}
@@ -19,8 +19,7 @@ template <class T> class StoredColumns {
         }
     }
 #if defined(BONDEM_LANES)
-    // Writes to the bonds of a group, but not to those that belong to the group before: they are a step further
-    // already.
+    // Writes to the bonds of a group, except those of the previous group, which have advanced already.
     BONDEM_INLINE void keep(Group group, const StoredLoad<T> &load) const {
         for (Index c = 0; c < 3; c++) {
             store_behind(first + c * m + group.first, load.force[c], group.known);

@@ -1,4 +1,4 @@
-// What a boundary condition does to the motion of an element that owns a row.
+// Effect of a boundary condition on the motion of an element that owns a row.
 #pragma once
 #include "elements.hpp"
 
@@ -16,7 +16,7 @@ struct BoundaryRow {
     Vector free(Vector a, Index first) const {
         return {fixed[first] ? 0.0 : a.x, fixed[first + 1] ? 0.0 : a.y, fixed[first + 2] ? 0.0 : a.z};
     }
-    // Keeps minus the force and torque of the bonds.
+    // Stores the reaction, the negative force and torque of the bonds.
     void react(Vector f, Vector t) const {
         const double all[6] = {-f.x, -f.y, -f.z, -t.x, -t.y, -t.z};
         for (Index c = 0; c < 6; c++) reaction[c] = all[c];
@@ -28,7 +28,7 @@ struct BoundaryRow {
         const double power = bears(0) * v.x + bears(1) * v.y + bears(2) * v.z + bears(3) * w.x + bears(4) * w.y + bears(5) * w.z;
         *work += half_step * power;
     }
-    // Puts in the prescribed velocities, and adds the kinetic energy that brings to the work.
+    // Sets the prescribed velocities, and adds the change of kinetic energy to the work.
     void drive(const double *velocity, Motion<double> &moving) const {
         const auto gain = [&](Index c, double now) { return fixed[c] ? velocity[c] * velocity[c] - now * now : 0.0; };
         const Vector v = moving.v, w = moving.w;

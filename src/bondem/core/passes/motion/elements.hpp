@@ -22,7 +22,7 @@ BONDEM_INLINE Row<double> gather(const double *table, const Short &place) {
 }
 BONDEM_INLINE void scatter(double *table, const Short &place, const Row<double> &row) { row_at(table, place) = row; }
 BONDEM_INLINE void clear(double *table, const Short &place) { row_at(table, place) = {}; }
-// A number of each element, in a table of so many columns.
+// Numbers of a column of a table, one per element.
 BONDEM_INLINE double number_at(const double *table, Index columns, Index c, const Short &place) {
     return table[columns * place + c];
 }
@@ -61,7 +61,7 @@ BONDEM_INLINE void put_number(double *table, Index columns, Index c, const Short
 
 #endif
 
-// What a row of the motion holds.
+// Contents of a row of the motion.
 template <class T> struct Motion {
     Vector3<T> v;  // velocity [m/s]
     T m;  // 1/mass [1/kg]
@@ -73,7 +73,7 @@ template <class T> struct Motion {
           w{row.column[4], row.column[5], row.column[6]}, u(row.column[7]) {}
     Row<T> row() const { return {{v.x, v.y, v.z, m, w.x, w.y, w.z, u}}; }
 };
-// And a row of the sums.
+// Contents of a row of the sums.
 template <class T> struct Wrench {
     Vector3<T> force, torque;  // [N, N·m]
 

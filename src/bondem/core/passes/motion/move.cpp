@@ -1,15 +1,15 @@
-// Elements whose forces are complete close the step, and open the next where it continues without a pause (`moving.hpp`).
-// The sums of the forces are left at zero.
+// Elements whose forces are complete close the step, and open the next where it continues without a pause
+// (`moving.hpp`). The sums of the forces are set to zero.
 #include "../../registered.hpp"
 #include "moving.hpp"
 
 namespace bondem {
 namespace {
 
-// Elements ahead of the loop whose rows are asked for.
+// Elements ahead of the loop whose rows are prefetched.
 constexpr Index ahead = 32;
 
-// The load that has been added up in the row of an element, or of several, which is left at zero.
+// The sum of loads in the row of an element, or of several, which is set to zero.
 template <class Who> BONDEM_INLINE Wrench<typename Who::Number> taken(double *sums, const Who &who) {
     const Wrench<typename Who::Number> load(gather(sums, who.row));
     clear(sums, who.row);

@@ -1,6 +1,7 @@
-// How an element whose forces are complete closes the step, and opens the next where it continues without a pause:
+// Motion of an element with complete forces, which closes the step and, without a pause, opens the next one:
 //
-//     close    v += finish a                       a = f / m, and so do the angular velocities with torque and inertia
+//     close    v += finish a                       a = f / m, and so do the angular velocities with torque and
+//              inertia
 //     open     v += begin a,   x += dt v + extra a
 //
 // There are two kicks also where they could be one: no bit depends on where a run pauses.
@@ -26,7 +27,7 @@ template <class Who, class T> BONDEM_INLINE void add_loss(double *loss, const Wh
     put_number(loss, 3, 1, who.element, power);
 }
 
-// What the elements `who` do under a load; `row` is their row of the boundary and `resistance` what resists them, each or
+// Moves the elements `who` under a load; `row` is their row of the boundary and `resistance` their damping, each or
 // none.
 template <class Who, class Boundary, class Resisted>
 BONDEM_INLINE void move(const Who &who, const Clock &clock, const Moving &all, Wrench<typename Who::Number> load,
@@ -92,7 +93,7 @@ BONDEM_INLINE void move(const Who &who, const Clock &clock, const Moving &all, W
     scatter(motion, who.element, moving.row());
 }
 
-// An element opens a step by the acceleration that it kept.
+// Opens the step of an element by its stored acceleration.
 template <class Boundary>
 inline void open_one(Index p, const Clock &clock, const Moving &all, const Boundary &row) {
     const One one(p);

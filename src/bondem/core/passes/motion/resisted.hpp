@@ -1,4 +1,4 @@
-// What resists the motion of elements: local damping, mass damping, dashpots of bonds, absorbing boundaries.
+// Resistance to the motion of elements: local damping, mass damping, dashpots of bonds, absorbing boundaries.
 #pragma once
 #include "../../laws/damping.hpp"
 #include "boundary_rows.hpp"
@@ -21,7 +21,7 @@ inline Vector absorbed(const double *absorbing, double h, double s, double m, Ve
             (c2 * ax + c4 * ay + c5 * az) / whole};
 }
 
-// The row of an element that owns one, or none.
+// The row of an element in the boundary, or none.
 struct NoRow {};
 BONDEM_INLINE const double *absorbing_of(const Resistance &resistance, Index r) {
     return resistance.absorbing.size() > 0 ? &resistance.absorbing(r, 0) : nullptr;
@@ -44,14 +44,14 @@ BONDEM_INLINE void resist(const Resistance &resistance, const double *absorbing,
     a = a / (T{} + s);
 }
 
-// Power taken by local damping [W], at the velocity between the two kicks.
+// Power lost to local damping [W], at the velocity between the two kicks.
 template <class T>
 BONDEM_INLINE T power_lost(const Wrench<T> &whole, const Wrench<T> &damped, const Motion<T> &moving) {
     const Vector3<T> f = whole.force - damped.force, t = whole.torque - damped.torque, v = moving.v, w = moving.w;
     return t.z * w.z + (t.y * w.y + (t.x * w.x + dot(f, v)));
 }
 
-// Power taken by mass damping and absorbing dashpots, and what else is taken [W].
+// Power lost to mass damping and absorbing dashpots, and to other resistance [W].
 template <class T>
 BONDEM_INLINE T viscous_power(const Resistance &resistance, const double *absorbing, Vector3<T> v, Vector3<T> w, T m, T u,
                               T else_taken) {

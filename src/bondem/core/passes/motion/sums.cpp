@@ -15,17 +15,17 @@ void collect(const Turn &turn, const StepCut &cut, double *sums) {
 
 }  // namespace
 
-// Adds to the sums of shared elements what bonds of other domains have for them, and leaves zeros there.
+// Adds loads of bonds of other domains to the sums of shared elements, and sets their rows to zero.
 void collect_sums(const Turn &turn, const StepCut &cut) { collect(turn, cut, cut.sums.data); }
 BONDEM_PASS(collect_sums, parts_of_shared)
 
-// Adds to the sums of shared elements what dashpots of other domains have for them, and leaves zeros there.
+// Adds loads of dashpots of other domains to the sums of shared elements, and sets their rows to zero.
 void collect_dashpots(const Turn &turn, const StepCut &cut, const Dashpots &dashpots) {
     collect(turn, cut, dashpots.sums.data);
 }
 BONDEM_PASS(collect_dashpots, parts_of_shared)
 
-// Adds the forces of dashpots to those of springs; they stay, as the power that they take is found later.
+// Adds the forces of dashpots to those of springs; the former are kept, because their power is found later.
 void add_dashpots(const Turn &turn, const StepCut &cut, const Dashpots &dashpots) {
     for (Index e = turn.first; e < turn.last; e++)
         for (Index c = 0; c < 8; c++) cut.sums(turn.row[e], c) += dashpots.sums(turn.row[e], c);

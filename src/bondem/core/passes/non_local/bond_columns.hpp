@@ -7,7 +7,7 @@
 
 namespace bondem {
 
-// First columns of what a bond stores, and of what it does.
+// First columns of the stored values of a bond, and of its loads.
 enum Stored : Index { gap_column, extra_column = 3, taken_column = 6 };
 enum Output : Index { force_column, on_i_column = 3, on_j_column = 6 };
 
@@ -46,8 +46,8 @@ template <class T> BONDEM_INLINE PairStore<T> stored_by(const NonLocalBonds &bon
     return {vector_at<T>(data, m, gap_column, k), vector_at<T>(data, m, extra_column, k),
             number<T>(data + taken_column * m, k)};
 }
-// The extra force now. `mean()` returns the mean stress of both elements a step ago; a step of no time (`steps` is
-// false) does not ask for it, and leaves the extra force as it is.
+// The extra force now. `mean()` returns the mean stress of both elements a step ago; a step of zero duration (`steps`
+// is false) does not call it, and keeps the extra force.
 template <bool steps, class T, class Mean>
 BONDEM_INLINE Vector3<T> extra_now(const PairStore<T> &before, const PairPose<T> &now, const Rotation<T> &i,
                                    const PairStiffness<T> &stiffness, const PairLaw &law, Mean mean) {
@@ -65,7 +65,7 @@ BONDEM_INLINE PairStore<T> store_now(const PairStore<T> &before, Vector3<T> extr
     else
         return {turned_by(inverse(i), now.gap), before.extra, before.taken};
 }
-// Writes what bonds of integrity s store. What broken bonds store stays what it is.
+// Writes the stored values of bonds of integrity s; those of broken bonds do not change.
 template <class Place, class T>
 BONDEM_INLINE void keep_store(const NonLocalBonds &bonds, Place place, T s, const PairStore<T> &now,
                               const PairStore<T> &before) {

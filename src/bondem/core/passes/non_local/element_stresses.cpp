@@ -37,7 +37,7 @@ Index turn_all_stresses(Index, const Poses &all, const LaggedStresses &stresses)
 }
 BONDEM_CALL(turn_all_stresses, "")
 
-// Adds to shared elements what bonds of other domains have for their stresses, and leaves zeros there.
+// Adds moments of bonds of other domains to the stresses of shared elements, and sets their rows to zero.
 void collect_moments(const Turn &turn, const StepCut &cut, const LaggedStresses &stresses) {
     const Index n = stresses.inverse.size();
     for (Index e = turn.first; e < turn.last; e++)
@@ -49,14 +49,14 @@ void collect_moments(const Turn &turn, const StepCut &cut, const LaggedStresses 
 }
 BONDEM_PASS(collect_moments, parts_of_shared)
 
-// Finds the stresses of a portion, and bounds of their principal stresses; leaves zeros in the moments.
+// Finds the stresses of a portion of elements, and bounds of their principal stresses; sets the moments to zero.
 void find_stresses(const Turn &turn, const Moving &all, const LaggedStresses &stresses) {
     for (Index e = turn.first; e < turn.last; e += lanes)
         find_stress(Elements(e, turn.last).place, all.pose.data, stresses);
 }
 BONDEM_PASS(find_stresses, of_elements)
 
-// Finds the stresses of the elements of a block, and bounds of their principal stresses; leaves zeros in the moments.
+// Finds the stresses of the elements of a block, and bounds of their principal stresses; sets the moments to zero.
 void find_stresses_of_block(const Turn &turn, const Moving &all, const LaggedStresses &stresses) {
     for (Index e = turn.first; e < turn.last; e += lanes)
         find_stress(Several(turn, e, turn.last).element, all.pose.data, stresses);

@@ -1,10 +1,10 @@
-// Bonds of the non-local law: extra forces by the stresses of a step before, then what they add to the stresses of
-// now.
+// Bonds of the non-local law: extra forces by the stresses of the previous step, then contributions to the present
+// stresses.
 //
 // A step finds the forces of all bonds, and then the stresses of all elements, before the blocks add the forces up as
-// those of other bonds. Where no bond can fail and nothing touches, nothing needs the stresses before the elements
-// move: blocks find forces, add them up at once, and keep none. A step of 0 finds the forces of a state again: extra
-// forces stay what they are, and gaps and stresses do not change.
+// those of other bonds. Without failure and contacts no pass needs the stresses before the elements move: blocks find
+// forces, add them at once, and store none. A step of 0 finds the forces of a state again: extra forces, gaps and
+// stresses do not change.
 #include "non_local_bonds.hpp"
 
 #include "../../registered.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 #if defined(BONDEM_LANES)
 
-// Bonds ahead of the loop whose first elements are asked for.
+// Bonds ahead of the loop whose first elements are prefetched.
 constexpr Index ahead = 32;
 
 BONDEM_INLINE Row<Lanes> moment_row(const Stress<Lanes> &s) {
@@ -36,7 +36,7 @@ struct Staged {
     Vector3<Lanes> force;  // the extra force [N] after the second stage, the total force [N] after the third
 };
 
-// Finds the forces of the bonds of a turn; calls give(group, pose, loads) with what they do.
+// Finds the forces of the bonds of a turn; calls give(group, pose, loads) with their loads.
 template <bool steps, class Give>
 BONDEM_INLINE void find_forces(const Turn &turn, const double *pose, const Beams &beams, const NonLocalBonds &bonds,
                                const LaggedStresses &stresses, Give give) {
@@ -84,7 +84,7 @@ BONDEM_INLINE void find_forces(const Turn &turn, const Moving &all, const Beams 
         find_forces<false>(turn, all.pose.data, beams, bonds, stresses, give);
 }
 
-// Adds what bonds do to the moments of their elements, and to the sums.
+// Adds loads of bonds to the moments of their elements, and to the sums.
 BONDEM_INLINE void add_moments(const LaggedStresses &stresses, const Beams &beams, Group group,
                                const PairPose<Lanes> &now, Vector3<Lanes> force) {
     const Index k = group.first;
@@ -106,8 +106,8 @@ BONDEM_INLINE void add_loads(const StepCut &cut, Group group, const NonLocalLoad
 
 #if defined(BONDEM_LANES)
 
-// Finds forces and torques of the bonds of a block, integrates what they store over the step, and adds what they do
-// to the stresses of their elements.
+// Finds forces and torques of the bonds of a block, integrates their stored values over the step, and adds their
+// moments to the stresses of their elements.
 void find_non_local_forces(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                            const LaggedStresses &stresses) {
     const auto keep = [&](Group group, const PairPose<Lanes> &now, const NonLocalLoads<Lanes> &loads)
@@ -186,7 +186,7 @@ BONDEM_CALL(find_small_extra_forces, "")
 
 #if defined(BONDEM_LANES)
 
-// Finds forces and torques of all bonds in any poses by what they have stored.
+// Finds forces and torques of all bonds in any poses from their stored values.
 Index load_non_local_bonds(Index, const Poses &all, const Beams &beams, const NonLocalBonds &bonds) {
     for_each_group(0, beams.i.size(), [&](Group group) {
         const Index k = group.first;

@@ -14,7 +14,7 @@ BONDEM_INLINE void turn_stress(const Place &p, const double *pose, const LaggedS
     const T zero = {};
     scatter(stresses.space.data, p, {{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, zero, zero}});
 }
-// Finds the stresses, and bounds of their principal stresses; leaves zeros in the moments.
+// Finds stresses of elements, and bounds of their principal stresses; sets the moments to zero.
 template <class Place>
 BONDEM_INLINE void find_stress(const Place &p, const double *pose, const LaggedStresses &stresses) {
     const auto one = number_at(stresses.inverse.data, 1, 0, p);

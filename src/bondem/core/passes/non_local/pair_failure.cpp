@@ -38,7 +38,7 @@ BONDEM_PASS(mark_pairs, bonds_of_blocks)
 
 #endif
 
-// Finds which of the marked bonds of a block fail, and holds their elements.
+// Evaluates marked bonds of a block, and postpones the elements of failed ones.
 void judge_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                  const Candidates &candidates, const Postponed &postponed) {
     judge(
@@ -62,7 +62,7 @@ void break_pairs(const Turn &turn, const Moving &all, const Beams &beams, const 
 }
 BONDEM_PASS(break_pairs, serial)
 
-// Takes the force of bonds that fail out of the stresses of their elements, and sets their integrity to 0; after
+// Subtracts the force of failed bonds from the stresses of their elements, and sets their integrity to 0; after
 // `break_pairs`.
 void relieve_pairs(const Turn &, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                    const LaggedStresses &stresses, const BeamIntegrity &state, const Candidates &candidates) {

@@ -1,4 +1,4 @@
-// What the removal of a bond of the non-local law changes: the loads on its ends, its event, and the stresses of its ends.
+// Changes by the removal of a bond of the non-local law: loads on its ends, event, and stresses of its ends.
 #pragma once
 #include "../damage/integrity.hpp"
 #include "../damage/pipeline.hpp"
@@ -6,7 +6,7 @@
 
 namespace bondem {
 
-// Takes the loads of a bond off the kept sum of its end i, or of its end j.
+// Subtracts the loads of a bond from the kept sum of its end i, or of its end j.
 inline void take_off_pair(double *row, bool is_i, const NonLocalBonds &bonds, Index k) {
     const double sign = is_i ? 1.0 : -1.0;
     take_off(row, sign, output_at(bonds, force_column, k), sign, output_at(bonds, is_i ? on_i_column : on_j_column, k));
@@ -20,7 +20,7 @@ inline Removal removal_of_pair(const Moving &all, const Beams &beams, const NonL
     return {beams.integrity(k) * (energy.normal + energy.shear), dot(now.gap, now.normal),
             plus(centre + now.lever_i, 0.5, now.gap)};
 }
-// Takes from the stress of an element, in its own frame, what the force of a bond does at its lever.
+// Subtracts the moment of the force of a bond from the stress of an element, in the frame of the element.
 inline void relieve(const Moving &all, const LaggedStresses &stresses, Short p, bool is_i, const NonLocalBonds &bonds,
                     Index k) {
     const PairShape<double> shape = pair_shape<double>(bonds, k);

@@ -1,4 +1,4 @@
-// The verdict of the criterion on a bond of the non-local law, by the stresses of its two elements in space.
+// Index of the criterion for a bond of the non-local law, by the stresses of its two elements in space.
 #pragma once
 #include "../../laws/criteria/principal_stress.hpp"
 #include "../../laws/principal.hpp"

@@ -1,5 +1,5 @@
-// What contacts do to the stresses of elements of the non-local law: their force, at the lever from the centre of the
-// element to where it touches another one, or a wall.
+// Contributions of contacts to the stresses of elements of the non-local law: their force, at the lever from the
+// centre of the element to where it touches another one, or a wall.
 #include "touch_moments.hpp"
 
 #include "../../registered.hpp"
@@ -10,7 +10,7 @@
 namespace bondem {
 namespace {
 
-// Adds to the stress of an element, in its own frame, what a force does at a lever.
+// Adds the moment of a force at a lever to the stress of an element, in the frame of the element.
 void add_to_stress(const double *pose, const LaggedStresses &stresses, Short p, Vector lever, Vector force) {
     const Quaternion<double> back = inverse(orientation(gather(pose, p)));
     const Stress<double> s = stresses.inverse(p) * symmetric_product(turned_by(back, lever), turned_by(back, force));
@@ -18,7 +18,7 @@ void add_to_stress(const double *pose, const LaggedStresses &stresses, Short p, 
     for (Index c = 0; c < 6; c++) stresses.stress(p, c) += all[c];
 }
 
-// Force of a pair on its later element, with the memory that it has [N].
+// Force of a pair on its later element, with its present memory [N].
 Vector present_force(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k) {
     const Short a = pairs.first(k), b = pairs.second(k);
     const Motion<double> of_a(gather(all.motion.data, a)), of_b(gather(all.motion.data, b));
@@ -49,7 +49,7 @@ void add_begun_contacts(const Turn &, const Moving &all, const ContactConstants 
 }
 BONDEM_PASS(add_begun_contacts, serial)
 
-// Adds what contacts of pairs do to the stresses of the elements of a range, in the order of the pairs.
+// Adds contacts of pairs to the stresses of the elements of a range, in the order of the pairs.
 void add_pair_moments(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                       const NearPairs &near, const LaggedStresses &stresses) {
     const auto mine = [&](Index p) { return turn.first <= p && p < turn.last; };

@@ -13,7 +13,7 @@ namespace {
 
 enum Grown : Index { grown, list_out_of_date, too_many_events };
 
-// What the next event of a sphere is, where it is not the number of the other sphere; at a flat wall less its axis.
+// Kinds of the next event of a sphere, other than the number of a sphere; the axis of a flat wall is subtracted.
 constexpr Index nothing = -1, leave = -2, check = -3, round_wall = -4, lower_wall = -10, upper_wall = -20;
 enum Report { time_gone, virial_sum, collision_count };
 
@@ -70,7 +70,7 @@ struct Flying {
         sift(flight.place(i));
     }
 
-    // The earlier of an event and of what a sphere of radius r meets at the walls.
+    // The earlier of an event and of the collision of a sphere of radius r with the walls.
     Event at_walls(Vector x, Vector v, double r, double grow, Event best) const {
         for (Index a = 0; a < 3; a++) {
             if (grow - v[a] > 0.0) {
@@ -121,7 +121,8 @@ struct Flying {
         flight.since(i) = now;
     }
 
-    // Two spheres part, elastic for surfaces that move with the growth; adds distance times exchanged momentum [m²].
+    // Collides two spheres, elastically for surfaces that move with the growth; adds distance times exchanged
+    // momentum [m²].
     void collide(Index i, Index j, double swell, double &virial) const {
         const Vector apart = period.nearest_image(position(j) - position(i));
         const double distance = length(apart);
@@ -133,7 +134,7 @@ struct Flying {
         virial += push * distance;
     }
 
-    // A sphere turns back at a wall; whether it was one.
+    // Reflects a sphere at a wall; returns true if the event was one with a wall.
     bool bounce(Index i, Index kind, double swell) const {
         Vector &v = velocity(i);
         if (kind == round_wall) {
@@ -150,7 +151,7 @@ struct Flying {
         return true;
     }
 
-    // Sphere p chooses its next event; who was to meet it or its new partner must look again.
+    // Chooses the next event of sphere p; spheres whose event was with it or with its new partner choose again.
     void look_ahead(Index p, double now) const {
         const Event event = next_event(p, now);
         const Index other = flight.what(p);
@@ -171,8 +172,8 @@ struct Flying {
 
 }  // namespace
 
-// Lets spheres fly and grow, as far as the neighbour lists are valid; all are advanced to the end. Returns how it ended;
-// after `list_out_of_date` make new lists and call again. Without a grid of depths.
+// Lets spheres fly and grow, as far as the neighbour lists are valid; all are advanced to the end. Returns its
+// ending; after `list_out_of_date` make new lists and call again. Without a grid of depths.
 Index fly_and_grow(Index, const Spheres &spheres, const PackingWalls &walls, const Near &near, const Growing &growing,
                    const Flight &flight) {
     const Flying flying{spheres, walls, near, growing, flight, Period(spheres.period)};

@@ -1,4 +1,4 @@
-// Rigid walls around a packing: what they carry of the forces on spheres, and how they keep spheres inside.
+// Rigid walls around a packing: forces on spheres that walls carry, and the projection of spheres onto walls.
 //
 // Flat walls, a round wall, and for any other shape its depth on a grid (`PackingWalls`).
 #pragma once
@@ -31,7 +31,7 @@ struct PlainWalls {
     }
     Vector round_normal(Vector x, double rho) const { return each(weight, x) / rho; }
 
-    // The force on a sphere, less what walls that it touches carry of it.
+    // The force on a sphere without the part that touching walls carry.
     Vector carried(Vector x, double r, Vector force) const {
         const double near = r * (1.0 + 1e-12);
         for (Index a = 0; a < 3; a++)
@@ -50,7 +50,7 @@ struct PlainWalls {
             if (x[a] - lower[a] <= near || upper[a] - x[a] <= near) direction[a] = 0.0;
         return direction;
     }
-    // Puts a sphere back to the walls it has passed; its velocity into them is lost.
+    // Moves a sphere back to the walls that it has passed; its velocity into them is lost.
     void keep_within(double r, Vector &x, Vector &v) const {
         for (Index a = 0; a < 3; a++) {
             if (x[a] < lower[a] + r) {
@@ -115,10 +115,10 @@ inline Depth grid_depth(const PackingWalls &walls, Vector x, double enough) {
 
 inline double steepness(Vector gradient) { return most(dot(gradient, gradient), 0.01); }
 
-// The force on a sphere, less what flat walls and the wall of the grid carry of it where it touches them.
+// The force on a sphere without the parts that touching flat walls and the wall of the grid carry.
 //
-// Where both do, what is left is the projection of the force onto the directions in which the sphere is free to move:
-// carried parts are found in turn, until that of the grid stays. Without it a sphere in a wedge is never at rest.
+// With both, the rest is the projection of the force onto the free directions of motion: the carried parts are found
+// in turn, until that of the grid is constant. Without it a sphere in a wedge is never at rest.
 inline Vector carried_by_grid(const PlainWalls &plain, const PackingWalls &walls, Vector x, double r, Vector force) {
     Vector left = plain.carried(x, r, force);
     const Depth at = grid_depth(walls, x, r);
@@ -135,8 +135,8 @@ inline Vector carried_by_grid(const PlainWalls &plain, const PackingWalls &walls
     return left;
 }
 
-// Puts a sphere back to the wall of the grid, by Newton's steps where need be from either side. A sphere that touches
-// flat walls moves along them, or each wall in turn would push it off the other.
+// Moves a sphere to the wall of the grid, by Newton's steps from either side. A sphere that touches flat walls moves
+// along them, or each wall in turn would push it off the other.
 inline void keep_on_grid(const PlainWalls &plain, const PackingWalls &walls, double r, Vector &x, Vector &v) {
     bool beyond = false;
     double steep = 1.0;

@@ -41,14 +41,14 @@ double largest(const Array<double, 2> &part, Sum column) {
     return found;
 }
 
-// What the neighbours of a sphere do to it.
+// Force and energy of the neighbours of a sphere.
 struct Pressed {
     Vector force = {0.0, 0.0, 0.0};
     double overlaps = 0.0, touching = 0.0, deepest = 0.0;
 };
 
-// Presses on sphere i with its neighbours, four at a time. They are added one after the other, as one at a time would
-// be. No branch: about a third of the neighbours do not touch, in no order that a processor could guess.
+// Adds the forces of the neighbours on sphere i, four at a time. They are added one after the other, as one at a time
+// would be. No branch: about a third of the neighbours do not touch, in no order that a processor could guess.
 BONDEM_INLINE void press_sphere(const Spheres &spheres, const Near &near, Four edge, Four inverse, Index i, Pressed &sum) {
     const double *const sphere = &spheres.sphere(0, 0);
     const auto row = [&](Index j) -> Four { return *reinterpret_cast<const FourInMemory *>(sphere + 4 * j); };
@@ -78,7 +78,7 @@ BONDEM_INLINE void press_sphere(const Spheres &spheres, const Near &near, Four e
     sum.force = {force[0], force[1], force[2]};
 }
 
-// Forces on the spheres of a block, and what they sum up to.
+// Forces on the spheres of a block, and their sums.
 void press(const Spheres &spheres, const PackingWalls &walls, const Near &near, Index b, const Array<double, 2> &part) {
     const Period period(spheres.period);
     const PlainWalls plain(walls);
@@ -172,7 +172,7 @@ Descent next_step(const Relaxing &relaxing, double longest) {
 
 }  // namespace
 
-// Minimises the overlap energy, as far as the neighbour lists are valid. Returns how it ended; after `out_of_date` make
+// Minimises the overlap energy, as far as the neighbour lists are valid. Returns its ending; after `out_of_date` make
 // new lists and call again.
 Index relax_spheres(Index threads, const Spheres &spheres, const PackingWalls &walls, const Near &near,
                     const Relaxing &relaxing) {

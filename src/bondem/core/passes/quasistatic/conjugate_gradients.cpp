@@ -11,7 +11,7 @@ namespace {
 // Reduction of r · z by the rounded matrix, beyond which the exact residual is computed again.
 constexpr double rounded = 1e6;
 
-// Eight numbers in one register; of the six of a cell two more, which are zero.
+// Eight numbers in one register: the six of a cell and two zeros.
 typedef double Eight __attribute__((vector_size(64)));
 
 template <class T> Eight eight(const T *x, Index count = 8) {
@@ -80,7 +80,7 @@ void solve_coarse(const Array<const double, 2> &factor, double *v) {
     }
 }
 
-// Takes rigid motions out of z, and forces that drive them out of those of a rounded matrix.
+// Removes rigid motions from z, and the forces of a rounded matrix that drive them.
 void remove_rigid(const ClumpCorrection &clumps, double *v) {
     const Index size = clumps.rigid.shape[1];
     for (Index m = 0; m < clumps.rigid.shape[0]; m++) {
@@ -109,7 +109,8 @@ void precondition(const ClumpCorrection &clumps, const double *r, double *z) {
 
 }  // namespace
 
-// Solves Sᵀ K S x = f by conjugate gradients from a guess, preconditioned by the clumps; 0 where they end, 1 where they do not.
+// Solves Sᵀ K S x = f by conjugate gradients from a guess, preconditioned by the clumps; returns 0 if they converge,
+// else 1.
 Index conjugate_gradients(Index, const ScaledMatrix &matrix, const ClumpCorrection &clumps,
                           const ConjugateGradients &search) {
     const Index size = search.residual.size();

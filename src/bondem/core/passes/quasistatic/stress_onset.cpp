@@ -1,12 +1,14 @@
-// When whole facets begin to crack where everything is proportional to a load factor: by the stress of their cells.
+// Load factors at which whole facets begin to crack by the stress of their cells, if everything is proportional to
+// the factor.
 //
 // With σ̄ the mean stress of the two cells, t the traction of the facet, n its normal, and Δ = t - σ̄ n,
 //
 //     σ* = σ̄ + Δ⊗n + n⊗Δ - (Δ · n) n⊗n
 //
-// is the mean stress made to agree with the traction. A facet begins where σ1(σ*) reaches its strength f, where it is in
-// tension or shear, and where its opening along a principal direction of σ̄ is enough for softening (`laws/softening.hpp`).
-// σ1(σ*) is at most |σ̄| + √2 |Δ| with what bends added to Δ, so that facets that are far from it are passed over.
+// is the mean stress made to agree with the traction. A facet begins where σ1(σ*) reaches its strength f, where it is
+// in tension or shear, and where its opening along a principal direction of σ̄ is enough for softening
+// (`laws/softening.hpp`). σ1(σ*) is at most |σ̄| + √2 |Δ| with bending added to Δ, so that facets far from their
+// strength are skipped.
 #include "../../laws/softening.hpp"
 #include "../../registered.hpp"
 #include "../../tables/quasistatic_tables.hpp"
@@ -18,7 +20,7 @@ Symmetric3<double> mean_stress(const LoadedFacets &loaded, Index k) {
     return 0.5 * loaded.tensor.row<const Symmetric3<double>>(loaded.i(k)) +
            0.5 * loaded.tensor.row<const Symmetric3<double>>(loaded.j(k));
 }
-// σ with a more as its traction on n.
+// Stress σ with its traction on n increased by the vector a.
 Symmetric3<double> agreeing(const Symmetric3<double> &s, Vector n, Vector more) {
     const Vector a = plus(more, -0.5 * dot(more, n), n);
     return s + 2.0 * symmetric_product(a, n);

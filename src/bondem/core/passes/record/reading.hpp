@@ -1,10 +1,10 @@
-// What gauges read of elements.
+// Quantities of elements that gauges record.
 #pragma once
 #include "../motion/elements.hpp"
 
 namespace bondem::gauge {
 
-// What a gauge reads of an element, and how it makes one number of many. Gauges of walls read no elements.
+// Quantity of an element that a gauge records, and its reduction over elements. Gauges of walls read no elements.
 enum Quantity : Index { displacement, velocity, angle, spin, force, of_walls };
 enum Reduction : Index { mean, sum, largest };
 

@@ -10,8 +10,8 @@ namespace {
 
 using namespace column;
 
-// Kinetic energy over all there ever was from which on a run is taken for unstable. It never exceeds one but by the error
-// of the scheme, and what grows does so by orders of magnitude in a hundred steps.
+// Kinetic energy over all energy supplied so far above which a run counts as unstable. The ratio exceeds one by the
+// error of the scheme only; unstable motion grows by orders of magnitude in a hundred steps.
 constexpr double beyond = 1000.0;
 
 struct Kinetic {

@@ -65,7 +65,7 @@ double damping_rate(const Array<double, 1> &memory, const Balance &now) {
     return least(2.0 * root(squared_frequency(memory)), largest_rate);
 }
 
-// Free elements follow their forces, damped; the others their prescribed motion.
+// Moves free elements by their damped forces, and the others by their prescribed motion.
 void move(const DynamicRelaxation &c, double share, double rate, Index step) {
     const double keep = (2.0 - rate) / (2.0 + rate), push = 2.0 / (2.0 + rate);
     const double moving = step < c.ramp ? 1.0 / double(c.ramp) : 0.0;

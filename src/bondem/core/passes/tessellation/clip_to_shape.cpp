@@ -47,7 +47,7 @@ Index list_walls(const WallTree &walls, const Box &box, const Array<Index, 1> &f
     return listed;
 }
 
-// Puts a cell on the empty pile, and all that walls have within it; false if there was no room to list these.
+// Puts a cell on the empty pile with all wall triangles within it; false if the list of triangles is full.
 bool put_whole(const Solids &solids, Index s, const WallTree &walls, const Splitting &splitting, const Stack &pile) {
     const Vector x = splitting.position.row<const Vector>(solids.cell(s));
     const Index first = solids.face(s), last = solids.face(s + 1);
@@ -102,7 +102,7 @@ struct Splitter {
     const Splitting &splitting;
     Stack stack, piece, done;
 
-    // Splits solid s; its pieces are put on the pile. False where there was no room in the scratch.
+    // Splits solid s; its pieces are put on the pile. Returns false if the scratch is full.
     bool split(Index s, Index &pieces) const {
         Buffer lid(splitting.lid), work(splitting.work), other(splitting.other);
         stack.clear();
@@ -134,7 +134,7 @@ struct Splitter {
         }
         return !stack.was_full() && !piece.was_full();
     }
-    // Puts the faces of the piece on the pile of all; false where there was no room.
+    // Puts the faces of the piece on the common pile; false if it is full.
     bool put_done(Index cell, Index &pieces) const {
         for (Index p = 0; p < piece.size(); p++)
             if (piece[p].kind == face_kind) done.put(piece[p]);

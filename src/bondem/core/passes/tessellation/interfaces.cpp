@@ -1,7 +1,7 @@
-// Where pieces of cells meet: faces in one plane laid over each other.
+// Interfaces of pieces of cells: faces in one plane, intersected with each other.
 //
-// Two pieces that face each other across a plane share what their faces have in common; what no other piece covers is
-// free. Both are patches, convex polygons again.
+// Two pieces that face each other across a plane share the intersection of their faces; the uncovered rest is free.
+// Both are patches, convex polygons again.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "pile.hpp"
@@ -22,8 +22,8 @@ struct Matcher {
     // Plane h of a piece, measured from a point at -shift, one term of the shift after the other.
     Plane plane(Index h, Vector shift) const { return face_plane(solids, h).seen_from(shift); }
 
-    // Divides the polygons of `rest` by the piece that face g is of: what lies in its face is done, if `wanted`, as a
-    // patch of face f, and `left` is what does not.
+    // Divides the polygons of `rest` by the piece of face g: parts within the face become, if `wanted`, patches of
+    // face f, and `left` has the other parts.
     void divide(const Stack &rest, const Stack &left, Index g, Vector shift, Index f, bool wanted) const {
         const Index q = groups.of_face(g), first = solids.face(q), last = solids.face(q + 1);
         Buffer work(groups.work), other(groups.other);
@@ -48,13 +48,14 @@ struct Matcher {
             }
         }
     }
-    // The same, with the terms of the shift summed first.
+    // Plane h of a piece, measured from a point at -shift, with the terms of the shift summed first.
     Plane added(Index h, Vector shift) const {
         const Plane plane = face_plane(solids, h);
         return {plane.normal, plane.d + dot(plane.normal, shift)};
     }
 
-    // Lays the faces of one side of group g over those of the other; of side `plus` also what is shared is done.
+    // Intersects the faces of one side of group g with those of the other; side `plus` also writes the shared
+    // patches.
     bool lay(Index g, bool plus, const Pile &one, const Pile &two) const {
         const Array<const Index, 1> &mine = plus ? groups.plus : groups.minus;
         const Array<const Index, 1> &theirs = plus ? groups.minus : groups.plus;

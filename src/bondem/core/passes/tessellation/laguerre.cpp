@@ -1,9 +1,9 @@
 // Plain Laguerre cells: the points nearer to one sphere than to all others, in the power x² - R².
 //
-// A cell begins as a box and is cut by the radical plane of one neighbour after another, in the order of their distance.
-// Every face is a polygon of its own, cut by planes, without any record of what meets where: nothing can go wrong in
-// degenerate cases, and volumes and areas are exact to rounding. With ρ the distance of the farthest corner, a neighbour
-// at distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ: there the search ends. Where small spheres are far from
+// A cell begins as a box and is cut by the radical plane of one neighbour after another, in the order of their
+// distance. Every face is a polygon of its own, cut by planes, without a record of connections: degenerate cases are
+// harmless, and volumes and areas are exact to rounding. With ρ the distance of the farthest corner, a neighbour at
+// distance L cuts only if ½ (L - (R_max² - R²) / L) < ρ: there the search ends. Where small spheres are far from
 // large ones it ends before: no radius is above B + κ L, with B a bound about each element.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
@@ -18,7 +18,7 @@ enum CellEnd : Index { cells_made, crowded, narrow, swallowed, lists_full, pile_
 constexpr Index most_faces = 400;
 // κ: slope at which bounds of the radii fall with the distance from large spheres.
 constexpr double slope = 0.5;
-// What is behind a face that is no element's: the sides of the box around all, and arbitrary ends.
+// Tags of faces without an element behind them: sides of the box around all cells, and arbitrary ends.
 constexpr Index box_side = -1, local_end = -7;
 
 struct Cell {
@@ -65,7 +65,8 @@ struct Cell {
         return root(far);
     }
 
-    // Cuts the cell by the plane with the element `behind`; whether it was reached. `faces` is 0 if nothing is left.
+    // Cuts the cell by the plane with the element `behind`; returns true if the plane reaches the cell. `faces` is 0
+    // if the cell is empty.
     bool cut(const Plane &by, Index behind, double farthest, double tolerance) {
         double deepest = -infinity;
         for (Index f = 0; f < faces; f++) deepest = most(deepest, face(f).over(by).high);
@@ -98,7 +99,7 @@ struct Cell {
         return true;
     }
 
-    // Whether a neighbour lies half a period away: its other image may be one, too.
+    // True if a neighbour is half a period away, so that its other image may be a neighbour too.
     bool is_narrow(const Bins &centres, Index i) const {
         for (Index f = 0; f < faces; f++) {
             const Index j = room.tag(f);
@@ -158,7 +159,7 @@ Index gather(const Bins &centres, Index i, double near, double far, const CellRe
     return listed;
 }
 
-// Order of what was listed, the nearest first (Shell's method).
+// Sorts the listed elements, the nearest first (Shell's method).
 void sort_by_distance(const CellRequest &lists, Index listed) {
     for (Index p = 0; p < listed; p++) lists.order(p) = p;
     Index gap = 1;
@@ -173,7 +174,7 @@ void sort_by_distance(const CellRequest &lists, Index listed) {
         }
 }
 
-// Whether no plane cuts of elements at a distance or beyond, by B.
+// True if no plane cuts of elements at a distance or beyond, by B.
 bool ends(double distance, double own, double bound, double farthest) {
     return (1.0 - slope * slope) * distance - 2.0 * slope * bound - (bound * bound - own) / distance >= 2.0 * farthest;
 }
@@ -218,9 +219,9 @@ CellEnd shape(const Bins &centres, Index i, double half, double largest, const C
 
 }  // namespace
 
-// Cuts the cells of the chosen elements out of boxes about their centres: faces go to the pile, with what is behind them
-// as tags. Returns how it ended, with the element in done[1]. After `lists_full` (found, offset, order) or `pile_full`
-// make room and call again: it continues with cell done[0].
+// Cuts the cells of the chosen elements out of boxes about their centres: faces go to the pile, with the element
+// behind each face as its tag. Returns its ending, with the element in done[1]. After `lists_full` (found, offset,
+// order) or `pile_full` make room and call again: it continues with cell done[0].
 Index make_cells(Index, const Bins &centres, const CellRequest &request, const CellRoom &room, const Pile &pile) {
     const Stack faces{pile};
     double largest = 0.0;

@@ -1,4 +1,4 @@
-// Pieces divided anew among elements: those that a wall keeps from the centre of their cell.
+// Division among elements of pieces that a wall separates from the centre of their cell.
 #include "../../registered.hpp"
 #include "../../tables/tessellation_tables.hpp"
 #include "section.hpp"
@@ -29,7 +29,8 @@ Heights heights_over(const Stack &part, const Plane &plane) {
     return found;
 }
 
-// What of solid s is nearer to `own` than to the others among which it is divided: the pile that is returned.
+// Returns the pile of the part of solid s that is nearer to `own` than to the other elements among which it is
+// divided.
 const Pile &share_of(const Solids &solids, Index s, Index own, const Dividing &dividing, const Pile &first,
                      const Pile &second) {
     const Vector x = dividing.sphere.row<const Vector>(solids.cell(s));

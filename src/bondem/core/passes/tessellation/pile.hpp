@@ -19,7 +19,7 @@ struct Stack {
     Index size() const { return pile.used(polygons); }
     bool was_full() const { return pile.used(full) != 0; }
     void clear() const { cut_to(0, 0); }
-    // Takes off what was put on since it had so many polygons and corners.
+    // Removes all polygons and corners beyond given numbers.
     void cut_to(Index size, Index vertices) const {
         pile.used(polygons) = size;
         pile.used(corners) = vertices;

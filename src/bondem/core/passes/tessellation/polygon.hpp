@@ -65,7 +65,7 @@ struct Buffer {
     void reverse() {
         for (Index k = 0; k < size / 2; k++) exchange(corner[k], corner[size - 1 - k]);
     }
-    // The part of a polygon below a plane; below three corners nothing is left. The polygon lies elsewhere.
+    // The part of a polygon below a plane, empty with fewer than three corners. The polygon is in another buffer.
     void clip(Polygon source, const Plane &plane) {
         size = 0;
         if (source.size == 0) return;

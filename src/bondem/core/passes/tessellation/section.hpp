@@ -1,10 +1,10 @@
-// A piece of a cell, a pile of its faces and of what lies within it, cut by a plane.
+// A piece of a cell, as a pile of its faces and of the wall triangles within it, cut by a plane.
 #pragma once
 #include "pile.hpp"
 
 namespace bondem {
 
-// What the polygons of a piece are: its faces, and the wall triangles within it.
+// Kinds of the polygons of a piece: its faces, and the wall triangles within it.
 constexpr Index face_kind = 0, wall_kind = 1;
 // No polygon of the piece lies in the plane.
 constexpr Index no_polygon = -1;
