@@ -156,7 +156,9 @@ def add_energies_of_cracks(
 
 
 def add_faces_of_element(contact_pairs: ContactPairs, face_pairs: FacePairs, contact_sums: ContactSums) -> Kernel:
-    """Adds what faces do to element p: of pairs whose later element it is, then of those whose earlier one."""
+    """Adds forces of faces on element p: of pairs whose later element it is, then of pairs whose earlier element
+    it is.
+    """
     return Kernel("add_faces_of_element", (contact_pairs, face_pairs, contact_sums))
 
 
@@ -191,9 +193,7 @@ def add_pairs_of_element(
     contact_constants: ContactConstants, contact_pairs: ContactPairs, earlier_pairs: EarlierPairs, near_pairs:
     NearPairs, contact_sums: ContactSums
 ) -> Kernel:
-    """Adds what pairs do to element p: those whose later element it is, then those whose earlier one, in their
-    order.
-    """
+    """Adds forces of pairs on element p in their order: as the later element of a pair, then as the earlier one."""
     return Kernel("add_pairs_of_element", (contact_constants, contact_pairs, earlier_pairs, near_pairs, contact_sums))
 
 
@@ -239,7 +239,7 @@ def add_traction_work_of_row(
 
 
 def add_wall_load(rows: Rows, step_cut: StepCut) -> Kernel:
-    """Number h of the elements that own rows."""
+    """Tractions of element number h of those that own rows of the boundary."""
     return Kernel("add_wall_load", (rows, step_cut))
 
 
@@ -450,7 +450,7 @@ def clear_row(rows: Rows) -> Kernel:
 
 
 def count_failures(candidates: Candidates, event_log: EventLog) -> Kernel:
-    """Counts the events of a step, and adds up what they have released."""
+    """Counts the events of a step, and adds up their released energies."""
     return Kernel("count_failures", (candidates, event_log))
 
 
@@ -468,7 +468,7 @@ def dilate_marked_facet(
     moving: Moving, elastic_facets: ElasticFacets, loads_of_bonds: LoadsOfBonds, failure_bounds: FailureBounds,
     bond_marks: BondMarks
 ) -> Kernel:
-    """Marks facets by the stresses of the step before, as stresses of this step need all facets."""
+    """Marks facets by the stresses of the previous step, because stresses of this step need all facets."""
     return Kernel("dilate_marked_facet", (moving, elastic_facets, loads_of_bonds, failure_bounds, bond_marks))
 
 
@@ -488,7 +488,7 @@ def end_facets_of_cell(
     moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints, facet_release: FacetRelease,
     bond_marks: BondMarks, candidates: Candidates
 ) -> Kernel:
-    """Weight and stress of a cell without the facets that fail, which end here."""
+    """Sets weight and stress of a cell without its failed facets, and ends the failures of the step."""
     return Kernel("end_facets_of_cell", (
         moving, elastic_facets, wall_constraints, facet_release, bond_marks, candidates
     ))
@@ -579,7 +579,7 @@ def fold_portions(portions: Portions, work_portions: WorkPortions, folded_portio
 def follow_all_couples(
     device_span: DeviceSpan, timeline: Timeline, couple_table: CoupleTable, moving: Moving, rows: Rows
 ) -> Kernel:
-    """One thread, as the elements of several moments may be the same."""
+    """Runs on one thread, because several moments may act on one element."""
     return Kernel("follow_all_couples", (device_span, timeline, couple_table, moving, rows))
 
 
@@ -599,7 +599,7 @@ def follow_drive(device_span: DeviceSpan, timeline: Timeline, drives: Drives, ro
 
 
 def follow_lever(cell_strains: CellStrains, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks) -> Kernel:
-    """Takes over the levers of a facet, where strains of cells have changed them."""
+    """Copies the levers of a facet that strains of cells have changed."""
     return Kernel("follow_lever", (cell_strains, elastic_facets, cohesive_cracks))
 
 
@@ -792,7 +792,7 @@ def keep_sum(step_cut: StepCut, postponed: Postponed) -> Kernel:
 
 
 def kick_free_wall(device_span: DeviceSpan, wall_motions: WallMotions, walls: Walls) -> Kernel:
-    """Half a kick of free wall e, when the forces on it are known."""
+    """Applies half a kick to free wall e, when the forces on the wall are known."""
     return Kernel("kick_free_wall", (device_span, wall_motions, walls))
 
 
@@ -944,7 +944,7 @@ def mark_plane(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, facet_forces: FacetForces,
     facet_strengths: FacetStrengths, crack_onset: CrackOnset
 ) -> Kernel:
-    """Number e of the facets of material planes."""
+    """Evaluates facet number e of the material planes."""
     return Kernel("mark_plane", (device_span, moving, elastic_facets, facet_forces, facet_strengths, crack_onset))
 
 
@@ -1061,8 +1061,8 @@ def part_crack(
     moving: Moving, elastic_facets: ElasticFacets, cell_slack: CellSlack, cohesive_cracks: CohesiveCracks,
     crack_lists: CrackLists, losses_of_cracks: LossesOfCracks
 ) -> Kernel:
-    """The energy of a crack that parts, in the state in which those have left that the CPU treats before: whole
-    ones first, then broken ones by their numbers.
+    """Energy of a crack that parts, in the state without the cracks that the CPU treats earlier: whole ones first,
+    then broken ones by their numbers.
     """
     return Kernel("part_crack", (moving, elastic_facets, cell_slack, cohesive_cracks, crack_lists, losses_of_cracks))
 
@@ -1108,7 +1108,7 @@ def press_walls_on_element(
 
 
 def rank_failing(bond_marks: BondMarks, candidates: Candidates) -> Kernel:
-    """Puts bond number e of those that fail, in any order, to its place in the order of bonds."""
+    """Moves bond number e of the unordered list of failed bonds to its place in the order of bonds."""
     return Kernel("rank_failing", (bond_marks, candidates))
 
 
@@ -1151,7 +1151,7 @@ def remove_failing_beam(
     device_span: DeviceSpan, moving: Moving, beams: Beams, beam_integrity: BeamIntegrity, candidates: Candidates,
     event_log: EventLog, loads_of_bonds: LoadsOfBonds
 ) -> Kernel:
-    """Removes beam number e of those that fail; its loads are those that its ends have lost."""
+    """Removes failed beam number e; its loads are then the loads that its ends lose."""
     return Kernel("remove_failing_beam", (
         device_span, moving, beams, beam_integrity, candidates, event_log, loads_of_bonds
     ))
@@ -1581,7 +1581,7 @@ def take_dashpots_off_element(
     bonds_of_elements: BondsOfElements, bond_marks: BondMarks, loads_of_bonds: LoadsOfBonds, dashpots: Dashpots,
     candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """Both the sums of all forces and those of dashpots alone have them."""
+    """The sums of all forces and the sums of dashpots alone both contain these loads."""
     return Kernel("take_dashpots_off_element", (
         bonds_of_elements, bond_marks, loads_of_bonds, dashpots, candidates, postponed
     ))
@@ -1598,12 +1598,12 @@ def take_leaving(
 
 
 def take_over_energies(contact_pairs: ContactPairs, near_pairs: NearPairs, event_log: EventLog) -> Kernel:
-    """Takes the energies that contacts have taken over from what the run has released, in the order of the events."""
+    """Subtracts the energies that contacts store from the energy released in the run, in the order of the events."""
     return Kernel("take_over_energies", (contact_pairs, near_pairs, event_log))
 
 
 def take_over_from_cracks(begun_faces: BegunFaces, event_log: EventLog) -> Kernel:
-    """Takes what faces that begin to touch have gained off the energy that has been released."""
+    """Subtracts the energy that faces store as they begin to touch from the released energy."""
     return Kernel("take_over_from_cracks", (begun_faces, event_log))
 
 
@@ -1629,7 +1629,7 @@ def touch_parted_face(
     moving: Moving, contact_pairs: ContactPairs, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists,
     parted_reach: PartedReach
 ) -> Kernel:
-    """Lets the cells touch like others whose faces have parted in this step."""
+    """Makes pairs of the cells whose faces have parted in this step."""
     return Kernel("touch_parted_face", (moving, contact_pairs, cohesive_cracks, crack_lists, parted_reach))
 
 
@@ -1712,7 +1712,7 @@ def write_facet_failure(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints,
     facet_release: FacetRelease, bond_marks: BondMarks, candidates: Candidates, event_log: EventLog
 ) -> Kernel:
-    """Facet number e of those that fail; it keeps its integrity until all of them have their energies."""
+    """Finds the energy of failed facet number e, which keeps its integrity until all energies are known."""
     return Kernel("write_facet_failure", (
         device_span, moving, elastic_facets, wall_constraints, facet_release, bond_marks, candidates, event_log
     ))
