@@ -10,6 +10,7 @@ import click
 import pytest
 
 import bondem.cli
+from tests.architecture.sample import header_comments
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "src/bondem"
@@ -239,6 +240,19 @@ def test_arguments_and_attributes_are_noun_phrases():
     assert not faults, "\n".join(faults)
 
 
+def header_faults(text: str) -> list[str]:
+    """Faults of a comment of the core, whose headings and reasons within a function are no sentences."""
+    faults = [f"banned: {phrase}" for phrase in banned_in(text)]
+    if text[0].isupper() and BARE.match(text):
+        faults.append("the first words need a noun or a verb")
+    return faults
+
+
+def test_comments_of_the_core_stand_alone():
+    found = [f"{where}: {fault}: {text[:60]}" for where, text in header_comments() for fault in header_faults(text)]
+    assert not found, "\n".join(found)
+
+
 def test_help_texts_are_sentences():
     texts = [(name, re.sub(r"\s+\[[^]]*\]$", "", text)) for name, text in helps()]  # without a default
     faults = [f"{name}: {text}" for name, text in texts if banned_in(text) or first_line_faults(text)]
@@ -265,6 +279,17 @@ def test_banned_phrases_are_found(text: str, found: int):
 )  # fmt: skip
 def test_bare_first_lines_are_found(text: str, faults: int):
     assert len(first_line_faults(text)) == faults
+
+
+@pytest.mark.parametrize(
+    ("text", "faults"),
+    [
+        ("Whether a face touches.", 1), ("What a facet does to its cells.", 1), ("Cells that bear load.", 1),
+        ("Loads of a facet on its cells.", 0), ("---- forces", 0), ("of both, because the sum is exact", 0),
+    ],
+)  # fmt: skip
+def test_faults_of_comments_of_the_core_are_found(text: str, faults: int):
+    assert len(header_faults(text)) == faults
 
 
 def test_bare_entries_are_found():

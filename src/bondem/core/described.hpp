@@ -1,5 +1,5 @@
-// How tables describe themselves to Python: `_core.py` reads names, types, shapes and offsets from the library that it
-// has loaded, and checks its own tables against them.
+// Descriptions of tables for Python: `_core.py` reads names, types, shapes and offsets from the library that it has
+// loaded, and checks its own tables against them.
 #pragma once
 #include "array.hpp"
 #include "laws/rotations.hpp"

@@ -1,4 +1,4 @@
-// Which instructions a CPU offers: the microarchitecture levels of x86-64 (psABI), by cpuid and xgetbv.
+// Instructions that a CPU offers: the microarchitecture levels of x86-64 (psABI), by cpuid and xgetbv.
 #pragma once
 #include "scalars.hpp"
 

@@ -34,7 +34,7 @@ constexpr double undefined = __builtin_nan("");
 
 inline double root(double a) { return __builtin_sqrt(a); }
 inline double floor(double a) { return __builtin_floor(a); }
-// To the nearest whole number, halves to the even one.
+// Rounds to the nearest whole number, halves to the even one.
 inline double nearest(double a) { return __builtin_rint(a); }
 inline double absolute(double a) { return __builtin_fabs(a); }
 inline double arc_tangent(double y, double x) { return __builtin_atan2(y, x); }

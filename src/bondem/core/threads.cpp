@@ -83,8 +83,8 @@ void *serve(void *recruit) {
 // Starts threads until there are so many beside the caller; fewer where the system gives no more.
 int started(int wanted) {
     if (team.process != getpid()) {
-        // In a forked child the threads of the parent are gone, and still counted as waiting: conditions on which
-        // they slept would block the child.
+        // A forked child has none of the parent's threads, which still count as idle: conditions on which they slept
+        // would block the child.
         static const pthread_mutex_t unlocked = PTHREAD_MUTEX_INITIALIZER;
         static const pthread_cond_t nobody_waits = PTHREAD_COND_INITIALIZER;
         team.lock = unlocked;

@@ -109,8 +109,8 @@ struct CrackLists {
     Array<Index, 1> woken;  // whether there is a flag in a portion, (crack_portions,)
     Array<Byte, 1> stale;  // 1 for cells whose stress is to be found again, (n,)
     Array<double, 1> base;  // V θ without cracks that are treated one by one [m³], (n,)
-    // By number of the half a `SwellingHalf`, and once forces are known `crack::LoadColumn`, (halves, 16): one memory
-    // for both, because the data of many cracks exceed the caches.
+    // `SwellingHalf` by the number of the half and, once forces are known, `crack::LoadColumn`, (halves, 16): one
+    // memory for both, because the data of many cracks exceed the caches.
     Array<double, 2> half;  // (halves, 16)
     Array<double, 2> sum;  // of the first eight columns of loads over the halves of a cell, (n, 8)
     Array<double, 2> slip;  // by how much the cracks of a cell slip in this step [m], (n, 4)

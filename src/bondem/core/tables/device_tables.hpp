@@ -7,7 +7,7 @@ namespace bondem {
 
 // The clock of a run on a device, and how many elements and bonds there are.
 struct DeviceSpan {
-    // word by word: times and coefficients of the scheme (5), step, first, goes on, record;
+    // word by word: times and coefficients of the scheme (5), step, first, continues, record;
     Array<Index, 1> clock;  // (9,)
     Array<const Byte, 1> postponed;  // not 0 for elements that do not open the next step with the others, (*,)
     Array<Index, 1> halted;  // 1 where a list of contacts has to be made anew before the step goes on, (1,)

@@ -1,4 +1,4 @@
-// How passes read the bonds of a table: one, or as many as there are lanes.
+// Access of passes to the bonds of a table: one, or as many as there are lanes.
 #pragma once
 #include "../../laws/beam.hpp"
 #include "../motion/elements.hpp"

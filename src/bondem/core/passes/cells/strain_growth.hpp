@@ -1,4 +1,4 @@
-// How much longer levers are by the present stress-free strains: 1 + ε*.
+// Growth of levers by the present stress-free strains: 1 + ε*.
 #pragma once
 #include "../../tables/cell_tables.hpp"
 

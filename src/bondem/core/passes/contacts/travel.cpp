@@ -1,5 +1,5 @@
-// How long a list of contacts holds: pairs are listed up to a gap of twice the reach, so that no pair beyond it touches
-// before an element or a wall has moved by the reach.
+// Motion for which a list of contacts is valid: pairs are listed up to a gap of twice the reach, so that no pair
+// beyond it touches before an element or a wall has moved by the reach.
 //
 // The distance of an element from where distances were measured, and from there to where it was when the list was made,
 // bound its distance from the latter: one pass over the elements serves both.

@@ -68,7 +68,7 @@ BONDEM_INLINE bool any_reaches(Lanes size, Lanes limit) {
 #endif
 }
 
-// Where a pass over the bonds of a block writes those that reach their bounds.
+// Marks of a block, to which a pass over its bonds writes those that reach their bounds.
 class Marks {
   public:
     template <class Bounds>

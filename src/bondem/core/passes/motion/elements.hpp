@@ -32,7 +32,7 @@ BONDEM_INLINE void put_number(double *table, Index columns, Index c, const Short
 
 #if defined(BONDEM_LANES)
 
-// The elements from number e of the list on; behind the end, the last one again and again. All of them are read before
+// The elements from number e of the list on; the last element fills an incomplete group. All of them are read before
 // any of them is written.
 struct Several {
     using Number = Lanes;

@@ -9,7 +9,7 @@
 namespace bondem {
 namespace {
 
-// As many elements as there are lanes; behind the end, the last one again and again.
+// A group of as many elements as there are lanes; the last element fills an incomplete group.
 struct Elements {
     Short place[lanes];
 

@@ -25,8 +25,8 @@ BONDEM_INLINE Row<Lanes> moment_row(const Stress<Lanes> &s) {
 }
 
 // Bonds that go through the stages of `find_forces` together. One stage after the other, because all of them at once
-// would need many times the registers, would be one long chain of operations that wait for each other, and would read
-// and write more columns side by side than caches foresee.
+// would need many times the registers, would be one long chain of dependent operations, and would read and write more
+// columns side by side than caches foresee.
 constexpr Index bonds_of_stage = 128;
 
 // Results of one stage for a group of bonds, which the next stage reads.

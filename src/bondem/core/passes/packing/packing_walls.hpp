@@ -97,7 +97,7 @@ inline Depth grid_depth(const PackingWalls &walls, Vector x, double enough) {
     }
     const double coarse = walls.depth(node[0], node[1], node[2]);
     if (coarse > enough + 2.0 * h) return {coarse, {0.0, 0.0, 0.0}};
-    // Without a jump in the gradient no sphere is driven to and fro between two normals.
+    // The gradient has no jump, because a sphere would oscillate between two normals.
     const Spline u(within(at[0] - double(node[0]), -0.5, 0.5)), v(within(at[1] - double(node[1]), -0.5, 0.5)),
         w(within(at[2] - double(node[2]), -0.5, 0.5));
     Depth found = {0.0, {0.0, 0.0, 0.0}};
