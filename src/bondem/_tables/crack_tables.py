@@ -118,7 +118,7 @@ class CrackLists(NamedTuple):
     woken: Ints  #: whether there is a flag in a portion, (crack_portions,)
     stale: Bytes  #: 1 for cells whose stress is to be found again, (n,)
     base: Floats  #: V θ without cracks that are treated one by one [m³], (n,)
-    #: By number of the half a `SwellingHalf`, and once forces are known `crack::LoadColumn`, (halves, 16): one
+    #: `SwellingHalf` by the number of the half and, once forces are known, `crack::LoadColumn`, (halves, 16): one
     #: memory for both, because the data of many cracks exceed the caches., (halves, 16)
     half: Floats
     sum: Floats  #: of the first eight columns of loads over the halves of a cell, (n, 8)

@@ -8,7 +8,7 @@ from bondem._types import Bytes, Floats, Int32s, Ints, Uint32s
 class DeviceSpan(NamedTuple):
     """The clock of a run on a device, and how many elements and bonds there are."""
 
-    clock: Ints  #: word by word: times and coefficients of the scheme (5), step, first, goes on, record;, (9,)
+    clock: Ints  #: word by word: times and coefficients of the scheme (5), step, first, continues, record;, (9,)
     postponed: Bytes  #: not 0 for elements that do not open the next step with the others, (*,)
     halted: Ints  #: 1 where a list of contacts has to be made anew before the step goes on, (1,)
     n: int
