@@ -7,18 +7,22 @@ import sys
 import click
 
 from bondem.cli import leave_with
-from validation.frame.command import command_of
+from validation.frame.command import command_of, recording
 from validation.frame.study import Study
 
+#: Studies whose rows are made over several processes, into a folder.
 STUDIES = (
     "abacus", "assembly", "beam_bonds", "branching", "celigueta", "coverage", "crack_paths", "dispersion", "fracture",
     "granite", "influence", "kalthoff", "protocol", "quasistatic", "refinement", "ring", "section", "size_effect",
     "spall", "surface", "toughness", "vibration", "wave", "weibull",
 )  # fmt: skip
+#: Those that write one record.
+RECORDS = (
+)  # fmt: skip
 
 
 def study_of(name: str) -> type[Study]:
-    """The study of a name."""
+    """The study of a name that makes rows over several processes."""
     module = importlib.import_module(f"validation.studies.{name}")
     (found,) = (
         kind for kind in vars(module).values()
@@ -27,14 +31,21 @@ def study_of(name: str) -> type[Study]:
     return found
 
 
+def command(name: str) -> click.Command:
+    """The command of any study."""
+    if name in STUDIES:
+        return command_of(study_of(name))
+    return recording("validation", name, importlib.import_module(f"validation.studies.{name}"))
+
+
 class _Studies(click.Group):
     """The studies, each loaded when it is called."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        return list(STUDIES)
+        return sorted((*STUDIES, *RECORDS))
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        return command_of(study_of(cmd_name)) if cmd_name in STUDIES else None
+        return command(cmd_name) if cmd_name in (*STUDIES, *RECORDS) else None
 
 
 @click.group("python -m validation", cls=_Studies, no_args_is_help=False, invoke_without_command=True,

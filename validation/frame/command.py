@@ -1,26 +1,29 @@
-"""The command of a study, made from its fields: `python -m validation NAME --out DIR`."""
+"""The command of a study, made from its fields or arguments: `python -m validation NAME`."""
 
 import inspect
 import os
 import re
 import sys
+import types
 from collections.abc import Callable
-from dataclasses import MISSING, Field, fields
+from dataclasses import MISSING, fields
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
 import click
 
 from bondem.cli.terminal import progress_bars
+from validation.frame.record import RESULTS, Record, command_line
 from validation.frame.runner import run
 from validation.frame.study import Study
+
+_FILE = click.Path(path_type=Path)
 
 
 def command_of(kind: type[Study]) -> click.Command:
     """A command with an option for each field that a text can give, explained as its docstring has it."""
-    path = click.Path(path_type=Path)
     options: list[click.Parameter] = [
-        click.Option(["--out"], required=True, metavar="DIR", type=path, help="Where results go."),
+        click.Option(["--out"], required=True, metavar="DIR", type=_FILE, help="Where results go."),
         click.Option(
             ["--processes"], type=click.IntRange(min=1), help="How many work at once; one a core unless given."
         ),
@@ -35,11 +38,9 @@ def command_of(kind: type[Study]) -> click.Command:
         default = field.default
         if default is MISSING or not _of_text(default):
             continue
-        options.append(click.Option(
-            [f"--{field.name.replace('_', '-')}"], help=told[field.name], show_default=True,
-            metavar=_metavar(default), default=",".join(map(str, default)) if isinstance(default, tuple) else default,
-            type=str if isinstance(default, tuple) else type(default), callback=_read(field),
-        ))  # fmt: skip
+        of = type(default[0]) if isinstance(default, tuple) else type(default)
+        options.append(_option(field.name, tuple[of, ...] if isinstance(default, tuple) else of, default,
+                               told[field.name]))  # fmt: skip
 
     def carry_out(out: Path, processes: int | None, threads: int, address: str | None, **options: Any) -> None:
         words = f"python -m validation {' '.join(sys.argv[1:])}"
@@ -54,12 +55,49 @@ def command_of(kind: type[Study]) -> click.Command:
     return click.Command(kind.name, params=options, callback=carry_out, help=(kind.__doc__ or "").splitlines()[0])
 
 
-def explained(kind: type[Study]) -> dict[str, str]:
-    """What the docstring of a study says of each of its fields."""
-    _, _, listed = inspect.cleandoc(kind.__doc__ or "").partition("Attributes:\n")
+def recording(package: str, name: str, module: types.ModuleType) -> click.Command:
+    """A command of a module that measures into a record, that draws from one, or both.
+
+    Its function `measure(record, *, …)` gets the record and has an argument for each option; a tuple of texts takes
+    those of its default only. Its function `draw(data, folder)` draws what the record has.
+
+    Args:
+        package: of the command, `python -m PACKAGE NAME`.
+        name: of the command, and of the record unless `--out` is given.
+        module: with `measure`, `draw` or both.
+    """
+    usual, options, told = RESULTS / f"{name}.json", [], explained(getattr(module, "measure", None))
+    if hasattr(module, "measure"):
+        hints = get_type_hints(module.measure)
+        arguments = list(inspect.signature(module.measure).parameters.values())[1:]
+        options += [_option(one.name, hints[one.name], one.default, told.get(one.name, ""), choose=True)
+                    for one in arguments]  # fmt: skip
+        text = "Record to write, or to continue."
+        options.append(click.Option(["--out"], type=_FILE, metavar="FILE", default=usual, help=text))
+    if hasattr(module, "draw"):
+        text = "Draw there what the record has, without measuring." if options else "Draw there."
+        options.append(click.Option(["--figures"], type=_FILE, metavar="DIR", help=text, required=not options))
+
+    def carry_out(out: Path = usual, figures: Path | None = None, **given: Any) -> None:
+        record = Record(out, command_line(["python", "-m", package, *sys.argv[1:]]))
+        if figures is None:
+            module.measure(record, **given)
+            click.echo(out)
+            return
+        figures.mkdir(parents=True, exist_ok=True)
+        module.draw(record.data, figures)
+        click.echo(figures)
+
+    words = (module.__doc__ or "").strip()
+    return click.Command(name, params=options, callback=carry_out, help=f"\b\n{words}", short_help=words.splitlines()[0])
+
+
+def explained(of: object) -> dict[str, str]:
+    """What a docstring says of each field of a class, or argument of a function."""
+    _, *listed = re.split(r"^(?:Attributes|Args):\n", inspect.cleandoc(of.__doc__ or ""), maxsplit=1, flags=re.MULTILINE)
     return {
         name: " ".join(text.split())
-        for name, text in re.findall(r"^ {4}(\w+): (.*?)(?=^ {4}\w|\Z)", listed, flags=re.MULTILINE | re.DOTALL)
+        for name, text in re.findall(r"^ {4}(\w+): (.*?)(?=^ {4}\w|^$|\Z)", "".join(listed), re.MULTILINE | re.DOTALL)
     }
 
 
@@ -68,20 +106,35 @@ def _of_text(default: object) -> bool:
     return bool(plain) and all(isinstance(one, int | float | str) for one in plain)
 
 
-def _metavar(default: object) -> str:
-    if isinstance(default, tuple):
-        return f"{type(default[0]).__name__},…".upper()
-    return type(default).__name__.upper()
+def _option(name: str, kind: Any, default: Any, text: str, *, choose: bool = False) -> click.Option:
+    """An option for a field or an argument: a flag, one value, or several with commas between."""
+    flag = f"--{name.replace('_', '-')}"
+    if kind is bool:
+        return click.Option([flag], is_flag=True, help=text)
+    several = get_origin(kind) is tuple
+    of = get_args(kind)[0] if several else kind
+    if get_origin(of) in (Union, types.UnionType):
+        of = next(one for one in get_args(of) if one is not types.NoneType)
+    choices: tuple[str, ...] = get_args(of) if get_origin(of) is Literal else ()
+    if several and of is str and choose:
+        choices = default
+    of = str if choices else of
+    shown = ",".join(map(str, default)) if several else default
+    return click.Option(
+        [flag], help=text, show_default=True, default=shown, metavar=f"{of.__name__},…".upper() if several else None,
+        type=str if several else click.Choice(choices) if choices else _FILE if of is Path else of,
+        callback=_read(of, choices) if several else None,
+    )  # fmt: skip
 
 
-def _read(field: Field[Any]) -> Callable[..., Any]:
-    def read(_context: click.Context, _parameter: click.Parameter, given: Any) -> Any:
-        if not isinstance(field.default, tuple):
-            return given
-        kind = type(field.default[0])
+def _read(kind: Callable[[str], Any], choices: tuple[str, ...]) -> Callable[..., Any]:
+    def read(_context: click.Context, _parameter: click.Parameter, given: str) -> Any:
         try:
-            return tuple(kind(item.strip()) for item in given.split(","))
+            found = tuple(kind(item.strip()) for item in given.split(",") if item.strip())
         except ValueError:
             raise click.BadParameter(f"'{given}': give them with commas between") from None
+        if choices and (other := [one for one in found if one not in choices]):
+            raise click.BadParameter(f"'{other[0]}': choose from {', '.join(choices)}")
+        return found
 
     return read
