@@ -20,7 +20,8 @@ from bondem._threads import threads
 from bondem.dynamics.history import History
 from bondem.model.state import State
 from kept import RESULTS, keep, origin, spread
-from static_solve import LAW, cylinder
+from static_solve import LAW
+from validation.measures.jittered_cylinder import cylinder
 
 
 def compared(elements: int, every: int, steps: int, repeat: int) -> dict:

@@ -1,44 +1,28 @@
-"""What every result file begins with, and how it is written."""
+"""What every result of a benchmark begins with, and how it is written: as records of studies."""
 
 import argparse
-import datetime
-import json
-import statistics
-import subprocess
 import sys
 from collections.abc import Callable, Sequence
-from importlib.metadata import version
 from pathlib import Path
 from time import perf_counter, process_time
-from typing import Any
 
-from paired import ROOT, machine
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.append(str(ROOT))  # scripts are started by their path
 
-RESULTS = ROOT / "benchmarks" / "results"
+from validation.frame import record  # noqa: E402
+from validation.frame.record import RESULTS, Record, commit, spread  # noqa: E402
+
+__all__ = ["RESULTS", "ROOT", "Record", "clocked", "command", "commit", "keep", "origin", "place", "spread"]
+
+
+def command() -> str:
+    """How this process was started."""
+    return record.command_line(["python", str(Path(sys.argv[0]).resolve()), *sys.argv[1:]])
 
 
 def origin() -> dict:
     """Command, machine with its load, date, version and commit, as they are when a benchmark starts."""
-    started = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
-    return {
-        "command": command(), "machine": machine(), "started": started, "version": version("bondem"),
-        "commit": commit(),
-    }  # fmt: skip
-
-
-def command() -> str:
-    """How this process was started; paths outside the repository become BUILD/name, as in commands of studies."""
-    words = [word.replace(f"{ROOT}/", "") for word in (str(Path(sys.argv[0]).resolve()), *sys.argv[1:])]
-    return " ".join(["python", *(f"BUILD/{Path(word).name}" if Path(word).is_absolute() else word for word in words)])
-
-
-def commit() -> str:
-    """The commit of the repository, with "+" where files differ from it."""
-    head, changed = (
-        subprocess.run(["git", *words], cwd=ROOT, capture_output=True, text=True, check=True).stdout.strip()
-        for words in (["rev-parse", "--short=12", "HEAD"], ["status", "--porcelain", "--untracked-files=no"])
-    )
-    return head + ("+" if changed else "")
+    return record.origin(command())
 
 
 def place(description: str | None, usual: Path, arguments: Sequence[str] | None) -> Path:
@@ -50,32 +34,7 @@ def place(description: str | None, usual: Path, arguments: Sequence[str] | None)
 
 def keep(path: Path, report: dict) -> None:
     """Write a report."""
-    path.write_text(json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
-
-
-class Report:
-    """Rows of several parts in a file: cases that it has already are not measured again."""
-
-    def __init__(self, path: Path, parts: Sequence[str]) -> None:
-        begun = origin()
-        self.path, self.commit = path, begun["commit"]
-        kept = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-        self.all: dict[str, Any] = begun | {part: kept.get(part, []) for part in parts}
-
-    def add(self, part: str, measure: Callable[[], list[dict[str, Any]]], **case: Any) -> None:
-        """Measure a case, one row for each variant, and write the file."""
-        if any(case.items() <= row.items() for row in self.all[part]):
-            return
-        started = perf_counter()
-        self.all[part] += [case | row | {"commit": self.commit} for row in measure()]
-        keep(self.path, self.all)
-        print(part, case, f"{perf_counter() - started:.1f} s", flush=True)
-
-
-def spread(values: Sequence[float], digits: int = 4) -> dict[str, float]:
-    """Least, median and largest, to so many digits."""
-    found = {"min": min(values), "median": statistics.median(values), "max": max(values)}
-    return {name: float(f"{value:.{digits}g}") for name, value in found.items()}
+    record.write(path, report)
 
 
 def clocked(task: Callable[[], object], repeat: int) -> dict[str, dict[str, float]]:

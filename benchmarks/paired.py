@@ -1,4 +1,4 @@
-"""Two codes in turns on one machine: long-lived processes that take turns by pipe, and what the machine is.
+"""Two codes in turns on one machine: long-lived processes that take turns by pipe.
 
 Each side is a process of its own (`paired_worker.py`) that imports the bondem it is given, sets up once and then
 waits for its turn. Ratios are taken pair by pair, A B A B, so that a machine that slows down slows both.
@@ -7,8 +7,6 @@ waits for its turn. Ratios are taken pair by pair, A B A B, so that a machine th
 import io
 import json
 import os
-import platform
-import re
 import statistics
 import subprocess
 import sys
@@ -17,7 +15,6 @@ import tempfile
 import time
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
-from importlib.metadata import version
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -231,34 +228,3 @@ def _busy() -> float:
         return 0.0
     user, nice, system, _, _, irq, soft, steal, *_ = (int(word) for word in path.read_text().split()[1:10])
     return (user + nice + system + irq + soft + steal) / _JIFFIES
-
-
-def machine() -> dict:
-    """CPU, its vector extension, cores, and the compiler."""
-    return {
-        "processor": processor(),
-        "vector": "+".join(vector_extensions()) or "none known",
-        "cores": os.cpu_count(),
-        "system": f"{platform.system()} {platform.machine()}",
-        "python": platform.python_version(),
-        "ziglang": version("ziglang"),
-        "load at the start": round(os.getloadavg()[0], 2),
-    }
-
-
-def processor() -> str:
-    """Name of the CPU, where the system states it."""
-    return _of_cpu("model name") or platform.processor()
-
-
-def vector_extensions() -> list[str]:
-    """Vector extensions of the CPU, where the system states them."""
-    features = set((_of_cpu("flags") or _of_cpu("Features")).split())
-    return [name for name in ("avx2", "avx512f", "asimd", "sve") if name in features]
-
-
-def _of_cpu(name: str) -> str:
-    """An entry of the first CPU in /proc/cpuinfo, or nothing."""
-    info = Path("/proc/cpuinfo")
-    found = re.search(rf"^{name}\s*:(.*)$", info.read_text(), re.MULTILINE) if info.exists() else None
-    return found[1].strip() if found else ""

@@ -14,8 +14,8 @@ from book.row import Row, Verdict
 from book.small import PACKINGS, measure
 from book.tolerances import AtMost, Near, Tolerance
 
-ORDER = "python benchmarks/energy_drift.py --elements 500 --steps 2000 --order-steps 500"
-CHEN = "python benchmarks/chen_tables.py"
+ORDER = "python -m validation energy_drift --elements 500 --steps 2000 --order-steps 500"
+CHEN = "python -m validation chen_tables"
 #: Standard deviations by which one packing may differ from the mean of sixteen: once in 15 000 by chance.
 DEVIATIONS = 4.0
 

@@ -2,7 +2,6 @@
 
 import json
 import os
-import re
 import shlex
 import shutil
 import subprocess
@@ -61,8 +60,7 @@ def _meant(name: str) -> list[str]:
 def _run(one: Measurement, build: Path) -> None:
     """Run the commands of a measurement anew: cases that they kept in `out`, or in a record they add to, go first."""
     build.mkdir(parents=True, exist_ok=True)
-    for script in re.findall(r"benchmarks/(\w+)\.py", one.command):
-        shutil.rmtree(ROOT / "out" / script, ignore_errors=True)
+    shutil.rmtree(ROOT / "out" / one.name, ignore_errors=True)
     former = one.path.read_bytes() if one.goes_on and one.path.exists() else None
     if former is not None:
         one.path.unlink()

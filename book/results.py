@@ -32,7 +32,7 @@ class Measurement:
             writes `benchmarks/results/NAME.json` itself.
         figures: those to keep: path in BUILD/NAME → name in `docs/figures`.
         file: the JSON, where it is not that of the name.
-        goes_on: whether the command leaves out cases that the JSON has already.
+        goes_on: whether the command leaves out cases that the JSON has already; to measure anew it is removed first.
     """
 
     name: str
@@ -131,6 +131,22 @@ def study(
     drawn = {f"figures/{one}.png": f"{target}.png" for one, target in figures.items()}
     command = f"python -m validation {name} --out BUILD/{kept or name} {options}".rstrip()
     return Measurement(kept or name, command, condense=keep, figures=drawn)
+
+
+def record(study: str, *runs: str, kept: str = "", drawn: bool = False, takes: str = "") -> Measurement:
+    """A study of `validation` that writes its record itself.
+
+    Args:
+        study: its name.
+        runs: options of its runs, which all add to the record; one run without options unless given.
+        kept: name of the record, where it is not that of the study.
+        drawn: whether it draws figures of the pages from the record.
+        takes: how long, in words.
+    """
+    out = f"--out benchmarks/results/{kept}.json" if kept else ""
+    words = [*(f"{run} {out}" for run in runs or ("",)), *(["--figures docs/figures"] if drawn else [])]
+    command = " && ".join(f"python -m validation {study} {' '.join(one.split())}".rstrip() for one in words)
+    return Measurement(kept or study, command, takes, goes_on=True)
 
 
 @cache

@@ -5,7 +5,7 @@ Physics: bonds are calibrated where there is no wall, then fill a bracket of fus
 end of its foot, its tip moves sideways under 10 N. Nothing is measured on the bracket: `law_for` corrects the effect
 of its walls on the packing from the lattice.
 
-Expected, from finite elements (benchmarks/continuum.py): 10.01, 23.17, 26.26 and 28.94 kHz, and 8.62 µm. Spheres
+Expected, by finite elements (validation/measures/continuum.py): 10.01, 23.17, 26.26, 28.94 kHz, and 8.62 µm. Spheres
 form layers along walls, which a bracket 15 mean radii thick still feels. Three packings of the bracket were tried:
 with seeds 1, 2 and 3 the frequencies are up to 4.4, 3.8 and 6.0 % low, the deflection is 2.6, 4.7 and 5.8 % high.
 Others may be further off. Takes about 17 s of a core. Run it with:  python examples/bracket.py

@@ -27,7 +27,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent))
 from agglomerate_scenes import DENSITY, STRENGTH, Fall, model_of
 
 import bondem as bd
-from kept import RESULTS, Report, keep
+from kept import RESULTS, Record, command
 
 SPEEDS = (2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 14.0)
 #: Speeds between the threshold and saturation; bodies, spheres of each, number of the packing, and speeds.
@@ -53,13 +53,12 @@ def main(arguments: list[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=Path, default=RESULTS / "agglomerate_damage.json")
     given = parser.parse_args(arguments)
-    report = Report(given.out, ("falls",))
-    report.all["lines"], first = [], None
+    record, lines, first = Record(given.out, command()), [], None
     for bodies, each, seed, speeds in CASES:
         case = {"bodies": bodies, "each": each, "seed": seed}
         for speed in speeds:
-            report.add("falls", lambda case=case, speed=speed: [fall(**case, speed=speed)], **case, speed=speed)
-        rows = [row for row in report.all["falls"] if case.items() <= row.items()]
+            record.add(lambda case=case, speed=speed: fall(**case, speed=speed), "falls", **case, speed=speed)
+        rows = [row for row in record.rows("falls") if case.items() <= row.items()]
         v, D = (np.array([row[name] for row in rows]) for name in ("speed", "damage"))
         for k, row in enumerate(rows):
             row["exponent"] = None
@@ -72,9 +71,9 @@ def main(arguments: list[str] | None = None) -> None:
         away, beside = (np.abs(np.polyval(fit, v[between] ** 2) - D[between]).max() for fit in (line, first))
         threshold = math.sqrt(-line[1] / line[0])
         found = {"slope": line[0], "threshold": threshold, "deviation": away, "from_the_first": beside}
-        report.all["lines"].append(case | {name: float(value) for name, value in found.items()})
-        keep(given.out, report.all)
-        print(report.all["lines"][-1])
+        lines.append(case | {name: float(value) for name, value in found.items()})
+        record.keep(lines=lines)
+        print(lines[-1])
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ from specimen import Specimen, build
 from yade_cohfrict import Yade
 
 from kept import command, commit
-from paired import processor, vector_extensions
+from validation.frame.machine import processor, vector_extensions
 
 RESULTS = Path(__file__).parent.parent / "results"
 CODES = {code.name: code for code in (Bondem, NonLocalBondem, Lammps, Yade, Kratos)}

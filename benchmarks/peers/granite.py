@@ -2,11 +2,11 @@
 
     LAMMPS=lammps/bin/lmp python benchmarks/peers/granite.py [--seeds 1 2] [--out FILE]
 
-Packings, bonds, platens and strength of `benchmarks/bonded_granite.py`: cylinders of 600 spheres between platens with
-a friction of 0.3, local damping of 0.7. Both codes have the same spheres, four stiffnesses of every bond (a type of
-its own in LAMMPS), time step, speed and damping, contacts of one stiffness, and the criterion of `bond_style
-bpm/rotational`, `bd.LinearSum`, with the strengths that a section of the strength of the granite has. Three things
-differ from the granite itself, as LAMMPS cannot have them:
+Packings, bonds, platens and strength of `validation/studies/bonded_granite.py`: cylinders of 600 spheres between
+platens with a friction of 0.3, local damping of 0.7. Both codes have the same spheres, four stiffnesses of every bond
+(a type of its own in LAMMPS), time step, speed and damping, contacts of one stiffness, and the criterion of
+`bond_style bpm/rotational`, `bd.LinearSum`, with the strengths that a section of the strength of the granite has.
+Three things differ from the granite itself, as LAMMPS cannot have them:
 
 - the contact point of a bond is in its middle (`Central`), not between the surfaces of its spheres;
 - spheres are shrunk until none overlap (by about 6 %), as LAMMPS has no overlap without force. Where a bond breaks in
@@ -32,15 +32,15 @@ from typing import Any, ClassVar
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
+import bonded_granite
 from agglomerates import wall_spring
 from lammps_bpm import counts, ran
 
-import bonded_granite
 import bondem as bd
-from bonded_granite import FRICTION, GRANITE, PIN, criterion
 from bondem.interactions.beams.bond_law import BondGeometry, BondStiffness
 from bondem.labtests.gauge_length import AffineField, middle_half
-from kept import RESULTS, Report
+from kept import RESULTS, Record, command
+from validation.studies.bonded_granite import FRICTION, GRANITE, PIN, criterion
 
 #: Friction of fragments, and local damping.
 RUBS, DAMPING = 0.4, 0.7
@@ -245,10 +245,10 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--out", type=Path, default=RESULTS / "granite_peers.json")
     given = parser.parse_args(arguments)
-    report, granite = Report(given.out, ("compression",)), Granite()
+    record, granite = Record(given.out, command()), Granite()
     for seed in given.seeds:
-        report.add("compression", lambda seed=seed: granite.measure(seed), seed=seed)
-    for row in report.all["compression"]:
+        record.add(lambda seed=seed: granite.measure(seed), "compression", seed=seed)
+    for row in record.rows("compression"):
         print(row)
 
 

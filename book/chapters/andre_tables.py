@@ -8,7 +8,7 @@ import numpy as np
 
 from book.chapter import Chapter, Figure, Section
 from book.forms import COUNT, GPA, PERCENT, PLAIN, SIGNED, Form
-from book.results import Measurement
+from book.results import Measurement, record
 from book.row import Measured, Row
 from book.tolerances import AtMost, Near
 
@@ -51,8 +51,8 @@ SILICA = Measurement(
     {f"figures/{name}.png": f"silica_{name}.png" for name in ("errors", "modes", "specimen", "geode", "wave")},
 )
 FOUR = Measurement("silica_four", "bondem run examples/silica_four.toml --out BUILD/silica_four", "90 s", condense)
-PRINTED = Measurement("paper_parameters", "python benchmarks/paper_parameters.py", "1 min")
-FEM = Measurement("fem_clamped", "python benchmarks/fem_clamped.py", "20 min")
+PRINTED = record("paper_parameters", takes="1 min")
+FEM = record("fem_clamped", takes="20 min")
 MEASUREMENTS = (SILICA, FOUR, PRINTED, FEM)
 
 

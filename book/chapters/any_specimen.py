@@ -4,12 +4,12 @@ from typing import Any
 
 from book.chapter import Chapter, Figure, Section
 from book.forms import COUNT, SIGNED, Form
-from book.results import Measurement
+from book.results import Measurement, record
 from book.row import Measured, Row
 from book.tolerances import AtLeast
 
-ANY = Measurement("any_specimen", "python benchmarks/any_specimen.py")
-SEED_1 = Measurement("any_specimen_seed_1", "python benchmarks/any_specimen.py --seed 1")
+ANY = record("any_specimen", drawn=True)
+SEED_1 = record("any_specimen", "--seed 1 --fineness ''", kept="any_specimen_seed_1")
 MEASUREMENTS = (ANY, SEED_1)
 
 LOADS = ("tension", "bending", "torsion")

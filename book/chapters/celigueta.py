@@ -6,7 +6,7 @@ from book.chapter import Chapter, Figure, Section
 from book.chapters import celigueta_open
 from book.chapters.celigueta_open import AREAS, OF_PLATES, SHARE, STRESS, packings
 from book.forms import Form
-from book.results import Measurement, study
+from book.results import record, study
 from book.row import Row
 from book.tolerances import AtMost, Near
 
@@ -36,8 +36,8 @@ CONE = study(
     "celigueta", {}, kept="celigueta_shear_cone",
     options="--count 0 --seeds 1 --areas weighted --tests shear --failures Mohr-Coulomb --processes 1 --threads 1",
 )  # fmt: skip
-SURFACES = Measurement("yield_surfaces", "python benchmarks/yield_surfaces.py --figures docs/figures")
-ELASTIC = Measurement("non_local", "python benchmarks/non_local.py --count 500 --packings 5", "6 min")
+SURFACES = record("yield_surfaces", drawn=True)
+ELASTIC = record("non_local", "--count 500 --packings 5", takes="6 min")
 MEASUREMENTS = (
     CELIGUETA, FULL, FACETS, SHEAR, CONE, SMALLER, *celigueta_open.MEASUREMENTS, SURFACES, ELASTIC
 )  # fmt: skip

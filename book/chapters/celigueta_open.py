@@ -4,7 +4,7 @@ from typing import Any
 
 from book.chapter import Section
 from book.forms import Form
-from book.results import Measurement, study
+from book.results import Measurement, record, study
 from book.row import Row
 from book.tolerances import AtMost, Near
 
@@ -13,18 +13,13 @@ FULL_SLOWER = study(
     "celigueta", {}, options="--count 0 --seeds 1 --areas weighted --slower 1,2 --processes 1",
     kept="celigueta_full_slower",
 )  # fmt: skip
-REACH = Measurement(
-    "non_local_reach",
-    "python benchmarks/non_local_reach.py && python benchmarks/non_local_reach.py --failure Mohr-Coulomb"
-    " --counts 3000 --reaches 1.3 1.5 && python benchmarks/non_local_reach.py --summary",
-    "12 min",
-)  # fmt: skip
+REACH = record("non_local_reach", "", "--failure Mohr-Coulomb --counts 3000 --reaches 1.3,1.5", takes="12 min")
 PLATENS = study(
     "celigueta", {}, kept="celigueta_platens",
     options="--count 1000 --seeds 1,2,3 --areas weighted --failures Rankine --platens 0,0.1,0.3 --processes 1",
 )  # fmt: skip
-NOISE = Measurement("non_local_noise", "python benchmarks/non_local_noise.py", "3 min")
-FORCES = Measurement("plate_forces", "python benchmarks/plate_forces.py", "15 min")
+NOISE = record("non_local_noise", takes="3 min")
+FORCES = record("plate_forces", takes="15 min")
 MEASUREMENTS = SLOWER, FULL_SLOWER, PLATENS, NOISE, REACH, FORCES
 
 #: What is asked of plates half as fast: how far peaks may change, and forces of both plates differ.

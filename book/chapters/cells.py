@@ -4,22 +4,18 @@ from typing import Any
 
 from book.chapter import Chapter, Figure, Section
 from book.forms import PERCENT, PLAIN, SIGNED, Form
-from book.results import Measurement
+from book.results import record
 from book.row import Row
 from book.tolerances import AtMost, Tolerance
 
-MODULI = Measurement("cell_moduli", "python benchmarks/cell_moduli.py")
-UNIFORM = Measurement("uniform_stress", "python benchmarks/uniform_stress.py", "15 min")
-WAVES = Measurement("cell_waves", "python benchmarks/cell_waves.py")
-RAYLEIGH = Measurement("cell_rayleigh", "python benchmarks/cell_rayleigh.py", "10 min")
-HOLE = Measurement("cell_hole", "python benchmarks/cell_hole.py", "40 min")
-INERTIA = Measurement("cell_inertia", "python benchmarks/cell_inertia.py", "10 min")
-BODIES = Measurement(
-    "cell_bodies", "python benchmarks/cell_bodies.py && python benchmarks/cell_bodies.py --summary", "1 h"
-)
-BEAMS = Measurement(
-    "beam_bodies", "python benchmarks/beam_bodies.py && python benchmarks/beam_bodies.py --summary", "40 min"
-)
+MODULI = record("cell_moduli")
+UNIFORM = record("uniform_stress", takes="15 min")
+WAVES = record("cell_waves")
+RAYLEIGH = record("cell_rayleigh", takes="10 min")
+HOLE = record("cell_hole", takes="40 min")
+INERTIA = record("cell_inertia", takes="10 min")
+BODIES = record("cell_bodies", takes="1 h")
+BEAMS = record("beam_bodies", takes="40 min")
 MEASUREMENTS = (MODULI, UNIFORM, WAVES, RAYLEIGH, HOLE, INERTIA, BODIES, BEAMS)
 
 #: Required tolerances [-].
@@ -157,11 +153,6 @@ def _bodies() -> tuple[Section, ...]:
                 f" error of {len(mine)} bodies", form=PERCENT, tolerance=_if(limit is not None, limit or 0.0),
                 ours=BODIES.of(max(abs(error) for one in mine for error in one["errors"].values())))
         )  # fmt: skip
-        beyond = [max(map(abs, one["against_limit"].values())) for one in mine if one.get("against_limit")]
-        if count >= FINE and beyond:
-            rows.append(Row(case=f"{shape.replace('_', ' ')}, {_spaced(count)} elements: worst error of {len(beyond)}"
-                            " bodies against the limit of ever finer finite elements", form=PERCENT,
-                            tolerance=_if(True, FINE_LIMIT), ours=BODIES.of(max(beyond))))  # fmt: skip
         for words, keys in _QUANTITIES.items():
             errors = [one["errors"][key] for one in mine for key in keys if key in one["errors"]]
             if errors:
@@ -169,10 +160,6 @@ def _bodies() -> tuple[Section, ...]:
                                 form=SIGNED, ours=BODIES.of(*errors)))  # fmt: skip
     if not rows:
         return ()
-    for one in BODIES.at("meshes"):
-        rows.append(Row(case=f"{one['shape'].replace('_', ' ')}, ν = {one['nu']:g}: errors of the finite elements"
-                        f" against a mesh {one['fine']:g} times finer", form=SIGNED,
-                        ours=BODIES.of(*one["errors"].values())))  # fmt: skip
     return (
         Section(
             title="Seven shapes beside finite elements",

@@ -6,12 +6,12 @@ import numpy as np
 
 from book.chapter import Chapter, Section
 from book.forms import COUNT, ROUNDING, SECONDS, SIGNED, Form, Said
-from book.results import Measurement
+from book.results import record
 from book.row import Row
 from book.tolerances import AtLeast, AtMost, Near, So
 
-UNBONDED = Measurement("chen_unbonded", "python benchmarks/chen_unbonded.py", "2–8 min")
-DAMPING = Measurement("chen_damping", "python benchmarks/chen_damping.py", "3–10 min")
+UNBONDED = record("chen_unbonded", takes="2–8 min")
+DAMPING = record("chen_damping", takes="3–10 min")
 MEASUREMENTS = (UNBONDED, DAMPING)
 
 MILLIMETRES = Form("mm", 1e-3, ".4f")
@@ -30,8 +30,8 @@ def chapter() -> Chapter:
         summary=(
             "The paper sets the unbonded component of PFC's parallel bond to zero in all of its cases (§3) and "
             "damps case 1 with γ_b = 0.001 alone; it gives no value of η_b. Here both are active for the cases of "
-            "Table 3. `benchmarks/chen_one_sided.py` steps a row of spheres with bondem's own forces, because "
-            "`bd.LinearContact` ignores bonded pairs and `bd.BondDamping` has one η for all components."
+            "Table 3. `validation/measures/chen_one_sided.py` steps a row of spheres with bondem's own forces, "
+            "because `bd.LinearContact` ignores bonded pairs and `bd.BondDamping` has one η for all components."
         ),
         misses=(
             "With the smallest damping the stop rule of the paper stops a run at a turning point of the vibration, "

@@ -4,12 +4,12 @@ from typing import Any
 
 from book.chapter import Chapter, Figure, Section
 from book.forms import PERCENT, ROUNDING, SIGNED, Form, Said
-from book.results import Measurement
+from book.results import Measurement, record
 from book.row import Measured, Row
 from book.tolerances import AtMost, Near, So, Spans
 
-TABLES = Measurement("chen_tables", "python benchmarks/chen_tables.py", "2 s")
-CASES = Measurement("chen", "python benchmarks/chen_cases.py", "23–47 s")
+TABLES = record("chen_tables", takes="2 s")
+CASES = record("chen", drawn=True, takes="23–47 s")
 MEASUREMENTS = (TABLES, CASES)
 
 #: Table 3, a column a case: length [m], bond slenderness λ_b, radii of particles [m], of bonds [m], gaps.

@@ -5,25 +5,16 @@ from collections.abc import Callable
 
 from book.chapter import Chapter, Figure, Section
 from book.forms import PERCENT, PLAIN, Form
-from book.results import Measurement
+from book.results import record
 from book.row import Measured, Row
 from book.tolerances import AtMost, Between, Near
 
-CONCRETE = Measurement("concrete", "python benchmarks/concrete.py && python benchmarks/concrete.py --summary", "1 h")
-BENDING = Measurement(
-    "bending_energy",
-    "python benchmarks/bending_energy.py --together 0.01 && python benchmarks/bending_energy.py --ripples 0.02"
-    " --together 0.005 && python benchmarks/bending_energy.py --counts 10000 --seeds 1 --ripples 0.02"
-    " --together 0.005",
-    "15 min",
-    goes_on=True,
+CONCRETE = record("concrete", drawn=True, takes="1 h")
+BENDING = record(
+    "bending_energy", "--together 0.01", "--ripples 0.02 --together 0.005",
+    "--counts 10000 --seeds 1 --ripples 0.02 --together 0.005", takes="15 min",
 )
-MESOSCALE = Measurement(
-    "mesoscale",
-    "python benchmarks/mesoscale.py --seeds 1 --fractions 0 && python benchmarks/mesoscale.py --seeds 1 2"
-    " --fractions 0.2 && python benchmarks/mesoscale.py --summary",
-    "25 min",
-)
+MESOSCALE = record("mesoscale", "--seeds 1 --fractions 0", "--seeds 1,2 --fractions 0.2", takes="25 min")
 MEASUREMENTS = CONCRETE, BENDING, MESOSCALE
 
 #: What is asked of strengths and of stiffnesses over theory, and of the stress at the centre of a disc [-].

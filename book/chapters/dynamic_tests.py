@@ -1,11 +1,10 @@
 """André et al. (2012), figures 10, 12 and 19 to 22: energies, inertia, waves, the effective section."""
 
-import json
 
 from book.chapter import Chapter, Figure, Section
 from book.chapters.andre_tables import CONSISTENCY
 from book.forms import PERCENT, ROUNDING, SIGNED, Form
-from book.results import Measurement, study
+from book.results import Measurement, record, study
 from book.row import Measured, Row
 from book.tolerances import AtMost
 
@@ -18,11 +17,7 @@ QUASISTATIC = study("quasistatic", _drawn("quasistatic", "energy", "breakdown", 
 VIBRATION = study("vibration", _drawn("vibration", "breakdown", "energy", "inertia"))
 WAVE = study("wave", _drawn("wave", "faces", "snapshots", "travel", "arrival"))
 SECTION = study("section", _drawn("section", "face", "errors"))
-MASS = Measurement(
-    "mass_moments",
-    "python benchmarks/mass_moments.py --count 10000 --packings 4 --out BUILD/mass_moments",
-    condense=lambda folder: json.loads((folder / "results.json").read_text(encoding="utf-8")),
-)
+MASS = record("mass_moments", "--count 10000 --packings 4")
 MEASUREMENTS = (QUASISTATIC, VIBRATION, WAVE, SECTION, MASS)
 
 #: What "negligible" may mean of a quantity and "negligible" or "minor" of a share of an energy; no number is printed.

@@ -5,11 +5,11 @@ import math
 from book.chapter import Chapter, Figure, Section
 from book.chapters.chen_tables import CASES
 from book.forms import PERCENT, ROUNDING, Form
-from book.results import Measurement
+from book.results import record
 from book.row import Row
 from book.tolerances import AtMost, Near
 
-DRIFT = Measurement("incremental_drift", "python benchmarks/incremental_drift.py", "2 min")
+DRIFT = record("incremental_drift", drawn=True, takes="2 min")
 MEASUREMENTS = (DRIFT, CASES)
 
 ORDER = Form(style=".2f")

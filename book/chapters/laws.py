@@ -4,24 +4,13 @@ from typing import Any
 
 from book.chapter import Chapter, Figure, Section
 from book.forms import COUNT, Form
-from book.results import Measurement
+from book.results import record
 from book.row import Row
 from book.tolerances import AtMost, Near
 
-CALIBRATED = Measurement(
-    "strength_calibration",
-    "python benchmarks/strength_calibration.py && python benchmarks/strength_calibration.py --summary", "40 min",
-)  # fmt: skip
-BESIDE = Measurement(
-    "laws_side_by_side",
-    "python benchmarks/laws_side_by_side.py && python benchmarks/laws_side_by_side.py --costs"
-    " && python benchmarks/laws_side_by_side.py --summary", "20 min",
-)  # fmt: skip
-NOTCHED = Measurement(
-    "notched_bars",
-    "python benchmarks/notched_bars.py && python benchmarks/notched_bars.py --count 1500"
-    " && python benchmarks/notched_bars.py --summary", "35 min",
-)  # fmt: skip
+CALIBRATED = record("strength_calibration", takes="40 min")
+BESIDE = record("laws_side_by_side", takes="20 min")
+NOTCHED = record("notched_bars", "", "--count 1500", takes="35 min")
 MEASUREMENTS = (CALIBRATED, BESIDE, NOTCHED)
 
 STRESS, RATIO = Form(unit="MPa", scale=1e6, style=".2f"), Form(style=".2f")

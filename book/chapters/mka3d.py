@@ -7,11 +7,11 @@ import numpy as np
 
 from book.chapter import Chapter, Figure, Section
 from book.forms import SIGNED, Form
-from book.results import Measurement
+from book.results import record
 from book.row import Row
 from book.tolerances import AtMost
 
-FOUND = Measurement("mka3d", "python benchmarks/mka3d.py", "30 min", goes_on=True)
+FOUND = record("mka3d", drawn=True, takes="30 min")
 MEASUREMENTS = (FOUND,)
 
 #: What is asked of bondem's own law [-]: of E and ν as for other bodies of cells, of frequencies as for bodies that

@@ -8,16 +8,12 @@ from book.chapters.concrete import CONCRETE
 from book.chapters.fracture import FRACTURE, SIZES
 from book.chapters.rapid_fracture import GRANITE
 from book.forms import Form
-from book.results import Measurement
+from book.results import record
 from book.row import Row
 from book.tolerances import Between, Near
 
-BEAMS = Measurement(
-    "concrete_beams",
-    "python benchmarks/concrete_beams.py && python benchmarks/concrete_beams.py --summary --figures docs/figures",
-    "9 min",
-)  # fmt: skip
-GLASS = Measurement("glass", "python benchmarks/glass.py", "3 min")
+BEAMS = record("concrete_beams", drawn=True, takes="9 min")
+GLASS = record("glass", takes="3 min")
 MEASUREMENTS = (CONCRETE, BEAMS, GRANITE, GLASS, FRACTURE, SIZES)
 
 _MPA, _WHOLE, _RATIO = Form("MPa", 1e6, ".2f"), Form("MPa", 1e6, ".1f"), Form(style=".3f")

@@ -6,7 +6,7 @@ from typing import Any
 from book.chapter import Chapter, Figure, Section
 from book.chapters.strength import BRAZILIAN, DISCS
 from book.forms import Form
-from book.results import Measurement, study
+from book.results import Measurement, record, study
 from book.row import Row
 from book.tolerances import AtLeast, AtMost, Between
 
@@ -14,7 +14,7 @@ BRANCHING = study("branching", {f"branching_{case}": f"branching_{case}" for cas
 FINE = study("branching", {"branching_B40": "branching_B40"}, options="--cases B40 --seeds 1", kept="branching_fine")
 SPALL = study("spall", {"spall": "spall"})
 GRANITE = study("granite", {"granite": "granite"})
-LOSSES = Measurement("kinds_of_loss", "python benchmarks/kinds_of_loss.py", "20 min")
+LOSSES = record("kinds_of_loss", takes="20 min")
 MEASUREMENTS = (BRANCHING, FINE, SPALL, LOSSES, GRANITE)
 
 _SPEED, _TIME, _PLACE = Form("m/s", style=".0f"), Form("µs", 1e-6, ".1f"), Form("mm", 1e-3, ".0f")

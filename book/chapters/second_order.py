@@ -7,11 +7,11 @@ import numpy as np
 
 from book.chapter import Chapter, Section
 from book.forms import PERCENT, SIGNED
-from book.results import Measurement
+from book.results import record
 from book.row import Row
 from book.tolerances import AtMost
 
-FOUND = Measurement("second_order", "python benchmarks/second_order.py", "20 min", goes_on=True)
+FOUND = record("second_order", takes="20 min")
 MEASUREMENTS = (FOUND,)
 
 #: Required of plates (mean of six frequencies), of beams (mean and largest), of bodies one cell thick (largest) by

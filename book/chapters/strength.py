@@ -6,21 +6,14 @@ from collections.abc import Callable
 from book.chapter import Chapter, Figure, Section
 from book.forms import PERCENT, PLAIN, Form, Said
 from book.outcomes import TESTS, holds, range_of
-from book.results import Measurement
+from book.results import record
 from book.row import Row
 from book.tolerances import AtLeast, AtMost, Near, So
 
-STRENGTH = Measurement(
-    "strength", "python benchmarks/strength.py --anew && python benchmarks/strength.py --summary", "2 h"
-)
-BRAZILIAN = Measurement("brazilian", "python benchmarks/brazilian.py --seeds 1 2 3 4 5", "5 min", goes_on=True)
-DISCS = Measurement("disc_finite_elements", "python benchmarks/disc_finite_elements.py", "10 s")
-FACTORS = Measurement(
-    "load_factors",
-    "python benchmarks/load_factors.py --counts 300 1000 --seeds 1 2 3 4 5 --steps 0.01 --ripples 0.02",
-    "10 min",
-    goes_on=True,
-)
+STRENGTH = record("strength", takes="2 h")
+BRAZILIAN = record("brazilian", "--seeds 1,2,3,4,5", takes="5 min")
+DISCS = record("disc_finite_elements", takes="10 s")
+FACTORS = record("load_factors", "--counts 300,1000 --seeds 1,2,3,4,5 --steps 0.01 --ripples 0.02", takes="10 min")
 MEASUREMENTS = (STRENGTH, BRAZILIAN, DISCS, FACTORS, TESTS)
 
 #: What is asked for: of strengths, of the mean of the fracture energies, of each of them, and of the ledger [-].

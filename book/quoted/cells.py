@@ -17,7 +17,7 @@ AGAINST = Measurement(
     "30 min",
 )
 TURNING = Measurement(
-    "turning_energy", "python benchmarks/turning_energy.py --name now --kinds brittle softening elastic", "1 h"
+    "turning_energy", "python -m validation turning_energy --name now --kinds brittle,softening,elastic", "1 h"
 )
 MEASUREMENTS = (SHARES, AGAINST, TURNING)
 

@@ -12,7 +12,7 @@ import pytest
 
 from book.measurements import MEASUREMENTS
 from book.results import RESULTS
-from validation.__main__ import STUDIES, validation
+from validation.__main__ import RECORDS, STUDIES, validation
 
 ROOT = Path(__file__).parents[2]
 ENDINGS = "py|md|json|toml|hpp|cpp|html|png|svg|stl"
@@ -55,7 +55,7 @@ def missing(place: str, text: str) -> Iterator[str]:
         if not STANDS_FOR.search(named) and not {named, beside, *(start + named for start in FROM)} & files():
             yield named
     yield from (one for one in SOURCE.findall(text) if one not in names)
-    known = {*STUDIES, "NAME", "STUDY"}
+    known = {*STUDIES, *RECORDS, "NAME", "STUDY"}
     yield from (f"python -m validation {one}" for one in STUDY.findall(text) if one not in known)
 
 
@@ -104,3 +104,9 @@ def test_studies_accept_the_options_of_recorded_commands(command: str) -> None:
         study = validation.get_command(context, name)
         assert study is not None
         study.make_context(name, options)
+
+
+def test_the_table_of_studies_has_each_of_them_and_who_shows_it() -> None:
+    listed = re.findall(r"^\| `(\w+)` \| .* \| (.+) \|$", (ROOT / "validation/README.md").read_text(), re.MULTILINE)
+    assert {*STUDIES, *RECORDS} <= {name for name, _ in listed}
+    assert not [name for name, shown in listed if "](../" not in shown]

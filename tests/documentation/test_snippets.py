@@ -18,8 +18,7 @@ from bondem.study.pipeline import run_study
 from bondem.study.study_file import parse_study
 from book.measurements import MEASUREMENTS
 from book.printed import PRINTED, blocks, pages, run
-from validation.__main__ import study_of
-from validation.frame.command import command_of
+from validation.__main__ import command as study_command
 
 ROOT = Path(__file__).parents[2]
 # What Sphinx writes or includes by its own directives.
@@ -160,7 +159,7 @@ def test_commands_are_ones_there_are(command, clone):
         assert set(rest[3:]) <= {one.name for one in MEASUREMENTS}
         named = []
     elif rest[:2] == ["-m", "validation"]:
-        assert command_of(study_of(rest[2])).make_context(rest[2], rest[3:]).params is not None
+        assert study_command(rest[2]).make_context(rest[2], rest[3:]).params is not None
         named = []
     else:
         assert rest[:2] in ([], ["-n", "auto"], ["-m", "venv"]) or not rest[0].startswith("-")

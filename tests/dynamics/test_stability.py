@@ -1,9 +1,6 @@
 """The stable time step, what happens above it, and that nothing happens below; callbacks at outputs."""
 
-import json
 import math
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +17,8 @@ from bondem.model.stiffness_matrices import mass_diagonal, stiffness_matrix
 from tests.models import cloud, moving, stirred, time_step, walls_of_box
 from tests.recording import Record
 from tests.specimens import crooked_block, row, two_cubes
+from validation.frame.record import Record as StudyRecord
+from validation.studies import energy_drift
 
 LAW = bd.EulerBernoulli(E=2.0e6, nu=0.25, radius_ratio=0.5)
 THIN = bd.EulerBernoulli(E=1e6, nu=0.3, radius=0.2)
@@ -274,11 +273,9 @@ def test_a_callback_may_stop_the_run() -> None:
 
 def test_the_cylinder_keeps_its_energy_to_second_order_without_drift(tmp_path: Path) -> None:
     """The benchmark of a million steps, on a smaller scale."""
-    script = Path(__file__).parents[2] / "benchmarks" / "energy_drift.py"
-    out = tmp_path / "drift.json"
-    options = ["--elements", "300", "--steps", "20000", "--order-steps", "2000", "--out", str(out)]
-    subprocess.run([sys.executable, str(script), *options], check=True, capture_output=True)
-    found = json.loads(out.read_text())
+    record = StudyRecord(tmp_path / "drift.json")
+    energy_drift.measure(record, elements=300, steps=20_000, order_steps=2000)
+    found = record.data
     np.testing.assert_allclose(found["orders"], 2.0, atol=0.1)
     assert abs(found["drift, in its standard errors"]) < 5.0
     assert abs(found["drift over the run"]) < 0.1 * found["largest error"]

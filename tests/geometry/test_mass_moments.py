@@ -1,8 +1,6 @@
 """Moments of shapes against closed forms and trimesh; densities with which elements have the body's inertia."""
 
-import importlib
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,6 +13,7 @@ from bondem.geometry.moments import moments
 from bondem.labtests.beam_tests import CrossSection
 from bondem.labtests.cantilever import mass_gyration
 from tests.specimens import spheres
+from validation.studies.mass_moments import examine
 
 RHO = 2201.0
 TURNED = bd.Cylinder(radius=1.0, length=4.0).rotated("y", 0.4).rotated("z", -1.1).moved((0.3, 2.0, -1.0))
@@ -169,10 +168,9 @@ def test_refined_theory_has_the_mass_of_the_densities_it_is_given(lattice):
             bd.labtests.natural_frequencies(lattice, law, density=wrong)
 
 
-def test_the_benchmark_compares_each_specimen_with_its_own_mass(monkeypatch):
+def test_the_benchmark_compares_each_specimen_with_its_own_mass():
     """Theories of both specimens, found back from frequencies and errors, differ by the moments of their masses."""
-    monkeypatch.syspath_prepend(str(Path(__file__).parents[2] / "benchmarks"))
-    row = importlib.import_module("mass_moments").examine(800, 2)
+    row = examine(800, 2)
 
     def theory(way, error):
         return np.array(row[way]["frequency"]) / (1.0 + np.array(row[way][error]))

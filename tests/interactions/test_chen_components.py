@@ -6,20 +6,15 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from tests.scripts import scripts
 from tests.specimens import row, two_spheres
+from validation.measures import chen_one_sided
+from validation.studies import chen_damping, chen_unbonded
 
 E, NU, R, F = 200e9, 0.3, 0.2, 1e3
 G = E / (2.0 * (1.0 + NU))
 A, I = math.pi * R**2, math.pi * R**4 / 4.0
 BOND = bd.ParallelBond(E=E, nu=NU, radius=R)
 pytestmark = pytest.mark.usefixtures("one_thread")
-
-
-@pytest.fixture(scope="module")
-def chen():
-    """The modules beside the scripts."""
-    return scripts("benchmarks", damping="chen_damping", loop="chen_one_sided", unbonded="chen_unbonded")
 
 
 def tip(ks: float, count: int) -> float:
@@ -32,8 +27,8 @@ def tip(ks: float, count: int) -> float:
 # ---- the unbonded component
 
 
-def test_pressed_component_adds_its_springs_and_no_moment_where_spheres_touch(chen) -> None:
-    pressed = chen["unbonded"].pressed(0.1, None)
+def test_pressed_component_adds_its_springs_and_no_moment_where_spheres_touch() -> None:
+    pressed = chen_unbonded.pressed(0.1, None)
     thin = bd.ParallelBond(E=E, nu=NU, radius=0.1)
     x = np.array([0.0, 0.4, 1.0, 1.6])  # touching; touching unequal; a gap
     particles = bd.Particles(np.column_stack([x, 0 * x, 0 * x]), [0.2, 0.2, 0.4, 0.1])
@@ -47,9 +42,9 @@ def test_pressed_component_adds_its_springs_and_no_moment_where_spheres_touch(ch
 
 
 @pytest.mark.parametrize("count", [1, 2, 10])
-def test_pressed_component_takes_half_of_the_shear_of_case_1_and_nothing_of_its_bending(chen, count: int) -> None:
+def test_pressed_component_takes_half_of_the_shear_of_case_1_and_nothing_of_its_bending(count: int) -> None:
     # E* = E_b, κ* = κ and r_b = R: both components are as stiff
-    unbonded, lattice = chen["unbonded"], row(count + 1, 2.0 * R)
+    unbonded, lattice = chen_unbonded, row(count + 1, 2.0 * R)
     found = [
         bd.solve_static(unbonded.cantilever(lattice, law, F)).displacement[-1, 1]
         for law in (BOND, unbonded.pressed(R, None))
@@ -58,8 +53,8 @@ def test_pressed_component_takes_half_of_the_shear_of_case_1_and_nothing_of_its_
     assert found == pytest.approx([tip(ks, count), tip(2.0 * ks, count)], rel=1e-9)
 
 
-def test_the_component_resists_a_push_and_not_a_pull(chen) -> None:
-    loop, unbonded = chen["loop"], chen["unbonded"]
+def test_the_component_resists_a_push_and_not_a_pull() -> None:
+    loop, unbonded = chen_one_sided, chen_unbonded
     kn = E * A / (2.0 * R)
     for push, stiffness in ((1e3, 2.0 * kn), (-1e3, kn)):
         run = loop.run_to_rest(row(2, 2.0 * R), BOND, load=1.0, push=push, contact=unbonded.CONTACT, gamma=0.5)
@@ -69,8 +64,8 @@ def test_the_component_resists_a_push_and_not_a_pull(chen) -> None:
 
 
 @pytest.mark.validate
-def test_the_load_of_the_cases_opens_the_contact_and_a_push_closes_it(chen) -> None:
-    loop, unbonded, lattice = chen["loop"], chen["unbonded"], row(3, 2.0 * R)
+def test_the_load_of_the_cases_opens_the_contact_and_a_push_closes_it() -> None:
+    loop, unbonded, lattice = chen_one_sided, chen_unbonded, row(3, 2.0 * R)
     ks = G * A / (2.0 * R)
     alone, both = tip(ks, 2), tip(2.0 * ks, 2)
     assert both < 0.95 * alone
@@ -89,8 +84,8 @@ def test_the_load_of_the_cases_opens_the_contact_and_a_push_closes_it(chen) -> N
     assert run(5.0 * F, slippery).displacement[-1, 1] == pytest.approx(alone, rel=1e-4)
 
 
-def test_between_unequal_spheres_the_contact_has_the_lever_of_each(chen) -> None:
-    loop, unbonded = chen["loop"], chen["unbonded"]
+def test_between_unequal_spheres_the_contact_has_the_lever_of_each() -> None:
+    loop, unbonded = chen_one_sided, chen_unbonded
     position = np.outer([0.0, 0.5, 1.0], [1.0, 0.0, 0.0])
     lattice = bd.Lattice(bd.Particles(position, [0.2, 0.3, 0.2]), [(0, 1), (1, 2)])
     pressed = bd.solve_static(unbonded.cantilever(lattice, unbonded.pressed(0.2, None), F)).displacement[-1, 1]
@@ -99,10 +94,10 @@ def test_between_unequal_spheres_the_contact_has_the_lever_of_each(chen) -> None
     assert run.displacement[-1, 1] == pytest.approx(pressed, rel=1e-4)
 
 
-def test_the_loop_is_that_of_solve_explicit(chen) -> None:
+def test_the_loop_is_that_of_solve_explicit() -> None:
     lattice = row(4, 2.0 * R)
-    ours = chen["loop"].run_to_rest(lattice, BOND, load=F, gamma=0.2)
-    model = chen["unbonded"].cantilever(lattice, BOND, F, ramp=0.1)
+    ours = chen_one_sided.run_to_rest(lattice, BOND, load=F, gamma=0.2)
+    model = chen_unbonded.cantilever(lattice, BOND, F, ramp=0.1)
     run = bd.solve_explicit(model, duration=ours.time, damping=bd.LocalDamping(0.2))
     np.testing.assert_allclose(run.state.displacement, ours.displacement, atol=1e-5 * ours.displacement[-1, 1])
 
@@ -129,14 +124,14 @@ def test_local_damping_acts_on_each_component_by_its_own_velocity() -> None:
 
 
 @pytest.mark.parametrize(("reading", "rests"), [("component", True), ("vector", True), ("printed", False)])
-def test_equation_11_damps_with_the_size_of_the_force_and_not_as_printed(chen, reading: str, rests: bool) -> None:
-    found = chen["loop"].run_to_rest(row(3, 2.0 * R), BOND, load=F, gamma=0.3, reading=reading, duration=0.6)
+def test_equation_11_damps_with_the_size_of_the_force_and_not_as_printed(reading: str, rests: bool) -> None:
+    found = chen_one_sided.run_to_rest(row(3, 2.0 * R), BOND, load=F, gamma=0.3, reading=reading, duration=0.6)
     assert (found.status == "STOPPED") == rests
 
 
 @pytest.mark.validate
-def test_each_eta_damps_a_mode_by_its_share_of_the_energy(chen) -> None:
-    damping, loop, lattice = chen["damping"], chen["loop"], row(4, 2.0 * R)
+def test_each_eta_damps_a_mode_by_its_share_of_the_energy() -> None:
+    damping, loop, lattice = chen_damping, chen_one_sided, row(4, 2.0 * R)
     omega, share, lag = damping.shares("PBM", lattice)
     assert 0.05 < share[1] < share[2] < 0.95
     for component, eta in enumerate(0.1 * np.eye(4)[:3]):  # nothing twists in the plane

@@ -164,8 +164,8 @@ def test_the_mouth_of_a_notch_opens_as_the_beam_turns_about_the_ligament() -> No
     """CMOD at the first event, and its figure.
 
     Tada's 4 σ a V(a/h) / E is that of a sharp crack. A notch as wide as half of its depth opens 1.236 times as far,
-    by quadratic elements in plane stress (as in `benchmarks/cmod.py`). Cells are a tenth of the depth of the beam
-    high, and the place of the tip is off by a share of that: 5 %.
+    by quadratic elements in plane stress (as in `validation/studies/cmod.py`). Cells are a tenth of the depth of the
+    beam high, and the place of the tip is off by a share of that: 5 %.
     """
     depth, notch = 20e-3, 6e-3
     place = bd.Within(bd.Box((40e-3, 30e-3, 30e-3)).moved((0.0, -1e-3, -1e-3)))

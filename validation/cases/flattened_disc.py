@@ -1,7 +1,7 @@
 """The Brazilian test on a disc with two flats (Wang et al. 2004), pressed between smooth platens.
 
-As `benchmarks/brazilian.py` has it, of any material. The stress at the centre is σ = k 2P / (π D t) in plane stress,
-with k = (2 cos³α + cos α + sin α/α)² / (8 (cos α + sin α/α)) · α/sin α, 0.960 for flats of 2α = 20°.
+As `validation/studies/brazilian.py` has it, of any material. The stress at the centre is σ = k 2P / (π D t) in plane
+stress, with k = (2 cos³α + cos α + sin α/α)² / (8 (cos α + sin α/α)) · α/sin α, 0.960 for flats of 2α = 20°.
 """
 
 import math

@@ -59,7 +59,7 @@ def recording(package: str, name: str, module: types.ModuleType) -> click.Comman
     """A command of a module that measures into a record, that draws from one, or both.
 
     Its function `measure(record, *, …)` gets the record and has an argument for each option; a tuple of texts takes
-    those of its default only. Its function `draw(data, folder)` draws what the record has.
+    those of its default only. Its function `draw(record, folder)` draws what the record has.
 
     Args:
         package: of the command, `python -m PACKAGE NAME`.
@@ -85,20 +85,20 @@ def recording(package: str, name: str, module: types.ModuleType) -> click.Comman
             click.echo(out)
             return
         figures.mkdir(parents=True, exist_ok=True)
-        module.draw(record.data, figures)
+        module.draw(record, figures)
         click.echo(figures)
 
     words = (module.__doc__ or "").strip()
-    return click.Command(name, params=options, callback=carry_out, help=f"\b\n{words}", short_help=words.splitlines()[0])
+    short = words.splitlines()[0]
+    return click.Command(name, params=options, callback=carry_out, help=f"\b\n{words}", short_help=short)
 
 
 def explained(of: object) -> dict[str, str]:
     """What a docstring says of each field of a class, or argument of a function."""
-    _, *listed = re.split(r"^(?:Attributes|Args):\n", inspect.cleandoc(of.__doc__ or ""), maxsplit=1, flags=re.MULTILINE)
-    return {
-        name: " ".join(text.split())
-        for name, text in re.findall(r"^ {4}(\w+): (.*?)(?=^ {4}\w|^$|\Z)", "".join(listed), re.MULTILINE | re.DOTALL)
-    }
+    text = inspect.cleandoc(of.__doc__ or "")
+    _, *listed = re.split(r"^(?:Attributes|Args):\n", text, maxsplit=1, flags=re.MULTILINE)
+    found = re.findall(r"^ {4}(\w+): (.*?)(?=^ {4}\w|^$|\Z)", "".join(listed), re.MULTILINE | re.DOTALL)
+    return {name: " ".join(words.split()) for name, words in found}
 
 
 def _of_text(default: object) -> bool:

@@ -2,7 +2,9 @@
 
 import datetime
 import json
-from collections.abc import Callable
+import shlex
+import statistics
+from collections.abc import Callable, Sequence
 from importlib.metadata import version
 from pathlib import Path
 from time import perf_counter
@@ -19,14 +21,21 @@ def origin(command: str) -> Row:
     """Command, machine with its load, date, version and commit, as they are when a measurement starts."""
     started = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
     return {
-        "command": command, "machine": machine(), "started": started, "version": version("bondem"), "commit": commit(),
+        "command": command, "machine": machine(), "started": started, "version": version("bondem"),
+        "commit": commit(),
     }  # fmt: skip
 
 
 def command_line(words: list[str]) -> str:
     """A command as records name it: paths outside the repository become BUILD/NAME."""
     inside = [word.replace(f"{REPOSITORY}/", "") for word in words]
-    return " ".join(f"BUILD/{Path(word).name}" if Path(word).is_absolute() else word for word in inside)
+    return shlex.join(f"BUILD/{Path(word).name}" if Path(word).is_absolute() else word for word in inside)
+
+
+def write(path: Path, report: Row) -> None:
+    """Write a record."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
 
 
 class Record:
@@ -46,19 +55,27 @@ class Record:
     def keep(self, **parts: Any) -> None:
         """Write the file: the parts given, and of others what it had."""
         self.data |= parts
-        text = json.dumps(self.origin | self.data, indent=1, ensure_ascii=False, allow_nan=False)
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        self.path.write_text(f"{text}\n", encoding="utf-8")
+        write(self.path, self.origin | self.data)
+
+    @property
+    def folder(self) -> Path:
+        """Where curves and files that the record does not hold are left, `out/NAME`."""
+        return REPOSITORY / "out" / self.path.stem
+
+    def beside(self, name: str) -> Path:
+        """A file or folder in `folder`."""
+        self.folder.mkdir(parents=True, exist_ok=True)
+        return self.folder / name
 
     def rows(self, part: str = "cases") -> list[Row]:
         """The rows of a part, of earlier measurements too."""
         return self.data.setdefault(part, [])
 
-    def has(self, part: str = "cases", **case: Any) -> bool:
+    def has(self, part: str = "cases", /, **case: Any) -> bool:
         """Whether a part has a row of this case."""
         return any(case.items() <= row.items() for row in self.rows(part))
 
-    def add(self, measure: Callable[[], Row | list[Row]], part: str = "cases", **case: Any) -> None:
+    def add(self, measure: Callable[[], Row | list[Row]], part: str = "cases", /, **case: Any) -> None:
         """Measure a case that the file does not have yet, print what was found, and write the file.
 
         Args:
@@ -76,3 +93,9 @@ class Record:
         words = ", ".join(f"{name} {value}" for name, value in case.items())
         plain = [{name: value for name, value in row.items() if isinstance(value, int | float | str)} for row in rows]
         print(f"{words}: {perf_counter() - started:.1f} s", *plain, sep="\n    ", flush=True)
+
+
+def spread(values: Sequence[float], digits: int = 4) -> dict[str, float]:
+    """Least, median and largest, to so many digits."""
+    found = {"min": min(values), "median": statistics.median(values), "max": max(values)}
+    return {name: float(f"{value:.{digits}g}") for name, value in found.items()}

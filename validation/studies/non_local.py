@@ -1,0 +1,132 @@
+"""The non-local law beside the cell law: what comes back of E = 40 GPa and ν, and when its lag diverges."""
+
+import warnings
+
+import numpy as np
+
+import bondem as bd
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.plan import Plan
+from bondem.model.highest_frequency import highest_frequency
+from bondem.model.state import State
+from bondem.statics.linear import System
+from bondem.statics.non_local_statics import LaggedStatics
+from validation.frame.record import Record
+
+E = 40e9
+RATIOS = (0.0, 0.2, 0.4, 0.45, 0.49)
+REACHES = (1.1, 1.2, 1.3, 1.4)
+REACH = 1.3
+DAMPING = {
+    "none": None, "local 0.3": bd.LocalDamping(0.3), "local 0.7": bd.LocalDamping(0.7),
+    "bonds 0.1": bd.BondDamping(eta=0.1), "bonds 0.3": bd.BondDamping(eta=0.3),
+}  # fmt: skip
+
+
+def moduli(lattice: bd.Lattice, law: object) -> dict:
+    """E [GPa] and ν, or what went wrong."""
+    try:
+        found = bd.bulk_moduli(lattice, law)
+    except bd.errors.ConvergenceError as error:
+        return {"E": None, "nu": None, "note": str(error)}
+    return {"E": found.E / 1e9, "nu": found.nu}
+
+
+def elastic(body: bd.Lattice, seed: int) -> list[dict]:
+    """Moduli that come back, by law and ν."""
+    spheres = bd.connect(body.particles, reach=REACH)
+    rows = []
+    for nu in RATIOS:
+        for name, lattice, law in (
+            ("facets", body, bd.NonLocal(E=E, nu=nu)),
+            ("facets, lever on the line of centres", body, bd.NonLocal(E=E, nu=nu, lever="contact")),
+            ("weighted", spheres, bd.NonLocal(E=E, nu=nu, areas="weighted")),
+            ("cell law", body, bd.CellBond(E=E, nu=nu)),
+        ):
+            rows.append({"seed": seed, "law": name, "nu_given": nu, **moduli(lattice, law)})
+            print(rows[-1], flush=True)
+    return rows
+
+
+def by_reach(particles: bd.Particles, seed: int) -> list[dict]:
+    """Moduli of weighted areas at ν = 0.2, by reach."""
+    rows = []
+    for reach in REACHES:
+        lattice = bd.connect(particles, reach=reach)
+        row = {"seed": seed, "reach": reach, "z": lattice.coordination_number}
+        rows.append(row | moduli(lattice, bd.NonLocal(E=E, nu=0.2, areas="weighted")))
+        print(rows[-1], flush=True)
+    return rows
+
+
+def by_steps(body: bd.Lattice) -> list[dict]:
+    """Mean stress σ_xx over ε_xx of a uniaxial strain, by the number of steps of its path [GPa]."""
+    rows = []
+    slip = np.zeros_like(body.branch)
+    slip[:, 0] = body.branch[:, 0]
+    volume = float(body.particles.period.prod())
+    for name, lattice, law in (
+        ("facets", body, bd.NonLocal(E=E, nu=0.2)),
+        ("line of centres, unlimited", body, bd.NonLocal(E=E, nu=0.2, lever="contact", limited=False)),
+    ):
+        model = bd.Model(lattice, law, 1.0)
+        statics = LaggedStatics(model, System.of(model))
+        for steps in (1, 10, 40):
+            found = statics.settle(np.zeros((len(lattice.particles), 6)), slip=slip, steps=steps)
+            stress = float(np.vdot(slip, found.strain.force)) / volume / 1e9
+            rows.append({"law": name, "steps": steps, "rounds": found.rounds, "C11": stress})
+            print(rows[-1], flush=True)
+    return rows
+
+
+def explicit(body: bd.Lattice, steps: int = 2000) -> list[dict]:
+    """Kinetic energy left of random velocities after so many steps, by damping, ν and share of the springs' step."""
+    rows = []
+    n = len(body.particles)
+    velocity = np.random.default_rng(0).standard_normal((n, 3))
+    velocity -= velocity.mean(axis=0)
+    for nu in RATIOS:
+        model = bd.Model(body, bd.NonLocal(E=E, nu=nu), 2400.0)
+        critical = 2.0 / highest_frequency(model)
+        for name, damping in DAMPING.items():
+            for share in (0.5, 0.125):
+                state = State(model)
+                state.set_motion(velocity=1e-3 * velocity)
+                start = float((state.motion[:, :3] ** 2 / state.motion[:, 3:4]).sum())
+                dt = share * critical
+                loop = CoreLoop(model, Plan(duration=steps * dt, dt=dt, every=0, damping=damping), state, dt)
+                _, _, _, sick = loop.run(steps)
+                left = float((state.motion[:, :3] ** 2 / state.motion[:, 3:4]).sum()) / start
+                stable = not sick and left < 1.0
+                rows.append({"nu": nu, "damping": name, "share": share, "stable": stable,
+                             "left": left if np.isfinite(left) and left < 1e30 else None})  # fmt: skip
+                print(rows[-1], flush=True)
+    return rows
+
+
+def table(rows: list[dict]) -> None:
+    """Means over packings."""
+    print(f"\n{'law':38s}" + "".join(f"  nu = {nu:4.2f}    " for nu in RATIOS))
+    for law in dict.fromkeys(row["law"] for row in rows):
+        cells = []
+        for nu in RATIOS:
+            some = [r for r in rows if r["law"] == law and r["nu_given"] == nu and r["E"] is not None]
+            means = (np.mean([r[name] for r in some]) for name in ("E", "nu"))
+            cells.append("{:6.2f}/{:6.4f}".format(*means) if some else "      -      ")
+        print(f"{law:38s}" + "  ".join(cells))
+
+
+def measure(record: Record, *, count: int = 2000, packings: int = 2) -> None:
+    """Measure moduli, and runs whose lag diverges."""
+    warnings.simplefilter("ignore")
+    record.keep(count=count, E=E / 1e9, reach=REACH, elastic=[], reaches=[])
+    for seed in range(1, packings + 1):
+        particles = bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=count, spread=0.25, seed=seed)
+        body = bd.connect(particles, method="laguerre")
+        if seed == 1:
+            record.keep(steps=by_steps(body))
+        record.keep(reaches=record.rows("reaches") + by_reach(particles, seed))
+        record.keep(elastic=record.rows("elastic") + elastic(body, seed))
+    small = bd.pack(bd.Cell((1.0, 1.0, 1.0)), count=200, spread=0.25, seed=1)
+    record.keep(explicit=explicit(bd.connect(small, method="laguerre")))
+    table(record.rows("elastic"))
