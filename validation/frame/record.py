@@ -60,11 +60,12 @@ class Record:
     @property
     def folder(self) -> Path:
         """Where curves and files that the record does not hold are left, `out/NAME`."""
-        return REPOSITORY / "out" / self.path.stem
+        found = REPOSITORY / "out" / self.path.stem
+        found.mkdir(parents=True, exist_ok=True)
+        return found
 
     def beside(self, name: str) -> Path:
         """A file or folder in `folder`."""
-        self.folder.mkdir(parents=True, exist_ok=True)
         return self.folder / name
 
     def rows(self, part: str = "cases") -> list[Row]:

@@ -14,7 +14,6 @@ the plateau. The first packing is done on every mesh, to see how far the results
 """
 
 import time
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -24,8 +23,6 @@ from bondem.labtests.gauge_length import rigid_motion
 from validation.frame.record import Record
 from validation.measures.fem_cylinder import NU, RHO, SHAPE, Continuum, E
 
-ROOT = Path(__file__).resolve().parents[1]
-RESULTS = ROOT / "benchmarks" / "results" / "fem_clamped.json"
 COUNT, SPREAD = 10_000, 0.25
 
 

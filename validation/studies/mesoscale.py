@@ -16,8 +16,9 @@ from bondem.specimen.material import Material
 from bondem.study.pipeline import run_study
 from bondem.study.study_file import parse_study
 from validation.frame.record import Record
+from validation.frame.sources import REPOSITORY
 
-STUDY = Path(__file__).parents[1] / "examples" / "mesoscale.toml"
+STUDY = REPOSITORY / "examples" / "mesoscale.toml"
 TESTS = ("direct_tension", "ucs", "brazilian")
 
 
