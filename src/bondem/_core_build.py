@@ -189,7 +189,7 @@ def compile_core(target: Platform, names: Iterable[str], *, folder: Path = SOURC
         The libraries.
 
     Raises:
-        RuntimeError: no compiler, or a source that it refuses; with what the compiler says.
+        RuntimeError: no compiler, or a source with errors; the text has the messages of the compiler.
     """
     command = compiler()
     if command is None:

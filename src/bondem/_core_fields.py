@@ -27,7 +27,7 @@ class Field:
         name: name of the field.
         dtype: type of the number, or of the numbers of the array.
         written: whether passes write to the array; None for a number.
-        shape: for each axis a symbol, or "", and what is added to it.
+        shape: for each axis a symbol, or "", and the number added to it.
         offset: place in the table [bytes].
     """
 

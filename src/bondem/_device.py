@@ -27,7 +27,7 @@ class HostCall:
     """Work of the CPU between two passes of a step, such as a function of a user. Steps with one are no graphs.
 
     Attributes:
-        work: function that fetches from tables of a run what it needs, and sends what it finds.
+        work: function that fetches its input from tables of a run, and sends its results.
     """
 
     work: Callable[["DeviceTables"], None]

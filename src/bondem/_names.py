@@ -99,5 +99,5 @@ def users_line() -> int:
 
 
 def is_internal(module: str) -> bool:
-    """Return True if code belongs to the package, or to what it puts between itself and its users."""
+    """Return True if code belongs to the package, or to its wrappers of public names."""
     return module.partition(".")[0] in ("bondem", "contextlib", "functools", "numpy", "scipy")

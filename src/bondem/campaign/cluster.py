@@ -60,7 +60,7 @@ def connected(
 
     Raises:
         InputError: no such scheduler, or fewer than one worker.
-        MissingDependencyError: Dask, or what makes credentials, is not installed.
+        MissingDependencyError: Dask, or the library for credentials, is not installed.
 
     Warns:
         UnprotectedClusterWarning: the scheduler of `address` is on another machine and does not use TLS.

@@ -39,7 +39,7 @@ def accept_all_characters() -> None:
 
 
 def flush(stream: TextIO | None) -> None:
-    """Write what is buffered for stdout or stderr; a failure is raised here, and not at the end of the process.
+    """Write the buffered text of stdout or stderr; a failure is raised here, and not at the end of the process.
 
     Raises:
         OSError: The stream cannot be written to.

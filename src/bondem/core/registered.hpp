@@ -34,7 +34,7 @@ PassDescription described(const char *name, PassKind kind, void (*)(const Turn &
     void *const address = reinterpret_cast<void *>(Called<pass>::call);
     return {name, nullptr, kind, address, TableNames<Tables...>::names, Index(sizeof...(Tables)), nullptr};
 }
-// Others are called with the number of threads and with a pointer to each table.
+// Other passes are called with the number of threads and with a pointer to each table.
 template <auto pass, class... Tables>
 PassDescription described(const char *name, const char *outcomes, Index (*)(Index, const Tables &...)) {
     void *const address = reinterpret_cast<void *>(pass);
@@ -54,7 +54,7 @@ struct Registered {
     }
 };
 
-// The second forms are for passes that are made of a template, and are named by what it is filled with.
+// The second forms are for passes made of a template, which are named after its argument.
 #if defined(__CUDACC__)
 #define BONDEM_PASS_AS(name, kind, ...)
 #define BONDEM_CALL_AS(name, outcomes, ...)

@@ -80,7 +80,7 @@ void *serve(void *recruit) {
     return nullptr;
 }
 
-// Starts threads until there are so many beside the caller; fewer where the system gives no more.
+// Starts threads up to a number beside the caller; fewer if the system refuses more.
 int started(int wanted) {
     if (team.process != getpid()) {
         // A forked child has none of the parent's threads, which still count as idle: conditions on which they slept

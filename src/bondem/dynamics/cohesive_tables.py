@@ -53,7 +53,7 @@ def new_cohesive_cracks(state: State, listed: np.ndarray, slide: float) -> Cohes
 
 
 def _columns_of_cracks(cracks: CohesiveCracks) -> list[tuple[int | slice, Floats, int | slice]]:
-    """Return columns of the cracks of a state, with the table and the columns that have them here."""
+    """Return triples of columns of the cracks of a state, the table of a run that has them, and its columns."""
     def columns(first: int, number: int) -> slice:
         return slice(first, first + number)
 

@@ -96,7 +96,7 @@ class CoreLoop:
     def _take(
         self, steps: int, records: np.ndarray, *, looks: bool = False, moved: bool = False
     ) -> tuple[str, list[int]]:
-        """Take steps, or record the present; return the ending and counts of what was done."""
+        """Take steps, or record the present; return the ending, and counts of steps and records."""
         state, t, done = self.state, self._tables, np.zeros(4, dtype=np.int64)
         stale = looks and state.stale
         span = StepSpan(state.step, steps, self._every, looks, stale, moved, self._n, self._m, done)
@@ -140,6 +140,6 @@ class CoreLoop:
 
 
 def noticeable(model: Model, dt: float) -> float:
-    """Return the energy below which no guard acts on a run [J]: of motion at rest, and what adhesion may release."""
+    """Return the energy below which no guard acts [J]: that of motion at rest, and that of adhesion."""
     rest = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
     return rest + (0.0 if model.contact_laws is None else model.contact_laws.released(model.contact_radius))

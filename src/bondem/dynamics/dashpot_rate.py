@@ -54,6 +54,6 @@ def fastest_decay(model: Model, terms: DampingTerms) -> float:
 
 
 def _split(vector: Floats, normal: Floats, along: Floats, across: Floats) -> Floats:
-    """Return vectors, row by row, times one factor along the normals and another one across."""
+    """Multiply vectors, row by row, by one factor along the normals and by another one across them."""
     part = np.einsum("mk,mk->m", vector, normal)
     return across[:, None] * vector + ((along - across) * part)[:, None] * normal

@@ -244,7 +244,7 @@ class DeviceLoop:
         return _Records(self, HistoryRows(np.zeros((max(rows, 1), self._width))))
 
     def _fetch(self) -> None:
-        """Copy what passes have written from the device, and with it the state."""
+        """Copy all arrays that passes have written, and with them the state, from the device."""
         self._tables.fetch_written()
         for log in self._run.logs:
             self._tables.fetch(log.event[: log.written[0]])

@@ -40,7 +40,7 @@ class ExplainedStep:
     """The passes of one step of an explicit run; `print` shows them by stage.
 
     Attributes:
-        passes: stage, name, what it runs over and purpose of each, in the order of the step.
+        passes: stage, name, range and purpose of each, in the order of the step.
     """
 
     passes: tuple[ExplainedPass, ...]
@@ -90,5 +90,5 @@ def explain_step(
 
 
 def _purpose(name: str) -> str:
-    """Return the sentence that says what a pass is for."""
+    """Return the sentence on the purpose of a pass."""
     return " ".join((getattr(steps, name).__doc__ or "").partition("\n\n")[0].split())

@@ -72,7 +72,8 @@ class History:
         - "balance": kinetic + elastic + loss + friction + non-local work + fracture + crushing + plastic - work, less
           its value in the first record. It should be zero.
 
-        Bonds and facets without a fracture energy release what they store as "fracture". Records of run files before
+        Bonds and facets without a fracture energy release their stored energy as "fracture". Records of run files
+        before
         schema 10 have all of it there. See docs/decisions/0049-kinds-of-loss.md.
         """
         ledger = {name: self.records[:, 1 + k] for k, name in enumerate(_ENERGIES)}

@@ -141,7 +141,8 @@ def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: flo
 def _with_broken(model: Model, highest: float) -> tuple[float, float]:
     """Return ω_max, and an upper bound of M⁻¹ C of contacts [1/s], whichever bonds are broken and touch.
 
-    A contact of what was bonded is at most as stiff along the normal; across, the stiffer of both counts. Its lever
+    A contact of a broken bond is at most as stiff as the bond along the normal; across, the stiffer of both counts.
+    Its lever
     arms are assumed to be those of the bond.
     """
     contacts = model.contacts

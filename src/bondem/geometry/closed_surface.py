@@ -26,7 +26,7 @@ _OFF = 0.1
 def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats, Ints, Ints]:
     """Return corners and triangles of a closed surface, all outwards, without doubled ones or ones without area.
 
-    Third come the rows of `triangles` that are left.
+    The third result has the remaining rows of `triangles`.
 
     Args:
         name: name of the surface, for messages.
@@ -65,7 +65,7 @@ def closed_surface(name: str, vertices: Floats, triangles: Ints) -> tuple[Floats
 
 
 def _merged(vertices: Floats, triangles: Ints, tolerance: float) -> tuple[Floats, Ints, Ints]:
-    """Merge corners of one place, remove triangles without area and doubled ones; third come the rows kept."""
+    """Merge corners of one place, remove triangles without area and doubled ones; third are the remaining rows."""
     place = vertices + 0.0 if tolerance == 0.0 else np.rint(vertices / tolerance)
     _, first, number = np.unique(place, axis=0, return_index=True, return_inverse=True)
     if len(first) < len(vertices):

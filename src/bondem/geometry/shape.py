@@ -358,7 +358,7 @@ class Joined(_Pair):
 
     @property
     def patch_names(self) -> tuple[str, ...]:
-        """Patches of both parts but those whose names both have, such as "patch:1"."""
+        """Patches of both parts, without names that both parts have, such as "patch:1"."""
         first, second = self.first.patch_names, self.second.patch_names
         return tuple(name for name in (*first, *second) if (name in first) != (name in second))
 

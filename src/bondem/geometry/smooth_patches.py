@@ -2,7 +2,7 @@
 
 Triangles belong to one patch where the angle between their normals is below a limit. A plane that passes smoothly
 into a rounding, as beside a fillet, is a patch of its own: coplanar triangles that together are several times larger
-than every strip beside them. Normals of very thin triangles are rounding; these belong to what is beyond their
+than every strip beside them. Normals of very thin triangles are rounding; these belong to the triangle beyond their
 longest side.
 """
 

@@ -13,7 +13,7 @@ _IN_VERSION = re.compile(r"\+g([0-9a-f]{7,})")
 
 @functools.cache
 def commit() -> str | None:
-    """Short hash of the commit of bondem, "-dirty" after it where files have changed; None where it is not known.
+    """Short hash of the commit of bondem, with "-dirty" if files have changed; None where it is not known.
 
     An installed package has the commit in its version. In a clone, whose code changes after the installation, Git is
     asked, once.

@@ -169,7 +169,7 @@ class JournaledFile(io.RawIOBase):
         super().close()
 
     def _shorten(self) -> None:
-        """Remove what is beyond the last commit; a file that somebody has cut stays as it is."""
+        """Remove bytes beyond the last commit; a file that was cut from outside stays as it is."""
         with suppress(OSError):
             if os.fstat(self._file.fileno()).st_size > self._committed:
                 self._file.truncate(self._committed)

@@ -97,7 +97,7 @@ def _spalled(test: SpallTest) -> dict[str, float | None]:
 
 
 def _parted(result: Any, body: Lattice, fracture_energy: float) -> Cracking:
-    """Cracks of an explicit run whose pieces fly apart: only facets that have broken count."""
+    """Cracks of an explicit run whose pieces fly apart: only broken facets count."""
     energy = result.run.history.energy
     elastic = np.sum([energy[name] for name in ("normal", "shear", "bending", "twisting")], axis=0)
     dissipated, slipped, crushed = dissipated_in(result.run.history)

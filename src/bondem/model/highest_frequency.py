@@ -33,7 +33,7 @@ def highest_frequency(
 ) -> float:
     """Return ω_max of the unconstrained lattice at rest [rad/s], a bound for every set of supports.
 
-    With the dispersion-corrected mass it is raised to a bound of what explicit steps have.
+    With the dispersion-corrected mass it is raised to a bound for explicit steps.
 
     Args:
         model: model that will move.

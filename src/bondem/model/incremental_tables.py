@@ -17,7 +17,7 @@ from bondem.model.state import State
 
 
 def stored_beam_tables(model: Model, state: State) -> tuple[Beams, StoredLoads]:
-    """Return beams of the incremental formulation and what they store; the latter shares its array with the state.
+    """Return beams of the incremental formulation and their stored loads, which share their array with the state.
 
     Where the model has fewer beams than a group, the array is a longer copy, made by
     `bondem.interactions.beams.bond_table.with_zeros`.

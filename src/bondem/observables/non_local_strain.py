@@ -50,7 +50,7 @@ class NonLocalStrain:
         return NonLocalStrain(self.lattice, c, gap, self.extra)
 
     def lagged(self) -> "NonLocalStrain":
-        """Return the same gaps with the extra forces that follow from the present stresses and gaps."""
+        """Return a strain of the same gaps, with the extra forces that follow from the present stresses and gaps."""
         c = self.constants
         extra = lagged_extra_forces(self.lattice.pairs, c, self.stress, self.gap)
         return NonLocalStrain(self.lattice, c, self.gap, extra)

@@ -1,4 +1,4 @@
-"""Captions of the figures of a report: what is drawn, and in which units."""
+"""Captions of the figures of a report, with the drawn quantities and their units."""
 
 #: Captions of the figures, by name.
 CAPTIONS = {

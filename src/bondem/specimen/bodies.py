@@ -1,4 +1,4 @@
-"""Bodies: which elements of a lattice belong together, what they are called, and the shape that each fills."""
+"""Bodies: groups of elements of a lattice, with their names and the shapes that they fill."""
 
 from dataclasses import dataclass
 from functools import cached_property

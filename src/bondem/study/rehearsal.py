@@ -27,7 +27,7 @@ def rehearse(study: Study) -> str:
         What was done, for the user.
 
     Raises:
-        BondemError: what `bondem run` would raise before or at the beginning of a test.
+        BondemError: an error that `bondem run` would raise before or at the beginning of a test.
     """
     material = study.material
     if material is not None and study.bond.law is None and study.bond.cells is None:

@@ -227,7 +227,7 @@ def read_toml(path: Path, parse: Callable[[dict[str, Any]], Read]) -> Read:
     """Apply a function to the TOML document of a file; errors get the line of their key.
 
     Raises:
-        StudyError: no such file, not TOML, or what the function raises.
+        StudyError: no such file, not TOML, or an error of the function.
     """
     text = ""
     try:

@@ -51,7 +51,7 @@ inline void write_sum(Index c, const DeviceSpan &span, const FoldedPortions &fol
     history.record(clock_of(span).record, c) = sum;
 }
 
-// Part k % each of gauge k / each.
+// Part k % each of the sum of gauge k / each.
 inline void read_part_of_gauge(Index k, const Moving &all, const Rows &rows, const Gauges &gauges, const GaugeParts &to) {
     const Index g = k / to.each, part = k % to.each, first = gauges.start(g), count = gauges.start(g + 1) - first;
     const bool largest = gauges.reduction(g) == gauge::largest;

@@ -43,7 +43,7 @@
 
 namespace bondem {
 
-// A facet in the reference, as its two cells see it.
+// Geometry of a facet in the reference, relative to its two cells.
 template <class T> struct FacetShape {
     Vector3<T> lever_i, lever_j;  // b [m]
     Vector3<T> share_i, share_j;  // s [m²]

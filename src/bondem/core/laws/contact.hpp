@@ -139,7 +139,7 @@ BONDEM_INLINE ContactLoads<T> contact_loads(const ContactStiffness<T> &k, Number
         }
         rubbed = given - 0.5 * (k.ks * dot(stretch, stretch) - k.ks_before * dot(s, s));
         const Vector3<T> spring = k.ks * stretch, both = plus(spring, k.cs, t);
-        // the dashpot never makes it slide
+        // the dashpot alone never causes sliding
         dashpot = select(dot(both, both) > limit * limit, dashpot, both - spring);
         across = spring + dashpot;
     }

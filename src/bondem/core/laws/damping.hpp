@@ -19,7 +19,7 @@ template <class T> BONDEM_INLINE Vector3<T> locally_damped(Vector3<T> force, Vec
             locally_damped(force.z, velocity.z, gamma)};
 }
 
-// Velocities of two elements as the dashpots of their bond see them.
+// Velocities of two elements, on which the dashpots of their bond act.
 template <class T> struct RelativeMotion {
     Vector3<T> velocity;  // of j minus that of i [m/s]
     Vector3<T> spin_i, spin_j;  // angular velocities [rad/s]

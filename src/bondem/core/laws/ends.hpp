@@ -1,4 +1,4 @@
-// Two elements as the bond or the facet between them sees them.
+// Poses of two elements relative to the bond or facet between them.
 #pragma once
 #include "rotations.hpp"
 

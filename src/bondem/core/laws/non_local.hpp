@@ -85,7 +85,7 @@ BONDEM_INLINE Vector3<T> extra_force(const Stress<T> &s, Vector3<T> n, T area, V
     }
     return plus(e, push, n);
 }
-// kn δ_n n + kt δ_t
+// force kn δ_n n + kt δ_t of the springs
 template <class T> BONDEM_INLINE Vector3<T> spring_force(const PairPose<T> &now, const PairStiffness<T> &k) {
     const T along = (k.kn - k.kt) * dot(now.gap, now.normal);
     return plus(k.kt * now.gap, along, now.normal);

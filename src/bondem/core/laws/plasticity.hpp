@@ -9,7 +9,7 @@
 //
 //     F = √J2 + α I1 - r k        H = G + 9 K α β               Δε = Δγ [s / 2 √J2 + β 1]
 //
-// so that in pure shear τ both dissipate τ Δγ, and F falls by H Δγ as all cells slip by Δγ at constant total strain.
+// so that in pure shear τ both dissipate τ Δγ, and F falls by H Δγ if all cells slip by Δγ at constant total strain.
 // γ is the mean slip of cells about half the width B of a shear band away: a band that slips by s has γ = s / B
 // whatever its profile is, if it is thinner than B/2 (`damage/shear_bands.py`), and dissipates G_II per area.
 //
@@ -24,7 +24,7 @@
 // and have less stress in cells than on facets.
 //
 // The plastic strain is an eigenstrain of the cell: its levers are P b with P ← (1 + Δε) P in the frame of the cell.
-// So what is dissipated is exactly V σ:Δε, also at large strain.
+// So the dissipation is exactly V σ:Δε, also at large strain.
 //
 // Signs: tension positive. Limits: a cell without cohesion under tension does not flow, its facets crack.
 #pragma once
@@ -104,7 +104,7 @@ template <class T> BONDEM_INLINE T work_of(const Symmetric3<T> &s, const Symmetr
            2.0 * (s.xy * strain.xy + s.xz * strain.xz + s.yz * strain.yz);
 }
 
-// P of a cell: its rows less those of the identity.
+// Plastic deformation P of a cell, stored as the rows of P - 1.
 template <class T> struct PlasticDeformation {
     Vector3<T> x, y, z;
 };

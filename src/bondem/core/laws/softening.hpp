@@ -140,7 +140,7 @@ template <class T> struct CrackStrength {
     PlaneStrength<T> plane;
     Mask<T> on_plane;
 };
-// A facet's loads as if it were whole.
+// Loads of a facet at full integrity.
 template <class T> struct FacetTraction {
     Vector3<T> t, normal;  // [Pa], [-]
     T bent;  // T_b [Pa]

@@ -139,7 +139,7 @@ class StressCriterion(Criterion):
             )
 
     def _tried(self, stress: Floats) -> Floats:
-        """Return what the function returns for stresses (k, 3, 3)."""
+        """Return the result of the function for stresses (k, 3, 3)."""
         try:
             return self._surface.indices(stress.copy())
         except Exception as error:  # the user's own

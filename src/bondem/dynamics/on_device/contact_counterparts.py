@@ -157,7 +157,7 @@ def _begin_by_faces(
 
 
 def _at_walls(by: KernelOf) -> Counterpart:
-    """Return what contacts of elements with walls add to the sums of the elements, by one pass."""
+    """Return the launches that add contacts with walls to the sums of the elements, by one pass."""
 
     def launch(
         run: Translation, moving: Moving, law: ContactConstants, contacts: WallContacts, walls: Walls,
@@ -200,7 +200,7 @@ def _begin(
 
 
 def _pair_energies(by: KernelOf) -> Counterpart:
-    """Return what pairs add to the energy of each portion, by one pass."""
+    """Return the launches that add the energy of pairs to each portion, by one pass."""
 
     def launch(
         run: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, energies: ContactEnergies
@@ -222,7 +222,7 @@ def _face_energies(
 
 
 def _wall_energies(by: KernelOf) -> Counterpart:
-    """Return what contacts with walls add to the energy of each portion, by one pass."""
+    """Return the launches that add the energy of contacts with walls to each portion, by one pass."""
 
     def launch(
         run: Translation, moving: Moving, law: ContactConstants, contacts: WallContacts, walls: Walls,

@@ -54,7 +54,7 @@ COUNTERPARTS = {
 
 
 def launches_of(passes: Passes, run: Translation, instead: Mapping[str, Counterpart] | None = None) -> list[Launch]:
-    """Return the launches that do what passes do.
+    """Return the launches that correspond to passes.
 
     Args:
         passes: passes of a step.

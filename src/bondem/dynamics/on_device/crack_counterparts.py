@@ -29,7 +29,7 @@ _CHANGED = DeviceSpan, Moving, ElasticFacets, CellDilatation, CellSlack, Cohesiv
 
 
 def _losses(run: Translation, cracks: CohesiveCracks) -> LossesOfCracks:
-    """Return what the cracks of a run dissipate in a step."""
+    """Return the table of the dissipation of cracks in a step."""
 
     def make() -> LossesOfCracks:
         m = run.span.m

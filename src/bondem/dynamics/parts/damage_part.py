@@ -71,7 +71,7 @@ class DamageTables:
         )  # fmt: skip
 
     def part(self, shared: SharedTables, judge: Passes, remove: Passes, dashpots: Dashpots | None) -> Part:
-        """Return the part of the pipeline that does not depend on what fails.
+        """Return the part of the pipeline that does not depend on the kind of bonds.
 
         Args:
             shared: tables of the run.

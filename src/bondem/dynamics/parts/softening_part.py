@@ -22,7 +22,7 @@ class SofteningTables:
     """Tables of the beams of a run that soften.
 
     Attributes:
-        bounds: bounds, criterion and integrity of the beams, and what presses on them.
+        bounds: bounds, criterion, integrity and pressure stiffness of the beams.
         soft: beams that soften.
     """
 

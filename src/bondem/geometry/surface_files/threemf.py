@@ -39,7 +39,7 @@ class _Object:
 
 @dataclass
 class _Model:
-    """A model file: its unit, objects by file and number, and what is built."""
+    """A model file: its unit, objects by file and number, and the built items."""
 
     unit: str = "millimeter"  # the default of the specification
     objects: dict[str, _Object] = field(default_factory=dict)

@@ -17,14 +17,14 @@ from bondem.specimen.ordering import Layout
 def beam_tables(
     bonds: BondTable, layout: Layout, period: Floats, integrity: PerBond, *, may_share: bool = True
 ) -> tuple[Beams, AlikeBeams | None]:
-    """Return beams as the core takes them, and what they share, or None.
+    """Return beams as the core takes them, and their common constants, or None.
 
     Args:
         bonds: constants of the beams.
         layout: elements of the beams.
         period: edges of the periodic cell and their inverses, (6,).
         integrity: integrity of each beam [-], (m,).
-        may_share: whether what they share may be used; False where their lengths change.
+        may_share: True if common constants may be used; False if lengths change.
     """
     same = bonds.alike if may_share else None
     X0, Y0, Z0 = bonds.direction

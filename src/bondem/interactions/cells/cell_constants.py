@@ -267,8 +267,8 @@ def ways(facets: Facets) -> tuple[PerBond3, PerBond3]:
 def _along_facets(free: FreeFacets, position: PerElement3) -> Floats:
     """Return τ / d of free facets, the part of (c - g) / d in their planes [-], (k, 3).
 
-    A uniform strain ε adds A n·ε (c - g) to V θ, and opens the facet by d ε n. A n·ε τ = A t·τ / 2 G is what is
-    missing where a traction t acts along the surface. Zero for shares that are not A n, as those of older files.
+    A uniform strain ε adds A n·ε (c - g) to V θ, and opens the facet by d ε n. The difference under a traction t
+    along the surface is A n·ε τ = A t·τ / 2 G. Zero for shares that are not A n, as those of older files.
     """
     span = free.centroid - position[free.cell]
     far = np.abs(free.depth) > _FLAT * np.linalg.norm(span, axis=1)

@@ -74,7 +74,7 @@ class Teeth:
     Attributes:
         integrity: integrity after events 1 … t, falling to 0, (t,).
         limit: T of events 2 … t [Pa], (t - 1,).
-        beyond: these over the T at which the curve itself softens the facet further [-], (t - 1,).
+        beyond: limits over the T at which the curve itself softens the facet further [-], (t - 1,).
     """
 
     integrity: Floats

@@ -24,7 +24,7 @@ void stretch(const CellStrains &strains, const ElasticFacets &facets, const Wall
 
 }  // namespace
 
-// Brings stress-free strains, and with them the levers of facets and walls, to the time of the clock.
+// Sets stress-free strains, and with them the levers of facets and walls, to the time of the clock.
 void follow_cell_strains(const Turn &turn, const Timeline &timeline, const CellStrains &strains,
                          const ElasticFacets &facets, const WallConstraints &walls) {
     const bool changed = follow_factors(turn.clock, timeline, strains);

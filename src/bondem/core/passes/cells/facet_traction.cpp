@@ -1,4 +1,4 @@
-// Tractions on free facets, as far as they change the dilatation of cells.
+// Tractions on free facets, and their effect on the dilatation of cells.
 //
 // A traction t opens its facet by the half of its own cell, and with it adds A d t · m / 2G to V θ. Under constant loads
 // ½ V λ θ² of the cells is the potential; a load that changes does the work σ d(V θ) on it.

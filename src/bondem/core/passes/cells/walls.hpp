@@ -107,7 +107,7 @@ inline double energy_of_hold(const Array<double, 2> &pose, const Array<const dou
     return 0.5 * walls.k(g) * dot(gap, gap) + 2.0 * dot(v, resistance_of(walls, g) * v);
 }
 
-// Brings the wall of a held facet to a time; `came` is by how much that moves it.
+// Moves the wall of a held facet to its place at a time; `came` is its displacement.
 inline void place_hold(const WallConstraints &walls, double time, Index g) {
     const Timeline timeline = {walls.times, walls.values, walls.start};
     for (Index axis = 0; axis < 3; axis++) {

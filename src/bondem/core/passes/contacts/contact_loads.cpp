@@ -86,7 +86,7 @@ Index find_close(const Turn &turn, const Moving &all, const ContactConstants &c,
 
 #if defined(BONDEM_LANES)
 
-// Pairs that stand one after the other in a list; behind the end, the last one again and again.
+// Consecutive pairs of a list; the last pair fills an incomplete group.
 struct SeveralPairs {
     Short pair[lanes], first[lanes], second[lanes], place[lanes];
 

@@ -23,7 +23,8 @@ namespace bondem {
 constexpr Index began_at = 6, stiff_before = 7;
 // Cosine of the largest angle between the branch of two cells and the normal of a face that faces the other cell.
 constexpr double least_ahead = 0.5;
-// Share of faces in one plane up to which they find each other as they slide, not as they open.
+// Largest overlap of faces in one plane, as a share of their area, at which their contact starts as they slide,
+// without an initial overlap.
 constexpr double least_share = 0.01;
 
 // Facets whose faces a pair has chosen, as one number.

@@ -1,11 +1,12 @@
 // Walls as rigid bodies: their motion, and the forces between walls and elements.
 //
-// A contact is evaluated in the frame of its wall, which moves and turns with the wall: there the wall is at rest.
-// A driven wall follows its schedules. A servo is a platen of some mass that is pushed along its normal by a wanted force
-// against the force of the elements; a share of the missing force resists its motion, and its speed is limited. A free wall moves by the force of the elements and one of its
-// own: half a kick before it moves, half when the forces on it are known. It turns between both kicks of its angular
-// momentum, about its principal axes in the order 1 2 3 2 1 (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997).
-// The work of a wall on the elements is the trapezoid of its power.
+// A contact is evaluated in the frame of its wall, which moves and turns with the wall: there the wall is at rest. A
+// driven wall follows its schedules. A servo is a platen of some mass that is pushed along its normal by a prescribed
+// force against the force of the elements; a share of the missing force resists its motion, and its speed is limited.
+// A free wall moves by the force of the elements and one of its own: half a kick before it moves, half when the
+// forces on it are known. It turns between both kicks of its angular momentum, about its principal axes in the order
+// 1 2 3 2 1 (Dullweber, Leimkuhler and McLachlan, J. Chem. Phys. 107, 1997). The work of a wall on the elements is
+// the trapezoid of its power.
 #include "rigid_walls.hpp"
 
 #include "../../registered.hpp"

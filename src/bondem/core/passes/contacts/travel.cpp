@@ -20,7 +20,7 @@ double wall_travel(const Walls &walls, double reach) {
 
 }  // namespace
 
-// Finds how far the elements of a portion are from where distances were measured.
+// Finds the distances of the elements of a portion from their places at the last measurement.
 void measure_travel(const Turn &turn, const Moving &all, const Travel &travel) {
     double farthest = 0.0;
     bool finite = true;

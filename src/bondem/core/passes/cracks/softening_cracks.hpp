@@ -220,7 +220,7 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
         const Mask<T> at_once = (strength == zero) | (of.by.tension.brittleness == bondem::all<T>(infinity));
         const FacetTraction<T> load = {(1.0 / at.area) * whole, now.normal, bent};
         Softened<T> found = {now.at, now.left};
-        // those of the material, but for brittle ones in the step in which they begin
+        // cracks of the material, except brittle ones in the step of their onset
         const Mask<T> bulk = softens & opposite(at.alike) & opposite(fresh & at_once);
         if (any(bulk)) {
             const auto losses = [&]() {

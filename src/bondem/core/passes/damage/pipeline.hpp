@@ -76,7 +76,7 @@ class Marks {
         : limit(bounds.limit.data), of_force(bounds.of_force), of_moment(bounds.of_moment),
           first(candidates.marked.data + candidates.begin(turn.block)), next(first) {}
 
-    // Calls on(n) for those of the bonds k + n, n from `known` on, whose size reaches the bound.
+    // Calls on(n) for each bond k + n, n from `known` on, whose size reaches its bound.
     template <class On>
     BONDEM_INLINE void for_each_near(Index k, int known, Lanes force_squared, Lanes moment_squared, On on) const {
         const Lanes size = of_force * force_squared + of_moment * moment_squared, bound = limits_of(limit + k);
@@ -84,7 +84,7 @@ class Marks {
             for (int n = known; n < lanes; n++)
                 if (size[n] >= bound[n]) on(n);
     }
-    // Marks these bonds.
+    // Marks the bonds of a group that reach their bounds.
     BONDEM_INLINE void mark(Index k, int known, Lanes force_squared, Lanes moment_squared) {
         for_each_near(k, known, force_squared, moment_squared, [&](int n) { put(k + n); });
     }

@@ -39,36 +39,36 @@ inline void move_held(const Turn &turn, const Moving &all, const StepCut &cut, c
 
 }  // namespace
 
-// Elements that own no row of the boundary close the step, and open the next.
+// Closes the step, and opens the next, for elements that own no row of the boundary.
 void move_elements(const Turn &turn, const Moving &all, const StepCut &cut) { move_free(turn, all, cut, NoRow{}); }
 BONDEM_PASS(move_elements, elements_of_blocks)
 
-// Elements that own no row of the boundary close the step against what resists their motion, and open the next.
+// Closes the step, and opens the next, for damped elements that own no row of the boundary.
 void move_resisted(const Turn &turn, const Moving &all, const StepCut &cut, const Resistance &resistance) {
     move_free(turn, all, cut, resistance);
 }
 BONDEM_PASS(move_resisted, elements_of_blocks)
 
-// Elements that own rows of the boundary close the step, and open the next.
+// Closes the step, and opens the next, for elements that own rows of the boundary.
 void move_rows(const Turn &turn, const Moving &all, const StepCut &cut, const Rows &rows) {
     move_held(turn, all, cut, rows, NoRow{});
 }
 BONDEM_PASS(move_rows, elements_of_blocks)
 
-// Elements that own rows of the boundary close the step against what resists their motion, and open the next.
+// Closes the step, and opens the next, for damped elements that own rows of the boundary.
 void move_resisted_rows(const Turn &turn, const Moving &all, const StepCut &cut, const Rows &rows,
                         const Resistance &resistance) {
     move_held(turn, all, cut, rows, resistance);
 }
 BONDEM_PASS(move_resisted_rows, elements_of_blocks)
 
-// All elements open a step after a pause; none owns a row of the boundary.
+// Opens a step after a pause for all elements, none of which owns a row of the boundary.
 void open_elements(const Turn &turn, const Moving &all) {
     for (Index p = turn.first; p < turn.last; p++) open_one(p, turn.clock, all, NoRow{});
 }
 BONDEM_PASS(open_elements, of_elements)
 
-// All elements open a step after a pause; some own rows of the boundary.
+// Opens a step after a pause for all elements, some of which own rows of the boundary.
 void open_elements_and_rows(const Turn &turn, const Moving &all, const Rows &rows) {
     for (Index p = turn.first; p < turn.last; p++) {
         const Index r = rows.of(p);
@@ -80,13 +80,13 @@ void open_elements_and_rows(const Turn &turn, const Moving &all, const Rows &row
 }
 BONDEM_PASS(open_elements_and_rows, of_elements)
 
-// Elements of a list that own no row of the boundary open a step.
+// Opens a step for elements of a list that own no row of the boundary.
 void reopen_elements(const Turn &turn, const Moving &all) {
     for (Index e = turn.first; e < turn.held; e++) open_one(turn.element[e], turn.clock, all, NoRow{});
 }
 BONDEM_PASS(reopen_elements, elements_of_blocks)
 
-// Elements of a list that own rows of the boundary open a step.
+// Opens a step for elements of a list that own rows of the boundary.
 void reopen_rows(const Turn &turn, const Moving &all, const Rows &rows) {
     for (Index e = turn.held; e < turn.last; e++) {
         const Short p = turn.element[e];

@@ -46,8 +46,8 @@ template <class T> BONDEM_INLINE PairStore<T> stored_by(const NonLocalBonds &bon
     return {vector_at<T>(data, m, gap_column, k), vector_at<T>(data, m, extra_column, k),
             number<T>(data + taken_column * m, k)};
 }
-// The extra force now. `mean()` returns the mean stress of both elements a step ago; a step of zero duration (`steps`
-// is false) does not call it, and keeps the extra force.
+// The present extra force. `mean()` returns the mean stress of both elements a step ago; a step of zero duration
+// (`steps` is false) does not call it, and keeps the extra force.
 template <bool steps, class T, class Mean>
 BONDEM_INLINE Vector3<T> extra_now(const PairStore<T> &before, const PairPose<T> &now, const Rotation<T> &i,
                                    const PairStiffness<T> &stiffness, const PairLaw &law, Mean mean) {

@@ -57,7 +57,7 @@ Balance balance(const DynamicRelaxation &c, const Array<double, 2> &sums, double
 double squared_frequency(const Array<double, 1> &memory) {
     return memory(1) > 0.0 ? most(memory(0), 0.0) / memory(1) : 0.0;
 }
-// The critical rate of the frequency at present.
+// The critical rate of damping for the present frequency.
 double damping_rate(const Array<double, 1> &memory, const Balance &now) {
     const double fade = least(fastest_fading, most(root(squared_frequency(memory)), slowest_fading));
     memory(0) += fade * (now.power - memory(0));

@@ -27,7 +27,7 @@ Box box_around(const Solids &solids, Index s, Vector x) {
     return {box.low + x, box.high + x};
 }
 
-// Lists the triangles whose boxes meet a box; returns how many, of which `found` holds as many as it has room for.
+// Lists the triangles whose boxes meet a box, and returns their number; `found` contains as many as fit.
 Index list_walls(const WallTree &walls, const Box &box, const Array<Index, 1> &found) {
     Index waiting[128], count = 1, listed = 0;
     waiting[0] = 1;

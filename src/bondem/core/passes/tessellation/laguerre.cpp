@@ -76,7 +76,7 @@ struct Cell {
         Index kept = 0;
         for (Index f = 0; f < faces; f++) {
             const Heights height = face(f).over(by);
-            // also what meets the plane at an edge bounds the new face
+            // faces that meet the plane at an edge also bound the new face
             if (height.low <= tolerance && height.high >= -tolerance) clip_within(lid, work, plane(f));
             if (height.high > 0.0) {
                 work.clip(face(f), by);
@@ -174,12 +174,12 @@ void sort_by_distance(const CellRequest &lists, Index listed) {
         }
 }
 
-// True if no plane cuts of elements at a distance or beyond, by B.
+// True if no element at a distance or beyond cuts the cell, by the bounds B of the radii.
 bool ends(double distance, double own, double bound, double farthest) {
     return (1.0 - slope * slope) * distance - 2.0 * slope * bound - (bound * bound - own) / distance >= 2.0 * farthest;
 }
 
-// Distance beyond which no plane cuts: the lesser of those by the largest radius of all and by B.
+// Distance beyond which no element cuts the cell: the smaller one of two bounds, by the largest radius and by B.
 double needed_distance(double own, double bound, double largest, double farthest) {
     const double ahead = slope * bound + farthest, left = 1.0 - slope * slope;
     const double near = (ahead + root(ahead * ahead + left * (bound * bound - own))) / left;
