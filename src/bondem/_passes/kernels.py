@@ -1113,7 +1113,7 @@ def rank_failing(bond_marks: BondMarks, candidates: Candidates) -> Kernel:
 
 
 def read_part_of_gauge(moving: Moving, rows: Rows, gauges: Gauges, gauge_parts: GaugeParts) -> Kernel:
-    """Part k % each of gauge k / each."""
+    """Part k % each of the sum of gauge k / each."""
     return Kernel("read_part_of_gauge", (moving, rows, gauges, gauge_parts))
 
 

@@ -860,7 +860,7 @@ def follow_cell_strains(
     timeline: Timeline, cell_strains: CellStrains, elastic_facets: ElasticFacets, wall_constraints:
     WallConstraints
 ) -> StepEntry:
-    """Brings stress-free strains, and with them the levers of facets and walls, to the time of the clock.
+    """Sets stress-free strains, and with them the levers of facets and walls, to the time of the clock.
 
     Over once.
     """
@@ -1240,7 +1240,7 @@ def measure_cracks(
 
 
 def measure_travel(moving: Moving, travel: Travel) -> StepEntry:
-    """Finds how far the elements of a portion are from where distances were measured.
+    """Finds the distances of the elements of a portion from their places at the last measurement.
 
     Over elements, in portions.
     """
@@ -1260,7 +1260,7 @@ def measure_wall_overlaps(
 
 
 def move_elements(moving: Moving, step_cut: StepCut) -> StepEntry:
-    """Elements that own no row of the boundary close the step, and open the next.
+    """Closes the step, and opens the next, for elements that own no row of the boundary.
 
     Over elements of a block, then shared ones.
     """
@@ -1268,8 +1268,7 @@ def move_elements(moving: Moving, step_cut: StepCut) -> StepEntry:
 
 
 def move_resisted(moving: Moving, step_cut: StepCut, resistance: Resistance) -> StepEntry:
-    """Elements that own no row of the boundary close the step against what resists their motion, and open the
-    next.
+    """Closes the step, and opens the next, for damped elements that own no row of the boundary.
 
     Over elements of a block, then shared ones.
     """
@@ -1277,7 +1276,7 @@ def move_resisted(moving: Moving, step_cut: StepCut, resistance: Resistance) -> 
 
 
 def move_resisted_rows(moving: Moving, step_cut: StepCut, rows: Rows, resistance: Resistance) -> StepEntry:
-    """Elements that own rows of the boundary close the step against what resists their motion, and open the next.
+    """Closes the step, and opens the next, for damped elements that own rows of the boundary.
 
     Over elements of a block, then shared ones.
     """
@@ -1285,7 +1284,7 @@ def move_resisted_rows(moving: Moving, step_cut: StepCut, rows: Rows, resistance
 
 
 def move_rows(moving: Moving, step_cut: StepCut, rows: Rows) -> StepEntry:
-    """Elements that own rows of the boundary close the step, and open the next.
+    """Closes the step, and opens the next, for elements that own rows of the boundary.
 
     Over elements of a block, then shared ones.
     """
@@ -1309,7 +1308,7 @@ def open_body_work(moving: Moving, body_forces: BodyForces) -> StepEntry:
 
 
 def open_elements(moving: Moving) -> StepEntry:
-    """All elements open a step after a pause; none owns a row of the boundary.
+    """Opens a step after a pause for all elements, none of which owns a row of the boundary.
 
     Over elements, in portions.
     """
@@ -1317,7 +1316,7 @@ def open_elements(moving: Moving) -> StepEntry:
 
 
 def open_elements_and_rows(moving: Moving, rows: Rows) -> StepEntry:
-    """All elements open a step after a pause; some own rows of the boundary.
+    """Opens a step after a pause for all elements, some of which own rows of the boundary.
 
     Over elements, in portions.
     """
@@ -1421,7 +1420,7 @@ def renew_wall_rows(wall_constraints: WallConstraints, rows: Rows, candidates: C
 
 
 def reopen_elements(moving: Moving) -> StepEntry:
-    """Elements of a list that own no row of the boundary open a step.
+    """Opens a step for elements of a list that own no row of the boundary.
 
     Over elements of a block, then shared ones.
     """
@@ -1429,7 +1428,7 @@ def reopen_elements(moving: Moving) -> StepEntry:
 
 
 def reopen_rows(moving: Moving, rows: Rows) -> StepEntry:
-    """Elements of a list that own rows of the boundary open a step.
+    """Opens a step for elements of a list that own rows of the boundary.
 
     Over elements of a block, then shared ones.
     """
