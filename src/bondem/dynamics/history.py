@@ -73,8 +73,7 @@ class History:
           its value in the first record. It should be zero.
 
         Bonds and facets without a fracture energy release their stored energy as "fracture". Records of run files
-        before
-        schema 10 have all of it there. See docs/decisions/0049-kinds-of-loss.md.
+        before schema 10 have all of it there. See docs/decisions/0049-kinds-of-loss.md.
         """
         ledger = {name: self.records[:, 1 + k] for k, name in enumerate(_ENERGIES)}
         released, crushing = ledger.pop("released"), ledger.pop("crushing")

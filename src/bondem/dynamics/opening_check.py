@@ -8,8 +8,8 @@ one, opens by d ≤ (1 - β) / (n - 1) of that. Of the fracture energy of a stra
     error ≤ min((1 - β) / (n - 1), (1 - β) / (4 β (n - 1)²))
 
 The corner at the last opening counts less. Below two steps nothing is known: a step that ends beyond the last opening
-takes more than the rest.
-Beams have the work of their softening line in any number of steps (`core/laws/beam_softening.hpp`).
+takes more than the rest. Beams have the work of their softening line in any number of steps
+(`core/laws/beam_softening.hpp`).
 """
 
 import warnings

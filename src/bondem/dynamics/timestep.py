@@ -142,8 +142,7 @@ def _with_broken(model: Model, highest: float) -> tuple[float, float]:
     """Return ω_max, and an upper bound of M⁻¹ C of contacts [1/s], whichever bonds are broken and touch.
 
     A contact of a broken bond is at most as stiff as the bond along the normal; across, the stiffer of both counts.
-    Its lever
-    arms are assumed to be those of the bond.
+    Its lever arms are assumed to be those of the bond.
     """
     contacts = model.contacts
     if contacts is None or contacts.own is None or not len(contacts.own):

@@ -36,7 +36,7 @@ def read_xyz(
 
     Args:
         path: the file: the number of atoms, a comment, and a line of name, x, y, z for each, over and over. The
-        comment of an extended file names its columns (Properties=) and may have a cell (Lattice=).
+            comment of an extended file names its columns (Properties=) and may have a cell (Lattice=).
         columns: numbers from 0 of the columns of x, y, z and radius; those of a plain file have no names.
         size: one radius for all, or the property of radii in an extended file.
         diameters: whether the last of `columns` holds diameters.

@@ -25,8 +25,7 @@ class CellBond:
     side of cell p. A w_p m_p is its balanced share: near A w_p n, it sums to zero over each cell and gives every
     uniform strain its dilatation, so that each uniform stress is exact in every cell. Gradients of θ add the energy
     of bending. Facets on the surface open until they carry no traction. The law needs no calibration: E and ν are
-    those of
-    the material, for -1 < ν < ½. Tension is positive.
+    those of the material, for -1 < ν < ½. Tension is positive.
 
     `bd.CellBond(granite)` takes E and ν from a `bd.Material`.
 
