@@ -53,7 +53,7 @@ def new_cohesive_cracks(state: State, listed: np.ndarray, slide: float) -> Cohes
 
 
 def _columns_of_cracks(cracks: CohesiveCracks) -> list[tuple[int | slice, Floats, int | slice]]:
-    """Return triples of columns of the cracks of a state, the table of a run that has them, and its columns."""
+    """Return where a run has columns of cracks of a state: state columns, table of the run, table columns."""
     def columns(first: int, number: int) -> slice:
         return slice(first, first + number)
 

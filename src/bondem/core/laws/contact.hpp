@@ -103,8 +103,8 @@ template <class T> BONDEM_INLINE Vector3<T> turned_with(Vector3<T> s, Vector3<T>
     return select(after > T{}, root(dot(s, s) / after), T{}) * in_plane;
 }
 
-// Force of a contact, its memory and its losses over a step of dt; `hardens` of a law whose ks depends on the overlap. Numbers
-// of the law are one for all lanes, or one of each.
+// Force of a contact, its memory and its losses over a step of dt. `hardens` is true for laws whose ks depends on the
+// overlap. Parameters of the law are one for all lanes, or one per lane.
 //
 // `last` is `now` a step ago, `twist` the rate at which the pair turns about the normal [rad/s]. Bodies that have
 // just parted have an overlap of 0.

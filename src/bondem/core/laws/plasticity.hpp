@@ -13,7 +13,7 @@
 // γ is the mean slip of cells about half the width B of a shear band away: a band that slips by s has γ = s / B
 // whatever its profile is, if it is thinner than B/2 (`damage/shear_bands.py`), and dissipates G_II per area.
 //
-// The slip of step n is found from stresses of the steps before, by those that F had after each:
+// The slip of step n follows from values of F after the previous steps:
 //
 //     H Δγ_n = H Δγ_(n-1) + (1 - z²) (F_n - F_(n-1)) + (1 - z)² F_n,      z = 0.8
 //

@@ -35,7 +35,7 @@ _PAIRS = ContactConstants, ContactPairs, NearPairs, EventLog
 
 
 def earlier_pairs(run: Translation, pairs: ContactPairs) -> EarlierPairs:
-    """Return the pairs whose earlier element each element is."""
+    """Return the pairs of each element in which it is the earlier one."""
 
     def make() -> EarlierPairs:
         counts = np.bincount(pairs.first, minlength=run.span.n)

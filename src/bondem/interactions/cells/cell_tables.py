@@ -102,7 +102,7 @@ def _of_cells(i: Ints, j: Ints, n: int) -> tuple[Ints, Ints, np.ndarray]:
 def facet_release(
     constants: CellConstants, layout: Layout, facets: ElasticFacets, cells: CellDilatation, walls: WallConstraints
 ) -> FacetRelease:
-    """Return the effect of failing facets on their cells, and weigh the cells by the facets that they have left.
+    """Return the effect of failing facets on their cells, and set the weights of cells by their unbroken facets.
 
     Args:
         constants: constants of the whole body in the order of the layout.

@@ -118,7 +118,7 @@ inline double steepness(Vector gradient) { return most(dot(gradient, gradient), 
 // The force on a sphere without the parts that touching flat walls and the wall of the grid carry.
 //
 // With both, the rest is the projection of the force onto the free directions of motion: the carried parts are found
-// in turn, until that of the grid is constant. Without it a sphere in a wedge is never at rest.
+// in turn, until that of the grid is constant. Without this projection a sphere in a wedge is never at rest.
 inline Vector carried_by_grid(const PlainWalls &plain, const PackingWalls &walls, Vector x, double r, Vector force) {
     Vector left = plain.carried(x, r, force);
     const Depth at = grid_depth(walls, x, r);
