@@ -13,7 +13,6 @@ from bondem.calibration.abacus import Curve, curve
 from bondem.errors import InputError, PackingError
 from tests.scripts import files
 from validation.__main__ import main
-from validation.frame.page import write_page
 from validation.frame.request import kept_row, made_row
 from validation.frame.runner import run
 from validation.frame.study import Study
@@ -97,7 +96,6 @@ def test_the_abacus_leaves_curves_as_data(abacus):
     assert [float(line["nu"]) for line in lines if line["shape"] == "periodic cell"] == list(own.nu)
     assert len(lines) == 2 * len(own.values)
     assert {path.stem for path in (out / "figures").glob("*.png")} == {"abacus", "reach"}
-    assert (out / "report.html").read_text().count("<img") == 2
     assert "| periodic cell | ParallelBond | kappa | 0.5 | 50 |" in (out / "table.md").read_text()
     assert results["failed"] == 0
     assert len(results["rows"]) == 3 * len(own.values)
@@ -171,7 +169,6 @@ class Doomed(Study):
 
 @pytest.mark.validate
 def test_what_needs_a_packing_that_failed_is_left_out_and_told(tmp_path, monkeypatch):
-    monkeypatch.setattr("validation.frame.runner.write_page", lambda *arguments: None)
     with pytest.raises(PackingError, match=r"1 of 2 packings and tests failed.*shake"):
         run(Doomed(), tmp_path, processes=1)
     results = json.loads((tmp_path / "results.json").read_text())
@@ -280,17 +277,6 @@ def test_scatter_is_found_again():
     assert found[0]["large"] == 8
     assert all(one["std"] < one["peak_to_peak"] for one in found)
     assert np.mean([one["within"] ** 2 for one in found]) == pytest.approx(1.5**2 * 1.5 / 16_000, rel=0.25)
-
-
-def test_the_page_says_what_failed(tmp_path):
-    (tmp_path / "table.md").write_text("")
-    row = {"error": "", "seconds": 1.0}
-    target = {"scatter": {"E": {"std": None}}}
-    law = {"radius_ratio": 0.71, "E_mu": 265e9}
-    results = {"failed": 1, "errors": ["no such method"], "rows": [row], "version": "0", "packings": 4,
-               "targets": {"a": target}, "law": law}  # fmt: skip
-    write_page(tmp_path, Assembly(), results)
-    assert "no such method" in (tmp_path / "report.html").read_text()
 
 
 @pytest.mark.parametrize(

@@ -50,7 +50,7 @@ def command_of(kind: type[Study]) -> click.Command:
                 progress=progress,
             )  # fmt: skip
         click.echo(f"\n{(out / 'table.md').read_text(encoding='utf-8')}")
-        click.echo(f"{out / 'report.html'}\n{out / 'results.json'}")
+        click.echo(out / "results.json")
 
     return click.Command(kind.name, params=options, callback=carry_out, help=(kind.__doc__ or "").splitlines()[0])
 

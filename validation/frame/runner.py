@@ -22,7 +22,6 @@ from bondem.campaign.cluster import connected, submitted
 from bondem.errors import BondemError, InputError
 from bondem.io.atomic import require_folder
 from validation.frame.failures import complain
-from validation.frame.page import write_page
 from validation.frame.request import Request, kept_row, made_row
 from validation.frame.sources import code_hash, commit
 from validation.frame.study import Row, Study
@@ -39,7 +38,7 @@ def run(
     command: str = "",
     progress: Callable[[str, float], None] | None = None,
 ) -> dict[str, Any]:
-    """Make what is missing and leave `results.json`, tables, figures and `report.html` in a folder.
+    """Make what is missing and leave `results.json`, tables and figures in a folder.
 
     Args:
         study: what to make.
@@ -80,10 +79,9 @@ def run(
                "errors": [row["error"] for row in failed.values()], "rows": rows}  # fmt: skip
     results = keep_results(out, results, study.table(results))
     if good:
-        tell("report", 0.0)
+        tell("figures", 0.0)
         study.draw(out, good, results)
-        write_page(out, study, results)
-    tell("report", 1.0)
+    tell("figures", 1.0)
     complain([*failed.values(), *good], out, what="packings" if number == 1 else "packings and tests")
     return results
 

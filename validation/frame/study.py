@@ -1,4 +1,4 @@
-"""The frame of every study: rows stage by stage, then numbers, tables, figures and a page.
+"""The frame of every study: rows stage by stage, then numbers, tables and figures.
 
 A study says what is to be made, what its rows mean and how to draw it; `validation.frame.runner.run` does the rest,
 and goes on where it was when it is called again with the same folder.
@@ -23,13 +23,9 @@ class Study(ABC):
 
     Attributes:
         name: of the command, and in its results.
-        title: of its page.
-        template: of its page.
     """
 
     name: ClassVar[str]
-    title: ClassVar[str]
-    template: ClassVar[str]
 
     @abstractmethod
     def stages(self, out: Path) -> Stages:
@@ -46,7 +42,3 @@ class Study(ABC):
     @abstractmethod
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Figures, into the folder `figures` of `out`, from the rows without error; data files, into `out`."""
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """What the template is told beside the results, the tables and the pictures."""
-        return {}

@@ -117,7 +117,6 @@ class BarStudy(Study):
         packings: how many, seeds in sequence.
     """
 
-    template: ClassVar[str] = "plain.html"
     captions: ClassVar[Mapping[str, str]]
     note: ClassVar[str] = ""
 
@@ -164,15 +163,6 @@ class BarStudy(Study):
     @abstractmethod
     def verdict(self, results: Mapping[str, Any]) -> str:
         """What came out, in a few sentences."""
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        return {
-            "about": self.about(),
-            "verdict": self.verdict(results),
-            "captions": {name: " ".join(text.split()) for name, text in self.captions.items()},
-            "note": self.note,
-        }
 
 
 @lru_cache(maxsize=1)

@@ -78,8 +78,6 @@ class Abacus(Study):
     """
 
     name: ClassVar[str] = "abacus"
-    title: ClassVar[str] = "Calibration curves"
-    template: ClassVar[str] = "abacus.html"
 
     count: int = 10_000
     packings: int = 3

@@ -62,8 +62,6 @@ class Assembly(Study):
     """
 
     name: ClassVar[str] = "assembly"
-    title: ClassVar[str] = "Elastic constants and the number of elements"
-    template: ClassVar[str] = "assembly.html"
 
     counts: tuple[int, ...] = COUNTS
     packings: int = 4

@@ -50,8 +50,6 @@ class BeamBondsStudy(Study):
     """
 
     name: ClassVar[str] = "beam_bonds"
-    title: ClassVar[str] = "Published fracture tests with beam bonds"
-    template: ClassVar[str] = "plain.html"
 
     cases: tuple[str, ...] = CASES
     seeds: tuple[int, ...] = (1, 2, 3)
@@ -112,16 +110,6 @@ class BeamBondsStudy(Study):
                 else:
                     for ax, strength in zip((left, right), STRENGTHS, strict=True):
                         _draw_plate(ax, [row for row in some if row["strength"] == strength], strength)
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        met = sum(one["verdict"] != "missed" for one in results["cases"])
-        return {
-            "about": f"Spheres with brittle beams, {len(self.seeds)} packings a case; E, ν and f_t calibrated.",
-            "verdict": f"{met} of {len(results['cases'])} cases are met.",
-            "captions": {f"beams_{name}": "Load curves and broken bonds." for name in self.cases},
-            "note": "",
-        }
 
 
 def _of(rows: Sequence[Row], name: str) -> list[Row]:

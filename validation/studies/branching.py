@@ -55,8 +55,6 @@ class Branching(Study):
     """
 
     name: ClassVar[str] = "branching"
-    title: ClassVar[str] = "Branching of a running crack"
-    template: ClassVar[str] = "plain.html"
 
     cases: tuple[str, ...] = ("A", "B30")
     counts: tuple[int, ...] = (10_000, 5_000, 20_000)
@@ -109,18 +107,6 @@ class Branching(Study):
             with sheet(path, 9.6, 3.4, 1, 2, width_ratios=(1.55, 1.0)) as (_, (left, right)):
                 _draw_crack(left, plate, some[0])
                 _draw_fronts(right, plate, some)
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        judged = [one["verdict"] for one in results["runs"] if one["verdict"] != "–"]
-        return {
-            "about": f"Cells with cracks that soften, seeds {', '.join(map(str, self.seeds))}; nothing fitted.",
-            "verdict": f"{sum(one == 'met' for one in judged)} of {len(judged)} cracks of A branch and stay below"
-                       f" {LIMIT:g} c_R.",
-            "captions": {f"branching_{case}": f"Plate {case}: crack of the first packing, fronts of all over time."
-                         for case in self.cases},
-            "note": "",
-        }  # fmt: skip
 
 
 def _judged(row: Row) -> dict[str, Any]:

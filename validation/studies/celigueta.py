@@ -46,8 +46,6 @@ class Celigueta(Study):
     """
 
     name: ClassVar[str] = "celigueta"
-    title: ClassVar[str] = "Celigueta et al. (2020)"
-    template: ClassVar[str] = "plain.html"
 
     count: int = 1000
     seeds: tuple[int, ...] = (1, 2, 3)
@@ -118,22 +116,6 @@ class Celigueta(Study):
         there = [(one.asked, one.kept(out)) for one in first if one.whole(out)]
         if there:
             draw_broken(out / "figures" / "broken.png", there)
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        judged = [one["verdict"] for one in results["cases"] if one["verdict"]]
-        elements = self.count or " and ".join(f"{COUNT[test]} ({test})" for test in self.tests)
-        return {
-            "about": f"{elements} elements, packings {self.seeds}; the paper's parameters, nothing fitted.",
-            "verdict": f"{judged.count('met')} of {len(judged)} are within {LIMIT:.0%} of what was measured.",
-            "captions": {
-                "compression": "Stress over the strain between the plates (figures 11 and 19 of the paper).",
-                "splitting": "Stress of eq (7) over time (figures 14 and 21 of the paper).",
-                "shear": "Mean shear stress between both borings over the motion of the piston.",
-                "broken": "A slice through the middle of the first packing after each test.",
-            },
-            "note": "",
-        }
 
 
 def _words(one: Mapping[str, Any]) -> str:

@@ -28,13 +28,6 @@ LEVEL = 0.95
 _DRAWS = 4000
 _SIZES = (2, 3, 4, 6, 8, 12, 16)
 
-_SYMBOLS = {"E": "E", "nu": "ν"}
-_CAPTION = (
-    "Left and middle: calibrating and unseen packings, and the intervals of the calibration. Right: share of unseen"
-    " packings in the interval, over random calibrations from the same packings."
-)
-
-
 @dataclass(frozen=True)
 class Coverage(Study):
     """Whether the intervals of a calibration hold unseen packings as often as they say.
@@ -47,8 +40,6 @@ class Coverage(Study):
     """
 
     name: ClassVar[str] = "coverage"
-    title: ClassVar[str] = "Do the intervals keep their word?"
-    template: ClassVar[str] = "plain.html"
 
     count: int = 10_000
     calibrating: int = 8
@@ -88,17 +79,6 @@ class Coverage(Study):
         """Packings in and out of the intervals, and how often over random calibrations."""
         draw_coverage(out / "figures" / "coverage.png", dict(results))
 
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        quantities = results["quantities"]
-        return {
-            "about": f"{self.calibrating} calibrating and {self.held_out} unseen packings of {self.count} elements,"
-            f" {self.shape}, fused silica, {results['law']} bonds",
-            "verdict": " ".join(_verdict(self, symbol, quantities[name]) for name, symbol in _SYMBOLS.items()),
-            "captions": {"coverage": _CAPTION},
-            "note": "",
-        }
-
 
 @lru_cache(maxsize=1)
 def _calibrated(packings: tuple[PackingRequest, ...], out: Path) -> Calibration:
@@ -132,13 +112,6 @@ def _results(study: Coverage, fit: Calibration, rows: Sequence[dict[str, Any]]) 
         "value": fit.value,
         "quantities": quantities,
     }
-
-
-def _verdict(study: Coverage, symbol: str, found: dict[str, Any]) -> str:
-    often = found["coverage"].get(str(study.calibrating))
-    over = "" if often is None else f"; over random calibrations on as many packings, {often['mean']:.1%}"
-    inside = f"{found['covered']} of {study.held_out} unseen packings lie in the {LEVEL:.0%} prediction interval"
-    return f"{symbol}: {inside}{over}."
 
 
 def _coverage(study: Coverage, name: str, rows: Sequence[dict[str, Any]], law: BondLaw) -> dict[str, Any]:

@@ -27,8 +27,6 @@ class CrackPaths(Study):
     """
 
     name: ClassVar[str] = "crack_paths"
-    title: ClassVar[str] = "Cracks that choose their path"
-    template: ClassVar[str] = "plain.html"
 
     cases: tuple[str, ...] = tuple(CASES)
     seeds: tuple[int, ...] = (1,)
@@ -74,16 +72,6 @@ class CrackPaths(Study):
         for name in self.cases:
             if some := [row for row in rows if row["case"] == name]:
                 draw_path(out / "figures" / f"{name}.png", CASES[name], some)
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        verdicts = [claim["verdict"] for one in results["cases"] for claim in one["claims"]]
-        return {
-            "about": "Slabs of cells; inputs fixed beforehand in `validation/cases`.",
-            "verdict": f"{sum(one != 'missed' for one in verdicts)} of {len(verdicts)} claims are met.",
-            "captions": {one["name"]: f"{one['title']}: load curve, and the crack." for one in results["cases"]},
-            "note": "",
-        }
 
 
 def _shown(value: float | None) -> str:

@@ -53,8 +53,6 @@ class Dispersion(Study):
     """
 
     name: ClassVar[str] = "dispersion"
-    title: ClassVar[str] = "Packings and the dispersion of radii"
-    template: ClassVar[str] = "dispersion.html"
 
     count: int = 3000
     spreads: tuple[float, ...] = SPREADS

@@ -42,8 +42,6 @@ class Fracture(Study):
     """
 
     name: ClassVar[str] = "fracture"
-    title: ClassVar[str] = "Published fracture tests"
-    template: ClassVar[str] = "plain.html"
 
     cases: tuple[str, ...] = tuple(CASES)
     seeds: tuple[int, ...] = (1, 2, 3)
@@ -82,19 +80,6 @@ class Fracture(Study):
         for name in self.cases:
             if some := [row for row in rows if row["case"] == name]:
                 draw_case(out / "figures" / f"{name}.png", CASES[name], some)
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        met = sum(one["verdict"] != "missed" for one in results["cases"])
-        return {
-            "about": f"Bodies of cells, {len(self.seeds)} packings a case, by bd.solve_quasistatic; nothing fitted.",
-            "verdict": f"{met} of {len(results['cases'])} cases are met.",
-            "captions": {
-                one["name"]: f"{one['title']}: load curves of all packings, and the crack of the first."
-                for one in results["cases"]
-            },
-            "note": "",
-        }
 
 
 def _judged(case: Case, rows: Sequence[Row], curve: str) -> dict[str, Any]:

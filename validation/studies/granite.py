@@ -44,8 +44,6 @@ class GraniteStudy(Study):
     """
 
     name: ClassVar[str] = "granite"
-    title: ClassVar[str] = "Lac du Bonnet granite"
-    template: ClassVar[str] = "plain.html"
 
     tests: tuple[str, ...] = tuple(CLAIMS)
     counts: tuple[int, ...] = (2_000, 6_000)
@@ -113,16 +111,6 @@ class GraniteStudy(Study):
             for ax, test in zip(boxes.flat, _STRENGTHS, strict=False):
                 _draw_strength(ax, test, [row for row in rows if row.get("test") == test])
             _draw_beams(boxes[1, 1], rows)
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        judged = [one["verdict"] for one in results["cases"] if one["verdict"] != "–"]
-        return {
-            "about": f"One input, {len(self.seeds)} packings a test; nothing calibrated.",
-            "verdict": f"{sum(one != 'missed' for one in judged)} of {len(judged)} are within what is published.",
-            "captions": {"granite": "Curves of all packings; grey bands are what is published."},
-            "note": "",
-        }
 
 
 def _judged(test: str, rows: Sequence[Row], put_in: float, values: list[float]) -> dict[str, Any]:

@@ -68,8 +68,6 @@ class Influence(Study):
     """
 
     name: ClassVar[str] = "influence"
-    title: ClassVar[str] = "Elastic constants and the parameters of bonds"
-    template: ClassVar[str] = "influence.html"
 
     count: int = 10_000
     packings: int = 3

@@ -42,8 +42,6 @@ class Kalthoff(Study):
     """
 
     name: ClassVar[str] = "kalthoff"
-    title: ClassVar[str] = "Kalthoff and Winkler's plate"
-    template: ClassVar[str] = "plain.html"
 
     strengths: tuple[float, ...] = (844.0, 1900.0)
     seeds: tuple[int, ...] = (1, 2, 3)
@@ -98,16 +96,6 @@ class Kalthoff(Study):
                        xlabel="x [mm]", ylabel="y from the plane of symmetry [mm]",
                        title=f"f_t = {strength:g} MPa, after 90 µs")  # fmt: skip
                 ax.legend(loc="upper left", fontsize=8.0, markerscale=4.0)
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        met = sum(one["verdict"] != "missed" for one in results["cases"])
-        return {
-            "about": f"Cells of {self.size:g} mm, {len(self.seeds)} packings a strength; nothing fitted.",
-            "verdict": f"{met} of {len(results['cases'])} strengths have an angle within {LIMIT:g}° of {ANGLE:g}°.",
-            "captions": {"kalthoff": "Facets of the cracks after 90 µs; the lower edge is the plane of symmetry."},
-            "note": "",
-        }
 
 
 def rows_of(rows: Sequence[Row], strength: float) -> list[Row]:

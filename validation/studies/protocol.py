@@ -29,10 +29,6 @@ TESTS = {
     "impact_0.1": ("Table 4, celerity, arrival at 10 %", 0.0040),
     "impact_0.5": ("Table 4, celerity, arrival at 50 %", 0.0040),
 }
-_NOTE = """Every packing calibrates its own bonds by eqs (14) and (15), so that theory has nothing but the data
-    sheet's E, ν and ρ and the lengths of eqs (12) and (13). Static tests are explicit runs with a slow ramp, φ = 1.3,
-    frequencies those of a free vibration, and the wave begins with a velocity of the face, which is then free. The
-    paper does not say when it takes the wave to have arrived."""
 _NOT_MEASURED = ("spread", "seconds")
 _WORDS = {"paper": "eqs (12)–(15)", "affine": "affine fit"}
 
@@ -49,8 +45,6 @@ class Protocol(Study):
     """
 
     name: ClassVar[str] = "protocol"
-    title: ClassVar[str] = "The paper's own protocol"
-    template: ClassVar[str] = "plain.html"
 
     # slow: shear compaction of a packing takes about half an hour
     count: int = 10_000
@@ -97,16 +91,6 @@ class Protocol(Study):
     def draw(self, out: Path, rows: Sequence[Row], results: Mapping[str, Any]) -> None:
         """Errors of the seven tests."""
         draw_protocol(out / "figures" / "protocol_errors.png", results["summary"], METHODS, TESTS)
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        return {
-            "about": f"André et al. (2012), §§5, 6 · {self.packings} packings of each kind, {self.count} spheres",
-            "verdict": _verdict(results),
-            "captions": {"protocol_errors": "Errors of the seven tests over the packings of each kind: mean and"
-                         " scatter. Orange: what the paper prints for its one packing, unsigned."},
-            "note": " ".join(_NOTE.split()),
-        }  # fmt: skip
 
 
 def _summary(rows: Sequence[Row]) -> dict[str, Any]:
@@ -157,11 +141,3 @@ def _errors(summary: Mapping[str, Any]) -> str:
     )
     return table("Errors, per cent", ["test", "the paper", *(METHODS[kind] for kind in summary)], rows)
 
-
-def _verdict(results: Mapping[str, Any]) -> str:
-    kind, one = next(iter(results["summary"].items()))
-    return (
-        f"{one['packings']} packings by {METHODS[kind]}, each calibrated by the paper's measure: r̃ ="
-        f" {_number(one['r_mu_ratio_paper'], '.3f')} and E_μ = {_number(one['E_mu_paper'], '.1f', 1e9)} GPa, where"
-        f" the paper has {PRINTED.radius_ratio} and {PRINTED.E / 1e9:.0f} GPa."
-    )

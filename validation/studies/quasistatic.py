@@ -86,7 +86,6 @@ class QuasiStatic(BarStudy):
     """
 
     name: ClassVar[str] = "quasistatic"
-    title: ClassVar[str] = "A slow tensile test by explicit dynamics"
     captions: ClassVar[Mapping[str, str]] = _CAPTIONS
 
     steps: int = 100_000

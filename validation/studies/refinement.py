@@ -59,8 +59,6 @@ class Refinement(Study):
     """
 
     name: ClassVar[str] = "refinement"
-    title: ClassVar[str] = "Packings and their number of spheres"
-    template: ClassVar[str] = "refinement.html"
 
     counts: tuple[int, ...] = COUNTS
     packings: int = 5

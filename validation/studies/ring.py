@@ -41,8 +41,6 @@ class RingStudy(Study):
     """
 
     name: ClassVar[str] = "ring"
-    title: ClassVar[str] = "Expanding ring"
-    template: ClassVar[str] = "plain.html"
 
     rates: tuple[float, ...] = (2e3, 4e3, 8e3, 16e3)
     seeds: tuple[int, ...] = (1, 2, 3)
@@ -96,16 +94,6 @@ class RingStudy(Study):
                 axis.set_major_formatter(FormatStrFormatter("%g"))
                 axis.set_minor_locator(NullLocator())
             ax.legend(frameon=False)
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        met = sum(one["verdict"] == "met" for one in results["rates"])
-        return {
-            "about": f"Rings of cells of {1e3 * self.size:g} mm, {len(self.seeds)} packings a rate; nothing fitted.",
-            "verdict": f"{met} of {len(results['rates'])} rates are within {LIMIT:.0%} of the formula.",
-            "captions": {"ring": "Mean size of fragments over the rate of strain, both without dimension."},
-            "note": "",
-        }
 
 
 def _judged(rows: Sequence[Row]) -> dict[str, Any]:

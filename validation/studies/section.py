@@ -78,7 +78,6 @@ class SectionStudy(BarStudy):
     """
 
     name: ClassVar[str] = "section"
-    title: ClassVar[str] = "The section that forces fill"
     captions: ClassVar[Mapping[str, str]] = _CAPTIONS
     note: ClassVar[str] = (
         "E S and ρ S are those measured, whatever the section is called, so only ⟨y²⟩ differs; but with the paper's"

@@ -38,8 +38,6 @@ class SizeEffectStudy(Study):
     """
 
     name: ClassVar[str] = "size_effect"
-    title: ClassVar[str] = "Size effect of notched beams"
-    template: ClassVar[str] = "plain.html"
 
     depths: tuple[float, ...] = (50.0, 100.0, 200.0)
     seeds: tuple[int, ...] = (1,)
@@ -107,16 +105,6 @@ class SizeEffectStudy(Study):
             plain_ticks(ax.xaxis, (1e3 * depth).tolist())
             plain_ticks(ax.yaxis, (0.6, 0.8, 1.0, 1.5, 2.0))
             ax.legend(frameon=False, fontsize=8.0)
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        worst = max((abs(value - 1.0) for value in results["law"]["over"]), default=0.0) if results["law"] else 0.0
-        return {
-            "about": "Grégoire's half-notched beams by load factors; nothing calibrated.",
-            "verdict": f"Peaks are within {worst:.1%} of the size-effect law that fits them best.",
-            "captions": {"size_effect": "Nominal strength over depth: cells, a continuum, and Bažant's law."},
-            "note": "",
-        }
 
 
 def _continuum(depth: float) -> float:

@@ -45,8 +45,6 @@ class Spall(Study):
     """
 
     name: ClassVar[str] = "spall"
-    title: ClassVar[str] = "Spalling of a granite bar"
-    template: ClassVar[str] = "plain.html"
 
     strengths: tuple[float, ...] = (8.0, 18.9)
     energies: tuple[float, ...] = (50.0, 100.0)
@@ -125,15 +123,6 @@ class Spall(Study):
                 right.set(xlim=(0.0, 1e3 * bar.length), xlabel="from the free end [mm]",
                           ylabel="broken area / section, a 3 mm bin [-]",
                           title="band: published, dashed: thin elastic bar")  # fmt: skip
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        return {
-            "about": f"Bars of cells of {self.sizes[0]:g} mm, {len(self.seeds)} packings a strength; nothing fitted.",
-            "verdict": "No verdict: the fracture energy is assumed.",
-            "captions": {"spall": "Velocity of the free end, and where bars of both strengths break."},
-            "note": "",
-        }
 
 
 def _broken(row: Row) -> list[float] | None:

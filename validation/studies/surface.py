@@ -48,8 +48,6 @@ class SurfaceStudy(Study):
     """
 
     name: ClassVar[str] = "surface"
-    title: ClassVar[str] = "Bodies against the bulk"
-    template: ClassVar[str] = "surface.html"
 
     counts: tuple[int, ...] = (2000, 5000, 20_000)
     seeds: int = 3

@@ -33,8 +33,6 @@ class Toughness(Study):
     """
 
     name: ClassVar[str] = "toughness"
-    title: ClassVar[str] = "Fracture toughness"
-    template: ClassVar[str] = "plain.html"
 
     plates: tuple[str, ...] = tuple(PLATES)
     seeds: tuple[int, ...] = (1, 2)
@@ -97,16 +95,6 @@ class Toughness(Study):
             right.set(xlabel="share of the events", ylabel="K of the notch / K_Ic", ylim=(0.0, 1.4), xlim=(0.0, 1.0))
             left.legend(frameon=False, fontsize=7.5, loc="lower right")
             right.legend(frameon=False, fontsize=7.5, loc="lower center", ncols=2)
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        met = sum(one["verdict"] != "missed" for one in results["plates"])
-        return {
-            "about": f"Plates of cells in plane strain, {len(self.seeds)} packings each, by bd.solve_quasistatic.",
-            "verdict": f"{met} of {len(results['plates'])} plates break within {LIMIT:.0%} of K_Ic.",
-            "captions": {"toughness": "Stress intensity at the peak against the width, and along first packings."},
-            "note": "",
-        }
 
 
 def _judged(rows: Sequence[Row]) -> dict[str, Any]:

@@ -83,7 +83,6 @@ class Vibration(BarStudy):
     """
 
     name: ClassVar[str] = "vibration"
-    title: ClassVar[str] = "Energies of a free vibration, and inertia"
     captions: ClassVar[Mapping[str, str]] = _CAPTIONS
     note: ClassVar[str] = (
         "Effects of mass and section are to first order (Rayleigh); modes are those of the specimens."

@@ -79,7 +79,6 @@ class WaveStudy(BarStudy):
     """
 
     name: ClassVar[str] = "wave"
-    title: ClassVar[str] = "A wave along the specimen"
     captions: ClassVar[Mapping[str, str]] = _CAPTIONS
     note: ClassVar[str] = (
         "Theory: √(E/ρ) of a thin rod, with each packing's own E and ρ. Level: over the mean velocity of the far face"

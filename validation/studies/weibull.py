@@ -44,8 +44,6 @@ class WeibullStudy(Study):
     """
 
     name: ClassVar[str] = "weibull"
-    title: ClassVar[str] = "Weakest links"
-    template: ClassVar[str] = "plain.html"
 
     moduli: tuple[float, ...] = (5.0, 10.0, 20.0)
     length: float = 6.0
@@ -108,16 +106,6 @@ class WeibullStudy(Study):
             for axis, marks in ((ax.xaxis, (7e3, 1e4, 2e4, 3e4)), (ax.yaxis, (0.4, 0.5, 0.6, 0.8, 1.0))):
                 plain_ticks(axis, marks)
             ax.legend(frameon=False, fontsize=8.0)
-
-    def page(self, results: Mapping[str, Any]) -> Mapping[str, Any]:
-        """See `Study`."""
-        judged = [one["verdict"] for one in results["bars"] if one["verdict"] != "shown"]
-        return {
-            "about": f"Brittle bars, {len(self.seeds)} fields of strengths each.",
-            "verdict": f"{sum(one == 'met' for one in judged)} of {len(judged)} means are within {LIMIT:.0%}.",
-            "captions": {"weibull": "Mean strength over volume; bars are two errors of the mean."},
-            "note": "",
-        }
 
 
 def _strengths(one: Mapping[str, Any]) -> str:
