@@ -99,7 +99,7 @@ _PUBLIC = {
     "bondem.observables.cell_forces": ("SmallMotion",),
     "bondem.observables.cell_stress": ("cell_stress",),
     "bondem.observables.element_stress": ("ElementStress", "element_stress"),
-    "bondem.observables.energy": ("EnergyParts",),
+    "bondem.interactions.energy_parts": ("EnergyParts",),
     "bondem.observables.fracture_energy": ("FractureEnergy",),
     "bondem.observables.principal_stresses": ("principal_stresses", "von_mises_stress"),
     "bondem.dynamics.explained_step": ("ExplainedPass", "ExplainedStep", "explain_step"),

@@ -110,6 +110,7 @@ from bondem.interactions.contact.adhesion import Adhesion as Adhesion
 from bondem.interactions.contact.contact_law import ContactLaw as ContactLaw
 from bondem.interactions.contact.contact_law import LinearContact as LinearContact
 from bondem.interactions.contact.hertz_mindlin import HertzMindlin as HertzMindlin
+from bondem.interactions.energy_parts import EnergyParts as EnergyParts
 from bondem.interactions.non_local.non_local_law import NonLocal as NonLocal
 from bondem.io.exporting import export as export
 from bondem.io.importing import read_lattice as read_lattice
@@ -136,7 +137,6 @@ from bondem.observables.cell_forces import SmallMotion as SmallMotion
 from bondem.observables.cell_stress import cell_stress as cell_stress
 from bondem.observables.element_stress import ElementStress as ElementStress
 from bondem.observables.element_stress import element_stress as element_stress
-from bondem.observables.energy import EnergyParts as EnergyParts
 from bondem.observables.fracture_energy import FractureEnergy as FractureEnergy
 from bondem.observables.principal_stresses import principal_stresses as principal_stresses
 from bondem.observables.principal_stresses import von_mises_stress as von_mises_stress

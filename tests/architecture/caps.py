@@ -194,7 +194,7 @@ def _named_from_below() -> list[str]:
 
 
 CAPS = (
-    Cap("questions to a model about its law", lambda: _questions()["model"], 114),
+    Cap("questions to a model about its law", lambda: _questions()["model"], 65),
     Cap("questions to a lattice about its shape", lambda: _questions()["lattice"], 20),
     Cap("questions to a study about its law", lambda: _questions()["study"], 11),
     Cap("tests of a part for None", _tests_for_none, 238),

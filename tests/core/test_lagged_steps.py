@@ -12,7 +12,7 @@ from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
 from bondem.dynamics.plan import Plan
-from bondem.interactions.non_local.non_local_constants import NON_LOCAL_WORK
+from bondem.interactions.non_local.non_local_interaction import NON_LOCAL_WORK
 from bondem.model.state import State
 from tests.bits import EnoughError, assert_same_bits
 from tests.core.former_loop import FormerLoop, movement

@@ -48,7 +48,7 @@ def moved(way: np.ndarray, end: float) -> bd.Drive:
 
 def mean_tensor(model: bd.Model, force: np.ndarray) -> np.ndarray:
     """Mean stress of both elements, eqs (1) and (5), of forces on the first [N], (s, 3)."""
-    c = model.non_local_constants
+    c = model.interaction.by_user
     lever = 0.5 * (c.lever_i[0] / c.volume[0] - c.lever_j[0] / c.volume[1])
     tensor = lever[None, :, None] * force[:, None, :]
     return 0.5 * (tensor + tensor.transpose(0, 2, 1))
@@ -86,7 +86,7 @@ def test_strength_of_one_bond_in_closed_form(one_thread: None) -> None:
     """Pulled along its axis it bears A E / L δ, and σ1 is that times the mean of l / V."""
     for strength in (0.5e6, 1e6):
         model = two(bd.Rankine(tension=strength), moved(4e-3 * AXIS, 1.0))
-        c = model.non_local_constants
+        c = model.interaction.by_user
         lever = 0.5 * (c.lever_i[0] / c.volume[0] - c.lever_j[0] / c.volume[1]) @ AXIS
         run = driven(model, 0.1, 1.0)
         expected = strength / (c.kn[0] * lever)
@@ -103,7 +103,7 @@ def test_scatter_multiplies_the_strength_of_each_bond(one_thread: None) -> None:
         model = two(failure, moved(8e-3 * AXIS, 2.0))
         run = driven(model, 0.1, 2.0)
         gaps.append(run.events.gap[0])
-    c = model.non_local_constants
+    c = model.interaction.by_user
     factor = scatter.factors(c.area * model.lattice.length, model.lattice.centre[:1] + c.lever_i)[0]
     assert abs(factor - 1.0) > 0.05
     assert gaps[1] / gaps[0] == pytest.approx(factor, abs=2.0 * 4e-3 * run.dt / gaps[0])
@@ -126,7 +126,7 @@ def test_stresses_after_a_step_with_breaks_are_those_of_what_still_bears(one_thr
     step = int(broken.events.step[0])
     run = driven(model, 0.2, step * broken.dt, gauges=gauges)
     assert run.events.step.tolist() == [step]
-    volume, radius = model.non_local_constants.volume, model.contact_radius
+    volume, radius = model.interaction.by_user.volume, model.contact_radius
     share = radius[0] / radius.sum()
     force, branch = -run.history["grip"][-1], np.diff(run.state.position, axis=0)[0]
     assert force[0] < 0.0
@@ -149,7 +149,7 @@ def test_a_pair_that_breaks_under_pressure_repels_and_rubs(one_thread: None) -> 
     normal = ends / length[:, None]
     force = run.history["grip"][after]
     pressed = np.einsum("tk,tk->t", force, normal)
-    kn, rest = model.non_local_constants.kn[0], model.lattice.length[0]
+    kn, rest = model.interaction.by_user.kn[0], model.lattice.length[0]
     np.testing.assert_allclose(pressed, kn * np.maximum(rest - length, 0.0), rtol=1e-6, atol=1e-6 * kn * 1e-3)
     rubbing = np.linalg.norm(force - pressed[:, None] * normal, axis=1)
     assert (rubbing <= 0.3 * pressed * (1.0 + 1e-9) + 1e-12).all()

@@ -9,14 +9,14 @@ import pytest
 import bondem as bd
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.explicit import integrate
-from bondem.dynamics.non_local_timestep import growth
+from bondem.dynamics.lagged_timestep import growth
 from bondem.errors import InputError
 from bondem.interactions.non_local.contact_areas import weighted_areas
+from bondem.interactions.non_local.non_local_strain import NonLocalStrain
 from bondem.io.runfile import RunFile
 from bondem.model.highest_frequency import highest_frequency
-from bondem.observables.non_local_strain import NonLocalStrain
+from bondem.statics.lagged_statics import LaggedStatics
 from bondem.statics.linear import System
-from bondem.statics.non_local_statics import LaggedStatics
 from tests.specimens import cells, grid
 
 E, RHO = 40e9, 2400.0
@@ -38,7 +38,7 @@ def law(nu: float = 0.2, **more) -> bd.NonLocal:
 
 def statics(lattice: bd.Lattice, bond: bd.NonLocal) -> LaggedStatics:
     model = bd.Model(lattice, bond, RHO)
-    return LaggedStatics(model, System.of(model))
+    return LaggedStatics(model.interaction, System.of(model))
 
 
 def strained(lattice: bd.Lattice, strain: np.ndarray) -> np.ndarray:
@@ -58,7 +58,7 @@ def test_moduli_of_the_material_come_back(body: bd.Lattice, nu: float):
 def test_uniform_strain_has_hookes_stress_in_every_cell(body: bd.Lattice):
     """Gaps of a uniform strain and its stress are a fixed point of the law: eq (1), (2) and (6) together."""
     nu, strain = 0.3, np.array([[1.0, 0.3, -0.2], [0.3, -0.5, 0.1], [-0.2, 0.1, 0.4]]) * 1e-6
-    c = bd.Model(body, law(nu), RHO).non_local_constants
+    c = bd.Model(body, law(nu), RHO).interaction.by_user
     G, lame = E / (2 * (1 + nu)), E * nu / ((1 + nu) * (1 - 2 * nu))
     stress = 2 * G * strain + lame * np.trace(strain) * np.eye(3)
     gap = body.facets.span[:, None] * (c.normal @ strain)
@@ -72,7 +72,7 @@ def test_uniform_strain_has_hookes_stress_in_every_cell(body: bd.Lattice):
 
 def test_lever_on_the_line_of_centres_is_exact_on_average_only(body: bd.Lattice):
     strain = np.diag([1e-6, -0.5e-6, 0.2e-6])
-    c = bd.Model(body, law(0.0, lever="contact"), RHO).non_local_constants
+    c = bd.Model(body, law(0.0, lever="contact"), RHO).interaction.by_user
     force = c.area[:, None] * (c.normal @ strain) * E
     found = NonLocalStrain(body, c, np.zeros_like(force), force).stress[:, :3] / (E * np.diag(strain))
     assert np.average(found, axis=0, weights=c.volume) == pytest.approx(np.ones(3), abs=0.03)
@@ -92,7 +92,7 @@ def test_path_leaves_no_trace(body: bd.Lattice):
 
 
 def test_limiter_keeps_extra_shear_within_the_stress(spheres: bd.Lattice):
-    c = bd.Model(spheres, law(areas="weighted"), RHO).non_local_constants
+    c = bd.Model(spheres, law(areas="weighted"), RHO).interaction.by_user
     generator = np.random.default_rng(0)
     gap = generator.standard_normal((len(spheres.pairs), 3))
     for limited in (True, False):
@@ -208,8 +208,8 @@ def test_step_is_found_by_the_lagged_operator(body: bd.Lattice):
     model = bd.Model(body, law(0.0), RHO)
     critical = 2.0 / highest_frequency(model)
     terms = DampingTerms.of(bd.LocalDamping(0.3))
-    assert growth(model, 0.95 * critical, terms) > 10.0
-    assert growth(model, 0.3 * critical, terms) < 0.1
+    assert growth(model, model.interaction, 0.95 * critical, terms) > 10.0
+    assert growth(model, model.interaction, 0.3 * critical, terms) < 0.1
     chosen = bd.solve_explicit(model, duration=0.0, damping=bd.LocalDamping(0.3))
     assert chosen.dt <= 0.45 * critical
     with warnings.catch_warnings(record=True) as caught:
@@ -222,7 +222,7 @@ def test_weighted_areas_of_a_cubic_lattice_close_cubes():
     """Six neighbours: the polyhedron is the cube about the sphere, and V = Σ A l / 3 its volume."""
     lattice = grid((4, 4, 4), 1.0, periodic=True)
     np.testing.assert_allclose(weighted_areas(lattice), 1.0, rtol=1e-12)
-    found = bd.Model(lattice, law(areas="weighted"), RHO).non_local_constants
+    found = bd.Model(lattice, law(areas="weighted"), RHO).interaction.by_user
     np.testing.assert_allclose(found.volume, 1.0, rtol=1e-12)
     np.testing.assert_allclose(found.kn, E, rtol=1e-12)
 

@@ -8,7 +8,7 @@ from bondem.boundary.conditions import Fix
 from bondem.boundary.schedules import Ramp
 from bondem.dynamics.plan import Plan, settled
 from bondem.errors import InputError
-from bondem.labtests.arguments import AnyLaw
+from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.beam_tests import CrossSection
 from bondem.labtests.vibration import (
     RECORD_INTERVAL,

@@ -9,8 +9,9 @@ from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.plan import Plan
 from bondem.model.highest_frequency import highest_frequency
 from bondem.model.state import State
+from bondem.statics.lagged_statics import LaggedStatics
 from bondem.statics.linear import System
-from bondem.statics.non_local_statics import LaggedStatics
+from bondem.statics.lagged_statics import LaggedStatics
 from validation.frame.record import Record
 
 E = 40e9
@@ -70,7 +71,7 @@ def by_steps(body: bd.Lattice) -> list[dict]:
         ("line of centres, unlimited", body, bd.NonLocal(E=E, nu=0.2, lever="contact", limited=False)),
     ):
         model = bd.Model(lattice, law, 1.0)
-        statics = LaggedStatics(model, System.of(model))
+        statics = LaggedStatics(model.interaction, System.of(model))
         for steps in (1, 10, 40):
             found = statics.settle(np.zeros((len(lattice.particles), 6)), slip=slip, steps=steps)
             stress = float(np.vdot(slip, found.strain.force)) / volume / 1e9

@@ -46,6 +46,12 @@ class Holds:
     friction: Floats
     across: Ints
 
+    @classmethod
+    def none(cls) -> "Holds":
+        """Return no facets."""
+        no, none = np.zeros((0, 3)), np.zeros(0, dtype=np.int64)
+        return cls(none, no > 0.0, (), no.astype(np.int64), (), no[:, 0], none)
+
     @property
     def clamped(self) -> Mask:
         """Mask of the facets that are held along all axes without sliding, shape (g,)."""
@@ -134,6 +140,12 @@ class Grips:
     normal: Floats
     way: Floats
     bend: Floats
+
+    @classmethod
+    def none(cls) -> "Grips":
+        """Return those of elements that no wall holds."""
+        no, square, holds = np.zeros((0, 3)), np.zeros((0, 3, 3)), Holds.none()
+        return cls(holds.facet, no[:, 0], no, no, no, square, no, no, holds, no[:, 0], no, no, square)
 
     def flatness(self, orientation: Floats) -> Floats:
         """Return the held share of the normal of each facet, 0 … 1, with cells of these quaternions (g, 4), (g,)."""

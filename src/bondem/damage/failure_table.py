@@ -1,7 +1,6 @@
 """Tables of a failure criterion: coefficients and bounds of each bond, internal order."""
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,14 +10,9 @@ from bondem.damage.criteria.criterion import COEFFICIENTS, BondCriterion, Criter
 from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
 from bondem.damage.failure_assignment import FailurePart, criteria_of
 from bondem.errors import InputError
-from bondem.interactions.beams.bond_law import BondLaw, BondStiffness
-from bondem.interactions.cells.cell_body import body_of
-from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.contact.contact_assignment import ContactLaws
-from bondem.interactions.non_local.non_local_constants import NonLocalConstants
-from bondem.interactions.non_local.non_local_law import NonLocal
+from bondem.interactions.interaction import Interaction
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.ordering import Layout
 
 # What rounding may take off a bound.
 _ROUNDING = 1e-6
@@ -51,28 +45,19 @@ class FailureTable:
     @classmethod
     def of(
         cls,
-        lattice: Lattice,
-        layout: Layout,
+        law: Interaction,
         parts: tuple[FailurePart, ...],
-        stiffness: BondStiffness | None,
-        at_contact: bool,
     ) -> "FailureTable":
-        """Return the table of a lattice.
+        """Return the table of a law.
 
         Args:
-            lattice: bonds or facets.
-            layout: order of the bonds.
+            law: bonds or facets.
             parts: criteria of one kind with their bonds.
-            stiffness: stiffnesses of the bonds, user's order; None for facets of cells.
-            at_contact: True if moments count at the contact point.
         """
-        if stiffness is None:
-            facets, _ = body_of(lattice)
-            joint = Joint(facets.area, facets.span, facets.area * facets.span, facets.centroid, None)
-        else:
-            area = np.pi * stiffness.radius**2
-            middle = lattice.centre[lattice.pairs[:, 0]] + 0.5 * lattice.branch
-            joint = Joint(area, lattice.length, area * lattice.length, middle, stiffness)
+        if law.evaluated == "stress":
+            return cls._of_principal(law, parts)
+        lattice, layout, joint = law.lattice, law.layout, joint_of(law)
+        stiffness = joint.stiffness
         coefficient, a, b, kind = _judged(joint, parts, lattice)
         order, flipped = layout.bond_order, layout.flipped
         # each part of the bound weighs as on an average bond
@@ -83,7 +68,7 @@ class FailureTable:
             share = (a / force) ** 2 + np.where(b > 0.0, (b / moment) ** 2, 0.0)
             limit = (_MARGIN if stiffness is None else 1.0 - _ROUNDING) / share
         station = np.full(len(order), -1.0)
-        if at_contact and stiffness is not None:
+        if stiffness is not None and law.moments_at_contact:
             station = stiffness.lever / lattice.length
             station = np.where(flipped, 1.0 - station[order], station[order])
         return cls(
@@ -96,23 +81,13 @@ class FailureTable:
         )
 
     @classmethod
-    def of_principal(
-        cls, lattice: Lattice, layout: Layout, parts: tuple[FailurePart, ...], constants: NonLocalConstants
-    ) -> "FailureTable":
-        """Return the table of bonds of the non-local law, with the coefficients of `laws.failure.principal`.
-
-        Args:
-            lattice: elements and bonds.
-            layout: order of the bonds.
-            parts: criteria on principal stresses with their bonds.
-            constants: constants of the bonds, user's order.
-        """
-        middle = lattice.centre[lattice.pairs[:, 0]] + constants.lever_i
+    def _of_principal(cls, law: Interaction, parts: tuple[FailurePart, ...]) -> "FailureTable":
+        """Return the table of bonds that mean stresses break, with the coefficients of `laws.failure.principal`."""
+        lattice, layout, joint = law.lattice, law.layout, joint_of(law)
+        middle = joint.place
         coefficient = np.zeros((len(middle), COEFFICIENTS))
         for part in parts:
-            factor = part.criterion.factors(
-                constants.area * lattice.length, middle, lattice.particles.period, lattice.volume
-            )
+            factor = part.criterion.factors(joint.volume, middle, lattice.particles.period, lattice.volume)
             assert part.criterion.principal is not None
             coefficient[part.bonds, :3] = part.criterion.principal / factor[part.bonds, None]
         none = np.full(len(middle), np.inf)
@@ -120,6 +95,12 @@ class FailureTable:
             kind=_OF_PRINCIPAL, coefficient=np.ascontiguousarray(coefficient[layout.bond_order]), station=-none,
             limit=none, of_force=0.0, of_moment=0.0,
         )  # fmt: skip
+
+
+def joint_of(law: Interaction) -> Joint:
+    """Return all bonds or facets of a law as criteria take them."""
+    area, length, place = law.joints()
+    return Joint(area, length, area * length, place, law.bonds if law.evaluated == "force" else None)
 
 
 def _judged(
@@ -138,28 +119,24 @@ def _judged(
     return coefficient, a, b, kind
 
 
-def check_failure(failure: object, bond: object, contact: ContactLaws | None, formulation: str) -> bool:
-    """Check a criterion for a model; return True if moments count at the contact point.
+def check_failure(failure: object, law: Interaction, contact: ContactLaws | None) -> None:
+    """Check a criterion for a model.
 
     Raises:
         InputError: There is no criterion, it applies to other bonds, or the model has features that exclude breakage.
     """
-    laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
-    if any(isinstance(law, NonLocal) for law in laws):
+    if law.evaluated == "stress":
         for criterion in criteria_of(failure):
-            _check_non_local(criterion)
-        return False
-    if formulation != "total":
+            _check_principal(criterion, law.name)
+        return
+    if law.formulation != "total":
         raise InputError("failure= needs bonds of the total formulation; use formulation='total'")
-    cells = any(isinstance(law, CellBond) for law in laws)
+    cells = law.evaluated == "traction"
     for criterion in criteria_of(failure):
         _check_criterion(criterion, cells, contact)
     if cells and contact is not None and not contact.stress_free:
         raise InputError("failure= of cells beside contact= needs stress_free=True, as cells touch where they parted")
-    at_contact = {law.moments_at_contact for law in laws if isinstance(law, BondLaw)}
-    if len(at_contact) > 1:
-        raise InputError("failure= counts moments either at the ends or at contact points; give bonds of one kind")
-    return True in at_contact
+    law.moments_at_contact  # noqa: B018  refuses laws that differ
 
 
 def _check_criterion(failure: Criterion, cells: bool, contact: ContactLaws | None) -> None:
@@ -173,19 +150,19 @@ def _check_criterion(failure: Criterion, cells: bool, contact: ContactLaws | Non
         raise InputError(f"{name} with softening or stresses of the material needs a body of cells; use bd.CellBond")
 
 
-def _check_non_local(failure: Criterion) -> None:
-    """Reject options unsupported by bonds of the non-local law."""
+def _check_principal(failure: Criterion, law: str) -> None:
+    """Reject options unsupported by bonds of a law that mean stresses break."""
     name = type(failure).__name__
     if failure.principal is None:
         raise InputError(
-            f"{name} is not a criterion on principal stresses, as NonLocal needs; use bd.Rankine(tension=)"
+            f"{name} is not a criterion on principal stresses, as {law} needs; use bd.Rankine(tension=)"
             " or bd.MohrCoulomb(...)"
         )
     softening = failure.softening
     if softening is not None and softening.fracture_energy > 0.0:
-        raise InputError(f"{name}: NonLocal bonds break at once; leave out fracture_energy=, or use bd.CellBond")
+        raise InputError(f"{name}: {law} bonds break at once; leave out fracture_energy=, or use bd.CellBond")
     if softening is not None and softening.friction > 0.0:
-        raise InputError(f"{name}: friction= of NonLocal bonds is that of contact=bd.LinearContact(..., friction=)")
+        raise InputError(f"{name}: friction= of {law} bonds is that of contact=bd.LinearContact(..., friction=)")
 
 
 def _check_soft(failure: Criterion, contact: ContactLaws | None) -> None:

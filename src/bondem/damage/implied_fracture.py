@@ -10,10 +10,8 @@ from bondem.damage.criteria.criterion import BondCriterion, Criterion, Joint
 from bondem.damage.criteria.elliptic import Elliptic
 from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
 from bondem.damage.failure_assignment import FailurePart
-from bondem.interactions.beams.bond_law import BondStiffness
-from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.interactions.non_local.non_local_constants import NonLocalConstants
-from bondem.specimen.lattice import Lattice
+from bondem.damage.failure_table import joint_of
+from bondem.interactions.interaction import Interaction
 
 
 @dataclass(frozen=True)
@@ -22,8 +20,8 @@ class ImpliedFracture:
 
     Cells with a fracture energy have the G_c that was given, and K_Ic = √(E G_c). Brittle facets of cells have
     K_Ic = f_t √L (bars with a slit: 0.75 to 0.84 of it) and so G_c = K_Ic² / E = f_t² L / E. This is twice the
-    energy f_t² L / 2E that a facet releases per area of its own; both grow with the size of the elements. Bonds of
-    `NonLocal` are treated as such facets.
+    energy f_t² L / 2E that a facet releases per area of its own; both grow with the size of the elements. Bonds
+    that mean stresses break are treated as such facets.
 
     Brittle beams release, per area of a plane crack, the energy stored in tension by the bonds through it:
     (1/2V) Σ U L with U = N_t² / 2 k_n. For beams that soften, U = G_f A is the energy that they absorb. E is then the
@@ -64,44 +62,25 @@ class ImpliedFracture:
 
 @np.errstate(all="ignore")
 def implied_fracture(
-    lattice: Lattice,
-    parts: tuple[FailurePart, ...],
-    stiffness: BondStiffness,
-    cells: CellConstants | None,
-    non_local: NonLocalConstants | None,
-    mass: PerElement,
+    law: Interaction, parts: tuple[FailurePart, ...], mass: PerElement
 ) -> ImpliedFracture | None:
-    """Return the fracture properties that criteria imply for a lattice, or None without bonds.
+    """Return the fracture properties that criteria imply for a law, or None without bonds.
 
     Args:
-        lattice: bonds or facets.
+        law: bonds or facets.
         parts: criteria with their bonds.
-        stiffness: stiffnesses of the bonds.
-        cells: constants of a body, user's order; None for other lattices.
-        non_local: constants of the non-local law, user's order; None for other laws.
         mass: masses of the elements [kg], shape (n,).
     """
+    lattice, stiffness = law.lattice, law.bonds
     if not len(lattice.pairs):
         return None
     shapes = [lattice.envelope(k) for k in range(len(lattice.names))]
     volume = sum(shape.volume for shape in shapes)
-    if cells is not None:
-        facets = lattice.elements.require_cells().facets
-        area, length, place = facets.area, facets.span, facets.centroid
-        E = float(np.median(cells.G * (3.0 * cells.lame + 2.0 * cells.G) / (cells.lame + cells.G)))
-        held = None
-    elif non_local is not None:
-        area, length, held = non_local.area, lattice.length, None
-        place = lattice.centre[lattice.pairs[:, 0]] + non_local.lever_i
-        E = float(np.median(non_local.kn * length / area))
-    else:
-        area, length, held = np.pi * stiffness.radius**2, lattice.length, stiffness
-        place = lattice.elements.bond_middle
-        E = _affine_modulus(length, stiffness, volume)
-    joint = Joint(area, length, area * length, place, held)
+    joint, E = joint_of(law), law.modulus(volume)
+    area, length, held = joint.area, joint.length, joint.stiffness
     pull, given = np.zeros((2, len(area)))
     for part in parts:
-        pull[part.bonds] = _tensile_force(part, joint, lattice, non_local=non_local is not None)
+        pull[part.bonds] = _tensile_force(part, joint, law)
         given[part.bonds] = _given_energy(part.criterion, cells=held is None)
     stored = 0.5 * pull**2 * (length / (E * area) if held is None else 1.0 / stiffness.kn)
     strength, L = float(np.median(pull / area)), float(np.median(length))
@@ -130,12 +109,12 @@ def _given_energy(failure: Criterion, *, cells: bool) -> float:
     return 0.0 if energies is None else energies[0]
 
 
-def _tensile_force(part: FailurePart, joint: Joint, lattice: Lattice, *, non_local: bool) -> PerBond:
+def _tensile_force(part: FailurePart, joint: Joint, law: Interaction) -> PerBond:
     """Return the tensile force that breaks each bond of a part in pure tension [N], (c,)."""
-    failure = part.criterion
+    failure, lattice = part.criterion, law.lattice
     factor = failure.factors(joint.volume, joint.place, lattice.particles.period, lattice.volume)[part.bonds]
     joint = joint.take(part.bonds)
-    if non_local:
+    if law.evaluated == "stress":
         assert failure.principal is not None
         return joint.area * factor / max(failure.principal[:2])
     if failure.softening is not None and joint.stiffness is None:
@@ -147,11 +126,3 @@ def _tensile_force(part: FailurePart, joint: Joint, lattice: Lattice, *, non_loc
     if isinstance(failure, MohrCoulomb):  # where tension is beyond the tip of the cone, it is the tip
         return 1.0 / np.maximum(each[0], each[1] * each[2])
     return 1.0 / each[0]
-
-
-def _affine_modulus(length: PerBond, stiffness: BondStiffness, volume: float) -> float:
-    """Return E of an isotropic lattice whose elements all move with a uniform strain [Pa]."""
-    normal = float((length**2 * stiffness.kn).sum()) / volume
-    across = float((length**2 * stiffness.ks).sum()) / volume
-    bulk, shear = normal / 9.0, normal / 15.0 + across / 10.0
-    return 9.0 * bulk * shear / (3.0 * bulk + shear)

@@ -55,9 +55,8 @@ def begin(model: Model, state: State | None) -> State:
         own.begin(model)
         own.grips = taken_walls(model, state)
     _refuse_jumps(model, own, () if before is None else (*before.boundary, *before.walls))
-    if model.cells is not None:
-        at_rest = state is None or (before is None and not moved and goes_on(model, state))
-        _refuse_wall_jumps(model.cells.grips, own, at_rest=at_rest)
+    at_rest = state is None or (before is None and not moved and goes_on(model, state))
+    _refuse_wall_jumps(model.interaction.grips, own, at_rest=at_rest)
     if before is not None:
         _warn_of_lost_time(model, before, own.time)
     elif state is not None and moved:
@@ -95,7 +94,7 @@ def _refuse_jumps(model: Model, state: State, before: Sequence[object]) -> None:
             s += 1  # schedules are numbered in the order of the conditions
         if not isinstance(condition, Drive):
             continue
-        if model.cells is not None and holds_wall(condition):
+        if model.interaction.on_facets and holds_wall(condition):
             continue
         for dof, schedule, rate in condition.motion:
             s += 1

@@ -16,9 +16,7 @@ from bondem.observables.facet_loads import loads_on_facets
 
 def goes_on(model: Model, state: State) -> bool:
     """Return True if the walls of a model are those of the model of a state, and move in the same way."""
-    if model.cells is None or state.model.cells is None:
-        return model.cells is None
-    return model.cell_constants.grips.holds.same(state.model.cell_constants.grips.holds)
+    return model.interaction.grips.holds.same(state.model.interaction.grips.holds)
 
 
 def taken_walls(model: Model, state: State) -> Floats:
@@ -32,18 +30,15 @@ def taken_walls(model: Model, state: State) -> Floats:
         model: model of the new stage.
         state: initial state, with the model that made it.
     """
-    if model.cells is None:
-        return reference_base(0)
-    grips = model.cell_constants.grips
+    grips = model.interaction.grips
     base = reference_base(len(grips.cell))
+    if not len(base):
+        return base
     rest = wall_places(model, state, base)  # of schedules that count from the reference
     base[:, 3:] = state.orientation[grips.cell]
-    if state.model.cells is None:
-        base[:, :3] = grips.axes * (_of_facets(model, state, grips.axes) - rest)
-        return base
     if goes_on(model, state):
         return state.grips.copy()
-    before = state.model.cell_constants.grips
+    before = state.model.interaction.grips
     mine, theirs = _both(grips, before)
     base[mine, 3:] = _origins(grips, before, mine, theirs, state)
     held = before.axes[theirs] > 0.0
@@ -97,7 +92,7 @@ def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
     going_on = loads_on_facets(model, state.time, q)
     force, stress = -going_on, np.zeros(len(q))
     soft, way = constants.softness[facet, None], turned_vectors(q[grips.cell], grips.way)
-    if state.model.cells is not None:
+    if state.model.interaction.on_facets:
         before = cast(Model, state.model)
         force += loads_on_facets(before, state.time, q)
         opened = (fresh * soft * way * going_on[facet]).sum(axis=1)

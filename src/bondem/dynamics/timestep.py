@@ -5,25 +5,19 @@ import warnings
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.sparse import diags_array
-from scipy.sparse.linalg import eigsh
 
 from bondem._names import users_line
 from bondem._types import PerBond
 from bondem.dynamics.damping import AnyDamping, DampingTerms
 from bondem.dynamics.dashpot_rate import fastest_decay
-from bondem.dynamics.non_local_timestep import SHARES, stable_share
+from bondem.dynamics.lagged_timestep import lagged_limits
 from bondem.dynamics.schemes import Scheme
 from bondem.errors import StepWarning, UnstableStepError
-from bondem.interactions.contact.contact_model import ContactModel
-from bondem.interactions.non_local.local_stiffness import local_stiffness
-from bondem.interactions.non_local.non_local_law import NonLocal
+from bondem.interactions.lagged_interaction import LaggedInteraction
 from bondem.model.highest_frequency import highest_frequency
 from bondem.model.long_slip import long_slips
 from bondem.model.model import Model
 
-# Relative error of the largest eigenvalue of contacts, from below; the answer is raised by as much twice.
-_TOLERANCE = 1e-3
 # A given step above this share of the critical one is warned of: what a run does to bonds may raise ω_max.
 _WARNED = 0.9
 # How much dashpots lower the default step before a message says so, and before a warning does.
@@ -46,8 +40,8 @@ def critical_step(
     It also holds for contacts before they appear, because each is counted with the largest number that can touch at
     once. Local damping multiplies a decelerating force by 1 + γ, and with it the effective stiffness and dashpots.
     Dashpots lower the limit by √(1 + ζ²) - ζ, with 2 ζ ω the largest eigenvalue of M⁻¹ C. Mass damping and absorbing
-    boundaries do not. For the non-local law it is the largest stable share by its own steps
-    (`bondem.dynamics.non_local_timestep`).
+    boundaries do not. For a law that lags it is the largest stable share by its own steps
+    (`bondem.dynamics.lagged_timestep`).
 
     Args:
         model: model that will move.
@@ -66,11 +60,8 @@ def _limits(
     bonds, decay = highest_frequency(model, integrity=integrity), 0.0
     for slip in long_slips(model):
         bonds = max(bonds, highest_frequency(model, integrity=integrity, slip=slip))
-    if model.non_local is not None:
-        limit = free = _lagged_step(model, scheme, terms, bonds)
-        if terms.eta > 0.0 or terms.beta > 0.0:
-            free = _lagged_step(model, scheme, replace(terms, eta=0.0, beta=0.0), bonds)
-        return limit, free
+    if isinstance(model.interaction, LaggedInteraction):
+        return lagged_limits(model, model.interaction, scheme, terms, bonds, matters=_DAMPED)
     damped = terms.beta * bonds**2
     if terms.eta > 0.0:
         damped += fastest_decay(model, replace(terms, beta=0.0))
@@ -97,47 +88,6 @@ def _damped_limit(scheme: Scheme, omega: float, decay: float) -> float:
     return scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta)
 
 
-def _lagged_step(model: Model, scheme: Scheme, terms: DampingTerms, springs: float) -> float:
-    """Return the critical step of the non-local law [s].
-
-    It is the smaller of two: that of springs and contacts with the dashpots of contacts, and the largest share of
-    that of springs and contacts at which lagged steps are stable, with dashpots of bonds in these trials. Dashpots of
-    contacts are bounded by M⁻¹ C, and not by the largest c / k, which the smallest facet would determine.
-
-    Args:
-        model: model that will move.
-        scheme: time integration scheme.
-        terms: terms of damping.
-        springs: ω_max of all bonds [rad/s].
-    """
-    raised, decay = math.sqrt(1.0 + terms.gamma), 0.0
-    contacts, motions = model.contacts, ((0.0, 0.0),)
-    if contacts is not None:
-        motions += contacts.laws.stiffest(model.contact_radius, model.mass, contacts.walls.platens)
-        if model.failure is not None and contacts.own is not None and isinstance(model.bond, NonLocal):
-            soft, _, beta = _of_broken(model, contacts)
-            springs *= math.sqrt(max(1.0, float(soft.max()) * model.bond.E / model.bond.G))
-            decay = _fastest_decay(model, contacts.own, beta, soft)
-    fastest = raised * max(math.hypot(springs, frequency) for frequency, _ in motions)
-    if fastest == 0.0:
-        return math.inf
-    limit = math.inf
-    for frequency, delay in motions:
-        omega = raised * math.hypot(springs, frequency)
-        zeta = 0.5 * raised**2 * (decay + delay * frequency**2) / omega if omega > 0.0 else 0.0
-        if omega > 0.0:
-            limit = min(limit, scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
-    if springs == 0.0:
-        return limit
-    share = stable_share(model, scheme.critical / fastest, terms)
-    if share == 0.0:
-        warnings.warn(
-            "the lagged stress of the non-local law is unstable at any time step; give damping=, or lower nu=",
-            StepWarning, stacklevel=users_line(),
-        )  # fmt: skip
-    return min((share or SHARES[-1]) * scheme.critical / fastest, limit)
-
-
 def _with_broken(model: Model, highest: float) -> tuple[float, float]:
     """Return ω_max, and an upper bound of M⁻¹ C of contacts [1/s], whichever bonds are broken and touch.
 
@@ -147,7 +97,7 @@ def _with_broken(model: Model, highest: float) -> tuple[float, float]:
     contacts = model.contacts
     if contacts is None or contacts.own is None or not len(contacts.own):
         return highest, 0.0
-    soft, friction, beta = _of_broken(model, contacts)
+    soft, friction, beta = contacts.of_broken(model.layout)
     decay = _decay_bound(model, contacts.own, beta, soft)
     if not friction.any():
         return highest, decay
@@ -155,13 +105,6 @@ def _with_broken(model: Model, highest: float) -> tuple[float, float]:
         return highest * math.sqrt(max(1.0, float(soft.max()))), decay
     sheared = highest_frequency(model, table=model.bonds.sheared(soft * contacts.own))
     return max(highest, sheared), decay
-
-
-def _of_broken(model: Model, contacts: ContactModel) -> tuple[PerBond, PerBond, PerBond]:
-    """Return ks / kn (0 without friction), μ and β of the contacts of broken bonds, internal order, each (m,)."""
-    layout = model.layout
-    soft, friction, beta = contacts.laws.of_pairs(layout.order[layout.i], layout.order[layout.j])
-    return np.where(friction > 0.0, soft, 0.0), friction, beta
 
 
 def _decay_bound(model: Model, kn: PerBond, beta: PerBond, soft: PerBond) -> float:
@@ -181,23 +124,6 @@ def _decay_bound(model: Model, kn: PerBond, beta: PerBond, soft: PerBond) -> flo
         across = np.where(soft > 0.0, (arm * radius[end]) ** 2 / inertia[end], 0.0)
         lost += np.bincount(end, weights=2.0 * c * (1.0 / mass[end] + across), minlength=len(mass))
     return float(lost.max())
-
-
-def _fastest_decay(model: Model, kn: PerBond, beta: PerBond, soft: PerBond) -> float:
-    """Return an upper bound of the largest eigenvalue of M⁻¹ C [1/s], if all bonds were contacts with dashpots."""
-    constants, layout = model.non_local, model.layout
-    if constants is None or not beta.any():
-        return 0.0
-    order = layout.order
-    mass, inertia = model.mass[order], model.inertia[order]
-    pair = mass[layout.i] * mass[layout.j] / (mass[layout.i] + mass[layout.j])
-    along = 2.0 * beta * np.sqrt(kn * pair)
-    matrix = local_stiffness(replace(constants, kn=along, kt=np.sqrt(soft) * along), layout)
-    root = diags_array(1.0 / np.sqrt(np.repeat(np.column_stack([mass, inertia]), 3, axis=1).ravel()))
-    start = np.random.default_rng(0).standard_normal(6 * len(mass))
-    options = {"tol": _TOLERANCE, "v0": start, "return_eigenvectors": False}
-    found = np.asarray(eigsh(root @ matrix @ root, k=1, which="LA", **options))
-    return (1.0 + 2.0 * _TOLERANCE) * float(found[0])
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,9 @@
 """Catalogue of the bond laws of bondem. The class of a law states its title and the parameter it varies."""
 
+from collections.abc import Mapping
+
+from bondem.interactions.beams.assignment import BondAssignment
+from bondem.interactions.beams.beam_interaction import BeamInteraction
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.interactions.beams.contact_bond import ContactBond
 from bondem.interactions.beams.euler_bernoulli import EulerBernoulli
@@ -8,6 +12,14 @@ from bondem.interactions.beams.obermayr import Obermayr
 from bondem.interactions.beams.parallel_bond import ParallelBond
 from bondem.interactions.beams.timoshenko import Timoshenko
 from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.interactions.cells.cell_interaction import CellInteraction
+from bondem.interactions.interaction import Interaction, Specimen
+from bondem.interactions.non_local.non_local_interaction import NonLocalInteraction
+from bondem.interactions.non_local.non_local_law import NonLocal
+
+#: Laws of a specimen: a bond law or laws by region, a cell law or cell laws by region, or the non-local law.
+AnyLaw = BondAssignment | CellAssignment | NonLocal
 
 # In the order in which they are recommended: Euler–Bernoulli bonds are those of the paper that bondem follows, with
 # one parameter beside E_μ that is a length one can see; those of Obermayr and parallel bonds reach the widest range
@@ -24,6 +36,9 @@ CALIBRATED: dict[str, type[BondLaw]] = {name: law for name, law in LAWS.items() 
 #: Those of bodies cut into cells, by the name of the class: they have the material's own E and ν, and no calibration.
 CELL_LAWS: dict[str, type[CellBond]] = {law.__name__: law for law in (CellBond,)}
 
+#: Those without regions and without calibration, by the name of the class.
+WHOLE_LAWS: dict[str, type] = {NonLocal.__name__: NonLocal}
+
 #: The law of the paper (André et al. 2012), which studies take unless told otherwise.
 DEFAULT: type[BondLaw] = EulerBernoulli
 
@@ -35,3 +50,18 @@ def named(law: str) -> str:
     """Return the common name of a law, given the name of its class: EulerBernoulli becomes Euler–Bernoulli."""
     known = LAWS | CELL_LAWS
     return known[law].title if law in known else law
+
+
+def kind_of(bond: object) -> type[Interaction]:
+    """Return the kind of interaction that a law, or laws by region, join; that of beams for anything else."""
+    laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
+    return next((kind for kind in (CellInteraction, NonLocalInteraction) if kind.joins(laws)), BeamInteraction)
+
+
+def interaction_of(specimen: Specimen, bond: AnyLaw | None) -> Interaction:
+    """Return the law of a specimen as one object.
+
+    Raises:
+        InputError: The laws do not fit each other or the specimen.
+    """
+    return kind_of(bond).join(specimen, bond)

@@ -32,15 +32,14 @@ from bondem.geometry.surface import Surface
 from bondem.interactions.contact.adhesion import Adhesion
 from bondem.interactions.contact.contact_law import LinearContact
 from bondem.interactions.contact.hertz_mindlin import HertzMindlin
-from bondem.interactions.law_catalogue import CELL_LAWS, LAWS
-from bondem.interactions.non_local.non_local_law import NonLocal
+from bondem.interactions.law_catalogue import CELL_LAWS, LAWS, WHOLE_LAWS
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.regions import Body, Difference, Everything, Face, Index, Intersection, Plane, Union, Within
 
 _TYPES: dict[str, type] = {
     cls.__name__: cls
     for cls in (
-        *LAWS.values(), *CELL_LAWS.values(), NonLocal, *CRITERIA.values(), Bilinear, Weibull, Normal,
+        *LAWS.values(), *CELL_LAWS.values(), *WHOLE_LAWS.values(), *CRITERIA.values(), Bilinear, Weibull, Normal,
         LocalDamping, BondDamping, MassDamping, TchamwaWielgosz, VelocityVerlet, AtRest, ContactEnd,
         LoadDrop, Plan,
         LinearContact, HertzMindlin, Adhesion, PlaneWall, CylinderWall, SphereWall, Driven, Servo, Free,

@@ -6,13 +6,7 @@ import numpy as np
 
 from bondem._checks import instance, number, possible
 from bondem.errors import InputError
-from bondem.interactions.beams.assignment import BondAssignment
-from bondem.interactions.cells.cell_constants import CellAssignment
-from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.specimen.lattice import Lattice
-
-#: Laws of a specimen: a bond law or laws by region, a cell law, or the non-local law.
-AnyLaw = BondAssignment | CellAssignment | NonLocal
 
 _RULES: dict[str, dict[str, Any]] = {
     "E": {"above": 0.0, "unit": "Pa", "advice": "the Young's modulus of the specimen in Pa"},

@@ -22,11 +22,10 @@ from bondem.damage.implied_fracture import ImpliedFracture
 from bondem.dynamics.damping import LocalDamping
 from bondem.dynamics.plan import Status
 from bondem.errors import InputError, NotQuasistaticWarning, StrengthWarning
-from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.interactions.contact.contact_law import ContactLaw
-from bondem.interactions.non_local.non_local_law import NonLocal
-from bondem.labtests.arguments import AnyLaw, check
+from bondem.interactions.law_catalogue import AnyLaw, kind_of
+from bondem.labtests.arguments import check
 from bondem.labtests.fragment_contact import fragment_contact
 from bondem.labtests.quasi_static_rig import Rig, RunOptions, StrengthTest, load_rig
 from bondem.model.model import Model
@@ -53,10 +52,10 @@ LEAST, REACH, RECORDS = 0.2, 20.0, 4000
 
 def is_cells(body: Lattice, law: object) -> bool:
     """Return True for a specimen of cells, and for arguments that only tests of cells can refuse."""
-    matrix = next(iter(law.values()), None) if isinstance(law, Mapping) else law
-    if isinstance(matrix, CellBond) or not isinstance(body, Lattice):
+    kind = kind_of(next(iter(law.values()), None) if isinstance(law, Mapping) else law)
+    if kind.on_facets or not isinstance(body, Lattice):
         return True
-    return body.cells is not None and not isinstance(matrix, NonLocal)
+    return body.cells is not None and kind.evaluated == "force"
 
 
 def as_cells(test: str, law: AnyLaw, contact: ContactLaw | None) -> CellAssignment:
@@ -288,7 +287,7 @@ class BondedSpecimen:
         if not force > 0.0:
             raise InputError(f"labtests.{self.test}: its ends are not joined by bonds; use a denser packing")
         compliance = _MOTION * float((self.bounds[1] - self.bounds[0])[axis]) / force
-        if self.bare.non_local is not None:
+        if not self.bare.interaction.has_potential:
             return compliance, section / self._uniform_index(largest, least)
         sign = 1.0 if least < 0.0 else -1.0
         factor = 1.0

@@ -72,7 +72,7 @@ def split_bonded(
 
 def _centre(specimen: BondedSpecimen, disc: Disc, bottom: Ints, top: Ints) -> float:
     """Elastic stress across the load at the centre over the load [1/m²]; NaN for the non-local law."""
-    if specimen.bare.non_local is not None:  # a static solution does not store its stresses
+    if not specimen.bare.interaction.has_potential:  # a static solution does not store its stresses
         return math.nan
     static = specimen.pressed(1, bottom, top)
     found = element_stress(static.model, static)

@@ -10,12 +10,13 @@ from bondem._types import Floats
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.interactions.cells.cell_strain import CellStrain
-from bondem.labtests.arguments import AnyLaw
+from bondem.interactions.lagged_interaction import LaggedInteraction
+from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.isotropic import VOIGT, StiffnessResult
 from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
+from bondem.statics.lagged_statics import LaggedStatics
 from bondem.statics.linear import System
-from bondem.statics.non_local_statics import LaggedStatics
 from bondem.statics.static import Statics
 
 # C is stationary in the motions, so that their error comes in squared.
@@ -66,7 +67,7 @@ def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = Non
 
     Args:
         lattice: bonded elements of a `Cell`, or of particles with a `period`.
-        law: bond law or laws by region, cell law, or `NonLocal`.
+        law: bond law or laws by region, or a law of a whole body.
         guess: moduli of the same lattice with similar bonds, as an initial guess.
 
     Raises:
@@ -83,8 +84,8 @@ def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = Non
             "bulk_moduli: the lattice is not periodic; pack a bd.Cell, or give Particles their period= [m]"
         )
     model = Model(lattice, law, 1.0)  # statics do not depend on the density
-    if model.non_local is not None:
-        return _of_non_local(model)
+    if isinstance(model.interaction, LaggedInteraction):
+        return _of_lagged(model, model.interaction)
     statics = Statics(model)
     if statics.model.cells is not None:
         return _of_cells(statics)
@@ -125,13 +126,13 @@ def _of_cells(statics: Statics) -> BulkModuli:
     return BulkModuli(C, (), tuple(motions), volume)
 
 
-def _of_non_local(model: Model) -> BulkModuli:
-    """Stiffness tensor under the non-local law, from the mean stress Σ branch ⊗ F / V."""
+def _of_lagged(model: Model, law: LaggedInteraction) -> BulkModuli:
+    """Stiffness tensor under a law that lags, from the mean stress Σ branch ⊗ F / V."""
     lattice = model.lattice
     assert lattice.particles.period is not None
     volume = float(lattice.particles.period.prod())
     slips = _slips(lattice.branch)
-    statics = LaggedStatics(model, System.of(model))
+    statics = LaggedStatics(law, System.of(model))
     rest = np.zeros((len(lattice.particles), 6))
     found = [statics.settle(rest, slip=slip) for slip in slips]
     C = np.array([[np.vdot(slip, one.strain.force) for one in found] for slip in slips]) / volume

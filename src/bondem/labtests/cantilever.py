@@ -14,7 +14,8 @@ from bondem._progress import staged
 from bondem._types import Floats, Ints, PerElement
 from bondem.boundary.conditions import Fix, Load
 from bondem.errors import InputError
-from bondem.labtests.arguments import AnyLaw, check
+from bondem.interactions.law_catalogue import AnyLaw
+from bondem.labtests.arguments import check
 from bondem.labtests.beam_tests import Bar, CrossSection
 from bondem.labtests.faces import specimen_faces
 from bondem.labtests.gauge_length import AffineField, at_generators, curvature, middle_half, profile, twist_rate

@@ -7,7 +7,8 @@ import numpy as np
 
 from bondem._progress import staged
 from bondem.errors import InputError
-from bondem.labtests.arguments import AnyLaw, check
+from bondem.interactions.law_catalogue import AnyLaw
+from bondem.labtests.arguments import check
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.faces import specimen_faces
 from bondem.labtests.outcome import Outcome

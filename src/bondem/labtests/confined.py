@@ -10,7 +10,7 @@ from bondem._progress import staged
 from bondem._types import Floats
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.interactions.contact.contact_law import ContactLaw
-from bondem.labtests.arguments import AnyLaw
+from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.compression import compressed
 from bondem.labtests.cracking import Cracking
 from bondem.labtests.quasi_static_rig import RunOptions, StrengthTest

@@ -4,7 +4,8 @@ import numpy as np
 
 from bondem._progress import staged
 from bondem._types import Floats, PerElement
-from bondem.labtests.arguments import AnyLaw, check
+from bondem.interactions.law_catalogue import AnyLaw
+from bondem.labtests.arguments import check
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.frequency import spectrum
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies

@@ -15,7 +15,7 @@ from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.labtests.arguments import AnyLaw
+from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.ball import BrokenBall
 from bondem.labtests.bonded_platens import is_cells
 from bondem.labtests.compression import uniaxial_compression

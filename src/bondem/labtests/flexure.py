@@ -19,7 +19,7 @@ from bondem.errors import InputError, RunInterrupted
 from bondem.geometry.elementary_shapes import Box
 from bondem.geometry.shape_boundary import BOX_FACES
 from bondem.interactions.contact.contact_law import ContactLaw
-from bondem.labtests.arguments import AnyLaw
+from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.bonded_bending import bend_bonded
 from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
 from bondem.labtests.cracking import CRACKED, Cracking

@@ -10,7 +10,8 @@ from bondem._progress import staged
 from bondem._types import Floats, PerElement
 from bondem.boundary.conditions import Fix
 from bondem.errors import InputError
-from bondem.labtests.arguments import AnyLaw, check
+from bondem.interactions.law_catalogue import AnyLaw
+from bondem.labtests.arguments import check
 from bondem.model.model import Model
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material, constant

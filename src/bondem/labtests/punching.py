@@ -21,7 +21,7 @@ from bondem.geometry.elementary_shapes import Cylinder
 from bondem.geometry.shape import Cut, Shape
 from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.interactions.contact.contact_law import ContactLaw
-from bondem.labtests.arguments import AnyLaw
+from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.bonded_platens import LEAST, REACH, RECORDS, BondedSpecimen, Side, as_cells, is_cells
 from bondem.labtests.line_probe import walls_along
 from bondem.labtests.quasi_static_rig import (

@@ -19,7 +19,7 @@ from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
 from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.interactions.contact.contact_law import ContactLaw
-from bondem.labtests.arguments import AnyLaw
+from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
 from bondem.labtests.bonded_splitting import split_bonded
 from bondem.labtests.cracking import Cracking

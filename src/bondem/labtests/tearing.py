@@ -6,7 +6,7 @@ from pathlib import Path
 from bondem._progress import staged
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.interactions.contact.contact_law import ContactLaw
-from bondem.labtests.arguments import AnyLaw
+from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.bonded_compression import tear_bonded
 from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
 from bondem.labtests.loading import Loading, load_to_failure

@@ -13,7 +13,8 @@ from bondem._types import Floats
 from bondem.boundary.conditions import Load
 from bondem.errors import ShortSpecimenWarning
 from bondem.interactions.beams.bond_strain import BondStrain
-from bondem.labtests.arguments import AnyLaw, check
+from bondem.interactions.law_catalogue import AnyLaw
+from bondem.labtests.arguments import check
 from bondem.labtests.faces import specimen_faces
 from bondem.labtests.gauge_length import AffineField, at_generators, middle_half
 from bondem.model.model import Model

@@ -18,7 +18,8 @@ from bondem.dynamics.events import ContactEnd
 from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import InputError
 from bondem.interactions.contact.contact_law import ContactLaw
-from bondem.labtests.arguments import AnyLaw, check
+from bondem.interactions.law_catalogue import AnyLaw
+from bondem.labtests.arguments import check
 from bondem.labtests.ball import BallSpecimen, BrokenBall
 from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model

@@ -9,7 +9,8 @@ from bondem._progress import staged
 from bondem._types import Axis, Floats, PerElement6
 from bondem.boundary.balanced_forces import balanced_forces
 from bondem.errors import InputError
-from bondem.labtests.arguments import AnyLaw, check
+from bondem.interactions.law_catalogue import AnyLaw
+from bondem.labtests.arguments import check
 from bondem.labtests.faces import specimen_faces
 from bondem.labtests.gauge_length import AffineField, at_generators
 from bondem.labtests.isotropic import VOIGT, StiffnessResult

@@ -14,7 +14,8 @@ from bondem.boundary.gauges import Gauge
 from bondem.boundary.schedules import Constant, Schedule
 from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import UnstableRunError
-from bondem.labtests.arguments import AnyLaw, check
+from bondem.interactions.law_catalogue import AnyLaw
+from bondem.labtests.arguments import check
 from bondem.labtests.beam_tests import CrossSection
 from bondem.labtests.cantilever import Cantilever
 from bondem.labtests.frequency import dominant_frequency

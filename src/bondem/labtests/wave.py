@@ -12,7 +12,7 @@ from bondem.boundary.gauges import Gauge
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import InputError
-from bondem.labtests.arguments import AnyLaw
+from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.recorded_run import run_test
 from bondem.model.model import Model
 from bondem.model.state import State

@@ -14,7 +14,7 @@ from bondem.boundary.couples import Couple, couple_table
 from bondem.boundary.loads import Absorbing, BodyForce, Eigenstrain, Pressure, is_face
 from bondem.boundary.schedules import Schedule
 from bondem.errors import InputError
-from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.interactions.interaction import Interaction
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
 
@@ -95,11 +95,11 @@ class Constraints:
         layout: Layout,
         boundary: Sequence[BoundaryCondition],
         mass: PerElement,
-        cells: CellConstants | None = None,
+        law: Interaction,
     ) -> "Constraints":
         """Resolve the boundary conditions of a model whose elements have `mass` [kg], user's order.
 
-        For a body of `cells`, conditions that hold a wall are left out: see `bondem.boundary.wall_constraints`. The
+        For a law of facets, conditions that hold a wall are left out: see `bondem.boundary.wall_constraints`. The
         cells that they hold own rows nevertheless.
 
         Raises:
@@ -142,8 +142,8 @@ class Constraints:
                     chosen, nodal = straight.nodal(lattice)
                     chosen = layout.rank[chosen]
                     loads.append((chosen, len(schedules), nodal, _follows(condition, lattice)))
-                    if cells is not None and is_face(condition.region):
-                        presses.append((_pressed(condition, lattice, cells)[layout.order], len(schedules)))
+                    if law.on_facets and is_face(condition.region):
+                        presses.append((law.pressed(*condition.on_facets(lattice))[layout.order], len(schedules)))
                     schedules.append(condition.schedule)
                 case Absorbing():
                     chosen, viscous = condition.dashpots(lattice)
@@ -163,8 +163,7 @@ class Constraints:
         if (fixed.astype(bool) & driven).any():
             raise InputError("an element is both fixed and driven in one component; subtract the regions")
         fixed |= driven.astype(np.uint8)
-        if cells is not None:
-            owns[layout.rank[cells.grips.cell]] = True
+        owns[layout.rank[law.grips.cell]] = True
         element = np.flatnonzero(owns)
         row_of = np.full(n, -1, dtype=np.int64)
         row_of[element] = np.arange(len(element))
@@ -199,8 +198,8 @@ class Constraints:
             weight=np.where(lattice.connected, mass, 0.0)[layout.order],
             press_value=np.array([value for value, _ in presses], dtype=float).reshape(len(presses), n),
             press_schedule=np.array([s for _, s in presses], dtype=np.int64),
-            holding=cells is not None and len(cells.grips.cell) > 0,
-            wall_rate=cells is not None and any(cells.grips.holds.rate),
+            holding=len(law.grips.cell) > 0,
+            wall_rate=any(law.grips.holds.rate),
         )
 
     @property
@@ -296,14 +295,6 @@ def _follows(condition: Load | Pressure, body: Lattice) -> bool:
         " method='laguerre', or leave out follows="
     )
     return True
-
-
-def _pressed(condition: Load | Pressure, body: Lattice, cells: CellConstants) -> PerElement:
-    """Return the contribution of the tractions of a load on a face to V θ of each cell [m³], user's order, (n,)."""
-    force = np.zeros((len(cells.softness), 3))
-    numbers, values = condition.on_facets(body)
-    force[numbers] = values
-    return cells.pressed_by(force)
 
 
 def _joined(parts: list[Floats]) -> Floats:

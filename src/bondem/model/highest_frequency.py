@@ -87,7 +87,7 @@ def stiffest(
     shortest = float(table.length.min())
     root = 1.0 / np.sqrt(np.column_stack([mass, mass, mass, inertia, inertia, inertia]))
 
-    matrix = None if model.non_local is None else stiffness_matrix(model)
+    matrix = None if model.interaction.has_potential else stiffness_matrix(model)
 
     def answer(y: Floats) -> Floats:
         motion = y * root

@@ -1,6 +1,7 @@
 """The model: all data that stay constant during a solution."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from pathlib import Path
@@ -13,7 +14,7 @@ from bondem._drawing import draw
 from bondem._plausibility import physical, question_bond_radius, question_strength
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
-from bondem.boundary.wall_constraints import Holds, holds_wall
+from bondem.boundary.wall_constraints import holds_wall
 from bondem.boundary.wall_table import WallTable
 from bondem.boundary.walls import Wall, check_walls
 from bondem.damage.beam_softening import BeamSoftening
@@ -23,18 +24,16 @@ from bondem.damage.failure_table import FailureTable, check_failure
 from bondem.damage.implied_fracture import ImpliedFracture, implied_fracture
 from bondem.damage.softening_table import SofteningTable
 from bondem.errors import InputError
-from bondem.interactions.beams.assignment import BondAssignment, bond_stiffness
 from bondem.interactions.beams.bond_law import BondLaw, BondStiffness
 from bondem.interactions.beams.bond_table import BondTable
-from bondem.interactions.cells.cell_body import body_of
-from bondem.interactions.cells.cell_bond import CellBond
-from bondem.interactions.cells.cell_constants import CellAssignment, CellConstants
+from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.interactions.cells.cell_interaction import CellInteraction
 from bondem.interactions.cells.cell_plausibility import question_cells
 from bondem.interactions.cells.corrected_mass import correction_factors
 from bondem.interactions.contact.contact_assignment import ContactAssignment, ContactLaws
 from bondem.interactions.contact.contact_model import ContactModel
-from bondem.interactions.non_local.non_local_constants import NonLocalConstants
-from bondem.interactions.non_local.non_local_law import NonLocal
+from bondem.interactions.interaction import Interaction, Specimen
+from bondem.interactions.law_catalogue import AnyLaw, interaction_of
 from bondem.model.constraints import Constraints
 from bondem.model.state import State
 from bondem.specimen.elements import Elements
@@ -59,7 +58,7 @@ class Model:
     Attributes:
         lattice: elements and bonds.
         bond: a bond law, or laws by region: {region: law, (region, region): law}; None for a lattice without bonds.
-            Use `CellBond`, or {region: CellBond}, for a body cut into cells. `NonLocal` is one law for all bonds.
+            Use `CellBond`, or {region: CellBond}, for a body cut into cells.
         density: density of the elements, ρ_μ [kg/m³], or of the material in a body of cells; a number, shape (n,), or
             a `bd.Material`.
             Only linear statics without body forces is independent of it.
@@ -81,7 +80,7 @@ class Model:
     """
 
     lattice: Lattice
-    bond: BondAssignment | CellAssignment | NonLocal | None
+    bond: AnyLaw | None
     density: float | ArrayLike
     boundary: Sequence[BoundaryCondition] = field(default=())
     contact: ContactAssignment | None = None
@@ -92,7 +91,7 @@ class Model:
     if TYPE_CHECKING:
 
         def __init__(
-            self, lattice: Lattice, bond: BondAssignment | CellAssignment | NonLocal | None,
+            self, lattice: Lattice, bond: AnyLaw | None,
             density: float | ArrayLike | Material, boundary: Sequence[BoundaryCondition] = (),
             contact: ContactAssignment | None = None, walls: Sequence[Wall] = (),
             failure: FailureAssignment | None = None, mass_matrix: MassMatrix = "lumped",
@@ -100,9 +99,9 @@ class Model:
 
     # What solvers read, in their own order and types. Neither `dir` nor the reference lists it.
     _INTERNAL = (
-        "beam_softening", "bonds", "breaking", "cell_constants", "cells", "constraints", "contact_laws", "contacts",
-        "correction",
-        "failure_parts", "hands_over", "layout", "non_local", "non_local_constants", "period", "pressed", "softening",
+        "beam_softening", "bonds", "breaking", "by", "cell_constants", "cells", "constraints", "contact_laws",
+        "contacts", "correction",
+        "failure_parts", "hands_over", "interaction", "layout", "period", "pressed", "softening",
     )  # fmt: skip
 
     def __dir__(self) -> list[str]:
@@ -117,17 +116,18 @@ class Model:
             raise InputError("density has values that are not positive and finite; give positive values [kg/m³]")
         physical("Model", "density", float(density.min()))
         object.__setattr__(self, "boundary", _conditions(self.boundary))
-        if self._cells is None and any(getattr(one, "friction", None) is not None for one in self.boundary):
+        law, slides = self.interaction, any(getattr(one, "friction", None) is not None for one in self.boundary)
+        if slides and not law.on_facets:
             raise InputError("friction= of Fix and Drive acts on cells only; press spheres by walls= with friction")
         object.__setattr__(self, "walls", check_walls(self.walls))
-        beams = self._cells is None and self._non_local is None
-        if self.contact_laws is not None and (option := self.contact_laws.of_beams) and not beams:
-            raise InputError(f"contact= with {option}= applies to beams; leave out {option}= for cells, NonLocal")
+        beams, contact = law.evaluated == "force", self.contact_laws
+        if contact is not None and (option := contact.of_beams) and not beams:
+            raise InputError(f"contact= with {option}= applies to beams; leave out {option}= for {law.name}")
         if self.walls and self.contact is None:
             raise InputError("walls= need a contact law; give contact=bd.LinearContact(E=...)")
         choice("Model", "mass_matrix", self.mass_matrix, MassMatrix)
-        elastic_cells = self._cells is not None and self.failure is None and self.contact is None
-        if self.mass_matrix != "lumped" and not elastic_cells:
+        corrected = law.corrects_mass and self.failure is None and self.contact is None
+        if self.mass_matrix != "lumped" and not corrected:
             raise InputError(
                 'mass_matrix="dispersion-corrected" applies to cells (bd.CellBond) without failure= and contact=;'
                 " leave these out, or mass_matrix="
@@ -167,25 +167,15 @@ class Model:
         """Internal order of elements and bonds."""
         return Layout.of(self.lattice)
 
-    @cached_property
+    @property
     def cells(self) -> CellConstants | None:
         """Constants of the cell law, in internal order; None for other laws."""
-        return None if self._cells is None else self._cells.ordered(self.layout)
+        return self.interaction.constants if isinstance(self.interaction, CellInteraction) else None
 
     @property
     def cell_constants(self) -> CellConstants:
         """Constants of the cell law, in the user's order. Requires a `CellBond` model."""
-        assert self._cells is not None
-        return self._cells
-
-    @cached_property
-    def _cells(self) -> CellConstants | None:
-        laws = self.bond.values() if isinstance(self.bond, Mapping) else (self.bond,)
-        if not any(isinstance(law, CellBond) for law in laws):
-            return None
-        body_of(self.lattice)
-        holds, laws_of_cells = Holds.of(self.lattice, self.boundary), cast(CellAssignment, self.bond)
-        return CellConstants.of(self.lattice, laws_of_cells, holds, may_fail=self.failure is not None)
+        return cast(CellInteraction, self.interaction).by_user
 
     @cached_property
     def correction(self) -> PerElement | None:
@@ -197,47 +187,26 @@ class Model:
         return correction_factors(self.lattice, constants.G, constants.lame, density)
 
     @cached_property
-    def non_local(self) -> NonLocalConstants | None:
-        """Constants of the non-local law, in internal order; None for other laws."""
-        return None if self._non_local is None else self._non_local.ordered(self.layout)
-
-    @property
-    def non_local_constants(self) -> NonLocalConstants:
-        """Constants of the non-local law, in the user's order. Requires a `NonLocal` model."""
-        assert self._non_local is not None
-        return self._non_local
-
-    @cached_property
-    def _non_local(self) -> NonLocalConstants | None:
-        laws = tuple(self.bond.values()) if isinstance(self.bond, Mapping) else (self.bond,)
-        if not any(isinstance(law, NonLocal) for law in laws):
-            return None
-        if not isinstance(self.bond, NonLocal):
-            raise InputError("bond= maps a region to NonLocal, a law for the whole model; give bond=bd.NonLocal(...)")
-        return NonLocalConstants.of(self.lattice, self.bond)
-
-    @cached_property
-    def _assigned(self) -> tuple[BondStiffness, str]:
-        if self._cells is not None:
-            return self._cells.as_bonds(self.lattice), "total"
-        if self._non_local is not None:
-            return self._non_local.as_bonds(self.lattice), NonLocal.formulation
-        return bond_stiffness(self.lattice, cast(BondAssignment | None, self.bond))
+    def interaction(self) -> Interaction:
+        """Law of the bonds."""
+        specimen = Specimen(self.lattice, self.layout, self.boundary, self.failure is not None)
+        with np.errstate(all="ignore"):  # magnitudes are checked later
+            return interaction_of(specimen, self.bond)
 
     @property
     def stiffness(self) -> BondStiffness:
         """Stiffnesses of the bonds, in the user's order."""
-        return self._assigned[0]
+        return self.interaction.bonds
 
     @property
     def formulation(self) -> str:
         """Formulation of the bond law, "total" or "incremental"."""
-        return self._assigned[1]
+        return self.interaction.formulation
 
-    @cached_property
+    @property
     def bonds(self) -> BondTable:
         """Constants of the bonds, in internal order."""
-        return BondTable.of(self.lattice, self.layout, self.stiffness)
+        return self.interaction.table
 
     @cached_property
     def contact_laws(self) -> ContactLaws | None:
@@ -275,27 +244,25 @@ class Model:
         """Criteria by which single bonds break or begin to soften, in internal order; None if there are none."""
         if self.failure is None:
             return None
-        at_contact = check_failure(self.failure, self.bond, self.contact_laws, self.formulation)
-        if self._non_local is not None:
-            return FailureTable.of_principal(self.lattice, self.layout, self.failure_parts, self._non_local)
+        check_failure(self.failure, self.interaction, self.contact_laws)
         if self.softening is not None or not self._by_bond:
             return None
-        beams = self.stiffness if self._cells is None else None
-        return FailureTable.of(self.lattice, self.layout, self.failure_parts, beams, at_contact)
+        return FailureTable.of(self.interaction, self.failure_parts)
 
     @property
     def _by_bond(self) -> bool:
         """True if criteria evaluate single bonds."""
-        return any(isinstance(one.criterion, BondCriterion) for one in self.failure_parts)
+        of_stress = self.interaction.evaluated == "stress"
+        return of_stress or any(isinstance(one.criterion, BondCriterion) for one in self.failure_parts)
 
     @cached_property
     def beam_softening(self) -> BeamSoftening | None:
         """Fracture energies of softening beams, in internal order; None if no beam softens."""
-        whole = self._cells is not None or self._non_local is not None
-        if self.failure is None or whole or not self._by_bond:
+        if self.failure is None or self.interaction.evaluated != "force" or not self._by_bond:
             return None
-        at_contact = check_failure(self.failure, self.bond, self.contact_laws, self.formulation)
-        return BeamSoftening.of(self.lattice, self.layout, self.failure_parts, self.stiffness, at_contact)
+        check_failure(self.failure, self.interaction, self.contact_laws)
+        law = self.interaction
+        return BeamSoftening.of(law.lattice, law.layout, self.failure_parts, law.bonds, law.moments_at_contact)
 
     @cached_property
     def softening(self) -> SofteningTable | None:
@@ -307,11 +274,7 @@ class Model:
     @property
     def implied_fracture(self) -> ImpliedFracture | None:
         """Fracture properties implied by the criterion and these elements; None without a criterion or bonds."""
-        if self.failure is None:
-            return None
-        return implied_fracture(
-            self.lattice, self.failure_parts, self.stiffness, self._cells, self._non_local, self.mass
-        )
+        return None if self.failure is None else implied_fracture(self.interaction, self.failure_parts, self.mass)
 
     @property
     def pressed(self) -> PerElement:
@@ -322,15 +285,15 @@ class Model:
     def constraints(self) -> Constraints:
         """Boundary conditions resolved to elements."""
         boundary = self.boundary
-        if self._cells is not None:
+        if self.interaction.on_facets:
             boundary = [one for one in boundary if not (isinstance(one, Fix | Drive) and holds_wall(one))]
-        return Constraints.of(self.lattice, self.layout, boundary, self.mass, self._cells)
+        return Constraints.of(self.lattice, self.layout, boundary, self.mass, self.interaction)
 
     @property
     def _elements(self) -> Elements:
         """Elements whose masses the model has: of beams between cells, the spheres of their particles."""
-        own, beams = self.lattice.elements, self._cells is None and self._non_local is None
-        return Elements(own.particles, own.pairs, own.bodies) if beams else own
+        own = self.lattice.elements
+        return Elements(own.particles, own.pairs, own.bodies) if self.interaction.evaluated == "force" else own
 
     @cached_property
     def mass(self) -> PerElement:
@@ -345,8 +308,7 @@ class Model:
     @property
     def period(self) -> Floats:
         """Edge lengths of the periodic cell and their inverses, zeros without a periodic cell, shape (6,)."""
-        edges = self.lattice.particles.period
-        return np.zeros(6) if edges is None else np.concatenate([edges, 1.0 / edges])
+        return self.interaction.period
 
     def plot(
         self, path: str | Path | None = None, *, solution: Any = None, reach: float | None = None,
@@ -374,13 +336,18 @@ class Model:
         for item in fields(self):
             object.__setattr__(other, item.name, getattr(self, item.name))
         object.__setattr__(other, "boundary", _conditions(boundary))
-        kept = ("layout", "_non_local", "non_local", "_assigned", "bonds", "mass", "inertia", "failure_parts",
-                "breaking", "softening", "beam_softening")
-        for name in kept if self._cells is not None else (*kept, "_cells"):
+        other.__dict__["interaction"] = self.interaction.under(other.boundary)
+        for name in ("layout", "mass", "inertia", "failure_parts", "breaking", "softening", "beam_softening"):
             other.__dict__[name] = getattr(self, name)
         other.constraints  # noqa: B018  regions are checked now
         other._check_strain()
         return other
+
+    def by(self, law: Interaction) -> "Model":
+        """Return the model with a law in place of its own; for solvers."""
+        twin = copy(self)
+        twin.__dict__["interaction"] = law
+        return twin
 
     def state(self) -> State:
         """Return a new state: the reference configuration, at rest, at time 0.

@@ -17,14 +17,14 @@ from bondem.damage.crushing import crushing_of
 from bondem.damage.event_columns import BROKEN_COLUMNS, SOFT_COLUMNS, SOFT_ONSET
 from bondem.errors import InputError
 from bondem.interactions.contact.contact_columns import CONTACT_COLUMNS, in_contact
-from bondem.interactions.non_local.non_local_constants import NON_LOCAL_ROWS, NON_LOCAL_WORK
+from bondem.interactions.interaction import Arrays
 from bondem.model.state_compatibility import Origin, difference
 from bondem.model.state_motion import StateMotion
 from bondem.model.state_walls import known_walls, rows_of_walls, set_off
 from bondem.specimen.local_origin import local_origin, local_rest
 from bondem.specimen.particles import freeze
 
-_INTERNAL = "ARRAYS", "GROWING", "layout", "local_position", "origin", "rest", "rest_strain", "stale"
+_INTERNAL = "ARRAYS", "GROWING", "layout", "local_position", "of_law", "origin", "rest", "rest_strain", "stale"
 _SETTABLE = "position", "displacement", "orientation", "velocity", "angular_velocity", "bond_eigenstrain"
 
 
@@ -48,8 +48,8 @@ class State(StateMotion):
     - `motion`: rows (velocity, 1/m, angular velocity, 1/I), shape (n, 8).
     - `acceleration`: translational and rotational accelerations at the present pose, shape (n, 6).
     - `integrity`: integrity of each bond, 1 intact … 0 broken, shape (m,).
-    - `history`: force and moment of each bond for the incremental formulation, (6, m), else (6, 0). For the non-local
-      law: gap, extra force and its work (`bondem.model.non_local_tables`), (7, m).
+    - `history`: what the law stores of each bond: force and moment of the incremental formulation, (6, m), or gap,
+      extra force and its work of the non-local law, (7, m); else (6, 0).
     - `stress`: stress of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6), for the non-local law;
       else (0, 6).
     - `eigenstrain`: ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,) if none was set.
@@ -93,9 +93,9 @@ class State(StateMotion):
         self.motion[:, 7] = 1.0 / model.inertia[order]
         self.acceleration = np.zeros((n, 6))
         self.integrity = np.ones(m)
-        stored = NON_LOCAL_ROWS if model.non_local is not None else 6
-        self.history = np.zeros((stored, m if model.formulation == "incremental" else 0))
-        self.stress = np.zeros((n if model.non_local is not None else 0, 6))
+        self.history, self.stress = np.zeros((6, 0)), np.zeros((0, 6))
+        for field in model.interaction.fields:
+            setattr(self, field.name, field.zeros(n=n, m=m))
         self.eigenstrain = np.zeros(0)
         self.reaction = np.zeros((rows, 6))
         self.work = np.zeros(model.constraints.works[-1])
@@ -114,7 +114,7 @@ class State(StateMotion):
         self.held_slip = np.zeros(len(self.plastic))
         self.facet_force = np.zeros((3, 0 if soft is None else m))
         self.softened = np.zeros((0, SOFT_COLUMNS))
-        self.grips = reference_base(0 if model.cells is None else len(model.cells.grips.cell))
+        self.grips = reference_base(len(model.interaction.grips.cell))
         self.step, self.time, self.stale = 0, 0.0, True
 
     ARRAYS = (
@@ -176,8 +176,8 @@ class State(StateMotion):
         self.reaction = np.zeros((rows, 6))
         self.work = np.zeros(model.constraints.works[-1])
         self.loss[:] = 0.0
-        if model.non_local is not None:
-            self.history[NON_LOCAL_WORK] = 0.0
+        for field in model.interaction.fields:
+            getattr(self, field.name)[list(field.fresh)] = 0.0
         laws = model.contact_laws
         if laws is None:
             self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, CONTACT_COLUMNS))
@@ -187,7 +187,7 @@ class State(StateMotion):
         set_off(self.walls, before, model.walls)
         wall_rows(self.walls)["work"] = 0.0
         self.released = np.zeros(1)
-        self.grips = reference_base(0 if model.cells is None else len(model.cells.grips.cell))
+        self.grips = reference_base(len(model.interaction.grips.cell))
         self._take_damage(model)
         self.model, self.layout = model, model.layout
         self.step = 0
@@ -312,6 +312,12 @@ class State(StateMotion):
             raise InputError(f"eigenstrain: give finite values above -1, one or ({count},), not {values.shape}")
         self.eigenstrain = np.broadcast_to(values, (count,))[self.layout.bond_order].copy()
         self.stale = True
+
+    @property
+    def of_law(self) -> Arrays:
+        """Arrays that the law of the bonds takes, internal order."""
+        own = {field.name: getattr(self, field.name) for field in self.model.interaction.fields}
+        return own | {"integrity": self.integrity, "rest_strain": self.rest_strain}
 
     @property
     def rest_strain(self) -> PerBond:

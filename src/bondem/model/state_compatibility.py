@@ -14,7 +14,7 @@ from bondem.damage.softening_table import SofteningTable
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.contact.contact_assignment import ContactLaws
-from bondem.interactions.non_local.non_local_constants import NonLocalConstants
+from bondem.interactions.interaction import Interaction
 from bondem.model.constraints import Constraints
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
@@ -41,7 +41,7 @@ class Origin(Protocol):
     @property
     def cell_constants(self) -> CellConstants: ...
     @cached_property
-    def non_local(self) -> NonLocalConstants | None: ...
+    def interaction(self) -> Interaction: ...
     @cached_property
     def softening(self) -> SofteningTable | None: ...
     @cached_property
@@ -73,7 +73,7 @@ def difference(one: Origin, other: Origin) -> str:
             return "lattice, of other bonds"
     if one.formulation != other.formulation:
         return f"formulation ('{one.formulation}', not '{other.formulation}')"
-    if (one.non_local is None) != (other.non_local is None):
+    if one.interaction.fields != other.interaction.fields:
         return "bond law, which remembers other things"
     if not np.array_equal(one.lattice.centre, other.lattice.centre):
         return "law: elements of cells are not where spheres are"

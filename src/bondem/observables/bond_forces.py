@@ -5,14 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, shown
-from bondem._types import Floats, PerBond, PerBond3, PerElement3
+from bondem._types import Floats, PerBond, PerBond3
 from bondem.damage.event_columns import SOFT_BOND
 from bondem.errors import InputError
-from bondem.interactions.beams.beam_tables import beam_tables, loads_of_each
-from bondem.interactions.beams.bond_strain import BondStrain
-from bondem.model.incremental_tables import loads_of_stored
 from bondem.model.model import Model
-from bondem.model.non_local_tables import loads_of_non_local
 from bondem.model.state import State
 from bondem.model.state_compatibility import difference
 from bondem.observables.cell_forces import SmallMotion
@@ -81,8 +77,6 @@ def bond_forces(model: Model, result: SmallMotion | State) -> BondForces:
             law.
     """
     instance("bond_forces", "model", model, Model, "bd.Model(...)")
-    if model.cells is not None:
-        raise InputError("bond_forces: facets of cells have no moments of their own; use bd.cell_stress instead")
     if isinstance(result, State):
         other = difference(result.model, model)
         if other:
@@ -93,24 +87,11 @@ def bond_forces(model: Model, result: SmallMotion | State) -> BondForces:
         raise InputError(f"bond_forces: result = {shown(result)}; give what bd.solve_static returned, or a state")
     if len(moved) != len(model.lattice.particles):
         raise InputError(f"bond_forces: the result has {len(moved)} elements; give one of this model")
-    if model.non_local is not None:
-        raise InputError(
-            "bond_forces: a static solution of the non-local law does not store the stresses; give the state of a run"
-        )
-    return _of_small_motion(model, moved, turned)
-
-
-def _of_small_motion(model: Model, displacement: PerElement3, rotation: PerElement3) -> BondForces:
-    """Compute the forces of a linear equilibrium about the reference."""
-    lattice, k = model.lattice, model.stiffness
-    found = BondStrain.of(lattice, k.lever, displacement, rotation)
-    strain = np.empty(len(lattice.pairs))
+    strain = np.empty(len(model.lattice.pairs))
     strain[model.layout.bond_order] = model.constraints.final_strain()
-    pull = found.forces(k) - (k.kn * lattice.length * strain)[:, None] * found.direction
-    moment = k.kb[:, None] * found.bend + (k.kt * found.twist)[:, None] * found.direction
-    arm = np.cross(found.direction, pull)
-    near, far = k.lever[:, None], (lattice.length - k.lever)[:, None]
-    return BondForces(-pull, near * arm + moment, far * arm - moment, found.direction)
+    found = model.interaction.small_loads(moved, turned, strain)
+    axis = model.lattice.branch / model.lattice.length[:, None]
+    return BondForces(found[:, ON_J : ON_J + 3], found[:, TURN_I : TURN_I + 3], found[:, TURN_J : TURN_J + 3], axis)
 
 
 def _of_state(model: Model, state: State) -> BondForces:
@@ -118,15 +99,8 @@ def _of_state(model: Model, state: State) -> BondForces:
     layout, pairs = model.layout, model.lattice.pairs
     m = len(pairs)
     found = np.zeros((m, COLUMNS))
-    if m and model.non_local is not None:
-        found[:] = loads_of_non_local(model, state)
-    elif m and model.formulation == "incremental":
-        found[:] = loads_of_stored(model, state)
-    elif m:
-        stretched = model.bonds.stretched(state.rest_strain)
-        beams, _ = beam_tables(stretched, layout, model.period, state.integrity, may_share=False)
-        on_i, on_j = loads_of_each(state.pose, beams, m)
-        found[:] = np.hstack([on_j[:, :3], on_i[:, 4:7], on_j[:, 4:7]])
+    if m:
+        found[:] = model.interaction.loads(state.pose, state.of_law)
     own, back = np.empty_like(found), np.empty(m, dtype=bool)
     own[layout.bond_order], back[layout.bond_order] = found, layout.flipped
     sign, turned = np.where(back, -1.0, 1.0)[:, None], back[:, None]

@@ -18,12 +18,12 @@ from bondem.damage.event_columns import (
     OPENING_STEPS,
     SOFT_BOND,
 )
-from bondem.damage.failure_passes import beam_indices, indices_of_facets
+from bondem.damage.failure_passes import beam_indices, indices_of_facets, strengths_of
 from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.cells.cell_tables import STRESS, cell_tables
+from bondem.interactions.lagged_interaction import LaggedInteraction
 from bondem.model.model import Model
-from bondem.model.non_local_tables import indices_of_pairs
 from bondem.model.state import State
 from bondem.model.state_compatibility import difference
 from bondem.observables.cell_forces import CellForces, SmallMotion
@@ -110,8 +110,8 @@ def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
         raise InputError("failure_index: the model has no criterion; give it failure=bd.PeripheralStress(...)")
     layout = model.layout
     constants = model.bonds.stretched(state.rest_strain)
-    if model.non_local is not None:
-        found = indices_of_pairs(model, state, table)
+    if isinstance(model.interaction, LaggedInteraction):
+        found = model.interaction.indices(state.pose, state.of_law, strengths_of(table))
     elif model.cells is None:
         beams, _ = beam_tables(constants, layout, model.period, state.integrity, may_share=False)
         found = beam_indices(state.pose, beams, table)

@@ -1,7 +1,5 @@
 """Elastic energy of the bonds and its parts."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from bondem._tables.cell_tables import CellPoses
@@ -14,31 +12,10 @@ from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.interactions.cells.cell_tables import body_energies, cell_tables, gradient_tables, place_held_walls
+from bondem.interactions.energy_parts import EnergyParts
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.facet_loads import loads_on_facets
-
-
-@dataclass(frozen=True)
-class EnergyParts:
-    """Elastic energy stored in all bonds, by parts.
-
-    Attributes:
-        normal: energy of elongation [J]; for cells, of the normal gaps of facets and of dilatation.
-        shear: energy of slip at the contact point [J]; with `bending` it is what the papers call bending.
-        bending: energy of relative rotation across the bond [J].
-        twisting: energy of relative rotation about the bond [J].
-    """
-
-    normal: float
-    shear: float
-    bending: float
-    twisting: float
-
-    @property
-    def total(self) -> float:
-        """Sum of all parts [J]."""
-        return self.normal + self.shear + self.bending + self.twisting
 
 
 def linear_energy(

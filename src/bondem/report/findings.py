@@ -10,7 +10,7 @@ from bondem.damage.criteria.criterion import Criterion
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondLaw
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.labtests.arguments import AnyLaw
+from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.modal import NaturalFrequencies
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.tension import Tension

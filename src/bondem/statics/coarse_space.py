@@ -15,7 +15,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.sparse.linalg import SuperLU, splu
 
 from bondem._types import Floats, Ints, Mask, PerBond, PerElement3
-from bondem.model.stiffness import Stiffness
+from bondem.interactions.stiffness import Stiffness
 from bondem.statics.lanczos import lowest_modes
 
 # Elements a clump at 10 000 elements; it grows with the root of n, so that elimination stays a small part.

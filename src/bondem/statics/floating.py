@@ -34,10 +34,9 @@ def refuse_floating(model: Model, position: Floats, held: Mask) -> None:
     element, freedom = np.nonzero(held & connected[:, None])
     grip = motions[element, freedom] * np.where(freedom < 3, 1.0, R[piece[element]])[:, None]
     owner = piece[element]
-    if model.cells is not None:
-        grips = model.cells.grips
-        grip = np.concatenate([grip, grips.constraint(motions[layout.rank])])
-        owner = np.concatenate([owner, np.tile(np.repeat(lattice.pieces[grips.cell], 3), 2)])
+    grips = model.interaction.grips
+    grip = np.concatenate([grip, grips.constraint(motions[layout.rank])])
+    owner = np.concatenate([owner, np.tile(np.repeat(lattice.pieces[grips.cell], 3), 2)])
     resisted = np.zeros((len(count), 6, 6))
     np.add.at(resisted, owner, grip[:, :, None] * grip[:, None, :])
     size = np.linalg.eigvalsh(resisted)

@@ -17,8 +17,8 @@ from scipy.sparse.linalg import splu
 
 from bondem._types import Floats, Ints, Mask, PerBond
 from bondem.errors import ConvergenceError, InputError
+from bondem.interactions.stiffness import Stiffness
 from bondem.model.model import Model
-from bondem.model.stiffness import Stiffness
 from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.statics.coarse_space import Clumps, clump_motions, clump_of, parted
 from bondem.statics.floating import refuse_floating
@@ -81,10 +81,8 @@ class System:
         loose = rigid_motions(position, lattice.particles.period is not None) * connected[:, None, None]
         loose = orthonormal(loose.reshape(len(metric), -1) * metric[:, None])
         grip = loose[held.ravel()]
-        if model.cells is not None:
-            grips = model.cells.grips
-            by_user = (loose / metric[:, None]).reshape(len(order), 6, -1)[model.layout.rank]
-            grip = np.concatenate([grip, grips.constraint(by_user)])
+        by_user = (loose / metric[:, None]).reshape(len(order), 6, loose.shape[1])[model.layout.rank]
+        grip = np.concatenate([grip, model.interaction.grips.constraint(by_user)])
         if len(grip):
             size, turn = np.linalg.eigh(grip.T @ grip)
             loose = loose @ turn[:, size <= 1e-12 * size[-1]]

@@ -99,8 +99,10 @@ def solve_modes(
     """
     instance("solve_modes", "model", model, Model, "bd.Model(...)")
     count = whole_number("solve_modes", "count", count, least=1)
-    if model.non_local is not None:
-        raise InputError("the non-local law has no potential, and so no modes; use bd.CellBond, or solve_explicit")
+    if not model.interaction.has_potential:
+        raise InputError(
+            f"the {model.interaction.title} has no potential, and so no modes; use bd.CellBond, or solve_explicit"
+        )
     system, mass = System.of(model), mass_diagonal(model)
     if prestress is None:
         _warn_of_loads(model)

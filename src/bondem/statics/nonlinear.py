@@ -6,7 +6,6 @@ motion grow together in steps that rotate no element by more than a fraction of 
 rest.
 """
 
-from copy import copy
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,14 +13,15 @@ from scipy.sparse import bsr_array
 
 from bondem._types import Floats
 from bondem.boundary.couples import Couple
+from bondem.boundary.wall_constraints import reference_base
 from bondem.errors import ConvergenceError, InputError
 from bondem.geometry.rotations import rotation_vector, turned_further
 from bondem.interactions.beams.beam_tables import beam_tables, count_turned, loads_of_each
 from bondem.interactions.beams.bond_table import with_twins
+from bondem.interactions.stiffness import Stiffness
 from bondem.model.cell_tangent import cell_forces, current_forms, facet_gradient, gradients_at, grip_blocks
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.model.stiffness import Stiffness
 from bondem.statics.linear import Elimination, System, solver
 
 # Largest rotation of an element in one step of the load [rad].
@@ -90,17 +90,10 @@ def follow(model: Model, system: System) -> Bent:
 
 def strained(model: Model, share: float) -> Model:
     """Return the model with a share of its final stress-free strains and of the final motion of holding walls."""
-    strain = share * model.constraints.final_strain()
-    if not strain.any() and model.cells is None:
-        return model
-    twin = copy(model)
-    twin.__dict__["bonds"] = model.bonds.stretched(strain)
-    if model.cells is not None:
-        cells = model.cells.stretched(strain, model.layout)
-        grips = replace(cells.grips, motion=share * cells.grips.motion)
-        pressed = share * model.constraints.final_press()
-        twin.__dict__["cells"] = replace(cells, grips=grips, pressed=pressed)
-    return twin
+    law, constraints = model.interaction, model.constraints
+    motion = share * law.grips.motion
+    strain, pressed = share * constraints.final_strain(), share * constraints.final_press()
+    return model.by(law.strained(strain, reference_base(len(motion)), motion, pressed))
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,12 +1,12 @@
 """Stiffness of a model about an equilibrium under load, including that of its stresses."""
 
-from copy import copy
 from dataclasses import replace
 from typing import cast
 
 import numpy as np
 
 from bondem._checks import instance
+from bondem.boundary.wall_constraints import reference_base
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -57,14 +57,11 @@ def _of_state(model: Model, state: State) -> Model:
     """Return the model with the strains, walls and tractions of the time of a state."""
     if not np.all(state.integrity == 1.0) or len(state.cracks) or state.plastic.any():
         raise InputError("prestress= is a state with broken bonds or cracks; leave these bonds out of a new lattice")
-    strain, twin = state.rest_strain, copy(model)
-    twin.__dict__["bonds"] = model.bonds.stretched(strain)
-    if model.cells is not None:
-        cells = model.cells.stretched(strain, model.layout)
-        grips = cells.grips
-        if len(state.grips) == len(grips.cell):
-            grips = replace(grips.taken(state.grips), motion=wall_places(model, state))
+    law, count = model.interaction, len(model.interaction.grips.cell)
+    base, motion, pressed = reference_base(count), law.grips.motion, np.zeros(len(state.pose))
+    if len(state.grips) == count > 0:
+        base, motion = state.grips, wall_places(model, state)
+    if law.on_facets:
         force = loads_on_facets(cast(Model, state.model), state.time)
-        pressed = model.cell_constants.pressed_by(force)[model.layout.order]
-        twin.__dict__["cells"] = replace(cells, grips=grips, pressed=pressed)
-    return twin
+        pressed = law.pressed(np.arange(len(force)), force)[model.layout.order]
+    return model.by(law.strained(state.rest_strain, base, motion, pressed))

@@ -59,8 +59,9 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
         raise InputError("contacts and walls act in explicit runs only; use solve_explicit with damping instead")
     if model.failure is not None:
         raise InputError("bonds break in solve_explicit and solve_quasistatic; leave failure= out of the model")
-    if model.non_local is not None:
-        raise InputError("solve_relaxed needs a potential, which the non-local law lacks; use solve_static")
+    if not model.interaction.has_potential:
+        title = model.interaction.title
+        raise InputError(f"solve_relaxed needs a potential, which the {title} lacks; use solve_static")
     if model.cells is not None:
         raise InputError("solve_relaxed does not support cells; use solve_static, also with nonlinear=True")
     layout, constraints = model.layout, model.constraints

@@ -13,6 +13,7 @@ from bondem._progress import staged
 from bondem._types import Floats, PerBond, PerElement, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.interactions.cells.cell_strain import CellStrain
+from bondem.interactions.lagged_interaction import LaggedInteraction
 from bondem.model.model import Model
 from bondem.model.solution import Solution
 from bondem.model.state import State
@@ -21,8 +22,8 @@ from bondem.observables.energy import EnergyParts, energy_of, linear_energy, str
 from bondem.observables.posed_state import in_equilibrium
 from bondem.observables.principal_stresses import principal_stresses, von_mises_stress
 from bondem.specimen.particles import freeze
+from bondem.statics.lagged_statics import LaggedStatics
 from bondem.statics.linear import System, solver
-from bondem.statics.non_local_statics import LaggedStatics
 from bondem.statics.nonlinear import follow, strained
 
 
@@ -106,7 +107,7 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
 
     A specimen that its supports leave free to move rigidly must carry balanced loads; its rigid motion is removed
     from the result. Absorbing boundaries have no effect. For the non-local law the result is the end of a path from
-    the unloaded state, found in rounds (`bondem.statics.non_local_statics`). Its energy is that of the springs.
+    the unloaded state, found in rounds (`bondem.statics.lagged_statics`). Its energy is that of the springs.
 
     Args:
         model: model to solve.
@@ -121,8 +122,10 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     """
     instance("solve_static", "model", model, Model, "bd.Model(...)")
     instance("solve_static", "nonlinear", nonlinear, bool, "True or False")
-    if nonlinear and model.non_local is not None:
-        raise InputError("the non-local law has no potential to follow; leave out nonlinear=, or use solve_explicit")
+    if nonlinear and not model.interaction.has_potential:
+        raise InputError(
+            f"the {model.interaction.title} has no potential to follow; leave out nonlinear=, or use solve_explicit"
+        )
     if not nonlinear:
         return Statics(model).equilibrium(guess=guess)
     if guess is not None:
@@ -133,8 +136,7 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     values = bent.motion[layout.rank]
     reaction = np.where(constraints.held(n), bent.force - constraints.final_load(n, bent.state.pose), 0.0)
     end = strained(model, 1.0)
-    wall = None if end.cells is None else end.cells.grips.motion
-    energy = energy_of(end, bent.state, bent.state.eigenstrain, wall=wall)
+    energy = energy_of(end, bent.state, bent.state.eigenstrain, wall=end.interaction.grips.motion)
     return StaticResult(
         values[:, :3].copy(), values[:, 3:].copy(), (reaction + bent.walls)[layout.rank], energy, model, True,
         iterations=bent.rounds, residual=bent.residual,
@@ -148,7 +150,8 @@ class Statics:
     def __init__(self, model: Model) -> None:
         self.model = model
         self._system = System.of(model)
-        self._lagged = None if model.non_local is None else LaggedStatics(model, self._system)
+        law = model.interaction
+        self._lagged = LaggedStatics(law, self._system) if isinstance(law, LaggedInteraction) else None
         self._solver = None if self._lagged is not None else solver(self._system)
 
     @one_blas_thread
@@ -219,7 +222,7 @@ class Statics:
 
 
 def _of_lagged(model: Model, system: System, statics: LaggedStatics, load: Floats, motion: Floats) -> StaticResult:
-    """Return the equilibrium of the non-local law under loads and prescribed motions, internal order, (6 n,) each."""
+    """Return the equilibrium of a law that lags under loads and prescribed motions, internal order, (6 n,) each."""
     order, rank = model.layout.order, model.layout.rank
     n = len(order)
     found = statics.settle(load.reshape(n, 6)[rank], motion=motion.reshape(n, 6)[rank])

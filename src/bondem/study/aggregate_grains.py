@@ -10,7 +10,7 @@ from bondem.damage.failure_assignment import FailureAssignment, criteria_of
 from bondem.errors import InputError, StudyError
 from bondem.geometry.elementary_shapes import Shape
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.labtests.arguments import AnyLaw
+from bondem.interactions.law_catalogue import AnyLaw
 from bondem.packing.inclusions import aggregates, least_count, radii_with_room
 from bondem.packing.sizes import Sieve
 from bondem.specimen.aggregates import Aggregates

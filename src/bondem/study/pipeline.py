@@ -16,12 +16,12 @@ from bondem.dynamics.history import History
 from bondem.dynamics.plan import Plan, settled
 from bondem.errors import ReportWarning, RunFileError
 from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.law_catalogue import AnyLaw
 from bondem.io.atomic import make_folder, write_text
 from bondem.io.folder import only_writer
 from bondem.io.particles_file import save_particles
 from bondem.io.runfile import RunFile
 from bondem.io.vtk import write_vtkhdf
-from bondem.labtests.arguments import AnyLaw
 from bondem.labtests.elastic_tests import ELASTIC_TESTS, ElasticBar
 from bondem.labtests.failure_tests import FAILURE_TESTS, failure_outcome
 from bondem.labtests.outcome import Outcome

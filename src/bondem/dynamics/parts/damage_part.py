@@ -9,11 +9,12 @@ from bondem._passes import steps
 from bondem._tables.beam_softening_tables import SofteningBounds
 from bondem._tables.cell_tables import ElasticFacets, FacetsOfCells
 from bondem._tables.crack_tables import CohesiveCracks, CrackLists, FacetStrengths
-from bondem._tables.damage_tables import Candidates, EventLog, FailureBounds, Postponed
+from bondem._tables.damage_tables import Candidates, EventLog, FailureBounds, Postponed, Strengths
 from bondem._tables.non_local_tables import LaggedStresses
 from bondem._tables.step_tables import Dashpots, StepCut
 from bondem._types import PerBond
 from bondem.damage.event_columns import SOFT_BOND
+from bondem.damage.failure_passes import strengths_of
 from bondem.damage.failure_table import FailureTable
 from bondem.dynamics.crack_joints import joints
 from bondem.dynamics.damage_tables import new_event_log
@@ -69,6 +70,11 @@ class DamageTables:
             ),
             log=new_event_log(state),
         )  # fmt: skip
+
+    @property
+    def strengths(self) -> Strengths:
+        """Coefficients of the criteria as the core takes them."""
+        return strengths_of(self.table)
 
     def part(self, shared: SharedTables, judge: Passes, remove: Passes, dashpots: Dashpots | None) -> Part:
         """Return the part of the pipeline that does not depend on the kind of bonds.

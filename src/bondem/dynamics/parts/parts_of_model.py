@@ -1,6 +1,9 @@
 """Parts of the step of a model."""
 
+from dataclasses import replace
+
 from bondem._tables.step_tables import Dashpots, Gauges, StepCut
+from bondem._types import PerBond
 from bondem.dynamics.crack_joints import joints
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.gauge_tables import gauge_tables
@@ -9,15 +12,17 @@ from bondem.dynamics.parts.body_force_part import body_forces
 from bondem.dynamics.parts.boundary_part import boundary
 from bondem.dynamics.parts.contact_part import ContactTables
 from bondem.dynamics.parts.crack_part import CrackingBody
-from bondem.dynamics.parts.damage_part import BondParts, Joints
+from bondem.dynamics.parts.damage_part import BondParts, Joints, damage_of
 from bondem.dynamics.parts.facet_breakage_part import body_of_cells
 from bondem.dynamics.parts.history_part import history
 from bondem.dynamics.parts.motion_part import dashpots_of, motion, resistance_of
-from bondem.dynamics.parts.non_local_part import non_local
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.parts.stored_beam_part import stored_beams
 from bondem.dynamics.plan import Plan
-from bondem.interactions.step_part import Part
+from bondem.interactions.beams.beam_interaction import StoredBeamInteraction
+from bondem.interactions.beams.bond_table import with_twins
+from bondem.interactions.interaction import Run
+from bondem.interactions.lagged_interaction import LaggedInteraction
+from bondem.interactions.step_part import Part, Passes
 from bondem.model.domain_blocks import Blocks
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -67,9 +72,25 @@ def _bonds(
         return BondParts(body.parts(model, dashpots), Joints(joined, apart, None, cracks=body.joints))
     if model.cells is not None:
         return body_of_cells(model, state, shared, dashpots)
-    if model.non_local is not None:
-        return non_local(model, state, shared, dashpots)
-    if model.formulation == "incremental":
-        parts = [stored_beams(model, state, shared, dashpots)]
-        return BondParts(parts, Joints.of(model, state, state.integrity, None))
+    if isinstance(model.interaction, LaggedInteraction | StoredBeamInteraction):
+        return _of_law(model, model.interaction, state, shared, dashpots)
     return beams(model, state, shared, dashpots)
+
+
+def _of_law(
+    model: Model, law: LaggedInteraction | StoredBeamInteraction, state: State, shared: SharedTables,
+    dashpots: Dashpots | None,
+) -> BondParts:  # fmt: skip
+    """Return the parts that a law gives itself."""
+    damage = damage_of(model, state, shared.cut, len(with_twins(model.layout.i)))
+
+    def failing(judge: Passes, remove: Passes, integrity: PerBond) -> Part:
+        assert damage is not None
+        part = damage.part(shared, judge, remove, dashpots)
+        return replace(part, keep=lambda: damage.keep(integrity, state))
+
+    touches = model.contacts is not None
+    found = law.parts(
+        Run(shared.moving, shared.cut, shared.portions, state.of_law, dashpots, damage, failing, touches)
+    )
+    return BondParts(found.parts, Joints.of(model, state, found.integrity, damage), found.stresses)

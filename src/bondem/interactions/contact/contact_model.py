@@ -99,6 +99,11 @@ class ContactModel:
         touching = found_walls(pose, still, sources)
         return cls(laws, radius, walls, pairs, RestGaps(sources.start, touching.wall, touching.now), own)
 
+    def of_broken(self, layout: Layout) -> tuple[PerBond, PerBond, PerBond]:
+        """Return ks / kn (0 without friction), μ and β of the contacts of broken bonds, internal order, each (m,)."""
+        soft, friction, beta = self.laws.of_pairs(layout.order[layout.i], layout.order[layout.j])
+        return np.where(friction > 0.0, soft, 0.0), friction, beta
+
 
 def near(position: Floats, radius: Floats, period: Floats | None, skin: float) -> tuple[Ints, np.ndarray]:
     """Return neighbours with gaps up to `skin` [m], in the form of `specimen.neighbours.neighbours`."""

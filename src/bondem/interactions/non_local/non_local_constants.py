@@ -13,9 +13,6 @@ from bondem.interactions.non_local.non_local_law import NonLocal
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
 
-#: Rows of the history that bonds of the non-local law store, and that of the work of their extra forces.
-NON_LOCAL_ROWS, NON_LOCAL_WORK = 7, 6
-
 
 @dataclass(frozen=True, eq=False)
 class NonLocalConstants:

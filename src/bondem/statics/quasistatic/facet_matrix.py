@@ -6,7 +6,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from bondem._types import Floats, Ints
-from bondem.model.stiffness import Stiffness
+from bondem.interactions.stiffness import Stiffness
 from bondem.specimen.ordering import Layout
 
 

@@ -6,7 +6,9 @@ from functools import cached_property
 import numpy as np
 from scipy.sparse import bsr_array, csc_array, csr_array, dia_array
 
+from bondem._tables.stiffness_tables import BlockRows
 from bondem._types import Floats
+from bondem.specimen.ordering import Layout
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,3 +133,11 @@ def _squares(forms: bsr_array, weight: Floats) -> Floats:
 def _by_columns(forms: bsr_array, root: Floats) -> bsr_array:
     """Return F S with blocks `root` S of each element, (n, 6, 6)."""
     return bsr_array((forms.data @ root[forms.indices], forms.indices, forms.indptr), shape=forms.shape)
+
+
+def new_block_rows(layout: Layout) -> BlockRows:
+    """Return room for the rows of a layout."""
+    n = len(layout.out_start) - 1
+    indptr = (layout.in_start + layout.out_start + np.arange(n + 1)).astype(np.int32)
+    indices, data = np.empty(indptr[-1], np.int32), np.empty((indptr[-1], 6, 6))
+    return BlockRows(layout.in_start, layout.out_start, layout.out_bond, indptr, indices, data)

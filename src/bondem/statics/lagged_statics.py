@@ -1,4 +1,4 @@
-"""Equilibrium of the non-local law, whose stresses lag one iteration behind the motions.
+"""Equilibrium of laws whose stresses lag one iteration behind the motions.
 
 F_t = A τ holds for any tangential forces that agree with the stress that they make, so that no single set of
 equations has the answer. The equilibrium is the end of a path from the unloaded state, in rounds of
@@ -19,8 +19,7 @@ import numpy as np
 from bondem._blas import one_blas_thread
 from bondem._types import Floats, PerElement6
 from bondem.errors import ConvergenceError
-from bondem.model.model import Model
-from bondem.observables.non_local_strain import NonLocalStrain
+from bondem.interactions.lagged_interaction import LaggedInteraction, LaggedStrain
 from bondem.statics.linear import Elimination, Iteration, System
 
 # Up to this many elements one elimination serves all rounds.
@@ -45,18 +44,18 @@ class Settled:
         change: change of the stresses in the last round, root of sums of squares over that of the stresses [-].
     """
 
-    strain: NonLocalStrain
+    strain: LaggedStrain
     motion: PerElement6
     rounds: int
     change: float
 
 
 class LaggedStatics:
-    """Statics of a model of the non-local law: one matrix for all rounds and loads."""
+    """Statics of a law that lags: one matrix for all rounds and loads."""
 
-    def __init__(self, model: Model, system: System) -> None:
-        self._model, self._system = model, system
-        small = len(model.layout.order) <= _DIRECT
+    def __init__(self, law: LaggedInteraction, system: System) -> None:
+        self._law = law
+        small = len(law.layout.order) <= _DIRECT
         self._solver = Elimination(system) if small else Iteration(system)
 
     @one_blas_thread
@@ -69,7 +68,7 @@ class LaggedStatics:
         steps: int = 1,
         limited: bool | None = None,
     ) -> Settled:
-        """Compute the equilibrium of the model, user's order.
+        """Compute the equilibrium of its elements, user's order.
 
         Args:
             load: forces and moments on the elements [N, N·m], (n, 6).
@@ -81,13 +80,11 @@ class LaggedStatics:
         Raises:
             ConvergenceError: Stresses grow, or do not settle.
         """
-        model = self._model
-        constants = model.non_local_constants
-        lattice, n = model.lattice, len(load)
+        lattice, n = self._law.lattice, len(load)
         held = np.zeros((n, 6)) if motion is None else motion
         opened = np.zeros((len(lattice.pairs), 3)) if slip is None else slip
-        mixing = Mixing(constants.limited if limited is None else limited)
-        now = NonLocalStrain.none(lattice, constants)
+        mixing = Mixing(self._law.settles if limited is None else limited)
+        now = self._law.at_rest()
         found: PerElement6 | None = None
         stress, scale, quiet, change = np.zeros((n, 6)), 0.0, 0, np.inf
         for k in range(1, _ROUNDS + 1):
@@ -100,7 +97,8 @@ class LaggedStatics:
             size = float(np.linalg.norm(new))
             scale = max(scale, size) if k <= steps else scale
             if not size <= _BEYOND * scale:
-                raise ConvergenceError(f"stresses of the non-local law grow without end after {k} rounds; lower nu=")
+                title = self._law.title
+                raise ConvergenceError(f"stresses of the {title} grow without end after {k} rounds; lower nu=")
             change = float(np.linalg.norm(new - stress)) / size if size > 0.0 else 0.0
             stress = new
             quiet = quiet + 1 if k > steps and change <= _SETTLED else 0
@@ -108,14 +106,14 @@ class LaggedStatics:
                 return Settled(now, found, k, change)
             later = now.lagged()
             extra = later.extra if k < steps else mixing(now.extra, later.extra)
-            now = NonLocalStrain(lattice, constants, later.gap, extra)
+            now = later.carrying(extra)
         raise ConvergenceError(
-            f"stresses of the non-local law still change by {change:.2g} a round after {_ROUNDS} rounds;"
+            f"stresses of the {self._law.title} still change by {change:.2g} a round after {_ROUNDS} rounds;"
             " lower nu=, or use solve_explicit with damping"
         )
 
     def _answer(self, total: PerElement6, guess: PerElement6 | None) -> PerElement6:
-        layout = self._model.layout
+        layout = self._law.layout
         start = None if guess is None else guess[layout.order].ravel()
         return self._solver.solve(total[layout.order].ravel(), guess=start)[0].reshape(-1, 6)[layout.rank]
 

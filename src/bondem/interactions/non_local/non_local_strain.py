@@ -1,13 +1,15 @@
 """Deformation of bonds of the non-local law by small motions of the elements: gaps, forces, stresses."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from bondem._core import run_pass
+from bondem._passes import calls
+from bondem._tables.non_local_tables import ExtraForces, SmallPairs
 from bondem._types import Floats, PerBond3, PerElement6
+from bondem.interactions.energy_parts import EnergyParts
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
-from bondem.model.non_local_tables import lagged_extra_forces
-from bondem.observables.energy import EnergyParts
 from bondem.specimen.lattice import Lattice
 
 _SIX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
@@ -29,11 +31,10 @@ class NonLocalStrain:
     gap: PerBond3
     extra: PerBond3
 
-    @classmethod
-    def none(cls, lattice: Lattice, constants: NonLocalConstants) -> "NonLocalStrain":
-        """Return the undeformed state."""
-        still = np.zeros((len(lattice.pairs), 3))
-        return cls(lattice, constants, still, still)
+    @property
+    def normal(self) -> PerBond3:
+        """Normals from i to j [-], (m, 3)."""
+        return self.constants.normal
 
     def moved(self, motion: PerElement6, slip: Floats | None = None) -> "NonLocalStrain":
         """Return the same extra forces with the gaps of motions (u, θ) [m, rad], (n, 6).
@@ -51,9 +52,15 @@ class NonLocalStrain:
 
     def lagged(self) -> "NonLocalStrain":
         """Return a strain of the same gaps, with the extra forces that follow from the present stresses and gaps."""
-        c = self.constants
-        extra = lagged_extra_forces(self.lattice.pairs, c, self.stress, self.gap)
-        return NonLocalStrain(self.lattice, c, self.gap, extra)
+        c, found = self.constants, ExtraForces(np.empty_like(self.gap))
+        normal = np.ascontiguousarray(c.normal)
+        pairs = SmallPairs(self.lattice.pairs, c.area, c.kt, c.nu, c.limited, normal, self.stress, self.gap)
+        run_pass(calls.find_small_extra_forces(pairs, found))
+        return self.carrying(found.force)
+
+    def carrying(self, extra: PerBond3) -> "NonLocalStrain":
+        """Return a strain of the same gaps, with other extra forces [N], (m, 3)."""
+        return replace(self, extra=extra)
 
     @property
     def spring(self) -> PerBond3:

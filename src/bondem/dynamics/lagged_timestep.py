@@ -1,0 +1,155 @@
+"""The stable time step of laws whose forces lag, found by trial steps of the lagged operator.
+
+ω_max of the springs is not a bound: a stress that is one step old drives the fastest motions, the more so the larger
+ν is. Undamped, the lag adds energy at any step; dashpots or local damping remove it, up to some ν.
+"""
+
+import math
+import warnings
+from dataclasses import replace
+
+import numpy as np
+from scipy.sparse import diags_array
+from scipy.sparse.linalg import eigsh
+
+from bondem._names import users_line
+from bondem._types import Floats, PerBond
+from bondem.dynamics.damping import DampingTerms
+from bondem.dynamics.schemes import Scheme
+from bondem.errors import StepWarning
+from bondem.interactions.lagged_interaction import LaggedInteraction
+from bondem.model.model import Model
+
+#: Shares of the critical step of the springs that are tried.
+SHARES = (1.0, 0.5, 0.25, 0.125, 0.0625)
+# Steps of a trial, and the growth of its motion over the last half of them that is taken for stable.
+_STEPS, _GROWTH = 400, 1.2
+# Relative error of the largest eigenvalue of contacts, from below; the answer is raised by as much twice.
+_TOLERANCE = 1e-3
+
+
+def lagged_limits(
+    model: Model, law: LaggedInteraction, scheme: Scheme, terms: DampingTerms, springs: float, *, matters: float
+) -> tuple[float, float]:
+    """Return the critical step of a law that lags, and its value without dashpots beside the bonds [s].
+
+    The critical step is the smaller of two: that of springs and contacts with the dashpots of contacts, and the
+    largest share of that of springs and contacts at which lagged steps are stable, with dashpots of bonds in these
+    trials. Dashpots of contacts are bounded by M⁻¹ C, and not by the largest c / k, which the smallest facet would
+    determine.
+
+    Args:
+        model: model that will move.
+        law: law of its bonds.
+        scheme: time integration scheme.
+        terms: terms of damping.
+        springs: ω_max of all bonds [rad/s].
+        matters: the value without dashpots is found only where it is larger than the critical step by this factor;
+            else the critical step is returned twice.
+
+    Warns:
+        StepWarning: Lagged steps are unstable at any share.
+    """
+    highest, bound = _of_springs(model, law, scheme, terms, springs)
+    if springs == 0.0:
+        return bound, bound
+    share = next((one for one in SHARES if stable(model, law, one * highest, terms)), 0.0)
+    if share == 0.0:
+        warnings.warn(
+            f"the lagged stress of the {law.title} is unstable at any time step; give damping=, or lower nu=",
+            StepWarning, stacklevel=users_line(),
+        )  # fmt: skip
+    limit = min((share or SHARES[-1]) * highest, bound)
+    if terms.eta == terms.beta == 0.0:
+        return limit, limit
+    undamped = replace(terms, eta=0.0, beta=0.0)
+    longer = [one * highest for one in SHARES if min(one * highest, bound) > matters * limit]
+    return limit, min(bound, next((dt for dt in longer if stable(model, law, dt, undamped)), limit))
+
+
+def _of_springs(
+    model: Model, law: LaggedInteraction, scheme: Scheme, terms: DampingTerms, springs: float
+) -> tuple[float, float]:
+    """Return the critical step of springs and contacts, and that with the dashpots of contacts [s]."""
+    raised, decay = math.sqrt(1.0 + terms.gamma), 0.0
+    contacts, motions = model.contacts, ((0.0, 0.0),)
+    if contacts is not None:
+        motions += contacts.laws.stiffest(model.contact_radius, model.mass, contacts.walls.platens)
+        if model.failure is not None and contacts.own is not None:
+            soft, _, beta = contacts.of_broken(model.layout)
+            springs *= math.sqrt(max(1.0, float(soft.max()) * law.normal_over_shear))
+            decay = _fastest_decay(model, law, contacts.own, beta, soft)
+    fastest = raised * max(math.hypot(springs, frequency) for frequency, _ in motions)
+    if fastest == 0.0:
+        return math.inf, math.inf
+    limit = math.inf
+    for frequency, delay in motions:
+        omega = raised * math.hypot(springs, frequency)
+        zeta = 0.5 * raised**2 * (decay + delay * frequency**2) / omega if omega > 0.0 else 0.0
+        if omega > 0.0:
+            limit = min(limit, scheme.critical / omega * (math.sqrt(1.0 + zeta * zeta) - zeta))
+    return scheme.critical / fastest, limit
+
+
+def _fastest_decay(model: Model, law: LaggedInteraction, kn: PerBond, beta: PerBond, soft: PerBond) -> float:
+    """Return an upper bound of the largest eigenvalue of M⁻¹ C [1/s], if all bonds were contacts with dashpots."""
+    if not beta.any():
+        return 0.0
+    layout = model.layout
+    mass, inertia = model.mass[layout.order], model.inertia[layout.order]
+    pair = mass[layout.i] * mass[layout.j] / (mass[layout.i] + mass[layout.j])
+    along = 2.0 * beta * np.sqrt(kn * pair)
+    matrix = law.springs(along, np.sqrt(soft) * along)
+    root = diags_array(1.0 / np.sqrt(np.repeat(np.column_stack([mass, inertia]), 3, axis=1).ravel()))
+    start = np.random.default_rng(0).standard_normal(6 * len(mass))
+    options = {"tol": _TOLERANCE, "v0": start, "return_eigenvectors": False}
+    found = np.asarray(eigsh(root @ matrix @ root, k=1, which="LA", **options))
+    return (1.0 + 2.0 * _TOLERANCE) * float(found[0])
+
+
+def stable(model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms) -> bool:
+    """Return whether small motions do not grow by steps of dt [s]."""
+    return growth(model, law, dt, terms) <= _GROWTH
+
+
+def growth(
+    model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms, *, steps: int = _STEPS
+) -> float:
+    """Return the growth of small motions over the last half of a number of steps [-], infinite beyond numbers.
+
+    Local and bond damping act; the motions start from a fixed random field and nothing is held.
+    """
+    n = len(model.lattice.particles)
+    weight = np.repeat(np.column_stack([model.mass, model.inertia]), 3, axis=1)
+    motion = np.zeros((n, 6))
+    speed = np.random.default_rng(0).standard_normal((n, 6)) / np.sqrt(weight)
+    speed -= speed.mean(axis=0)
+    along, across = _dashpots(model, law, terms)
+    now = law.at_rest()
+    sizes: list[float] = []
+    for k in range(steps):
+        motion = motion + dt * speed
+        now = (now.lagged() if k else now).moved(motion)
+        force = now.force
+        if terms.eta > 0.0 or terms.beta > 0.0:
+            rate = now.moved(speed).gap
+            inward = (rate * now.normal).sum(axis=1)[:, None] * now.normal
+            force = force + along[:, None] * inward + across[:, None] * (rate - inward)
+        load = now.nodal(force)
+        load -= terms.gamma * np.abs(load) * np.sign(speed)
+        speed = speed + dt * load / weight
+        sizes.append(float((weight * speed**2).sum()))
+        if not sizes[-1] < 1e30 * max(sizes[0], 1e-300):
+            return math.inf
+    quarter = steps // 4
+    middle, end = max(sizes[quarter : 2 * quarter]), max(sizes[3 * quarter :])
+    return end / middle if middle > 0.0 else 0.0
+
+
+def _dashpots(model: Model, law: LaggedInteraction, terms: DampingTerms) -> tuple[Floats, Floats]:
+    """Return cn and cs of the bonds [N·s/m], in the form of `BondDamping`."""
+    i, j = model.lattice.pairs.T
+    mass = model.mass
+    pair = mass[i] * mass[j] / (mass[i] + mass[j])
+    cn, cs = (2.0 * terms.eta * np.sqrt(k * pair) + terms.beta * k for k in (law.bonds.kn, law.bonds.ks))
+    return cn, cs

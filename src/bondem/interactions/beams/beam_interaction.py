@@ -1,0 +1,128 @@
+"""Beams as an interaction: of the total formulation, and of the incremental one, whose loads the state stores."""
+
+from collections.abc import Mapping
+from typing import Any, ClassVar
+
+import numpy as np
+from scipy.sparse import bsr_array
+
+from bondem._core import run_pass
+from bondem._passes import calls, steps
+from bondem._tables.incremental_tables import LoadsOfEach, StoredLoads
+from bondem._tables.step_tables import Beams, Poses
+from bondem._tables.stiffness_tables import BeamRows
+from bondem._threads import current_threads
+from bondem._types import Floats, PerBond, PerBond3, PerElement3
+from bondem.errors import InputError
+from bondem.interactions.beams.assignment import bond_stiffness
+from bondem.interactions.beams.beam_tables import beam_tables, loads_of_each
+from bondem.interactions.beams.bond_law import BondLaw, BondStiffness
+from bondem.interactions.beams.bond_strain import BondStrain
+from bondem.interactions.beams.bond_table import with_zeros
+from bondem.interactions.interaction import Arrays, Interaction, LawParts, Laws, Run, Specimen, StateField
+from bondem.interactions.step_part import Part, Passes
+from bondem.interactions.stiffness import Stiffness, new_block_rows
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
+
+
+class BeamInteraction(Interaction):
+    """Beams of the total formulation, whose energy has no memory."""
+
+    def __init__(self, lattice: Lattice, layout: Layout, bonds: BondStiffness, laws: Laws) -> None:
+        super().__init__(lattice, layout)
+        self._bonds, self._laws = bonds, laws
+
+    @classmethod
+    def join(cls, specimen: Specimen, bond: Any) -> "BeamInteraction":
+        bonds, formulation = bond_stiffness(specimen.lattice, bond)
+        laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
+        kind = BeamInteraction if formulation == "total" else StoredBeamInteraction
+        return kind(specimen.lattice, specimen.layout, bonds, laws)
+
+    @property
+    def moments_at_contact(self) -> bool:
+        places = {law.moments_at_contact for law in self._laws if isinstance(law, BondLaw)}
+        if len(places) > 1:
+            raise InputError(
+                "failure= counts moments either at the ends or at contact points; give bonds of one kind"
+            )
+        return True in places
+
+    @property
+    def bonds(self) -> BondStiffness:
+        return self._bonds
+
+    def stiffness(self) -> Stiffness:
+        layout, b = self.layout, self.table
+        rows, size = new_block_rows(layout), 6 * len(layout.order)
+        columns = b.direction, b.length, b.lever, b.kn, b.ks, b.kb, b.kt
+        beams = BeamRows(layout.i, layout.j, *map(np.ascontiguousarray, columns))
+        run_pass(calls.assemble_beams(beams, rows), threads=current_threads())
+        return Stiffness(bsr_array((rows.data, rows.indices, rows.indptr), shape=(size, size)))
+
+    def loads(self, pose: Floats, arrays: Arrays) -> Floats:
+        stretched, integrity = self.table.stretched(arrays["rest_strain"]), arrays["integrity"]
+        beams, _ = beam_tables(stretched, self.layout, self.period, integrity, may_share=False)
+        on_i, on_j = loads_of_each(pose, beams, len(integrity))
+        return np.hstack([on_j[:, :3], on_i[:, 4:7], on_j[:, 4:7]])
+
+    def small_loads(self, displacement: PerElement3, rotation: PerElement3, strain: PerBond) -> Floats:
+        length, k = self.lattice.length, self.bonds
+        found = BondStrain.of(self.lattice, k.lever, displacement, rotation)
+        pull = found.forces(k) - (k.kn * length * strain)[:, None] * found.direction
+        moment = k.kb[:, None] * found.bend + (k.kt * found.twist)[:, None] * found.direction
+        arm = np.cross(found.direction, pull)
+        near, far = k.lever[:, None], (length - k.lever)[:, None]
+        return np.hstack([-pull, near * arm + moment, far * arm - moment])
+
+    def joints(self) -> tuple[PerBond, PerBond, PerBond3]:
+        lattice = self.lattice
+        middle = lattice.centre[lattice.pairs[:, 0]] + 0.5 * lattice.branch
+        return (np.pi * self.bonds.radius**2, lattice.length, middle)
+
+    def modulus(self, volume: float) -> float:
+        length, bonds = self.lattice.length, self.bonds
+        normal = float((length**2 * bonds.kn).sum()) / volume
+        across = float((length**2 * bonds.ks).sum()) / volume
+        bulk, shear = normal / 9.0, normal / 15.0 + across / 10.0
+        return 9.0 * bulk * shear / (3.0 * bulk + shear)
+
+
+class StoredBeamInteraction(BeamInteraction):
+    """Beams of the incremental formulation, which store force and moment from step to step."""
+
+    formulation: ClassVar[str] = "incremental"
+    fields: ClassVar[tuple[StateField, ...]] = (StateField("history", (6, "m")),)
+
+    def tables(self, arrays: Arrays) -> tuple[Beams, StoredLoads]:
+        """Return the beams and what they store; the latter shares its array with the state.
+
+        Where there are fewer beams than a group, the array is a longer copy, made by `with_zeros`.
+        """
+        beams, _ = beam_tables(self.table, self.layout, self.period, arrays["integrity"], may_share=False)
+        return beams, StoredLoads(np.ascontiguousarray(with_zeros(self.table.kb)), with_zeros(arrays["history"]))
+
+    def loads(self, pose: Floats, arrays: Arrays) -> Floats:
+        beams, stored = self.tables(arrays)
+        loads = LoadsOfEach(np.empty((9, len(beams.i))))
+        run_pass(calls.load_stored_beams(Poses(pose), beams, stored, loads))
+        return loads.found[:, : len(arrays["integrity"])].T
+
+    def parts(self, run: Run) -> LawParts:
+        moving, cut, portions, history = run.moving, run.cut, run.portions, run.arrays["history"]
+        beams, stored = self.tables(run.arrays)
+        loads: Passes = [steps.add_stored_loads(moving, beams, stored, cut)]
+        if run.dashpots is not None:
+            loads.append(steps.add_dashpot_loads(moving, beams, run.dashpots, cut))
+
+        def keep() -> None:
+            if stored.history is not history:
+                history[:] = stored.history[:, : history.shape[1]]
+
+        part = Part(
+            {"loads": loads, "guard": [steps.check_beams(moving, beams, portions)]},
+            record=lambda _: [steps.sum_stored_energies(moving, beams, stored, portions)],
+            keep=keep,
+        )
+        return LawParts([part], run.arrays["integrity"])

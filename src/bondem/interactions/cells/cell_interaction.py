@@ -1,0 +1,119 @@
+"""The cell law as an interaction: facets between cells, and the dilatation of cells."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cached_property
+from typing import Any, ClassVar, Self
+
+import numpy as np
+from scipy.sparse import bsr_array
+
+from bondem._core import run_pass
+from bondem._passes import calls
+from bondem._tables.stiffness_tables import DilatationRows, FacetRows
+from bondem._threads import current_threads
+from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3
+from bondem.boundary.conditions import BoundaryCondition
+from bondem.boundary.wall_constraints import Grips, Holds
+from bondem.errors import InputError
+from bondem.interactions.beams.bond_law import BondStiffness
+from bondem.interactions.cells.cell_body import body_of
+from bondem.interactions.cells.cell_bond import CellBond
+from bondem.interactions.cells.cell_constants import CellAssignment, CellConstants
+from bondem.interactions.interaction import Arrays, Evaluated, Interaction, Laws, Specimen
+from bondem.interactions.stiffness import Stiffness, new_block_rows
+
+_NO_LOADS = "bond_forces: facets of cells have no moments of their own; use bd.cell_stress instead"
+
+
+class CellInteraction(Interaction):
+    """Facets between cells, with the dilatation of the cells.
+
+    Attributes:
+        by_user: constants, user's order.
+    """
+
+    title: ClassVar[str] = "cell law"
+    name: ClassVar[str] = "cells"
+    evaluated: ClassVar[Evaluated] = "traction"
+    on_facets: ClassVar[bool] = True
+    corrects_mass: ClassVar[bool] = True
+
+    def __init__(self, specimen: Specimen, laws: CellAssignment) -> None:
+        super().__init__(specimen.lattice, specimen.layout)
+        self._specimen, self._laws = specimen, laws
+        body_of(specimen.lattice)
+        holds = Holds.of(specimen.lattice, specimen.boundary)
+        self.by_user = CellConstants.of(specimen.lattice, laws, holds, may_fail=specimen.may_fail)
+
+    @staticmethod
+    def joins(laws: Laws) -> bool:
+        return any(isinstance(law, CellBond) for law in laws)
+
+    @classmethod
+    def join(cls, specimen: Specimen, bond: Any) -> "CellInteraction":
+        return cls(specimen, bond)
+
+    def under(self, boundary: Sequence[BoundaryCondition]) -> "CellInteraction":
+        other = CellInteraction(self._specimen._replace(boundary=boundary), self._laws)
+        other.bonds = self.bonds
+        return other
+
+    @property
+    def grips(self) -> Grips:
+        return self.by_user.grips
+
+    def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
+        twin, cells = super().strained(strain, base, motion, pressed), self.constants.stretched(strain, self.layout)
+        grips = replace(cells.grips.taken(base), motion=motion)
+        twin.__dict__["constants"] = replace(cells, grips=grips, pressed=pressed)
+        return twin
+
+    def pressed(self, facet: Ints, force: Floats) -> PerElement:
+        every = np.zeros((len(self.by_user.softness), 3))
+        every[facet] = force
+        return self.by_user.pressed_by(every)
+
+    @cached_property
+    def constants(self) -> CellConstants:
+        """Constants, internal order."""
+        return self.by_user.ordered(self.layout)
+
+    @cached_property
+    def bonds(self) -> BondStiffness:
+        return self.by_user.as_bonds(self.lattice)
+
+    def stiffness(self) -> Stiffness:
+        layout, c = self.layout, self.constants
+        rows, n = new_block_rows(layout), len(layout.order)
+        columns = c.k, c.lever_i, c.lever_j, c.H, c.share_i, c.share_j
+        facets = FacetRows(layout.i, layout.j, *map(np.ascontiguousarray, columns))
+        forms = np.empty((len(rows.indices), 1, 6))
+        run_pass(calls.assemble_facets(facets, rows, DilatationRows(forms)), threads=current_threads())
+        indptr, indices, data = rows.indptr, rows.indices, rows.data
+        own, form = c.grips.blocks()
+        gripped = layout.rank[c.grips.cell]
+        diagonal = indptr[gripped] + (layout.in_start[gripped + 1] - layout.in_start[gripped])
+        np.add.at(data, diagonal, own)
+        np.add.at(forms, diagonal, form[:, None])
+        return Stiffness(
+            bsr_array((data, indices, indptr), shape=(6 * n, 6 * n)),
+            bsr_array((forms, indices, indptr), shape=(n, 6 * n)),
+            c.weight,
+            c.gradients.coupling(c.weight),
+            c.gradients.turns((c.gradients.way_a, c.gradients.way_b, c.gradients.held_way), n),
+        )
+
+    def loads(self, pose: Floats, arrays: Arrays) -> Floats:
+        raise InputError(_NO_LOADS)
+
+    def small_loads(self, displacement: PerElement3, rotation: PerElement3, strain: PerBond) -> Floats:
+        raise InputError(_NO_LOADS)
+
+    def joints(self) -> tuple[PerBond, PerBond, PerBond3]:
+        facets, _ = body_of(self.lattice)
+        return (facets.area, facets.span, facets.centroid)
+
+    def modulus(self, volume: float) -> float:
+        G, lame = self.by_user.G, self.by_user.lame
+        return float(np.median(G * (3.0 * lame + 2.0 * G) / (lame + G)))

@@ -1,0 +1,241 @@
+"""A law of bonds as the rest of the package sees it: one object, which nobody asks for its name.
+
+A law sees neither model nor state. It has the elements and bonds of a specimen, and is given the arrays that it owns.
+Defaults are those of beams: a law with a potential and no memory. A solver that needs more asks for the capability,
+`Interaction.has_potential` or `LaggedInteraction`.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping, Sequence
+from copy import copy
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, ClassVar, Literal, NamedTuple, Protocol, Self
+
+import numpy as np
+
+from bondem._tables.damage_tables import Candidates, EventLog, Postponed, Strengths
+from bondem._tables.non_local_tables import LaggedStresses
+from bondem._tables.step_tables import Dashpots, Moving, Portions, StepCut
+from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3
+from bondem.boundary.conditions import BoundaryCondition
+from bondem.boundary.wall_constraints import Grips
+from bondem.interactions.beams.bond_law import BondStiffness
+from bondem.interactions.beams.bond_table import BondTable
+from bondem.interactions.step_part import Part, Passes
+from bondem.interactions.stiffness import Stiffness
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
+
+#: Arrays of a state that a law owns, by name, with the integrity of its bonds.
+Arrays = Mapping[str, np.ndarray]
+#: Laws of a specimen.
+Laws = tuple[object, ...]
+#: What a criterion evaluates: forces of beams, tractions of facets, or the mean stress of two elements.
+Evaluated = Literal["force", "traction", "stress"]
+
+
+@dataclass(frozen=True)
+class StateField:
+    """An array of the state that a law owns.
+
+    Attributes:
+        name: name in `State` and in run files.
+        shape: axes: a number, "n" for elements, or "m" for bonds.
+        fresh: rows that a new run sets to zero.
+    """
+
+    name: str
+    shape: tuple[int | str, ...]
+    fresh: tuple[int, ...] = ()
+
+    def zeros(self, **sizes: int) -> np.ndarray:
+        """Return the array of a new state."""
+        return np.zeros([sizes[axis] if isinstance(axis, str) else axis for axis in self.shape])
+
+
+class DamageOfRun(Protocol):
+    """The damage pipeline of a run, as a law takes it."""
+
+    @property
+    def candidates(self) -> Candidates: ...
+    @property
+    def postponed(self) -> Postponed: ...
+    @property
+    def log(self) -> EventLog: ...
+    @property
+    def strengths(self) -> Strengths: ...
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """A run, as a law takes it to give its passes.
+
+    Attributes:
+        moving: motion of the elements.
+        cut: cut of a step into domains and blocks.
+        portions: sums over portions of elements and bonds.
+        arrays: arrays of the state that the law owns.
+        dashpots: dashpots beside the bonds, or None.
+        damage: damage pipeline, or None if bonds do not fail.
+        failing: function that returns the part of that pipeline, given passes that judge bonds, passes that remove
+            them, and the integrity that these write.
+        touches: whether elements may touch.
+    """
+
+    moving: Moving
+    cut: StepCut
+    portions: Portions
+    arrays: Arrays
+    dashpots: Dashpots | None
+    damage: DamageOfRun | None
+    failing: Callable[[Passes, Passes, PerBond], Part]
+    touches: bool
+
+
+@dataclass(frozen=True, eq=False)
+class LawParts:
+    """Parts of a step that a law gives.
+
+    Attributes:
+        parts: parts of a step.
+        integrity: integrity of the bonds that its passes write, (m,) or longer.
+        stresses: stresses of elements that contacts add to, if there are any.
+    """
+
+    parts: list[Part]
+    integrity: PerBond
+    stresses: LaggedStresses | None = None
+
+
+class Specimen(NamedTuple):
+    """Bonds that laws join.
+
+    Attributes:
+        lattice: elements and bonds.
+        layout: internal order of both.
+        boundary: boundary conditions.
+        may_fail: whether bonds may fail.
+    """
+
+    lattice: Lattice
+    layout: Layout
+    boundary: Sequence[BoundaryCondition]
+    may_fail: bool
+
+
+class Interaction(ABC):
+    """A law of the bonds of a specimen.
+
+    Attributes:
+        lattice: elements and bonds.
+        layout: internal order of both.
+        title: common name of the law, for messages (class attribute).
+        name: word for its bonds in messages (class attribute).
+        formulation: "total" or "incremental" (class attribute).
+        fields: arrays of the state that the law owns (class attribute).
+        has_potential: whether forces are the derivative of an energy (class attribute).
+        evaluated: quantity that a criterion evaluates (class attribute).
+        on_facets: whether loads and conditions on faces act on facets (class attribute).
+        corrects_mass: whether it has a dispersion-corrected mass matrix (class attribute).
+    """
+
+    title: ClassVar[str] = "law of beams"
+    name: ClassVar[str] = "beams"
+    formulation: ClassVar[str] = "total"
+    fields: ClassVar[tuple[StateField, ...]] = ()
+    has_potential: ClassVar[bool] = True
+    evaluated: ClassVar[Evaluated] = "force"
+    on_facets: ClassVar[bool] = False
+    corrects_mass: ClassVar[bool] = False
+
+    def __init__(self, lattice: Lattice, layout: Layout) -> None:
+        self.lattice, self.layout = lattice, layout
+
+    @classmethod
+    @abstractmethod
+    def join(cls, specimen: Specimen, bond: Any) -> "Interaction":
+        """Return the interaction of a specimen by a law, or laws by region.
+
+        Raises:
+            InputError: The laws do not fit each other or the specimen.
+        """
+
+    def under(self, boundary: Sequence[BoundaryCondition]) -> "Interaction":
+        """Return the same law under other boundary conditions."""
+        return self
+
+    @property
+    def grips(self) -> Grips:
+        """Facets that walls hold."""
+        return Grips.none()
+
+    def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
+        """Return the law at stress-free strains, with walls and tractions on facets that do not change.
+
+        Args:
+            strain: ε* of each bond [-], internal order, (m,), or (0,) for none.
+            base: initial places of the walls (`State.grips`), (g, 7).
+            motion: displacements of the walls [m], (g, 3).
+            pressed: contribution of tractions to V θ of each cell [m³], internal order, (n,).
+        """
+        twin = copy(self)
+        twin.__dict__["table"] = self.table.stretched(strain)
+        return twin
+
+    def pressed(self, facet: Ints, force: Floats) -> PerElement:
+        """Return what forces on free facets [N], (k, 3), add to V θ of each element [m³], user's order, (n,)."""
+        return np.zeros(len(self.layout.order))
+
+    @property
+    def moments_at_contact(self) -> bool:
+        """True if moments count for failure at the contact points."""
+        return False
+
+    @property
+    @abstractmethod
+    def bonds(self) -> BondStiffness:
+        """Stiffnesses of beams that are as stiff as the bonds, or about as stiff, user's order."""
+
+    @cached_property
+    def table(self) -> BondTable:
+        """Constants of these beams, internal order."""
+        return BondTable.of(self.lattice, self.layout, self.bonds)
+
+    @property
+    def period(self) -> Floats:
+        """Edge lengths of the periodic cell and their inverses, zeros without a periodic cell, shape (6,)."""
+        edges = self.lattice.particles.period
+        return np.zeros(6) if edges is None else np.concatenate([edges, 1.0 / edges])
+
+    @abstractmethod
+    def stiffness(self) -> Stiffness:
+        """Return the second derivative of the energy at rest, or that of the springs alone; internal order."""
+
+    @abstractmethod
+    def loads(self, pose: Floats, arrays: Arrays) -> Floats:
+        """Return force on j, torque on i and torque on j of each bond in a pose [N, N·m], internal order, (m, 9).
+
+        Raises:
+            InputError: Bonds have no loads of their own.
+        """
+
+    @abstractmethod
+    def small_loads(self, displacement: PerElement3, rotation: PerElement3, strain: PerBond) -> Floats:
+        """Return force on j, torque on i and torque on j [N, N·m] by small motions [m, rad], user's order, (m, 9).
+
+        Args:
+            displacement, rotation: motions of the elements from the reference, (n, 3) each.
+            strain: stress-free strain of each bond [-], (m,).
+
+        Raises:
+            InputError: Bonds have no loads of their own, or these do not follow from motions.
+        """
+
+    @abstractmethod
+    def joints(self) -> tuple[PerBond, PerBond, PerBond3]:
+        """Return area [m²], length [m] and place [m] of each bond for criteria, user's order, (m,), (m,), (m, 3)."""
+
+    @abstractmethod
+    def modulus(self, volume: float) -> float:
+        """Return Young's modulus of the material, or its estimate in a specimen of a volume [m³], [Pa]."""

@@ -1,0 +1,61 @@
+"""Laws whose forces follow from the stresses of elements that lag a step, or an iteration, behind."""
+
+from abc import abstractmethod
+from typing import ClassVar, Protocol, Self
+
+from scipy.sparse import bsr_array
+
+from bondem._tables.damage_tables import Strengths
+from bondem._types import Floats, PerBond, PerBond3, PerElement6
+from bondem.interactions.energy_parts import EnergyParts
+from bondem.interactions.interaction import Arrays, Interaction, LawParts, Run
+
+
+class LaggedStrain(Protocol):
+    """Small deformation of all bonds from the reference, with the forces that lag behind, user's order."""
+
+    @property
+    def normal(self) -> PerBond3: ...
+    @property
+    def gap(self) -> PerBond3: ...
+    @property
+    def extra(self) -> PerBond3: ...
+    @property
+    def force(self) -> PerBond3: ...
+    @property
+    def stress(self) -> PerElement6: ...
+    @property
+    def energy(self) -> EnergyParts: ...
+    def moved(self, motion: PerElement6, slip: Floats | None = None) -> Self: ...
+    def lagged(self) -> Self: ...
+    def carrying(self, extra: PerBond3) -> Self: ...
+    def nodal(self, force: PerBond3) -> PerElement6: ...
+
+
+class LaggedInteraction(Interaction):
+    """A law without a potential, whose springs alone have a matrix.
+
+    Attributes:
+        settles: whether rounds of an equilibrium always settle, so that they may be mixed.
+        normal_over_shear: stiffness of its springs along the normal over that across [-].
+    """
+
+    has_potential: ClassVar[bool] = False
+    settles: bool
+    normal_over_shear: float
+
+    @abstractmethod
+    def springs(self, kn: PerBond, kt: PerBond) -> bsr_array:
+        """Return the matrix of springs of other stiffnesses [N/m], internal order, (m,) each: (6 n, 6 n)."""
+
+    @abstractmethod
+    def at_rest(self) -> LaggedStrain:
+        """Return the undeformed bonds."""
+
+    @abstractmethod
+    def indices(self, pose: Floats, arrays: Arrays, strengths: Strengths) -> PerBond:
+        """Return the index of each bond by the stresses of a state [-], 0 where broken, internal order, (m,)."""
+
+    @abstractmethod
+    def parts(self, run: Run) -> LawParts:
+        """Return the parts of a step."""
