@@ -17,7 +17,14 @@ from bondem._tables.contact_tables import FoundPairs, FoundWalls, PairSources, W
 from bondem._tables.crack_sample_tables import CrackSamples, SofteningSamples, StressBoundSamples, YieldSamples
 from bondem._tables.damage_tables import FailureIndices, Strengths, StressCandidates, StressFunction
 from bondem._tables.incremental_tables import LoadsOfEach, StoredLoads
-from bondem._tables.non_local_tables import ExtraForces, LaggedStresses, NonLocalBonds, SmallPairs
+from bondem._tables.non_local_tables import (
+    ExtraForces,
+    LaggedStresses,
+    NonLocalBonds,
+    SmallPairs,
+    SmallSprings,
+    SmallSteps,
+)
 from bondem._tables.packing_tables import (
     Flight,
     Growing,
@@ -357,6 +364,13 @@ def split_by_walls(
 ) -> Call:
     """Splits cells by walls: the faces of their pieces go to the pile."""
     return Call("split_by_walls", (solids, walls, splitting, stack, piece, pile))
+
+
+def take_small_steps(small_pairs: SmallPairs, small_springs: SmallSprings, small_steps: SmallSteps) -> Call:
+    """Takes steps of small motions with extra forces that lag a step behind, until their energy is beyond 1e30 of
+    the first.
+    """
+    return Call("take_small_steps", (small_pairs, small_springs, small_steps))
 
 
 def take_steps(

@@ -50,6 +50,32 @@ class SmallPairs(NamedTuple):
     gap: Floats  #: [m], (m, 3)
 
 
+class SmallSprings(NamedTuple):
+    """Springs and dashpots of bonds at small strain."""
+
+    kn: Floats  #: [N/m], (m,)
+    lever_i: Floats  #: from the element i to the contact point [m], (m, 3)
+    lever_j: Floats  #: from the element j to the contact point [m], (m, 3)
+    along: Floats  #: dashpots along the normals [N·s/m], (m,)
+    across: Floats  #: dashpots across them [N·s/m], (m,)
+
+
+class SmallSteps(NamedTuple):
+    """Steps of small motions (u, θ) of n elements; stresses and gaps are those of `SmallPairs`."""
+
+    dt: float  #: [s]
+    gamma: float  #: local damping [-]
+    weight: Floats  #: masses and moments of inertia [kg, kg·m²], (n, 6)
+    volume: Floats  #: V [m³], (n,)
+    motion: Floats  #: [m, rad], (n, 6)
+    speed: Floats  #: [m/s, rad/s], (n, 6)
+    load: Floats  #: forces and torques [N, N·m], (n, 6)
+    moment: Floats  #: V σ of the present forces [N·m], (n, 6)
+    stress: Floats  #: of the elements, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+    gap: Floats  #: [m], (m, 3)
+    size: Floats  #: twice the kinetic energy after each step [J], (steps,)
+
+
 class ExtraForces(NamedTuple):
     """Extra forces of bonds."""
 

@@ -105,6 +105,8 @@ BONDEM_TABLE(NonLocalBonds, F(area, "m"), F(kn, "m"), F(kt, "m"), F(normal, "3 m
 BONDEM_TABLE(LaggedStresses, F(inverse, "n"), F(stress, "n 6"), F(space, "n 8"), F(moment, "* 8"), F(to_i, "m"))
 BONDEM_TABLE(NonLocalWork, F(taken, "bond_portions"))
 BONDEM_TABLE(SmallPairs, F(pairs, "m 2"), F(area, "m"), F(kt, "m"), F(nu, ""), F(limited, ""), F(normal, "m 3"), F(stress, "n 6"), F(gap, "m 3"))
+BONDEM_TABLE(SmallSprings, F(kn, "m"), F(lever_i, "m 3"), F(lever_j, "m 3"), F(along, "m"), F(across, "m"))
+BONDEM_TABLE(SmallSteps, F(dt, ""), F(gamma, ""), F(weight, "n 6"), F(volume, "n"), F(motion, "n 6"), F(speed, "n 6"), F(load, "n 6"), F(moment, "n 6"), F(stress, "n 6"), F(gap, "m 3"), F(size, "steps"))
 BONDEM_TABLE(ExtraForces, F(force, "m 3"))
 BONDEM_TABLE(Spheres, F(sphere, "n 4"), F(unit, "n"), F(velocity, "n 3"), F(force, "n 3"), F(period, "3"), F(ease, "n"))
 BONDEM_TABLE(PackingWalls, F(lower, "3"), F(upper, "3"), F(weight, "3"), F(radius, ""), F(corner, "3"), F(spacing, ""), F(depth, "grid_x grid_y grid_z"))
@@ -257,6 +259,8 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<LaggedStresses>(), \
     described<NonLocalWork>(), \
     described<SmallPairs>(), \
+    described<SmallSprings>(), \
+    described<SmallSteps>(), \
     described<ExtraForces>(), \
     described<Spheres>(), \
     described<PackingWalls>(), \

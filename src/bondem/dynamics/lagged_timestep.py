@@ -24,6 +24,8 @@ from bondem.model.model import Model
 SHARES = (1.0, 0.5, 0.25, 0.125, 0.0625)
 # Steps of a trial, and the growth of its motion over the last half of them that is taken for stable.
 _STEPS, _GROWTH = 400, 1.2
+# Energy over that of the first step from which on a motion is taken to grow without end.
+_BEYOND = 1e30
 # Relative error of the largest eigenvalue of contacts, from below; the answer is raised by as much twice.
 _TOLERANCE = 1e-3
 
@@ -119,30 +121,14 @@ def growth(
 
     Local and bond damping act; the motions start from a fixed random field and nothing is held.
     """
-    n = len(model.lattice.particles)
     weight = np.repeat(np.column_stack([model.mass, model.inertia]), 3, axis=1)
-    motion = np.zeros((n, 6))
-    speed = np.random.default_rng(0).standard_normal((n, 6)) / np.sqrt(weight)
+    speed = np.random.default_rng(0).standard_normal(weight.shape) / np.sqrt(weight)
     speed -= speed.mean(axis=0)
-    along, across = _dashpots(model, law, terms)
-    now = law.at_rest()
-    sizes: list[float] = []
-    for k in range(steps):
-        motion = motion + dt * speed
-        now = (now.lagged() if k else now).moved(motion)
-        force = now.force
-        if terms.eta > 0.0 or terms.beta > 0.0:
-            rate = now.moved(speed).gap
-            inward = (rate * now.normal).sum(axis=1)[:, None] * now.normal
-            force = force + along[:, None] * inward + across[:, None] * (rate - inward)
-        load = now.nodal(force)
-        load -= terms.gamma * np.abs(load) * np.sign(speed)
-        speed = speed + dt * load / weight
-        sizes.append(float((weight * speed**2).sum()))
-        if not sizes[-1] < 1e30 * max(sizes[0], 1e-300):
-            return math.inf
+    sizes = law.small_steps(speed, weight, *_dashpots(model, law, terms), dt, terms.gamma, steps)
+    if not sizes[-1] < _BEYOND * max(sizes[0], 1e-300):
+        return math.inf
     quarter = steps // 4
-    middle, end = max(sizes[quarter : 2 * quarter]), max(sizes[3 * quarter :])
+    middle, end = float(sizes[quarter : 2 * quarter].max()), float(sizes[3 * quarter :].max())
     return end / middle if middle > 0.0 else 0.0
 
 

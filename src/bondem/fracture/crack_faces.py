@@ -37,9 +37,9 @@ class Faces:
 def faces_of(lattice: Lattice, state: State, chosen: Ints) -> Faces:
     """Return the faces of some facets, by their user's numbers."""
     i, j = lattice.pairs[chosen].T
-    area = areas_of(lattice, state.model.stiffness)[chosen]
+    area = areas_of(lattice, state.model.interaction.bonds)[chosen]
     straight = lattice.elements.bond_normal[chosen]
-    arm = lattice.elements.bond_arm(state.model.stiffness.lever, chosen)
+    arm = lattice.elements.bond_arm(state.model.interaction.bonds.lever, chosen)
     on_i, gap = moved_points(lattice, state, chosen, lattice.centre[i] + arm)
     q = state.orientation
     normal = turned_vectors(q[i], straight) + turned_vectors(q[j], straight)

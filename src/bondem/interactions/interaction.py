@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, ClassVar, Literal, NamedTuple, Protocol, Self
+from typing import Any, ClassVar, Literal, Protocol, Self
 
 import numpy as np
 
@@ -29,8 +29,8 @@ from bondem.specimen.ordering import Layout
 
 #: Arrays of a state that a law owns, by name, with the integrity of its bonds.
 Arrays = Mapping[str, np.ndarray]
-#: Laws of a specimen.
-Laws = tuple[object, ...]
+#: Boundary conditions of a model.
+Boundary = Sequence[BoundaryCondition]
 #: What a criterion evaluates: forces of beams, tractions of facets, or the mean stress of two elements.
 Evaluated = Literal["force", "traction", "stress"]
 
@@ -108,28 +108,13 @@ class LawParts:
     stresses: LaggedStresses | None = None
 
 
-class Specimen(NamedTuple):
-    """Bonds that laws join.
-
-    Attributes:
-        lattice: elements and bonds.
-        layout: internal order of both.
-        boundary: boundary conditions.
-        may_fail: whether bonds may fail.
-    """
-
-    lattice: Lattice
-    layout: Layout
-    boundary: Sequence[BoundaryCondition]
-    may_fail: bool
-
-
 class Interaction(ABC):
     """A law of the bonds of a specimen.
 
     Attributes:
         lattice: elements and bonds.
         layout: internal order of both.
+        law: class of its parameters (class attribute).
         title: common name of the law, for messages (class attribute).
         name: word for its bonds in messages (class attribute).
         formulation: "total" or "incremental" (class attribute).
@@ -140,6 +125,7 @@ class Interaction(ABC):
         corrects_mass: whether it has a dispersion-corrected mass matrix (class attribute).
     """
 
+    law: ClassVar[type]
     title: ClassVar[str] = "law of beams"
     name: ClassVar[str] = "beams"
     formulation: ClassVar[str] = "total"
@@ -154,14 +140,14 @@ class Interaction(ABC):
 
     @classmethod
     @abstractmethod
-    def join(cls, specimen: Specimen, bond: Any) -> "Interaction":
-        """Return the interaction of a specimen by a law, or laws by region.
+    def join(cls, lattice: Lattice, layout: Layout, bond: Any, boundary: Boundary, may_fail: bool) -> "Interaction":
+        """Return the interaction of a specimen by a law, or laws by region, under conditions.
 
         Raises:
             InputError: The laws do not fit each other or the specimen.
         """
 
-    def under(self, boundary: Sequence[BoundaryCondition]) -> "Interaction":
+    def under(self, boundary: Boundary) -> "Interaction":
         """Return the same law under other boundary conditions."""
         return self
 

@@ -15,8 +15,6 @@ class LaggedStrain(Protocol):
     """Small deformation of all bonds from the reference, with the forces that lag behind, user's order."""
 
     @property
-    def normal(self) -> PerBond3: ...
-    @property
     def gap(self) -> PerBond3: ...
     @property
     def extra(self) -> PerBond3: ...
@@ -51,6 +49,22 @@ class LaggedInteraction(Interaction):
     @abstractmethod
     def at_rest(self) -> LaggedStrain:
         """Return the undeformed bonds."""
+
+    @abstractmethod
+    def small_steps(
+        self, speed: PerElement6, weight: PerElement6, along: PerBond, across: PerBond, dt: float, gamma: float,
+        steps: int,
+    ) -> Floats:  # fmt: skip
+        """Return twice the kinetic energy after each step of small motions [J], (steps,), inf beyond 1e30 of the first.
+
+        Args:
+            speed: initial velocities (u, θ) [m/s, rad/s], user's order.
+            weight: masses and moments of inertia [kg, kg·m²], user's order.
+            along, across: dashpots of the bonds along their normals and across them [N·s/m], user's order.
+            dt: time step [s].
+            gamma: local damping [-].
+            steps: number of steps.
+        """
 
     @abstractmethod
     def indices(self, pose: Floats, arrays: Arrays, strengths: Strengths) -> PerBond:

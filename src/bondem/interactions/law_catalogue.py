@@ -14,7 +14,7 @@ from bondem.interactions.beams.timoshenko import Timoshenko
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment
 from bondem.interactions.cells.cell_interaction import CellInteraction
-from bondem.interactions.interaction import Interaction, Specimen
+from bondem.interactions.interaction import Interaction
 from bondem.interactions.non_local.non_local_interaction import NonLocalInteraction
 from bondem.interactions.non_local.non_local_law import NonLocal
 
@@ -53,15 +53,9 @@ def named(law: str) -> str:
 
 
 def kind_of(bond: object) -> type[Interaction]:
-    """Return the kind of interaction that a law, or laws by region, join; that of beams for anything else."""
+    """Return the kind of interaction of a law, or of laws by region; that of beams for anything else."""
     laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
-    return next((kind for kind in (CellInteraction, NonLocalInteraction) if kind.joins(laws)), BeamInteraction)
-
-
-def interaction_of(specimen: Specimen, bond: AnyLaw | None) -> Interaction:
-    """Return the law of a specimen as one object.
-
-    Raises:
-        InputError: The laws do not fit each other or the specimen.
-    """
-    return kind_of(bond).join(specimen, bond)
+    for kind in (CellInteraction, NonLocalInteraction):
+        if any(isinstance(law, kind.law) for law in laws):
+            return kind
+    return BeamInteraction

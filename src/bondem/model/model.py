@@ -32,8 +32,8 @@ from bondem.interactions.cells.cell_plausibility import question_cells
 from bondem.interactions.cells.corrected_mass import correction_factors
 from bondem.interactions.contact.contact_assignment import ContactAssignment, ContactLaws
 from bondem.interactions.contact.contact_model import ContactModel
-from bondem.interactions.interaction import Interaction, Specimen
-from bondem.interactions.law_catalogue import AnyLaw, interaction_of
+from bondem.interactions.interaction import Interaction
+from bondem.interactions.law_catalogue import AnyLaw, kind_of
 from bondem.model.constraints import Constraints
 from bondem.model.state import State
 from bondem.specimen.elements import Elements
@@ -189,9 +189,9 @@ class Model:
     @cached_property
     def interaction(self) -> Interaction:
         """Law of the bonds."""
-        specimen = Specimen(self.lattice, self.layout, self.boundary, self.failure is not None)
+        may_fail = self.failure is not None
         with np.errstate(all="ignore"):  # magnitudes are checked later
-            return interaction_of(specimen, self.bond)
+            return kind_of(self.bond).join(self.lattice, self.layout, self.bond, self.boundary, may_fail)
 
     @property
     def stiffness(self) -> BondStiffness:

@@ -11,8 +11,6 @@ from bondem.boundary.conditions import BoundaryCondition
 from bondem.boundary.walls import Wall
 from bondem.damage.beam_softening import BeamSoftening
 from bondem.damage.softening_table import SofteningTable
-from bondem.interactions.beams.bond_law import BondStiffness
-from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.contact.contact_assignment import ContactLaws
 from bondem.interactions.interaction import Interaction
 from bondem.model.constraints import Constraints
@@ -32,14 +30,6 @@ class Origin(Protocol):
     def mass(self) -> PerElement: ...
     @cached_property
     def inertia(self) -> PerElement: ...
-    @property
-    def stiffness(self) -> BondStiffness: ...
-    @property
-    def formulation(self) -> str: ...
-    @cached_property
-    def cells(self) -> CellConstants | None: ...
-    @property
-    def cell_constants(self) -> CellConstants: ...
     @cached_property
     def interaction(self) -> Interaction: ...
     @cached_property
@@ -71,17 +61,18 @@ def difference(one: Origin, other: Origin) -> str:
             return "lattice, of another period"
         if not np.array_equal(one.lattice.pairs, other.lattice.pairs):
             return "lattice, of other bonds"
-    if one.formulation != other.formulation:
-        return f"formulation ('{one.formulation}', not '{other.formulation}')"
-    if one.interaction.fields != other.interaction.fields:
+    law, new = one.interaction, other.interaction
+    if law.formulation != new.formulation:
+        return f"formulation ('{law.formulation}', not '{new.formulation}')"
+    if law.fields != new.fields:
         return "bond law, which remembers other things"
     if not np.array_equal(one.lattice.centre, other.lattice.centre):
         return "law: elements of cells are not where spheres are"
     if not np.array_equal(one.mass, other.mass):
         return "density of the elements"
     names = ("kn", "ks", "kb", "kt", "lever")
-    held = ((getattr(one.stiffness, name), getattr(other.stiffness, name)) for name in names)
-    if one.formulation == "incremental" and not all(np.array_equal(p, q) for p, q in held):
+    held = ((getattr(law.bonds, name), getattr(new.bonds, name)) for name in names)
+    if law.formulation == "incremental" and not all(np.array_equal(p, q) for p, q in held):
         return "bond law, whose forces it has stored"
     return ""
 

@@ -41,6 +41,28 @@ struct SmallPairs {
     Array<const double, 2> stress;  // of the elements, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
     Array<const double, 2> gap;  // [m], (m, 3)
 };
+// Springs and dashpots of bonds at small strain.
+struct SmallSprings {
+    Array<const double, 1> kn;  // [N/m], (m,)
+    Array<const double, 2> lever_i;  // from the element i to the contact point [m], (m, 3)
+    Array<const double, 2> lever_j;  // from the element j to the contact point [m], (m, 3)
+    Array<const double, 1> along;  // dashpots along the normals [N·s/m], (m,)
+    Array<const double, 1> across;  // dashpots across them [N·s/m], (m,)
+};
+// Steps of small motions (u, θ) of n elements; stresses and gaps are those of `SmallPairs`.
+struct SmallSteps {
+    double dt;  // [s]
+    double gamma;  // local damping [-]
+    Array<const double, 2> weight;  // masses and moments of inertia [kg, kg·m²], (n, 6)
+    Array<const double, 1> volume;  // V [m³], (n,)
+    Array<double, 2> motion;  // [m, rad], (n, 6)
+    Array<double, 2> speed;  // [m/s, rad/s], (n, 6)
+    Array<double, 2> load;  // forces and torques [N, N·m], (n, 6)
+    Array<double, 2> moment;  // V σ of the present forces [N·m], (n, 6)
+    Array<double, 2> stress;  // of the elements, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+    Array<double, 2> gap;  // [m], (m, 3)
+    Array<double, 1> size;  // twice the kinetic energy after each step [J], (steps,)
+};
 // Extra forces of bonds.
 struct ExtraForces {
     Array<double, 2> force;  // [N], (m, 3)

@@ -19,7 +19,7 @@ from bondem.interactions.beams.beam_tables import beam_tables, loads_of_each
 from bondem.interactions.beams.bond_law import BondLaw, BondStiffness
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.interactions.beams.bond_table import with_zeros
-from bondem.interactions.interaction import Arrays, Interaction, LawParts, Laws, Run, Specimen, StateField
+from bondem.interactions.interaction import Arrays, Boundary, Interaction, LawParts, Run, StateField
 from bondem.interactions.step_part import Part, Passes
 from bondem.interactions.stiffness import Stiffness, new_block_rows
 from bondem.specimen.lattice import Lattice
@@ -29,16 +29,19 @@ from bondem.specimen.ordering import Layout
 class BeamInteraction(Interaction):
     """Beams of the total formulation, whose energy has no memory."""
 
-    def __init__(self, lattice: Lattice, layout: Layout, bonds: BondStiffness, laws: Laws) -> None:
+    law: ClassVar[type] = BondLaw
+
+    def __init__(self, lattice: Lattice, layout: Layout, bond: Any, bonds: BondStiffness) -> None:
         super().__init__(lattice, layout)
-        self._bonds, self._laws = bonds, laws
+        self._laws, self._bonds = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,), bonds
 
     @classmethod
-    def join(cls, specimen: Specimen, bond: Any) -> "BeamInteraction":
-        bonds, formulation = bond_stiffness(specimen.lattice, bond)
-        laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
+    def join(
+        cls, lattice: Lattice, layout: Layout, bond: Any, boundary: Boundary, may_fail: bool
+    ) -> "BeamInteraction":
+        bonds, formulation = bond_stiffness(lattice, bond)
         kind = BeamInteraction if formulation == "total" else StoredBeamInteraction
-        return kind(specimen.lattice, specimen.layout, bonds, laws)
+        return kind(lattice, layout, bond, bonds)
 
     @property
     def moments_at_contact(self) -> bool:

@@ -1,6 +1,5 @@
 """The cell law as an interaction: facets between cells, and the dilatation of cells."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, ClassVar, Self
@@ -13,15 +12,16 @@ from bondem._passes import calls
 from bondem._tables.stiffness_tables import DilatationRows, FacetRows
 from bondem._threads import current_threads
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3
-from bondem.boundary.conditions import BoundaryCondition
 from bondem.boundary.wall_constraints import Grips, Holds
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment, CellConstants
-from bondem.interactions.interaction import Arrays, Evaluated, Interaction, Laws, Specimen
+from bondem.interactions.interaction import Arrays, Boundary, Evaluated, Interaction
 from bondem.interactions.stiffness import Stiffness, new_block_rows
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.ordering import Layout
 
 _NO_LOADS = "bond_forces: facets of cells have no moments of their own; use bd.cell_stress instead"
 
@@ -33,29 +33,25 @@ class CellInteraction(Interaction):
         by_user: constants, user's order.
     """
 
+    law: ClassVar[type] = CellBond
     title: ClassVar[str] = "cell law"
     name: ClassVar[str] = "cells"
     evaluated: ClassVar[Evaluated] = "traction"
     on_facets: ClassVar[bool] = True
     corrects_mass: ClassVar[bool] = True
 
-    def __init__(self, specimen: Specimen, laws: CellAssignment) -> None:
-        super().__init__(specimen.lattice, specimen.layout)
-        self._specimen, self._laws = specimen, laws
-        body_of(specimen.lattice)
-        holds = Holds.of(specimen.lattice, specimen.boundary)
-        self.by_user = CellConstants.of(specimen.lattice, laws, holds, may_fail=specimen.may_fail)
-
-    @staticmethod
-    def joins(laws: Laws) -> bool:
-        return any(isinstance(law, CellBond) for law in laws)
+    def __init__(self, lattice: Lattice, layout: Layout, laws: CellAssignment, holds: Holds, may_fail: bool) -> None:
+        super().__init__(lattice, layout)
+        self._laws, self._may_fail = laws, may_fail
+        self.by_user = CellConstants.of(lattice, laws, holds, may_fail=may_fail)
 
     @classmethod
-    def join(cls, specimen: Specimen, bond: Any) -> "CellInteraction":
-        return cls(specimen, bond)
+    def join(cls, lattice: Lattice, layout: Layout, bond: Any, boundary: Boundary, may_fail: bool) -> Self:
+        body_of(lattice)
+        return cls(lattice, layout, bond, Holds.of(lattice, boundary), may_fail)
 
-    def under(self, boundary: Sequence[BoundaryCondition]) -> "CellInteraction":
-        other = CellInteraction(self._specimen._replace(boundary=boundary), self._laws)
+    def under(self, boundary: Boundary) -> Self:
+        other = self.join(self.lattice, self.layout, self._laws, boundary, self._may_fail)
         other.bonds = self.bonds
         return other
 

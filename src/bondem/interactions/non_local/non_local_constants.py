@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._types import PerBond, PerBond3, PerElement
+from bondem._tables.non_local_tables import SmallPairs
+from bondem._types import Pairs, PerBond, PerBond3, PerElement, PerElement6
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.non_local.contact_areas import weighted_areas
@@ -67,6 +68,11 @@ class NonLocalConstants:
             lever_i=np.where(back, lever_j, lever_i), lever_j=np.where(back, lever_i, lever_j),
             volume=self.volume[layout.order], nu=self.nu, limited=self.limited,
         )  # fmt: skip
+
+    def small_pairs(self, pairs: Pairs, stress: PerElement6, gap: PerBond3) -> SmallPairs:
+        """Return bonds at small strain as the core takes them, with stresses [Pa] and gaps [m] of the step before."""
+        normal = np.ascontiguousarray(self.normal)
+        return SmallPairs(pairs, self.area, self.kt, self.nu, self.limited, normal, stress, gap)
 
     def as_bonds(self, lattice: Lattice) -> BondStiffness:
         """Return stiffnesses of bonds that are about as stiff, for approximate uses: dashpots, magnitudes."""

@@ -5,7 +5,7 @@
 
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from scipy.sparse import bsr_array
@@ -14,21 +14,20 @@ from bondem._cache_lines import lines
 from bondem._core import run_pass
 from bondem._passes import calls, steps
 from bondem._tables.damage_tables import BeamIntegrity, FailureIndices, Strengths
-from bondem._tables.non_local_tables import LaggedStresses, NonLocalBonds, NonLocalWork
+from bondem._tables.non_local_tables import LaggedStresses, NonLocalBonds, NonLocalWork, SmallSprings, SmallSteps
 from bondem._tables.step_tables import Beams, HistoryRows, Poses, StepCut
-from bondem._types import Floats, PerBond, PerBond3, PerElement3
+from bondem._types import Floats, PerBond, PerBond3, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_table import with_twins, with_zeros
 from bondem.interactions.interaction import (
     Arrays,
+    Boundary,
     DamageOfRun,
     Evaluated,
     LawParts,
-    Laws,
     Run,
-    Specimen,
     StateField,
 )
 from bondem.interactions.lagged_interaction import LaggedInteraction
@@ -49,10 +48,10 @@ class NonLocalInteraction(LaggedInteraction):
     """Bonds of the non-local law on the elements of a specimen.
 
     Attributes:
-        law: parameters of the law.
         by_user: constants of the bonds, user's order.
     """
 
+    law: ClassVar[type] = NonLocal
     title: ClassVar[str] = NonLocal.title
     name: ClassVar[str] = NonLocal.__name__
     formulation: ClassVar[str] = NonLocal.formulation
@@ -63,20 +62,16 @@ class NonLocalInteraction(LaggedInteraction):
 
     def __init__(self, lattice: Lattice, layout: Layout, law: NonLocal) -> None:
         super().__init__(lattice, layout)
-        self.law, self.by_user = law, NonLocalConstants.of(lattice, law)
+        self.by_user = NonLocalConstants.of(lattice, law)
         self.settles, self.normal_over_shear = law.limited, law.E / law.G
 
     @classmethod
-    def joins(cls, laws: Laws) -> bool:
-        return any(isinstance(law, NonLocal) for law in laws)
-
-    @classmethod
-    def join(cls, specimen: Specimen, bond: Any) -> "NonLocalInteraction":
+    def join(cls, lattice: Lattice, layout: Layout, bond: Any, boundary: Boundary, may_fail: bool) -> Self:
         if not isinstance(bond, NonLocal):
             raise InputError(
                 "bond= maps a region to NonLocal, a law for the whole model; give bond=bd.NonLocal(...)"
             )
-        return cls(specimen.lattice, specimen.layout, bond)
+        return cls(lattice, layout, bond)
 
     @cached_property
     def constants(self) -> NonLocalConstants:
@@ -98,6 +93,18 @@ class NonLocalInteraction(LaggedInteraction):
     def at_rest(self) -> NonLocalStrain:
         still = np.zeros((len(self.lattice.pairs), 3))
         return NonLocalStrain(self.lattice, self.by_user, still, still)
+
+    def small_steps(
+        self, speed: PerElement6, weight: PerElement6, along: PerBond, across: PerBond, dt: float, gamma: float,
+        steps: int,
+    ) -> Floats:  # fmt: skip
+        c, (motion, load, moment, stress) = self.by_user, np.zeros((4, *speed.shape))
+        gap, size = np.zeros((len(along), 3)), np.full(steps, np.inf)
+        lever_i, lever_j = np.ascontiguousarray(c.lever_i), np.ascontiguousarray(c.lever_j)
+        springs = SmallSprings(c.kn, lever_i, lever_j, along, across)
+        walk = SmallSteps(dt, gamma, weight, c.volume, motion, speed.copy(), load, moment, stress, gap, size)
+        run_pass(calls.take_small_steps(c.small_pairs(self.lattice.pairs, stress, gap), springs, walk))
+        return size
 
     def joints(self) -> tuple[PerBond, PerBond, PerBond3]:
         place = self.lattice.centre[self.lattice.pairs[:, 0]] + self.by_user.lever_i

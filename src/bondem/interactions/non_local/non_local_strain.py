@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._core import run_pass
 from bondem._passes import calls
-from bondem._tables.non_local_tables import ExtraForces, SmallPairs
+from bondem._tables.non_local_tables import ExtraForces
 from bondem._types import Floats, PerBond3, PerElement6
 from bondem.interactions.energy_parts import EnergyParts
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
@@ -31,11 +31,6 @@ class NonLocalStrain:
     gap: PerBond3
     extra: PerBond3
 
-    @property
-    def normal(self) -> PerBond3:
-        """Normals from i to j [-], (m, 3)."""
-        return self.constants.normal
-
     def moved(self, motion: PerElement6, slip: Floats | None = None) -> "NonLocalStrain":
         """Return the same extra forces with the gaps of motions (u, θ) [m, rad], (n, 6).
 
@@ -53,8 +48,7 @@ class NonLocalStrain:
     def lagged(self) -> "NonLocalStrain":
         """Return a strain of the same gaps, with the extra forces that follow from the present stresses and gaps."""
         c, found = self.constants, ExtraForces(np.empty_like(self.gap))
-        normal = np.ascontiguousarray(c.normal)
-        pairs = SmallPairs(self.lattice.pairs, c.area, c.kt, c.nu, c.limited, normal, self.stress, self.gap)
+        pairs = c.small_pairs(self.lattice.pairs, self.stress, self.gap)
         run_pass(calls.find_small_extra_forces(pairs, found))
         return self.carrying(found.force)
 

@@ -184,6 +184,77 @@ Index find_small_extra_forces(Index, const SmallPairs &pairs, const ExtraForces 
 }
 BONDEM_CALL(find_small_extra_forces, "")
 
+namespace {
+
+// A motion (u, θ) of an element, or a force and a torque.
+struct Twist {
+    Vector u, turn;
+};
+Vector moved_by(const Twist &a, Vector lever) { return a.u + cross(a.turn, lever); }
+
+void add_load(const Array<double, 2> &to, Index row, Vector force, Vector lever) {
+    Twist &sum = to.row<Twist>(row);
+    sum = {sum.u + force, sum.turn + cross(lever, force)};
+}
+// Adds the symmetric part of b ⊗ F.
+void add_moment(const Array<double, 2> &to, Index row, Vector b, Vector f) {
+    Stress<double> &sum = to.row<Stress<double>>(row);
+    sum.xx += b.x * f.x, sum.yy += b.y * f.y, sum.zz += b.z * f.z;
+    sum.xy += 0.5 * (b.x * f.y + b.y * f.x), sum.xz += 0.5 * (b.x * f.z + b.z * f.x);
+    sum.yz += 0.5 * (b.y * f.z + b.z * f.y);
+}
+
+}  // namespace
+
+// Takes steps of small motions with extra forces that lag a step behind, until their energy is beyond 1e30 of the first.
+Index take_small_steps(Index, const SmallPairs &pairs, const SmallSprings &springs, const SmallSteps &run) {
+    const PairLaw law = {pairs.nu, pairs.limited != 0};
+    const Index n = run.volume.size(), m = pairs.area.size();
+    for (Index step = 0; step < run.size.size(); step++) {
+        for (Index p = 0; p < 6 * n; p++) {
+            run.motion.data[p] += run.dt * run.speed.data[p];
+            run.load.data[p] = run.moment.data[p] = 0.0;
+        }
+        for (Index k = 0; k < m; k++) {
+            const Index i = pairs.pairs(k, 0), j = pairs.pairs(k, 1);
+            const Vector n_k = pairs.normal.row<const Vector>(k);
+            const Vector a = springs.lever_i.row<const Vector>(k), b = springs.lever_j.row<const Vector>(k);
+            const auto opened = [&](const Array<double, 2> &by) {
+                return moved_by(by.row<const Twist>(j), b) - moved_by(by.row<const Twist>(i), a);
+            };
+            Vector &gap = run.gap.row<Vector>(k);
+            const auto stress = [&](Index end) { return run.stress.row<const Stress<double>>(end); };
+            const Vector slip = pairs.kt(k) * across(gap, n_k);
+            const Vector extra = extra_force(mean_of(stress(i), stress(j)), n_k, pairs.area(k), slip, law);
+            gap = opened(run.motion);
+            Vector force = spring_force(PairPose<double>{n_k, a, b, gap}, {pairs.area(k), springs.kn(k), pairs.kt(k)});
+            force = force + extra;
+            add_moment(run.moment, i, a, force);
+            add_moment(run.moment, j, b, -1.0 * force);
+            const Vector rate = opened(run.speed);
+            const double inward = dot(rate, n_k);
+            force = plus(force, springs.across(k), rate);
+            force = plus(force, (springs.along(k) - springs.across(k)) * inward, n_k);
+            add_load(run.load, i, force, a);
+            add_load(run.load, j, -1.0 * force, b);
+        }
+        double size = 0.0;
+        for (Index p = 0; p < 6 * n; p++) {
+            double &speed = run.speed.data[p], load = run.load.data[p];
+            const double weight = run.weight.data[p], against = speed > 0.0 ? 1.0 : speed < 0.0 ? -1.0 : 0.0;
+            load -= run.gamma * (load < 0.0 ? -load : load) * against;
+            speed += run.dt * load / weight;
+            size += weight * speed * speed;
+            run.stress.data[p] = run.moment.data[p] / run.volume(p / 6);
+        }
+        run.size(step) = size;
+        const double first = run.size(0);
+        if (!(size < 1e30 * (first > 1e-300 ? first : 1e-300))) return 0;
+    }
+    return 0;
+}
+BONDEM_CALL(take_small_steps, "")
+
 #if defined(BONDEM_LANES)
 
 // Finds forces and torques of all bonds in any poses from their stored values.
