@@ -11,7 +11,6 @@ from bondem.model.highest_frequency import highest_frequency
 from bondem.model.state import State
 from bondem.statics.lagged_statics import LaggedStatics
 from bondem.statics.linear import System
-from bondem.statics.lagged_statics import LaggedStatics
 from validation.frame.record import Record
 
 E = 40e9

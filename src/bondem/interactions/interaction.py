@@ -1,4 +1,4 @@
-"""A law of bonds as the rest of the package sees it: one object, which nobody asks for its name.
+"""A law of bonds as the rest of the package sees it: one object, whatever its class.
 
 A law sees neither model nor state. It has the elements and bonds of a specimen, and is given the arrays that it owns.
 Defaults are those of beams: a law with a potential and no memory. A solver that needs more asks for the capability,
@@ -78,8 +78,8 @@ class Run:
         arrays: arrays of the state that the law owns.
         dashpots: dashpots beside the bonds, or None.
         damage: damage pipeline, or None if bonds do not fail.
-        failing: function that returns the part of that pipeline, given passes that judge bonds, passes that remove
-            them, and the integrity that these write.
+        failing: function that returns the part of that pipeline, given passes that find failing bonds, passes that
+            remove them, and the integrity that these write.
         touches: whether elements may touch.
     """
 

@@ -55,7 +55,7 @@ class LaggedInteraction(Interaction):
         self, speed: PerElement6, weight: PerElement6, along: PerBond, across: PerBond, dt: float, gamma: float,
         steps: int,
     ) -> Floats:  # fmt: skip
-        """Return twice the kinetic energy after each step of small motions [J], (steps,), inf beyond 1e30 of the first.
+        """Return Σ m v² after each step of small motions [J], (steps,), inf beyond 1e30 of its first.
 
         Args:
             speed: initial velocities (u, θ) [m/s, rad/s], user's order.

@@ -183,7 +183,7 @@ class ContactTables:
         }
 
     def moments(self, stresses: LaggedStresses) -> Part:
-        """Return the part of contacts in stresses of elements (`bondem.dynamics.parts.non_local_part`)."""
+        """Return the part of contacts in stresses of elements (`bondem.interactions.interaction.LawParts`)."""
         s, law, walls = self._shared, self._law, self._walls
         passes: Passes = [steps.add_pair_moments(s.moving, law, self._pairs, self._near, stresses)]
         if len(walls.body):

@@ -233,23 +233,21 @@ Index take_small_steps(Index, const SmallPairs &pairs, const SmallSprings &sprin
             add_moment(run.moment, j, b, -1.0 * force);
             const Vector rate = opened(run.speed);
             const double inward = dot(rate, n_k);
-            force = plus(force, springs.across(k), rate);
-            force = plus(force, (springs.along(k) - springs.across(k)) * inward, n_k);
+            force = plus(plus(force, springs.across(k), rate), (springs.along(k) - springs.across(k)) * inward, n_k);
             add_load(run.load, i, force, a);
             add_load(run.load, j, -1.0 * force, b);
         }
         double size = 0.0;
         for (Index p = 0; p < 6 * n; p++) {
             double &speed = run.speed.data[p], load = run.load.data[p];
-            const double weight = run.weight.data[p], against = speed > 0.0 ? 1.0 : speed < 0.0 ? -1.0 : 0.0;
-            load -= run.gamma * (load < 0.0 ? -load : load) * against;
+            const double weight = run.weight.data[p], drag = run.gamma * (load < 0.0 ? -load : load);
+            load -= speed > 0.0 ? drag : speed < 0.0 ? -drag : 0.0;
             speed += run.dt * load / weight;
             size += weight * speed * speed;
             run.stress.data[p] = run.moment.data[p] / run.volume(p / 6);
         }
         run.size(step) = size;
-        const double first = run.size(0);
-        if (!(size < 1e30 * (first > 1e-300 ? first : 1e-300))) return 0;
+        if (!(size < 1e30 * (run.size(0) > 1e-300 ? run.size(0) : 1e-300))) return 0;
     }
     return 0;
 }
