@@ -185,7 +185,6 @@ Index find_small_extra_forces(Index, const SmallPairs &pairs, const ExtraForces 
 BONDEM_CALL(find_small_extra_forces, "")
 
 namespace {
-
 // A motion (u, θ) of an element, or a force and a torque.
 struct Twist {
     Vector u, turn;
@@ -193,8 +192,7 @@ struct Twist {
 Vector moved_by(const Twist &a, Vector lever) { return a.u + cross(a.turn, lever); }
 
 void add_load(const Array<double, 2> &to, Index row, Vector force, Vector lever) {
-    Twist &sum = to.row<Twist>(row);
-    sum = {sum.u + force, sum.turn + cross(lever, force)};
+    to.row<Twist>(row) = {to.row<Twist>(row).u + force, to.row<Twist>(row).turn + cross(lever, force)};
 }
 // Adds the symmetric part of b ⊗ F.
 void add_moment(const Array<double, 2> &to, Index row, Vector b, Vector f) {
@@ -203,7 +201,6 @@ void add_moment(const Array<double, 2> &to, Index row, Vector b, Vector f) {
     sum.xy += 0.5 * (b.x * f.y + b.y * f.x), sum.xz += 0.5 * (b.x * f.z + b.z * f.x);
     sum.yz += 0.5 * (b.y * f.z + b.z * f.y);
 }
-
 }  // namespace
 
 // Takes steps of small motions with extra forces that lag a step behind, until their energy is beyond 1e30 of the first.
@@ -223,17 +220,17 @@ Index take_small_steps(Index, const SmallPairs &pairs, const SmallSprings &sprin
                 return moved_by(by.row<const Twist>(j), b) - moved_by(by.row<const Twist>(i), a);
             };
             Vector &gap = run.gap.row<Vector>(k);
-            const auto stress = [&](Index end) { return run.stress.row<const Stress<double>>(end); };
-            const Vector slip = pairs.kt(k) * across(gap, n_k);
-            const Vector extra = extra_force(mean_of(stress(i), stress(j)), n_k, pairs.area(k), slip, law);
+            const Stress<double> mean =
+                mean_of(run.stress.row<const Stress<double>>(i), run.stress.row<const Stress<double>>(j));
+            const Vector extra = extra_force(mean, n_k, pairs.area(k), pairs.kt(k) * across(gap, n_k), law);
             gap = opened(run.motion);
-            Vector force = spring_force(PairPose<double>{n_k, a, b, gap}, {pairs.area(k), springs.kn(k), pairs.kt(k)});
-            force = force + extra;
+            const PairStiffness<double> stiffness = {pairs.area(k), springs.kn(k), pairs.kt(k)};
+            Vector force = spring_force(PairPose<double>{n_k, a, b, gap}, stiffness) + extra;
             add_moment(run.moment, i, a, force);
             add_moment(run.moment, j, b, -1.0 * force);
             const Vector rate = opened(run.speed);
-            const double inward = dot(rate, n_k);
-            force = plus(plus(force, springs.across(k), rate), (springs.along(k) - springs.across(k)) * inward, n_k);
+            const double inward = (springs.along(k) - springs.across(k)) * dot(rate, n_k);
+            force = plus(plus(force, springs.across(k), rate), inward, n_k);
             add_load(run.load, i, force, a);
             add_load(run.load, j, -1.0 * force, b);
         }
