@@ -8,7 +8,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.damage.crack_columns import AXES, FACET, KIND, OF_MATERIAL
+from bondem._tables.columns import CrackKind
+from bondem.damage.crack_columns import AXES, FACET, KIND
 from tests.scripts import scripts
 
 CELLS = 100
@@ -55,7 +56,7 @@ def test_most_facets_of_a_crack_have_the_axes_of_a_neighbour(paths: dict[str, Mo
     driving = paths["driving"]
     body: bd.Lattice = driving.cube(1, 4 * CELLS)
     state = driving.course(body, driving.RANKINE, {"x": (0.0, driving.torn())}).run.state
-    rows = state.cracks[state.cracks[:, KIND] == OF_MATERIAL]
+    rows = state.cracks[state.cracks[:, KIND] == CrackKind.OF_MATERIAL]
     cells = body.pairs[state.model.layout.bond_order[rows[:, FACET].astype(int)]]
     w = rows[:, AXES : AXES + 4] * np.sign(rows[:, AXES : AXES + 1])
     first = Rotation.from_quat(w, scalar_first=True).as_matrix()[:, :, 0]

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem._tables.columns import BONDS_OF_PORTION
 from bondem.dynamics.explicit import integrate
-from bondem.dynamics.step_tables import BONDS_OF_PORTION
 from bondem.errors import InputError
 from bondem.geometry.face_patches import face_patches
 from tests.bits import assert_same_bits, assert_same_run, need_two_threads, threads

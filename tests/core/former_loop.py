@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.dynamics.history import CRUSHING
+from bondem._tables.columns import HistoryColumn
 from bondem.interactions.cells import cell_constants
 from bondem.interactions.cells.dilatation_gradients import GradientConstants
 from bondem.io.older_bodies import with_corrected_normals
@@ -66,7 +66,7 @@ def with_former_law(
 
 def former_columns(records: np.ndarray) -> np.ndarray:
     """Return records without the column of crushing, which the former loop did not have."""
-    return np.delete(records, CRUSHING, axis=1)
+    return np.delete(records, HistoryColumn.CRUSHING, axis=1)
 
 
 class FormerLoop:

@@ -10,10 +10,12 @@ refuses anything else. What passes are for is written by `tests/core/passes.py`,
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from textwrap import wrap
 
 SOURCE = Path(__file__).resolve().parents[2] / "src/bondem"
+COLUMNS = SOURCE / "core/tables/columns.hpp"
 NUMBERS = {"double": "float", "Index": "int"}
 ARRAYS = {"double": "Floats", "Index": "Ints", "Short": "Uint32s", "Byte": "Bytes", "uint8_t": "Bytes",
           "int32_t": "Int32s", "float": "Singles"}  # fmt: skip
@@ -24,6 +26,13 @@ FIELD = re.compile(r"(?P<type>[\w:]+(?:<[^>]*>)?) (?P<name>\w+);(?:\s*// ?(?P<wo
 # A function of a table, which has one line.
 METHOD = re.compile(r"[\w:<>& ]+\([^()]*\) const \{.*\}")
 SHAPE = re.compile(r"\((?P<axes>[^()]*)\)$")
+# A constant, and an enumeration, alone or in a namespace that names it; its members.
+CONSTANT = re.compile(r"^constexpr Index (\w+) = (\d+);  // (.+)$", re.MULTILINE)
+ENUM = re.compile(
+    r"((?:^//[^\n]*\n)+)(?:namespace (\w+) \{\n)?enum (\w* ?): \w+ \{(.*?)\};(?:\n\})?", re.DOTALL | re.MULTILINE
+)
+MEMBER = re.compile(r"(\w+)(?: = (\d+))?\s*(?:,|$)")
+COUNT = re.compile(r"(\w+)::count")
 AXIS = re.compile(r"\*|[a-z_]*(?: \+ \d+)?|\d+")
 
 
@@ -101,6 +110,7 @@ def _fields(path: Path, table: str, body: str) -> Iterator[Field]:
             continue
         shape = SHAPE.search(words)
         axes = () if shape is None else tuple(axis.strip() for axis in shape["axes"].rstrip(",").split(","))
+        axes = tuple(COUNT.sub(lambda one: str(enumerations()[one[1]][1]["count"]), axis) for axis in axes)
         if shape is None or len(axes) != int(rank[1]) or not all(AXIS.fullmatch(axis) for axis in axes):
             raise SystemExit(f"{path.name}: {table}.{found['name']}: {words!r} does not end with {rank[1]} axes")
         yield Field(found["name"], found["type"], words[: shape.start()].rstrip(" ,"), axes)
@@ -129,6 +139,39 @@ def _python(path: Path, found: list[Table]) -> str:
 def _wrapped(words: list[str]) -> list[str]:
     paragraphs = [wrap(part.replace("\n", " "), 114) for part in "\n".join(words).split("\n\n")]
     return [line for number, part in enumerate(paragraphs) for line in ([""] if number else []) + part]
+
+
+@cache
+def enumerations() -> dict[str, tuple[str, dict[str, int], dict[str, str]]]:
+    """Return comment, members and their comments of each enumeration of `columns.hpp`, by its name."""
+    found = {}
+    for words, space, name, body in ENUM.findall(COLUMNS.read_text()):
+        members, comments = {}, {}
+        for line in body.splitlines() or [body]:
+            code, _, comment = line.partition("//")
+            last = None
+            for member, value in MEMBER.findall(code.strip()):
+                members[member] = int(value) if value else max(members.values(), default=-1) + 1
+                last = member
+            if last is not None and comment:
+                comments[last] = comment.strip()
+        text = " ".join(line[2:].strip() for line in words.splitlines())
+        found[name.strip() or space] = text, members, comments
+    return found
+
+
+def _columns() -> str:
+    lines = ['"""Numbers of `core/tables/columns.hpp`, written by `python -m tests.core.tables` from the header."""',
+             "", "from enum import IntEnum", ""]  # fmt: skip
+    lines += [f"{name.upper()} = {value}  #: {words}" for name, value, words in CONSTANT.findall(COLUMNS.read_text())]
+    for name, (words, members, comments) in enumerations().items():
+        title = name if name[0].isupper() else "".join(part.capitalize() for part in name.split("_"))
+        first, *others = wrap(words, 110)
+        end = [*(f"    {line}" for line in others), '    """'] if others else []
+        lines += ["", "", f"class {title}(IntEnum):", f'    """{first}' + ("" if others else '"""'), *end, ""]
+        for member, value in members.items():
+            lines.append(f"    {member.upper()} = {value}  #: {comments.get(member, '')}".removesuffix("  #: "))
+    return "\n".join([*lines, ""])
 
 
 def _described(headers: list[Path], found: list[Table]) -> str:
@@ -161,6 +204,7 @@ def written() -> dict[Path, str]:
         every += found
         if filled := [table for table in found if not table.is_row]:
             made[SOURCE / "_tables" / f"{path.stem}.py"] = _python(path, filled)
+    made[SOURCE / "_tables/columns.py"] = _columns()
     made[SOURCE / "_tables/__init__.py"] = '"""Tables of the core, written by `python -m tests.core.tables`."""\n'
     made[SOURCE / "core/table_names.hpp"] = _names(every)
     made[SOURCE / "core/described_tables.hpp"] = _described(headers, every)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.damage.event_columns import BROKEN_COLUMNS
+from bondem._tables.columns import EventColumn
 from bondem.errors import BondemError
 from bondem.model.state import State
 
@@ -107,7 +107,7 @@ def test_numbers_of_elements_and_bonds_that_are_not_there_are_refused(name, colu
     model = MODELS["beams"]
     state = ran(model)
     state.touching, state.stretch = np.array([[0, 35]]), np.zeros((1, 9))
-    state.broken = np.zeros((1, BROKEN_COLUMNS))
+    state.broken = np.zeros((1, EventColumn.COUNT))
     getattr(state, name)[0, column] = number
     with pytest.raises(BondemError, match=words):
         ran(model, state)

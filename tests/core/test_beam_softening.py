@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.damage.event_columns import SOFT_BOND, SOFT_SPENT
+from bondem._tables.columns import SoftColumn
 from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
@@ -85,8 +85,8 @@ def test_a_beam_dissipates_its_fracture_energy(direction, energy):
     run = integrate(model, plan_of_pair(model), state=state, loop_of=CoreLoop)
     assert run.state.integrity.tolist() == [0.0]
     assert run.state.released[0] == pytest.approx(energy * section, rel=1e-2)
-    assert run.state.softened[0, SOFT_SPENT] == run.state.released[0] == run.state.broken[0, 5]
-    assert run.state.softened[0, SOFT_BOND] == 0.0
+    assert run.state.softened[0, SoftColumn.SPENT] == run.state.released[0] == run.state.broken[0, 5]
+    assert run.state.softened[0, SoftColumn.BOND] == 0.0
 
 
 def test_a_softened_beam_carries_pressure_as_a_whole_one():

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.damage.crack_columns import FACET, PARTED, STATUS, TOP
+from bondem._tables.columns import CrackStatus
+from bondem.damage.crack_columns import FACET, STATUS, TOP
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.timestep import critical_step
@@ -116,7 +117,7 @@ def test_cells_touch_where_faces_have_parted():
         assert bd.History(np.concatenate(records)).imbalance < 1e-3
     for name in KEPT:
         np.testing.assert_array_equal(getattr(ends[0], name), getattr(ends[1], name), err_msg=name)
-    parted = ends[0].cracks[ends[0].cracks[:, STATUS] == PARTED]
+    parted = ends[0].cracks[ends[0].cracks[:, STATUS] == CrackStatus.PARTED]
     assert len(parted) >= 3
     apart = model.bonds.length[parted[:, FACET].astype(int)]
     assert ((parted[:, TOP] > 0.0) & (parted[:, TOP] <= apart)).all()
@@ -138,7 +139,7 @@ def test_no_bit_depends_on_threads_where_cells_touch():
             loop = CoreLoop(model, Plan(duration=800 * dt, dt=dt, every=80), state, dt)
             rows.append(np.concatenate([loop.look(), loop.run(800)[0]]))
         ends.append(state)
-    assert (ends[0].cracks[:, STATUS] == PARTED).sum() > 5
+    assert (ends[0].cracks[:, STATUS] == CrackStatus.PARTED).sum() > 5
     assert len(ends[0].cracks) > 2000
     assert len(ends[0].touching)
     for end, records in zip(ends[1:], rows[1:], strict=True):

@@ -9,12 +9,11 @@ import bondem as bd
 from bondem._core import pass_tables
 from bondem._device import DeviceTables, Enqueue, Host
 from bondem._passes import Kernel
+from bondem._tables.columns import EventColumn, HistoryColumn
 from bondem._tables.device_tables import BondsOfElements
-from bondem.damage.event_columns import BROKEN_STEP
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.device_loop import DeviceLoop
 from bondem.dynamics.explicit import integrate
-from bondem.dynamics.history import FIXED_COLUMNS, RELEASED, TRANSLATION, WORK
 from bondem.dynamics.plan import Plan
 from bondem.interactions.cells.cell_tables import STRESS
 from tests.bits import assert_same_bits, assert_same_fracture, assert_same_run
@@ -72,9 +71,9 @@ def test_these_runs_have_all_that_acts_on_bodies() -> None:
         cpu = carried_out(CASES[case](), CoreLoop)
         records, work = cpu.history.records, cpu.state.work
         assert np.abs(cpu.state.pose[:, STRESS]).max() > 1e3
-        assert abs(records[-1, WORK]) > 0.1 * records[-1, TRANSLATION:WORK].sum()
+        assert abs(records[-1, HistoryColumn.WORK]) > 0.1 * records[-1, 1 : HistoryColumn.WORK].sum()
         assert abs(work[-1]) > 0.01 * np.abs(work).max()  # of walls and tractions
-        assert (np.abs(records[-1, FIXED_COLUMNS:]) > 0.0).all()
+        assert (np.abs(records[-1, HistoryColumn.COUNT:]) > 0.0).all()
     for make in (*CASES.values(), *CRACKING.values(), *YIELDING.values()):
         model, start, _, dt, options = make()
         DeviceLoop(model, Plan(duration=dt, dt=dt, **options), start(model), dt, Noting()).look()
@@ -122,12 +121,12 @@ def test_a_run_continues_on_the_other_side(case: str) -> None:
 def test_breakage_is_spread_over_bonds_and_steps(case: str) -> None:
     """Several bonds break in one step, so that their order counts, and the ledger closes with what they release."""
     device = carried_out(CASES[case](), on_device)
-    steps = device.state.broken[:, BROKEN_STEP]
+    steps = device.state.broken[:, EventColumn.STEP]
     assert len(steps) - 5 >= len(np.unique(steps)) > 3
     assert (device.state.integrity > 0.0).any()
     records = device.history.records
-    total = records[:, TRANSLATION:WORK].sum(axis=1) + records[:, RELEASED]
-    assert records[-1, RELEASED] > 0.1 * total[0]
+    total = records[:, HistoryColumn.TRANSLATION:HistoryColumn.WORK].sum(axis=1) + records[:, HistoryColumn.RELEASED]
+    assert records[-1, HistoryColumn.RELEASED] > 0.1 * total[0]
     assert abs(total[-1] - total[0]) < 0.02 * total[0]
 
 

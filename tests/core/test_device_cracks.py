@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from bondem.damage.crack_columns import ACTIVE, PARTED, RESTING, STATUS
+from bondem._tables.columns import CrackStatus, HistoryColumn
+from bondem.damage.crack_columns import STATUS
 from bondem.dynamics.core_loop import CoreLoop
-from bondem.dynamics.history import RELEASED
 from bondem.interactions.contact.contact_columns import BETWEEN, KIND
 from tests.device_cracks import CASES
 from tests.device_runs import deviation
@@ -36,9 +36,9 @@ def test_a_device_agrees_with_the_cpu(case: str, record: Record) -> None:
         np.testing.assert_allclose(getattr(other, name), getattr(one, name), rtol=0.0, atol=1e-12 * size)
     np.testing.assert_allclose(other.released, one.released, rtol=1e-12)
     assert len(one.cracks) > 20
-    assert ACTIVE in one.cracks[:, STATUS]
-    assert (case in RESTS) == (RESTING in one.cracks[:, STATUS])
-    assert cpu.history.records[-1, RELEASED] > 0.0
+    assert CrackStatus.ACTIVE in one.cracks[:, STATUS]
+    assert (case in RESTS) == (CrackStatus.RESTING in one.cracks[:, STATUS])
+    assert cpu.history.records[-1, HistoryColumn.RELEASED] > 0.0
 
 
 def test_these_runs_have_all_that_happens_to_cracks() -> None:
@@ -46,7 +46,7 @@ def test_these_runs_have_all_that_happens_to_cracks() -> None:
     cases = "brittle", "driven together and touching", "sliding on a joint"
     cpu = [carried_out(CASES[case](), CoreLoop) for case in cases]
     assert len(cpu[0].state.broken) > 10
-    assert (cpu[1].state.cracks[:, STATUS] == PARTED).sum() >= 3
+    assert (cpu[1].state.cracks[:, STATUS] == CrackStatus.PARTED).sum() >= 3
     kind = cpu[2].state.stretch[:, KIND]
     assert (kind > 0.0).sum() > 10
     assert (kind == BETWEEN).any()

@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 
-from bondem.damage.event_columns import BROKEN_GAP, BROKEN_STEP, FIRST, LAST, SOFT_BOND, SOFT_RATE
+from bondem._tables.columns import EventColumn, HistoryColumn, SoftColumn
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
-from bondem.dynamics.history import CONTACT, RELEASED, TRANSLATION, WORK
 from bondem.dynamics.plan import Plan
 from tests.bits import assert_same_bits
 from tests.device_runs import CASES
@@ -37,10 +36,10 @@ def test_beams_begin_soften_and_part_in_these_runs(case: str) -> None:
     partly = (integrity > 0.0) & (integrity < 1.0)
     assert partly.sum() > 10
     assert (integrity == 0.0).sum() == len(done.state.broken) >= 5
-    assert (softened[:, LAST] > softened[:, FIRST]).all()
-    unloaded = softened[:, SOFT_RATE] < softened[:, FIRST] ** 2
-    assert partly[softened[unloaded, SOFT_BOND].astype(int)].any()
-    steps = done.state.broken[:, BROKEN_STEP]
+    assert (softened[:, SoftColumn.LAST] > softened[:, SoftColumn.FIRST]).all()
+    unloaded = softened[:, SoftColumn.RATE] < softened[:, SoftColumn.FIRST] ** 2
+    assert partly[softened[unloaded, SoftColumn.BOND].astype(int)].any()
+    steps = done.state.broken[:, EventColumn.STEP]
     assert len(np.unique(steps)) > 3
     if "alike" not in case:  # which is periodic
         d = done.state.pose[model.layout.j, :3] - done.state.pose[model.layout.i, :3]
@@ -49,15 +48,15 @@ def test_beams_begin_soften_and_part_in_these_runs(case: str) -> None:
 
 def test_contact_carries_pressure_where_beams_have_broken() -> None:
     done = carried_out(CASES["beams soften, Hertzian"](), on_device)
-    assert (done.state.broken[:, BROKEN_GAP] < 0.0).sum() > 10
+    assert (done.state.broken[:, EventColumn.GAP] < 0.0).sum() > 10
     assert len(done.state.touching) > 10
-    assert np.abs(done.history.records[:, CONTACT]).max() > 0.0
+    assert np.abs(done.history.records[:, HistoryColumn.CONTACT]).max() > 0.0
 
 
 def test_the_ledger_closes_through_softening() -> None:
     records = carried_out(CASES["softening, alike"](), on_device).history.records
-    total = records[:, TRANSLATION:WORK].sum(axis=1) + records[:, RELEASED]
-    assert records[-1, RELEASED] > 0.1 * total[0]
+    total = records[:, HistoryColumn.TRANSLATION:HistoryColumn.WORK].sum(axis=1) + records[:, HistoryColumn.RELEASED]
+    assert records[-1, HistoryColumn.RELEASED] > 0.1 * total[0]
     assert abs(total[-1] - total[0]) < 0.02 * total[0]
 
 

@@ -10,10 +10,10 @@ import bondem as bd
 from bondem import _core
 from bondem._device import Enqueue, Host
 from bondem._passes import Kernel
-from bondem.damage.crack_columns import FACET, PARTED, STATUS
+from bondem._tables.columns import CrackStatus, HistoryColumn
+from bondem.damage.crack_columns import FACET, STATUS
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
-from bondem.dynamics.history import PLASTIC
 from bondem.dynamics.on_device.breakage_counterparts import resuming
 from bondem.dynamics.on_device.counterparts import COUNTERPARTS
 from bondem.dynamics.plan import Plan
@@ -81,7 +81,7 @@ def test_a_device_agrees_with_the_cpu(case: str, record: Record) -> None:
     np.testing.assert_array_equal(other.facet_force, one.facet_force)
     np.testing.assert_allclose(other.released, one.released, rtol=1e-12)
     assert len(one.cracks) > 20
-    assert ("crushed" in case) == (cpu.history.records[-1, PLASTIC] > 0.0)
+    assert ("crushed" in case) == (cpu.history.records[-1, HistoryColumn.PLASTIC] > 0.0)
 
 
 def test_these_runs_have_all_that_happens() -> None:
@@ -95,7 +95,7 @@ def test_these_runs_have_all_that_happens() -> None:
     slip = softening.slip
     assert slip is not None
     assert (touching.plastic[:, 9] * slip.fade >= 1.0).sum() >= 3
-    assert (touching.cracks[:, STATUS] == PARTED).sum() >= 3
+    assert (touching.cracks[:, STATUS] == CrackStatus.PARTED).sum() >= 3
     for case in ("planes", "planes that shear"):
         state, softening = done[case], CASES[case]()[0].softening
         assert softening is not None

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem._tables.columns import HistoryColumn
 from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
-from bondem.dynamics.history import RELEASED, TRANSLATION, TWISTING, WORK
 from bondem.observables.cell_forces import CellForces
 from bondem.observables.energy import elastic_energy
 from tests.bits import assert_same_bits
@@ -67,7 +67,8 @@ def test_what_the_facets_release_is_what_the_body_loses():
     assert (run.state.broken[:, 5] > 0.0).all()
 
     def drift(records: np.ndarray) -> float:
-        total = records[:, TRANSLATION : TWISTING + 1].sum(axis=1) - records[:, WORK] + records[:, RELEASED]
+        stored = records[:, HistoryColumn.TRANSLATION : HistoryColumn.TWISTING + 1].sum(axis=1)
+        total = stored - records[:, HistoryColumn.WORK] + records[:, HistoryColumn.RELEASED]
         return float(np.ptp(total) / total[0])
 
     assert drift(run.history.records) < 1.5 * drift(whole.history.records)

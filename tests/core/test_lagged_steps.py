@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.damage.event_columns import BROKEN_GAP, OPENING_STEPS
+from bondem._tables.columns import EventColumn
 from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.explicit import integrate
@@ -45,7 +45,7 @@ def test_numbers_are_those_of_the_former_loop(case):
     former.assert_same(integrity=result.state.integrity)
     assert (len(result.events) > 50) == ("break" in case)
     found = {name: getattr(result.state, name) for name in ("history", "stress", "work", "released")}
-    broken = result.state.broken[:, :OPENING_STEPS]  # which the former loop did not have
+    broken = result.state.broken[:, :EventColumn.OPENING_STEPS]  # which the former loop did not have
     former.assert_close(1e-10, **movement(result.state), **found, broken=broken)
     former.assert_records(1e-10, result.history.records, alike=slice(0))
 
@@ -295,7 +295,7 @@ def test_stresses_after_a_failure_are_those_of_the_state(touching):
         assert len(again.broken) == len(state.broken)
         found += 1
     assert found > 5
-    assert not touching or (len(state.touching) > 3 and (state.broken[:, BROKEN_GAP] < 0.0).any())
+    assert not touching or (len(state.touching) > 3 and (state.broken[:, EventColumn.GAP] < 0.0).any())
 
 
 def test_a_failure_releases_the_energy_of_the_springs_between_two_steps():

@@ -6,7 +6,8 @@ import pytest
 import bondem as bd
 from bondem._core import run_pass
 from bondem._passes import calls
-from bondem.packing.packing_tables import MEAN_OVERLAP, STEPS, new_flight, new_growing, new_relaxing
+from bondem._tables.columns import RelaxationReport
+from bondem.packing.packing_tables import new_flight, new_growing, new_relaxing
 from bondem.packing.start import thrown
 from bondem.packing.wall_contacts import walls
 from bondem.specimen.particles import Particles, filled
@@ -110,19 +111,19 @@ def test_every_ending_of_a_relaxation():
     spheres, near = relaxing_spheres(0.7, BOX)
     some = new_relaxing(60, 1e-3, 0.0)
     assert relax(spheres.table, spheres.walls, near, some._replace(steps=2)) == "exhausted"
-    assert some.report[STEPS] == 2
+    assert some.report[RelaxationReport.STEPS] == 2
     assert relax(spheres.table, spheres.walls, near._replace(slack=0.0), some._replace(steps=2)) == "out_of_date"
     ended, steps = "out_of_date", 0
     while ended == "out_of_date":
         near = spheres.near(0.5 * spheres.mean_radius, 0.499)
         ended = relax(spheres.table, spheres.walls, near, some._replace(steps=20_000), threads=2)
-        steps += int(some.report[STEPS])
+        steps += int(some.report[RelaxationReport.STEPS])
     assert ended == "converged"
     assert steps < 20_000
     spheres, near = relaxing_spheres(0.01, BOX)
     few = new_relaxing(60, 0.0, 1.0)._replace(steps=5, tolerance=-1.0)
     assert relax(spheres.table, spheres.walls, near, few) == "loose"
-    assert few.report[MEAN_OVERLAP] < 1.0
+    assert few.report[RelaxationReport.MEAN_OVERLAP] < 1.0
 
 
 def test_spheres_between_walls_on_a_grid_stay_inside():

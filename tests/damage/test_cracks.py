@@ -8,7 +8,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.damage.crack_columns import FACET, GAMMA, LEFT, RESTING, SLIP, STATUS
+from bondem._tables.columns import CrackStatus, PlasticColumn
+from bondem.damage.crack_columns import FACET, LEFT, SLIP, STATUS
 from bondem.damage.crack_rows import alike_left, axes_along, crack_rows
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.errors import InputError
@@ -196,10 +197,10 @@ def test_cracks_that_are_wide_open_rest() -> None:
     state = bd.solve_explicit(model, duration=30e-6 / 0.1, dt=dt, every=0).state
     broken = state.cracks[:, LEFT] == 0.0
     assert broken.sum() > 20
-    assert not (state.cracks[broken, STATUS] == RESTING).any()
+    assert not (state.cracks[broken, STATUS] == CrackStatus.RESTING).any()
     state = bd.solve_explicit(model, duration=300e-6 / 0.1, dt=dt, every=0, state=state).state
     assert (state.cracks[broken, LEFT + 3] == 0.0).mean() > 0.9
-    assert (state.cracks[broken, STATUS] == RESTING).mean() > 0.9
+    assert (state.cracks[broken, STATUS] == CrackStatus.RESTING).mean() > 0.9
 
 
 @functools.cache
@@ -245,7 +246,7 @@ def test_bits_do_not_depend_on_threads_pauses_or_restarts(tmp_path: Path) -> Non
         one = impact(model, steps, dt).state
     assert len(one.cracks) > 500
     assert len(one.broken) > 20
-    assert (one.plastic[:, GAMMA] > 0.0).sum() > 20
+    assert (one.plastic[:, PlasticColumn.GAMMA] > 0.0).sum() > 20
     for count in (2, 4):
         if count <= most_threads():
             with threads(count):

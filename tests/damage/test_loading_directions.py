@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.damage.crack_columns import CRACK_COLUMNS, FACET, ONSET, RESTING, STATUS, TOP
+from bondem._tables.columns import CrackStatus
+from bondem.damage.crack_columns import CRACK_COLUMNS, FACET, ONSET, STATUS, TOP
 from bondem.damage.opened_facets import Opened
 from bondem.errors import InputError
 from bondem.io.older_states import judge_anew
@@ -265,7 +266,7 @@ def test_cracks_of_older_files_get_the_strength_of_their_facet() -> None:
     state = model.state()
     state.cracks = np.zeros((3, CRACK_COLUMNS))
     state.cracks[:, FACET], state.cracks[:, ONSET] = [0, 1, 2], [1e6, 0.0, 3e6]
-    state.cracks[:, STATUS], state.cracks[:, TOP] = RESTING, [2.0, 3.0, math.inf]
+    state.cracks[:, STATUS], state.cracks[:, TOP] = CrackStatus.RESTING, [2.0, 3.0, math.inf]
     judge_anew(model, state)
     np.testing.assert_array_equal(state.cracks[:, ONSET], [F_T, 0.0, F_T])
     np.testing.assert_array_equal(state.cracks[:, TOP], [0.0, 0.0, math.inf])

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.damage.event_columns import FIRST, LAST, SOFT_BOND, SOFT_COLUMNS, SOFT_SPENT
+from bondem._tables.columns import SoftColumn
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.errors import InputError
 from tests.bits import assert_resumes_to, assert_same_bits, flying_apart, need_two_threads
@@ -130,11 +130,11 @@ def test_energy_does_not_depend_on_the_steps_of_an_opening(steps: float, turning
         state.angular_velocity = np.array([[0.0] * 3, [turning * speed, 0.0, 0.0]]) * 1e-3
         run = bd.solve_explicit(model, duration=(3.0 * steps + 6.0) * dt, dt=dt, every=1, state=state)
         energy, row = run.history.energy, run.state.softened[0]
-        assert row[SOFT_SPENT] == pytest.approx(row[FIRST] * row[LAST], rel=5e-3)
-        assert run.history.released[-1] == pytest.approx(row[FIRST] * row[LAST], rel=5e-3)
+        assert row[SoftColumn.SPENT] == pytest.approx(row[SoftColumn.FIRST] * row[SoftColumn.LAST], rel=5e-3)
+        assert run.history.released[-1] == pytest.approx(row[SoftColumn.FIRST] * row[SoftColumn.LAST], rel=5e-3)
         assert np.abs(energy["balance"]).max() < 1e-9 * energy["translation"][0]
         if turning == 0.0:
-            assert row[SOFT_SPENT] == pytest.approx(G_F * AREA, rel=5e-3)
+            assert row[SoftColumn.SPENT] == pytest.approx(G_F * AREA, rel=5e-3)
             assert abs(run.events.opening_steps[0] - steps) < 1.5
 
 
@@ -171,9 +171,10 @@ def test_a_body_that_bursts_in_few_steps_has_the_energy_of_its_beams(one_thread:
         state.angular_velocity = 0.3 * speed / length * rng.normal(size=apart.shape)
         run = bd.solve_explicit(model, duration=20.0 * steps * dt, dt=dt, every=1, state=state)
         rows, energy = run.state.softened, run.history.energy
-        rows = rows[run.state.integrity[rows[:, SOFT_BOND].astype(int)] == 0.0]
+        rows = rows[run.state.integrity[rows[:, SoftColumn.BOND].astype(int)] == 0.0]
         assert len(rows) > 100
-        assert rows[:, SOFT_SPENT].sum() == pytest.approx((rows[:, FIRST] * rows[:, LAST]).sum(), rel=share)
+        whole = (rows[:, SoftColumn.FIRST] * rows[:, SoftColumn.LAST]).sum()
+        assert rows[:, SoftColumn.SPENT].sum() == pytest.approx(whole, rel=share)
         # the work of whole beams is exact to their strain in a step
         assert np.abs(energy["balance"]).max() < 0.5 * speed * dt / length * energy["translation"][0]
 
@@ -186,7 +187,7 @@ def test_forces_are_the_gradient_of_one_energy(contact: bd.LinearContact | None,
     state, n, m = model.state(), 27, len(model.lattice.pairs)
     state.integrity[:] = rng.uniform(0.2, 1.0, m) if contact else rng.choice([0.0, 0.5, 0.9, 1.0], m)
     begun = np.flatnonzero(state.integrity < 1.0)
-    state.softened = np.zeros((len(begun), SOFT_COLUMNS))
+    state.softened = np.zeros((len(begun), SoftColumn.COUNT))
     state.softened[:, 0], state.softened[:, 1], state.softened[:, 2] = begun, 1e6, 1e7
     place = model.lattice.centre + rng.uniform(-0.03, 0.03, (n, 3))
     q = np.hstack([np.ones((n, 1)), rng.uniform(-0.02, 0.02, (n, 3))])
@@ -281,5 +282,5 @@ def test_a_run_file_of_before_is_read(tmp_path: Path) -> None:
         file["state/broken"], file["state/cracks"] = np.zeros((0, 9)), np.zeros((0, 13))
         file["state/stretch"], file["state/walls"] = np.zeros((0, 6)), np.zeros((0, 14))
     read = bd.read_run(tmp_path / "run.h5")
-    assert read.state.softened.shape == (0, SOFT_COLUMNS)
+    assert read.state.softened.shape == (0, SoftColumn.COUNT)
     assert read.model.failure == CRITERION

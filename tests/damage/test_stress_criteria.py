@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.damage.crack_columns import GAMMA
+from bondem._tables.columns import PlasticColumn
 from bondem.damage.criteria.drucker_prager import cone_index
 from bondem.errors import InputError, RunFileError
 from tests.bits import assert_same_fracture, most_threads, threads
@@ -96,7 +96,7 @@ def strained(failure: bd.Criterion, stress: tuple[float, float, float], nu: floa
     seen = []
 
     def look(now: bd.State, _: bd.History) -> bool:
-        yielded = int((now.plastic[:, GAMMA] > 0.0).sum()) if len(now.plastic) else 0
+        yielded = int((now.plastic[:, PlasticColumn.GAMMA] > 0.0).sum()) if len(now.plastic) else 0
         seen.append((now.step / steps, len(now.cracks), yielded))
         return False
 
@@ -222,7 +222,7 @@ def test_bits_do_not_depend_on_threads_or_restarts(tmp_path: Path) -> None:
         one = pulled(MIXED).state
     assert len(one.cracks) > 500
     assert len(one.broken) > 20
-    assert (one.plastic[:, GAMMA] > 0.0).sum() > 20
+    assert (one.plastic[:, PlasticColumn.GAMMA] > 0.0).sum() > 20
     if most_threads() > 1:
         with threads(2):
             assert_same_fracture(one, pulled(MIXED).state)

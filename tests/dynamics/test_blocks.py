@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.dynamics.step_tables import BONDS_OF_PORTION
+from bondem._tables.columns import BONDS_OF_PORTION
 from tests.bits import threads
 from tests.scripts import python
 from tests.specimens import crooked_block

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem._tables.columns import BONDS_OF_PORTION
 from bondem.dynamics.explicit import integrate
-from bondem.dynamics.step_tables import BONDS_OF_PORTION
 from bondem.dynamics.timestep import critical_step
 from tests.bits import assert_same_bits, need_two_threads, threads
 from tests.models import stirred, time_step

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.damage.crack_columns import FACET, PARTED, STATUS, TOP
+from bondem._tables.columns import CrackStatus
+from bondem.damage.crack_columns import FACET, STATUS, TOP
 from bondem.errors import InputError
 from tests.bits import assert_resumes_to, digest, threads
 from tests.models import moving, time_step
@@ -87,7 +88,7 @@ def test_pieces_that_parted_under_pressure_touch_without_a_jump() -> None:
     """From where they are, if that is nearer than at rest."""
     model, state = impact(FAILURES["softening"], 100.0)
     run = bd.solve_explicit(model, duration=2e-4, state=state)
-    parted = run.state.cracks[run.state.cracks[:, STATUS] == PARTED]
+    parted = run.state.cracks[run.state.cracks[:, STATUS] == CrackStatus.PARTED]
     assert len(parted) > 100
     rest = model.bonds.length[parted[:, FACET].astype(int)]
     assert (parted[:, TOP] <= rest).all()

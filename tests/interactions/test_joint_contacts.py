@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.damage.crack_columns import PARTED, STATUS
+from bondem._tables.columns import CrackStatus
+from bondem.damage.crack_columns import STATUS
 from bondem.errors import ContactWarning
 from bondem.interactions.contact.contact_columns import KIND
 from tests.bits import EnoughError, assert_same_bits, digest, threads
@@ -55,7 +56,7 @@ def slid(
 def test_a_joint_slides_with_its_friction(press: str, law: str, one_thread: None) -> None:
     """T = p tan φ of what overlaps, past the next cells: faces slide on faces, not spheres over spheres."""
     run = slid(press, LAWS[law])
-    assert (run.state.cracks[:, STATUS] == PARTED).sum() == 12
+    assert (run.state.cracks[:, STATUS] == CrackStatus.PARTED).sum() == 12
     stress = run.history["force"] / (12 * SIDE**2) / PRESSURE
     slip = run.history["moved"][:, 0] / SIDE
     sliding = slip > 0.6
@@ -102,7 +103,7 @@ def test_faces_that_meet_beside_each_other_conserve_what_they_must(law: bd.Conta
     state.set_motion(velocity=[[3.0, 1.0, 0.0], [-3.0, 0.0, 0.5]], angular_velocity=spin)
     before = momenta(model, state)
     run = bd.solve_explicit(model, duration=2e-5, dt=4e-9, every=1, state=state)
-    assert run.state.cracks[0, STATUS] == PARTED
+    assert run.state.cracks[0, STATUS] == CrackStatus.PARTED
     energy, after = run.history.energy, momenta(model, run.state)
     assert energy["contact"].max() > 0.1 * energy["translation"][0]
     assert energy["contact"][-1] == 0.0

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem._tables.columns import HistoryColumn as Column
 from bondem.dynamics.explicit import integrate
-from bondem.dynamics.history import CRUSHING, FIXED_COLUMNS, NON_LOCAL, PLASTIC, RELEASED
 from bondem.errors import RunFileError
 from bondem.io.codec import decode, encode
 from bondem.io.digest import fixed
@@ -28,8 +28,8 @@ DATA = Path(__file__).parent / "data"
 # What a schema did not have: arrays of the state, columns of the records.
 _SOFT = ("cracks", "plastic", "held_slip", "facet_force", "softened", "grips")
 MISSING = {
-    2: (("stress", "broken", "released", *_SOFT), (NON_LOCAL, RELEASED, PLASTIC)),
-    3: (("broken", "released", *_SOFT), (RELEASED, PLASTIC)),
+    2: (("stress", "broken", "released", *_SOFT), (Column.NON_LOCAL, Column.RELEASED, Column.PLASTIC)),
+    3: (("broken", "released", *_SOFT), (Column.RELEASED, Column.PLASTIC)),
 }
 
 
@@ -54,7 +54,7 @@ def cut_at(step: int) -> type[RunFile]:
 def test_what_an_older_bondem_wrote_is_read(schema: int, tmp_path: Path) -> None:
     read = bd.read_run(file_of(schema, tmp_path))
     missing, columns = MISSING[schema]
-    missing, columns = (*missing, "crushed"), (*columns, CRUSHING)
+    missing, columns = (*missing, "crushed"), (*columns, Column.CRUSHING)
     assert (read.state.step, read.state.time, read.state.stale) == (7, 7e-8, False)
     fresh = bd.State(read.model)
     for name in bd.State.ARRAYS:
@@ -68,8 +68,8 @@ def test_what_an_older_bondem_wrote_is_read(schema: int, tmp_path: Path) -> None
             np.testing.assert_array_equal(found.ravel(), np.arange(found.size) / 64.0, err_msg=name)
     # what was not measured then is 0, and what was is where it belongs
     assert read.history.gauges == ("end",)
-    assert read.history.records.shape == (3, FIXED_COLUMNS + 3)
-    then = [c for c in range(FIXED_COLUMNS + 3) if c not in columns]
+    assert read.history.records.shape == (3, Column.COUNT + 3)
+    then = [c for c in range(Column.COUNT + 3) if c not in columns]
     np.testing.assert_array_equal(read.history.records[:, columns], 0.0)
     np.testing.assert_array_equal(read.history.records[:, then], np.arange(3)[:, None] + np.arange(len(then)) / 64.0)
     assert read.model.failure is None
@@ -104,7 +104,7 @@ def without_additions_of_10(path: Path, schema: int) -> None:
     kept = bd.read_run(path)
     without_turns(path)
     kept.state.walls = kept.state.walls[:, :14]
-    history = bd.History(np.delete(kept.history.records, CRUSHING, axis=1), kept.history.gauges)
+    history = bd.History(np.delete(kept.history.records, Column.CRUSHING, axis=1), kept.history.gauges)
     late = {"broken": 1, "cracks": 1, "softened": 1, "stretch": 3}
     for name, columns in late.items():
         setattr(kept.state, name, getattr(kept.state, name)[:, :-columns])

@@ -7,10 +7,11 @@ import trimesh
 import bondem as bd
 from bondem._core import run_pass
 from bondem._passes import calls
+from bondem._tables.columns import GrowthReport
 from bondem._tables.packing_tables import Near, PackingWalls, Spheres
 from bondem.errors import InputError
 from bondem.packing import soft_spheres
-from bondem.packing.packing_tables import COLLISIONS, TIME, VIRIAL, new_flight, new_growing
+from bondem.packing.packing_tables import new_flight, new_growing
 from tests.bits import most_threads, threads
 
 METHODS = ("quench", "growth", "compression")
@@ -118,7 +119,7 @@ def test_two_growing_spheres_meet_when_they_must_and_gain_the_speed_of_their_sur
     growing = new_growing(1.0, 0.25, 1.0, 10)
     spheres = Spheres(sphere, np.ones(2), velocity, np.zeros((2, 3)), np.zeros(3), np.ones(2))
     assert run_pass(calls.fly_and_grow(spheres, NO_WALLS, near, growing, new_flight(2))) == "grown"
-    assert growing.report[COLLISIONS] == 1.0
+    assert growing.report[GrowthReport.COLLISIONS] == 1.0
     # Relative to the surfaces (0.25 each) they met at 0.75 and part at 0.75: at speed 1.0.
     np.testing.assert_allclose(velocity, [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]], atol=1e-12)
     met = 1.0 / 1.5
@@ -139,7 +140,7 @@ def test_pressure_of_the_hard_sphere_gas_is_that_of_carnahan_and_starling():
     spheres = Spheres(sphere, gas.radius.copy(), velocity, np.zeros((n, 3)), np.ones(3), np.ones(n))
     run_pass(calls.fly_and_grow(spheres, NO_WALLS, near, growing, new_flight(len(gas))))
     assert (velocity**2).sum() == pytest.approx(heat, rel=1e-9)
-    pressure = 1.0 + growing.report[VIRIAL] / (heat * growing.report[TIME])
+    pressure = 1.0 + growing.report[GrowthReport.VIRIAL] / (heat * growing.report[GrowthReport.TIME])
     assert pressure == pytest.approx((1.0 + phi + phi**2 - phi**3) / (1.0 - phi) ** 3, rel=0.05)
 
 

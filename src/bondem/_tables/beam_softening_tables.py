@@ -24,7 +24,7 @@ class SofteningBounds(NamedTuple):
 class SofteningBeams(NamedTuple):
     """Beams that soften."""
 
-    row: Floats  #: beams in the order in which they began, columns of `bondem.damage.event_columns`, (bonds, 7)
+    row: Floats  #: beams in the order in which they began, columns of `SoftColumn`, (bonds, 7)
     begun: Ints  #: number of rows, (1,)
     listed: Ints  #: rows that have not broken, those of a portion of bonds from its first bond on, (bonds,)
     number: Ints  #: number of rows of each portion, (bond_portions,)

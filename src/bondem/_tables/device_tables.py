@@ -122,7 +122,7 @@ class CrushingPortions(NamedTuple):
 class FoldedPortions(NamedTuple):
     """Sums over groups of portions."""
 
-    sums: Floats  #: columns as in `SUM_COLUMNS`, (folds, 13)
+    sums: Floats  #: first columns of `device_column`, (folds, 13)
 
 
 class GaugeParts(NamedTuple):

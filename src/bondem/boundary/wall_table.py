@@ -6,10 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from bondem._tables.columns import WallKind
 from bondem._types import Floats, Ints, PerElement, PerElement3, Triple
 from bondem.boundary.wall_motions import TURN, Driven, Free, Servo
 from bondem.boundary.wall_rows import named_rows, no_rows
-from bondem.boundary.walls import PLANE, PlaneWall, SphereWall, Wall, pivot
+from bondem.boundary.walls import PlaneWall, SphereWall, Wall, pivot
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,7 +130,7 @@ def _shapes(walls: Sequence[Wall], origin: Floats) -> Floats:
     if origin.any():
         shape["point"] -= origin
         shape["about"] -= origin
-        plane = shape["kind"] == PLANE
+        plane = shape["kind"] == WallKind.PLANE_WALL
         normal = shape["axis"][plane]
         shape["point"][plane] = normal * (shape["point"][plane] * normal).sum(axis=1, keepdims=True)
     return numbers

@@ -5,12 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, number, several, vector
+from bondem._tables.columns import WallKind
 from bondem._types import Floats, Triple
 from bondem.boundary.wall_motions import Driven, Free, Servo, direction
 from bondem.errors import InputError
 
-# Kinds of walls, of `WallShape` in the core.
-PLANE, INSIDE, OUTSIDE, SHELL, BALL, DISC = range(6)
 
 def _point(owner: str, value: object) -> tuple[float, float, float]:
     return vector("", owner, value, advice="three finite coordinates [m]")
@@ -63,9 +62,9 @@ class PlaneWall:
         It holds the point [m], the normal, the outer radius [m], the kind of the wall and the inner radius [m].
         """
         if self.outer is None and not self.inner:
-            return np.array([*self.point, *self.normal, 0.0, PLANE, 0.0])
+            return np.array([*self.point, *self.normal, 0.0, WallKind.PLANE_WALL, 0.0])
         outer = np.inf if self.outer is None else self.outer
-        return np.array([*self.point, *self.normal, outer, DISC, self.inner])
+        return np.array([*self.point, *self.normal, outer, WallKind.DISC_WALL, self.inner])
 
 
 @dataclass(frozen=True)
@@ -101,7 +100,8 @@ class CylinderWall:
 
         It holds a point of the axis [m], the axis, the radius [m], the kind of the wall and a zero.
         """
-        return np.array([*self.point, *self.axis, self.radius, OUTSIDE if self.outside else INSIDE, 0.0])
+        kind = WallKind.CYLINDER_AMONG if self.outside else WallKind.CYLINDER_AROUND
+        return np.array([*self.point, *self.axis, self.radius, kind, 0.0])
 
 
 @dataclass(frozen=True)
@@ -134,7 +134,8 @@ class SphereWall:
 
         It holds the centre [m], three zeros, the radius [m], the kind of the wall and a zero.
         """
-        return np.array([*self.centre, 0.0, 0.0, 0.0, self.radius, SHELL if self.inside else BALL, 0.0])
+        kind = WallKind.SPHERE_AROUND if self.inside else WallKind.SPHERE_AMONG
+        return np.array([*self.centre, 0.0, 0.0, 0.0, self.radius, kind, 0.0])
 
 
 Wall = PlaneWall | CylinderWall | SphereWall

@@ -3,6 +3,7 @@
 #include "described.hpp"
 #include "tables/beam_softening_tables.hpp"
 #include "tables/cell_tables.hpp"
+#include "tables/columns.hpp"
 #include "tables/contact_tables.hpp"
 #include "tables/crack_sample_tables.hpp"
 #include "tables/crack_tables.hpp"

@@ -18,6 +18,7 @@ namespace bondem {
 
 using Index = int64_t;  // what NumPy's int64 is
 using Short = uint32_t;  // element numbers in lists that are read often
+using Byte = uint8_t;
 
 #if defined(__CUDACC_RTC__)
 constexpr double infinity = __builtin_bit_cast(double, uint64_t(0x7ff0000000000000));

@@ -12,6 +12,7 @@
 // elements are done. At the end of a step postponed elements resume: a pass lists them all, passes over elements find
 // their acceleration with a clock that stands still, and others open the next step.
 #pragma once
+#include "tables/columns.hpp"
 #include "tables/step_tables.hpp"
 
 namespace bondem {
@@ -60,8 +61,6 @@ enum PassKind : Index {
     of_ranges  // elements, in a range a thread
 };
 
-// Elements and bonds of a portion.
-constexpr Index elements_of_portion = 1024, bonds_of_portion = 2048;
 inline Index portions(Index count, Index size) { return (count + size - 1) / size; }
 
 // ---- how a pass is called with the tables of its entry

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._tables.columns import FailureMode, SoftColumn
 from bondem._types import Floats, PerBond
 from bondem.damage.cohesive_softening import SNAP
-from bondem.damage.criteria.criterion import MODES, BondCriterion, Joint
-from bondem.damage.event_columns import FIRST, LAST, SOFT_BOND, SOFT_MODE
+from bondem.damage.criteria.criterion import BondCriterion, Joint
 from bondem.damage.failure_assignment import FailurePart
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
@@ -31,10 +31,11 @@ class BeamSoftening:
         """Return the energy G A of beams that have begun to soften, as `core/laws/beam_softening.hpp` has it [J].
 
         Args:
-            softened: rows of the beams (`bondem.damage.event_columns`), (c, 7).
+            softened: rows of the beams, with the columns of `SoftColumn`, (c, 7).
         """
-        bond, first, last = softened[:, SOFT_BOND].astype(np.int64), softened[:, FIRST], softened[:, LAST]
-        sliding = np.isin(softened[:, SOFT_MODE], (MODES.index("shear"), MODES.index("twisting")))
+        bond = softened[:, SoftColumn.BOND].astype(np.int64)
+        first, last = softened[:, SoftColumn.FIRST], softened[:, SoftColumn.LAST]
+        sliding = np.isin(softened[:, SoftColumn.MODE], (FailureMode.SHEAR, FailureMode.TWISTING))
         return np.where(last > SNAP * first, first * last, np.where(sliding, self.shear[bond], self.tear[bond]))
 
     @classmethod

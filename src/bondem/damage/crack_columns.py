@@ -1,4 +1,4 @@
-"""Columns of cracked facets and of yielding cells in a state."""
+"""Columns of cracked facets in a state."""
 
 # Columns of a cracked facet: number of the facet, strength [Pa] (0 where one of its cells had lost its cohesion); its
 # axes e_1, e_2, e_3 as a unit quaternion in the frame of cell i (its scalar part is negative where e_3 = -e_1 × e_2);
@@ -11,13 +11,3 @@
 FACET, ONSET, AXES, LEFT, RATE, BEFORE, SLIP, RUB = 0, 1, 2, 6, 10, 14, 18, 21
 STATUS, SPENT, TOP, FRESH, KIND, ONSET_STEP = 24, 25, 26, 27, 28, 29
 CRACK_COLUMNS = 30
-# Kind of a crack: of the material; with one integrity for all directions, of a material plane or a cell without
-# cohesion; or of the material, once it has let go of what acts along it.
-OF_MATERIAL, ALIKE, LET_GO = 0, 1, 2
-# Status of a cracked facet: treated one by one; a facet of less stiffness among all others, while it is open and does
-# not soften; or left out, once its faces no longer face each other.
-ACTIVE, RESTING, PARTED = 0, 1, 2
-# Columns of a cell that yields: P - 1 of its plastic deformation P in its own frame, row by row, Σ Δγ, the last
-# increment of strain in space xx, yy, zz, xy, xz, yz, energy dissipated [J].
-DEFORMATION, GAMMA, INCREMENT, HEAT = 0, 9, 10, 16
-PLASTIC_COLUMNS = 17

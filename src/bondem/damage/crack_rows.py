@@ -3,20 +3,9 @@
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from bondem._tables.columns import CrackKind
 from bondem._types import ArrayLike, Floats, Ints, Mask
-from bondem.damage.crack_columns import (
-    ALIKE,
-    AXES,
-    BEFORE,
-    CRACK_COLUMNS,
-    FACET,
-    KIND,
-    LEFT,
-    LET_GO,
-    OF_MATERIAL,
-    ONSET,
-    ONSET_STEP,
-)
+from bondem.damage.crack_columns import AXES, BEFORE, CRACK_COLUMNS, FACET, KIND, LEFT, ONSET, ONSET_STEP
 
 
 def axes_along(normal: ArrayLike) -> Floats:
@@ -53,7 +42,8 @@ def crack_rows(facet: Ints, strength: ArrayLike, axes: Floats, left: Floats, ali
     """
     rows = np.zeros((len(facet), CRACK_COLUMNS))
     rows[:, FACET], rows[:, ONSET], rows[:, ONSET_STEP] = facet, strength, np.nan
-    rows[:, KIND] = np.where(alike, ALIKE, np.where(left[:, 3] == 0.0, LET_GO, OF_MATERIAL))
+    of_material = np.where(left[:, 3] == 0.0, CrackKind.LET_GO, CrackKind.OF_MATERIAL)
+    rows[:, KIND] = np.where(alike, CrackKind.ALIKE, of_material)
     rows[:, AXES : AXES + 4] = stored_axes(axes)
     rows[:, LEFT : LEFT + 4] = rows[:, BEFORE : BEFORE + 4] = left
     return rows

@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from bondem._tables.columns import SoftColumn
 from bondem._types import Floats
 from bondem.damage.beam_softening import BeamSoftening
 from bondem.damage.crack_columns import SPENT
-from bondem.damage.event_columns import SOFT_SPENT
 from bondem.damage.softening_table import SofteningTable
 
 
@@ -20,11 +20,11 @@ def crushing_of(
         facets: table of softening facets, or None.
         beams: table of softening beams, or None.
         cracks: rows of cracked facets (`bondem.damage.crack_columns`), (c, 14).
-        softened: rows of softening beams (`bondem.damage.event_columns`), (c, 7).
+        softened: rows of softening beams (`SoftColumn`), (c, 7).
     """
     beyond = np.zeros(1)
     if facets is not None:
         beyond = np.append(beyond, np.maximum(cracks[:, SPENT] - facets.absorbed_by(cracks), 0.0))
     if beams is not None:
-        beyond = np.append(beyond, np.maximum(softened[:, SOFT_SPENT] - beams.absorbed(softened), 0.0))
+        beyond = np.append(beyond, np.maximum(softened[:, SoftColumn.SPENT] - beams.absorbed(softened), 0.0))
     return np.cumsum(beyond)[-1:]

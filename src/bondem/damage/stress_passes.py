@@ -12,16 +12,14 @@ import numpy as np
 from bondem._core import run_pass
 from bondem._core_functions import StressCallback
 from bondem._passes import StepEntry, calls, steps
+from bondem._tables.columns import BONDS_OF_PORTION
 from bondem._tables.damage_tables import StressCandidates, StressFunction
 from bondem._types import Floats
-
-# Bonds of a portion, as in `core/steps.hpp`.
-_PORTION = 2048
 
 
 def new_stress_candidates(m: int) -> StressCandidates:
     """Return room for the candidates among m bonds; memory is used as they are written."""
-    portions = -(-m // _PORTION)
+    portions = -(-m // BONDS_OF_PORTION)
     return StressCandidates(
         np.empty(m, dtype=np.int64), np.empty((m, 3, 3)), np.empty(m), np.zeros(portions, dtype=np.int64),
         np.zeros(1, dtype=np.int64),

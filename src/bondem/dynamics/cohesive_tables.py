@@ -4,16 +4,15 @@ import numpy as np
 
 from bondem._cache_lines import lines
 from bondem._tables.cell_tables import ElasticFacets, FacetForces, WallConstraints
+from bondem._tables.columns import CrackStatus, PlasticColumn
 from bondem._tables.crack_tables import CohesiveCracks, CrackLists, FacetStrengths, YieldingCells
 from bondem._types import Floats
 from bondem.damage.crack_columns import (
-    ACTIVE,
     AXES,
     BEFORE,
     CRACK_COLUMNS,
     FACET,
     FRESH,
-    GAMMA,
     KIND,
     LEFT,
     ONSET,
@@ -75,7 +74,7 @@ def keep_cracks(cracks: CohesiveCracks, kept: FacetForces, state: State) -> None
         state.cracks[:, column] = table[facet, of_row]
     state.facet_force[:] = kept.force[:, : state.facet_force.shape[1]]
     state.facet_force[:, facet[cracks.integrity[facet] == 0.0]] = 0.0
-    active = facet[state.cracks[:, STATUS] == ACTIVE]
+    active = facet[state.cracks[:, STATUS] == CrackStatus.ACTIVE]
     state.facet_force[:, active] = cracks.pull[active, :3].T
 
 
@@ -113,7 +112,7 @@ def facet_strengths(table: SofteningTable, fastest: Floats) -> FacetStrengths:
 def facet_forces(state: State, facets: ElasticFacets, area: Floats, rows: int) -> FacetForces:
     """Return the forces of facets that a run keeps, initially those of a state without its active cracks."""
     force = with_zeros(state.facet_force).copy()
-    active = state.cracks[:, STATUS] == ACTIVE
+    active = state.cracks[:, STATUS] == CrackStatus.ACTIVE
     force[:, state.cracks[active, FACET].astype(np.int64)] = 0.0
     bends = with_zeros(4.0 * facets.k[: len(area)] / area**2)
     return FacetForces(bends, force, np.zeros((len(state.pose), 7)), lines(rows))
@@ -132,6 +131,6 @@ def yielding_of(
     stiffness = G + ((9.0 * lame + 6.0 * G) if slip.cone else (lame + G)) * slip.slope * slip.dilation
     return YieldingCells(
         slip.cone, slip.strength, slip.slope, slip.dilation, stiffness, slip.fade, slip.near_start,
-        slip.near.astype(np.uint32), state.plastic[:, GAMMA].copy(), state.held_slip, state.plastic,
+        slip.near.astype(np.uint32), state.plastic[:, PlasticColumn.GAMMA].copy(), state.held_slip, state.plastic,
         facets.lever_i.copy(), facets.lever_j.copy(), walls.arm.copy(),
     )  # fmt: skip

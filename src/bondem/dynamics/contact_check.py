@@ -7,8 +7,9 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._names import users_line
+from bondem._tables.columns import CrackStatus
 from bondem._types import Floats, Ints, Uint32s
-from bondem.damage.crack_columns import FACET, PARTED, STATUS
+from bondem.damage.crack_columns import FACET, STATUS
 from bondem.errors import ContactWarning
 from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.contact.contact_model import ContactModel
@@ -117,7 +118,7 @@ class SinkingCheck:
             return
         layout, n = self._model.layout, len(self._radius)
         parted = state.integrity <= 0.0
-        facing = state.cracks[state.cracks[:, STATUS] != PARTED, FACET].astype(np.int64)
+        facing = state.cracks[state.cracks[:, STATUS] != CrackStatus.PARTED, FACET].astype(np.int64)
         parted[facing] = False
         if not parted.any():
             return
@@ -152,7 +153,7 @@ class SinkingCheck:
     def _slid(self, state: State) -> int:
         """Return the number of facets of material planes whose faces have parted by a slip, not by a gap."""
         layout, softening = self._model.layout, self._model.softening
-        parted = state.cracks[state.cracks[:, STATUS] == PARTED, FACET].astype(np.int64)
+        parted = state.cracks[state.cracks[:, STATUS] == CrackStatus.PARTED, FACET].astype(np.int64)
         if softening is None or not len(parted):
             return 0
         facets = self._model.lattice.elements.require_cells().facets

@@ -5,11 +5,11 @@ import numpy as np
 from bondem._core import run_pass
 from bondem._core_steps import Composer
 from bondem._passes import calls
+from bondem._tables.columns import HistoryColumn
 from bondem._tables.step_tables import HistoryRows, StepPasses, StepScheme, StepSpan
 from bondem._threads import current_threads
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.gauge_tables import gauge_tables
-from bondem.dynamics.history import CONTACT, FIXED_COLUMNS, TRANSLATION
 from bondem.dynamics.parts.parts_of_model import parts_of
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Plan
 from bondem.interactions.step_part import FORCES, STAGES, composed
@@ -21,6 +21,8 @@ from bondem.model.state import State
 SERIAL_BONDS = 2000
 _DOMAIN = SERIAL_BONDS // 4
 
+#: Columns of kinetic and elastic energies in a record.
+STORED = slice(HistoryColumn.TRANSLATION, HistoryColumn.CONTACT + 1)
 # Elements of a block: they stay in the L2 cache from their bonds to their motion.
 BLOCK = 4000
 # Elements that move by this share of their radius a step have an energy below which no guard acts.
@@ -35,7 +37,7 @@ class CoreLoop:
     def __init__(self, model: Model, plan: Plan, state: State, dt: float) -> None:
         self.state = state
         self._every = int(plan.every)
-        self._width = FIXED_COLUMNS + 3 * len(plan.gauges)
+        self._width = HistoryColumn.COUNT + 3 * len(plan.gauges)
         self._origin = state.time - state.step * dt
         self._n, self._m = len(state.pose), len(model.layout.i)
         terms = DampingTerms.of(plan.damping)
@@ -118,7 +120,7 @@ class CoreLoop:
         self._take(0, records, looks=True)
         state.stale = False
         if begins:
-            budget[0] = max(budget[0], self._still + np.abs(records[0, TRANSLATION : CONTACT + 1]).sum())
+            budget[0] = max(budget[0], self._still + np.abs(records[0, STORED]).sum())
         return records
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:

@@ -2,10 +2,11 @@
 
 import numpy as np
 
+from bondem._tables.columns import CrackStatus
 from bondem._types import Floats, PerBond
 from bondem.boundary.conditions import Load
 from bondem.boundary.loads import Pressure, is_face
-from bondem.damage.crack_columns import FACET, PARTED, STATUS, TOP
+from bondem.damage.crack_columns import FACET, STATUS, TOP
 from bondem.interactions.cells.cell_body import body_of
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -29,7 +30,7 @@ def joints(model: Model, state: State, integrity: PerBond) -> tuple[PerBond, Per
     if model.softening is None:
         return integrity, apart
     joined = (state.integrity > 0.0).astype(float)
-    facet, parted = state.cracks[:, FACET].astype(np.int64), state.cracks[:, STATUS] == PARTED
+    facet, parted = state.cracks[:, FACET].astype(np.int64), state.cracks[:, STATUS] == CrackStatus.PARTED
     joined[facet] = np.where(parted, 0.0, 1.0)
     apart[facet[parted]] = np.minimum(apart[facet[parted]], state.cracks[parted, TOP])
     return joined, apart

@@ -2,9 +2,10 @@
 
 import numpy as np
 
+from bondem._tables.columns import CrackStatus
 from bondem._tables.contact_tables import ContactPairs, FacePairs
 from bondem._types import Floats, PerElement
-from bondem.damage.crack_columns import FACET, PARTED, STATUS
+from bondem.damage.crack_columns import FACET, STATUS
 from bondem.dynamics.parts.damage_part import CrackJoints
 from bondem.model.state import State
 
@@ -25,7 +26,8 @@ class CrackedFaces:
         planes = joints.strengths.planes
         self._joints = joints
         self._open, self._faced = np.zeros(len(facets.k), dtype=np.uint8), np.zeros(n, dtype=np.uint8)
-        parted = np.intersect1d(state.cracks[state.cracks[:, STATUS] == PARTED, FACET].astype(np.int64), planes)
+        parted = state.cracks[state.cracks[:, STATUS] == CrackStatus.PARTED, FACET].astype(np.int64)
+        parted = np.intersect1d(parted, planes)
         self._open[parted] = 1
         self._faced[facets.i[parted]] = self._faced[facets.j[parted]] = 1
         # Centroids of faces that overlap are within R of each other, R² = 3 (A_a + A_b) / 2π, and √(x + y) ≤ √x + √y:

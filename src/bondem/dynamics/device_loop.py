@@ -12,16 +12,15 @@ import numpy as np
 
 from bondem._device import Device, DeviceTables, Enqueue, HostCall, Launch, passes_of
 from bondem._passes import kernels
+from bondem._tables.columns import DeviceColumn, HistoryColumn
 from bondem._tables.device_tables import Tick
 from bondem._tables.step_tables import HistoryRows, StepScheme
 from bondem.boundary.wall_rows import wall_rows
-from bondem.dynamics.core_loop import noticeable
+from bondem.dynamics.core_loop import STORED, noticeable
 from bondem.dynamics.damping import DampingTerms
-from bondem.dynamics.history import CONTACT, FIXED_COLUMNS, TRANSLATION
 from bondem.dynamics.on_device.breakage_counterparts import Postponement, end, resuming
 from bondem.dynamics.on_device.contact_counterparts import deepest_overlaps, lists_of_contacts, walls_listed
 from bondem.dynamics.on_device.counterparts import FURTHER, launches_of
-from bondem.dynamics.on_device.device_tables import FURTHER_COLUMNS, SUM_COLUMNS
 from bondem.dynamics.on_device.translation import Translation, names_of
 from bondem.dynamics.parts.parts_of_model import parts_in_one_block
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Plan
@@ -37,9 +36,12 @@ BEYOND = 1000.0
 # Steps of a graph at most.
 _RECORDED = 64
 # Columns of a record, of those of the device.
-_COLUMNS = [(1, 0), (2, 1), (3, 4), (4, 5), (5, 6), (6, 7), (7, 13), (8, 11), (8, 18), (9, 2), (10, 3), (11, 14),
-            (12, 15), (13, 16), (14, 17)]  # fmt: skip
-_WIDE, _LOST, _SICK, _SUPPLIED = (SUM_COLUMNS.index(name) for name in ("wide", "lost", "not_finite", "supplied"))
+_SAME = {one.name for one in HistoryColumn} & {one.name for one in DeviceColumn} - {"COUNT"}
+_COLUMNS = [
+    *((HistoryColumn[name], DeviceColumn[name]) for name in sorted(_SAME)),
+    (HistoryColumn.LOSS, DeviceColumn.DAMPED), (HistoryColumn.FRICTION, DeviceColumn.RUBBED),
+    (HistoryColumn.WORK, DeviceColumn.WALLS),
+]  # fmt: skip
 # Word of the clock that is the number of the step.
 _STEP = 5
 
@@ -67,7 +69,7 @@ class DeviceLoop:
             np.zeros(0, dtype=np.uint8) if late is None else late[1].held, further=not FURTHER.isdisjoint(names),
         )  # fmt: skip
         self._tables = DeviceTables(device)
-        self._first_gauge = len(SUM_COLUMNS) + len(FURTHER_COLUMNS)
+        self._first_gauge = int(DeviceColumn.COUNT)
         self._gauges = len(plan.gauges)
         self._width = self._first_gauge + 3 * self._gauges
         self._budget, self._still = np.zeros(2), noticeable(model, dt)
@@ -127,7 +129,7 @@ class DeviceLoop:
         _run(records.row)
         found = records.finished([state.step])
         if begins:
-            budget[0] = max(budget[0], self._still + np.abs(found[0, TRANSLATION : CONTACT + 1]).sum())
+            budget[0] = max(budget[0], self._still + np.abs(found[0, STORED]).sum())
         return found
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
@@ -224,11 +226,12 @@ class DeviceLoop:
         folded = self._run.folded.sums
         self._tables.fetch(folded)
         sums = folded.sum(axis=0)
-        wide, lost, kinetic, supplied = int(sums[_WIDE]), int(sums[_LOST]), sums[0] + sums[1], sums[_SUPPLIED]
+        wide, lost = int(sums[DeviceColumn.WIDE]), int(sums[DeviceColumn.LOST])
+        kinetic, supplied = sums[0] + sums[1], sums[DeviceColumn.SUPPLIED]
         if self._run.walls is not None:
             self._tables.fetch(self._run.walls)
             supplied += np.abs(wall_rows(self._run.walls)["work"]).sum()
-        if sums[_SICK] > 0.0 or not (kinetic < np.inf and supplied < np.inf):
+        if sums[DeviceColumn.NOT_FINITE] > 0.0 or not (kinetic < np.inf and supplied < np.inf):
             return wide, lost, NOT_FINITE
         self._budget[1] = max(self._budget[1], supplied)
         return wide, lost, RUNAWAY if kinetic > BEYOND * self._budget.sum() else FINE
@@ -268,13 +271,13 @@ class _Records:
     def finished(self, steps: Sequence[int]) -> np.ndarray:
         """Return the records of some steps in the form of the history, and free their memory."""
         loop, found = self._loop, self._rows.record
-        whole = np.zeros((len(steps), FIXED_COLUMNS + 3 * loop._gauges))
+        whole = np.zeros((len(steps), HistoryColumn.COUNT + 3 * loop._gauges))
         if len(steps):
             loop._tables.fetch(found)
             whole[:, 0] = [loop._scheme.origin + step * loop._scheme.dt for step in steps]
             for column, of_sums in _COLUMNS:
                 whole[:, column] += found[: len(steps), of_sums]
-            whole[:, FIXED_COLUMNS:] = found[: len(steps), loop._first_gauge :]
+            whole[:, HistoryColumn.COUNT:] = found[: len(steps), loop._first_gauge :]
         loop._tables.forget(self._rows)
         return whole
 

@@ -5,8 +5,9 @@ import warnings
 import numpy as np
 
 from bondem._names import users_line
+from bondem._tables.columns import HistoryColumn
 from bondem._types import Floats
-from bondem.dynamics.history import FIXED_COLUMNS, History
+from bondem.dynamics.history import History
 from bondem.errors import ImbalanceWarning
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -40,7 +41,7 @@ class EnergyCheck:
             limits: shares of the scale at which the check warns and stops the run; infinity for never [-].
             first: first record of the run, (1, columns).
         """
-        self._limits, self._first = limits, first[:, :FIXED_COLUMNS]
+        self._limits, self._first = limits, first[:, :HistoryColumn.COUNT]
         self._span = (_SUSTAINED - 0.5) * dt
         coarse = _STILL * model.lattice.particles.mean_radius
         coarse += _ROUNDING * np.finfo(float).eps * float(np.abs(state.pose[:, :3]).max(initial=0.0))
@@ -56,7 +57,7 @@ class EnergyCheck:
         """
         if not len(records):
             return ""
-        ledger = History(np.vstack([self._first, records[:, :FIXED_COLUMNS]])).energy
+        ledger = History(np.vstack([self._first, records[:, :HistoryColumn.COUNT]])).energy
         balance = ledger.pop("balance")[1:]
         sizes = [np.abs(values if name in _STORED else values - values[0]) for name, values in ledger.items()]
         sizes[0][0] = max(sizes[0][0], self._scale)

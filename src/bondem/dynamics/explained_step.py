@@ -9,10 +9,10 @@ import numpy as np
 from bondem._checks import instance
 from bondem._core import step_pass
 from bondem._passes import steps
+from bondem._tables.columns import HistoryColumn
 from bondem._tables.step_tables import HistoryRows
 from bondem.boundary.gauges import AnyGauge
 from bondem.dynamics.damping import AnyDamping
-from bondem.dynamics.history import FIXED_COLUMNS
 from bondem.dynamics.parts.parts_of_model import parts_in_one_block
 from bondem.dynamics.plan import Plan
 from bondem.dynamics.restart import begin
@@ -81,7 +81,7 @@ def explain_step(
     plan = Plan(duration=0.0, damping=damping, gauges={} if gauges is None else gauges)
     # the length of a step is a number in tables of contacts and cracks, and selects no pass
     _, parts = parts_in_one_block(model, plan, begin(model, state), 0.0)
-    row = HistoryRows(np.zeros((1, FIXED_COLUMNS + 3 * len(plan.gauges))))
+    row = HistoryRows(np.zeros((1, HistoryColumn.COUNT + 3 * len(plan.gauges))))
     names = [(stage, one.name) for stage in STAGES for one in composed(parts, stage)]
     names += [("record", one.name) for part in parts for one in part.record(row)]
     return ExplainedStep(

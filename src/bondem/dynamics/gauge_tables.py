@@ -2,19 +2,12 @@
 
 import numpy as np
 
+from bondem._tables.columns import GaugeQuantity, GaugeReduction, WallQuantity
 from bondem._tables.step_tables import Gauges
 from bondem.boundary.gauges import AnyGauge, Gauge, StrainGauge
 from bondem.dynamics.plan import Plan
 from bondem.errors import InputError
 from bondem.model.model import Model
-
-# Numbers of the quantities of elements, of those of walls, and of the reductions, as in the core.
-_QUANTITIES = {"displacement": 0, "velocity": 1, "rotation": 2, "angular_velocity": 3, "force": 4}
-_WALL_QUANTITIES = {
-    "displacement": 5, "force": 6, "growth": 7, "velocity": 8, "torque": 9, "rotation": 10, "angular_velocity": 11,
-    "power": 12,
-}  # fmt: skip
-_REDUCTIONS = {"mean": 0, "sum": 1, "max_abs": 2}
 
 
 def gauge_tables(model: Model, plan: Plan) -> Gauges:
@@ -46,11 +39,11 @@ def _members(model: Model, gauge: AnyGauge) -> np.ndarray:
 
 def _quantity(gauge: AnyGauge) -> int:
     if isinstance(gauge, StrainGauge):
-        return _QUANTITIES["displacement"]
+        return GaugeQuantity.DISPLACEMENT
     if isinstance(gauge, Gauge):
-        return _QUANTITIES[gauge.quantity]
-    return _WALL_QUANTITIES[gauge.quantity]
+        return GaugeQuantity[gauge.quantity.upper()]
+    return WallQuantity[gauge.quantity.upper()]
 
 
 def _reduction(gauge: AnyGauge) -> int:
-    return _REDUCTIONS[gauge.reduction] if isinstance(gauge, Gauge) else _REDUCTIONS["mean"]
+    return GaugeReduction[gauge.reduction.upper()] if isinstance(gauge, Gauge) else GaugeReduction.MEAN

@@ -6,14 +6,10 @@ from typing import Any
 import numpy as np
 
 from bondem._extras import needed
+from bondem._tables.columns import HistoryColumn
 from bondem._types import Floats
 from bondem.errors import InputError
 
-# Columns of a record before the gauges.
-(
-    TIME, TRANSLATION, ROTATION, NORMAL, SHEAR, BENDING, TWISTING, CONTACT, WORK, LOSS, FRICTION, NON_LOCAL,
-    RELEASED, PLASTIC, CRUSHING, FIXED_COLUMNS,
-) = range(16)  # fmt: skip
 _STORED = ("translation", "rotation", "normal", "shear", "bending", "twisting", "contact")
 _ENERGIES = (*_STORED, "work", "loss", "friction", "non-local work", "released", "plastic", "crushing")
 
@@ -34,7 +30,7 @@ class History:
     @classmethod
     def empty(cls, gauges: tuple[str, ...]) -> "History":
         """Return a history of the named gauges without records."""
-        return cls(np.zeros((0, FIXED_COLUMNS + 3 * len(gauges))), gauges)
+        return cls(np.zeros((0, HistoryColumn.COUNT + 3 * len(gauges))), gauges)
 
     def extended(self, records: Floats) -> "History":
         """Return a history with further rows of `records`, (s, 15 + 3 g), appended."""
@@ -47,7 +43,7 @@ class History:
         if name not in self.gauges:
             own = f"; did you mean history.{name}?" if isinstance(name, str) and name in ("time", "energy") else ""
             raise InputError(f"no gauge '{name}' was recorded; choose from: {', '.join(self.gauges) or 'none'}{own}")
-        first = FIXED_COLUMNS + 3 * self.gauges.index(name)
+        first = HistoryColumn.COUNT + 3 * self.gauges.index(name)
         return self.records[:, first : first + 3]
 
     @property
@@ -85,7 +81,7 @@ class History:
     @property
     def released(self) -> Floats:
         """Energy that bonds and facets have released, "fracture" and "crushing" together [J], shape (s,)."""
-        return self.records[:, RELEASED]
+        return self.records[:, HistoryColumn.RELEASED]
 
     @property
     def parts(self) -> dict[str, Floats]:

@@ -4,20 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._tables.columns import TouchState
 from bondem._tables.contact_tables import ContactPairs, FoundPairs, FoundWalls, PairSources, WallContacts, WallSources
 from bondem._types import Floats, Ints, PerBond, PerElement
 from bondem.interactions.contact.contact_columns import BETWEEN, FACES, KIND, LINE_COLUMNS, NOT_YET, START
 from bondem.interactions.contact.contact_model import ContactModel, grid_of
-from bondem.interactions.contact.contact_search import (
-    APART,
-    FACING,
-    JUST_PARTED,
-    LATE,
-    TOUCHING,
-    found_pairs,
-    found_walls,
-    walls_at,
-)
+from bondem.interactions.contact.contact_search import found_pairs, found_walls, walls_at
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -152,7 +144,7 @@ class ContactSearch:
         """Return the faces by which pairs touch, of the state, (c,)."""
         state, n, found = self._state, len(self._state.pose), np.zeros(len(pairs.first))
         known = state.touching[:, 1] * n + state.touching[:, 0]
-        kept = np.flatnonzero(pairs.touch != APART)
+        kept = np.flatnonzero(pairs.touch != TouchState.SEPARATE)
         key = pairs.second[kept].astype(np.int64) * n + pairs.first[kept]
         found[kept] = state.stretch[np.searchsorted(known, key), FACES]
         return found
@@ -170,14 +162,15 @@ class ContactSearch:
             faces: faces by which pairs touch, (c,), or None where none do.
             rolled: rotations that pairs and contacts with walls store [m], (c, 3) and (b, 3), or None.
         """
-        state, at_wall = self._state, walls.touch == TOUCHING
+        state, at_wall = self._state, walls.touch == TouchState.TOUCHING
         bonded = pairs.bond >= 0
         # that of faces which have parted since the list was made is less, as it is in a list made later
         whole = whole.copy()
         whole[bonded] = np.minimum(whole[bonded], self._apart[pairs.bond[bonded]])
-        late = (pairs.reach < whole) & ((pairs.touch == LATE) | (pairs.touch == JUST_PARTED))
-        kept = late | (pairs.touch == TOUCHING) | (pairs.touch == FACING)
-        memory, spheres, less = pairs.memory[kept], pairs.touch[kept] != FACING, (pairs.reach < whole)[kept]
+        touch, less = pairs.touch, pairs.reach < whole
+        late = less & ((touch == TouchState.LATE) | (touch == TouchState.PARTED))
+        kept = late | (touch == TouchState.TOUCHING) | (touch == TouchState.FACING)
+        memory, spheres, less = pairs.memory[kept], touch[kept] != TouchState.FACING, less[kept]
         memory[spheres, START] = np.where(less, pairs.reach[kept], 0.0)[spheres]
         memory[spheres, KIND] = 0.0
         memory[~spheres & ~(memory[:, KIND] > 0.0), KIND] = BETWEEN
@@ -193,10 +186,10 @@ class ContactSearch:
 def _recalled(pairs: FoundPairs, whole: Floats) -> Floats:
     """Set the kind of contact of pairs with a memory; return the distances at which spheres touch [m], (c,)."""
     kind, start = pairs.memory[:, KIND], pairs.memory[:, START]
-    kept = pairs.touch == TOUCHING
-    pairs.touch[kept & ((kind > 0.0) | (kind == BETWEEN))] = FACING
-    pairs.touch[kept & (kind == NOT_YET)] = LATE
-    spheres = kept & (pairs.touch != FACING)
+    kept = pairs.touch == TouchState.TOUCHING
+    pairs.touch[kept & ((kind > 0.0) | (kind == BETWEEN))] = TouchState.FACING
+    pairs.touch[kept & (kind == NOT_YET)] = TouchState.LATE
+    spheres = kept & (pairs.touch != TouchState.FACING)
     reach = np.where(spheres & (start > 0.0), start, whole)
     start[spheres] = 0.0
     np.maximum(kind, 0.0, out=kind)

@@ -17,8 +17,8 @@ import warnings
 import numpy as np
 
 from bondem._names import users_line
+from bondem._tables.columns import EventColumn
 from bondem._types import Floats
-from bondem.damage.event_columns import BROKEN_BOND, BROKEN_ENERGY, BROKEN_TIME, OPENING_STEPS
 from bondem.damage.softening_table import SofteningTable
 from bondem.errors import UnresolvedOpeningWarning
 from bondem.model.state import State
@@ -47,10 +47,11 @@ def doubt_about_openings(state: State, dt: float) -> str:
     table = state.model.softening
     if table is None:
         return ""
-    rows = state.broken[state.broken[:, BROKEN_TIME] > state.time - (state.step + 0.5) * dt]
-    rows = rows[np.isfinite(rows[:, OPENING_STEPS])]
-    rows = rows[table.last[rows[:, BROKEN_BOND].astype(np.int64)] > 0.0]  # brittle facets have no curve
-    facet, steps, energy = rows[:, BROKEN_BOND].astype(np.int64), rows[:, OPENING_STEPS], rows[:, BROKEN_ENERGY]
+    rows = state.broken[state.broken[:, EventColumn.TIME] > state.time - (state.step + 0.5) * dt]
+    rows = rows[np.isfinite(rows[:, EventColumn.OPENING_STEPS])]
+    rows = rows[table.last[rows[:, EventColumn.BOND].astype(np.int64)] > 0.0]  # brittle facets have no curve
+    facet = rows[:, EventColumn.BOND].astype(np.int64)
+    steps, energy = rows[:, EventColumn.OPENING_STEPS], rows[:, EventColumn.ENERGY]
     error = opening_error(table, facet, steps)
     whole = float(state.released[0])
     if not whole > 0.0 or not error @ energy > _LIMIT * whole:

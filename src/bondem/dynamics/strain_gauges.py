@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from bondem._tables.columns import HistoryColumn
 from bondem._types import Floats
 from bondem.boundary.gauges import StrainGauge
-from bondem.dynamics.history import FIXED_COLUMNS
 from bondem.dynamics.plan import Plan
 from bondem.errors import InputError
 from bondem.model.model import Model
@@ -32,7 +32,7 @@ class StrainGauges:
                     f"gauge '{name}': the {len(chosen)} elements of its region lie in a plane or on a line; use a"
                     " region with at least four that do not"
                 )
-            self._parts.append((FIXED_COLUMNS + 3 * g, chosen, gradient_weights(position)))
+            self._parts.append((HistoryColumn.COUNT + 3 * g, chosen, gradient_weights(position)))
 
     def __bool__(self) -> bool:
         return bool(self._parts)

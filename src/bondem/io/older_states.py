@@ -2,25 +2,11 @@
 
 import numpy as np
 
+from bondem._tables.columns import CrackKind, CrackStatus, EventColumn
 from bondem._types import Floats
 from bondem.boundary.wall_rows import walls_at_rest
-from bondem.damage.crack_columns import (
-    ACTIVE,
-    CRACK_COLUMNS,
-    FACET,
-    KIND,
-    OF_MATERIAL,
-    ONSET,
-    RATE,
-    RESTING,
-    RUB,
-    SLIP,
-    SPENT,
-    STATUS,
-    TOP,
-)
+from bondem.damage.crack_columns import CRACK_COLUMNS, FACET, KIND, ONSET, RATE, RUB, SLIP, SPENT, STATUS, TOP
 from bondem.damage.crack_rows import alike_left, axes_along, crack_rows
-from bondem.damage.event_columns import BROKEN_PLACE
 from bondem.model.model import Model
 from bondem.model.state import State
 
@@ -63,7 +49,7 @@ def brought_up(model: Model, state: State, schema: int) -> None:
     judge_anew(model, state)
     if state.origin.any():  # places counted from zero
         state.pose[:, :3] -= state.origin
-        state.broken[:, BROKEN_PLACE : BROKEN_PLACE + 3] -= state.origin
+        state.broken[:, EventColumn.PLACE : EventColumn.PLACE + 3] -= state.origin
 
 
 def with_directions(model: Model, state: State) -> Floats:
@@ -79,8 +65,8 @@ def with_directions(model: Model, state: State) -> Floats:
     for column, of_row in ((RATE, 5), (STATUS, 6), (SPENT, 11), (TOP, 12)):
         rows[:, column] = older[:, of_row]
     # cracks of the material that are not gone are treated one by one
-    softens = rows[:, KIND] == OF_MATERIAL
-    rows[softens & (rows[:, STATUS] == RESTING), STATUS] = ACTIVE
+    softens = rows[:, KIND] == CrackKind.OF_MATERIAL
+    rows[softens & (rows[:, STATUS] == CrackStatus.RESTING), STATUS] = CrackStatus.ACTIVE
     rows[softens, SLIP : SLIP + 3] = rows[softens, RUB : RUB + 3] = 0.0
     return rows
 
@@ -92,4 +78,4 @@ def judge_anew(model: Model, state: State) -> None:
     rows = state.cracks
     strength = model.softening.strength[rows[:, FACET].astype(np.int64)]
     rows[:, ONSET] = np.where(rows[:, ONSET] > 0.0, strength, 0.0)
-    rows[np.isfinite(rows[:, TOP]) & (rows[:, STATUS] == RESTING), TOP] = 0.0
+    rows[np.isfinite(rows[:, TOP]) & (rows[:, STATUS] == CrackStatus.RESTING), TOP] = 0.0

@@ -30,8 +30,9 @@ import numpy as np
 
 from bondem import __version__
 from bondem._checks import instance, place, require_file
+from bondem._tables.columns import HistoryColumn
 from bondem.damage.criteria.criterion import Criterion
-from bondem.dynamics.history import CRUSHING, NON_LOCAL, PLASTIC, RELEASED, History
+from bondem.dynamics.history import History
 from bondem.dynamics.plan import Plan
 from bondem.errors import RunFileError
 from bondem.io.atomic import require_writable
@@ -65,7 +66,9 @@ _SINCE = {
 }  # fmt: skip
 KIND = Kind("a run file of bondem", "give a file of a run", "start the run again", RunFileError)
 # Schema from which on a column of the records is there.
-_COLUMN_SINCE = {NON_LOCAL: 3, RELEASED: 4, PLASTIC: 5, CRUSHING: 10}
+_COLUMN_SINCE = {
+    HistoryColumn.NON_LOCAL: 3, HistoryColumn.RELEASED: 4, HistoryColumn.PLASTIC: 5, HistoryColumn.CRUSHING: 10,
+}  # fmt: skip
 # What does not change while a run goes on.
 _STATIC = ("plan", "model", "provenance", "elements", "bonds", "facets", "cells")
 _CHUNK = 1 << 20

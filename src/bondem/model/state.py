@@ -7,14 +7,14 @@ import numpy as np
 from bondem._cache_lines import lines
 from bondem._checks import array, instance, shown
 from bondem._names import meant
+from bondem._tables.columns import EventColumn, PlasticColumn, SoftColumn
 from bondem._types import ArrayLike, Floats, Pairs, PerBond, PerElement
 from bondem.boundary.loads import Eigenstrain
 from bondem.boundary.wall_constraints import reference_base
 from bondem.boundary.wall_rows import wall_rows, walls_at_rest
 from bondem.boundary.walls import Wall
-from bondem.damage.crack_columns import CRACK_COLUMNS, DEFORMATION, GAMMA, HEAT, ONSET_STEP, PLASTIC_COLUMNS
+from bondem.damage.crack_columns import CRACK_COLUMNS, ONSET_STEP
 from bondem.damage.crushing import crushing_of
-from bondem.damage.event_columns import BROKEN_COLUMNS, SOFT_COLUMNS, SOFT_ONSET
 from bondem.errors import InputError
 from bondem.interactions.contact.contact_columns import CONTACT_COLUMNS, in_contact
 from bondem.interactions.interaction import Arrays
@@ -64,12 +64,12 @@ class State(StateMotion):
     - `wall_stretch`: tangential stretch [m] and dashpot force [N] of these contacts, shape (b, 6).
     - `rolled`, `wall_rolled`: R̄ times the rotation that contacts store, if they resist it [m], (c, 3), (b, 3).
     - `walls`: positions, velocities and loads of the walls (`bondem.boundary.wall_rows`), shape (w, 27).
-    - `broken`: breakages in order of time (`bondem.damage.event_columns`), shape (e, 10).
+    - `broken`: breakages in order of time (`EventColumn` of `bondem._tables.columns`), shape (e, 10).
     - `released`: energy that breaking bonds have released since the start [J], shape (1,).
     - `crushed`: energy that they had released before it beyond their fracture energy [J], shape (1,).
     - `cracks`: facets that have begun to crack, in order of time (`bondem.damage.crack_columns`), shape (c, 30).
     - `plastic`, `held_slip`: of cells that yield (`bondem.damage.crack_columns`), shapes (n, 17) and (n,).
-    - `softened`: beams that have begun to soften, in order of time (`bondem.damage.event_columns`), shape (c, 7).
+    - `softened`: beams that have begun to soften, in order of time (`SoftColumn`), shape (c, 7).
     - `grips`: initial places of walls that hold facets of cells (`bondem.boundary.wall_constraints`), shape (g, 7).
     - `facet_force`: force of each facet on its cell i [N], (3, m), if facets may crack; else (3, 0).
     - `stale`: True if forces and accelerations are not those of the pose; each run begins by finding them anew.
@@ -106,14 +106,14 @@ class State(StateMotion):
         self.rolled, self.wall_rolled = np.zeros((2, 0, 3))
         self.walls = walls_at_rest(len(model.walls))
         set_off(self.walls, (), model.walls)
-        self.broken = np.zeros((0, BROKEN_COLUMNS))
+        self.broken = np.zeros((0, EventColumn.COUNT))
         self.released, self.crushed = np.zeros((2, 1))
         soft = model.softening
         self.cracks = np.zeros((0, CRACK_COLUMNS))
-        self.plastic = np.zeros((n if soft is not None and soft.slip is not None else 0, PLASTIC_COLUMNS))
+        self.plastic = np.zeros((n if soft is not None and soft.slip is not None else 0, PlasticColumn.COUNT))
         self.held_slip = np.zeros(len(self.plastic))
         self.facet_force = np.zeros((3, 0 if soft is None else m))
-        self.softened = np.zeros((0, SOFT_COLUMNS))
+        self.softened = np.zeros((0, SoftColumn.COUNT))
         self.grips = reference_base(len(model.interaction.grips.cell))
         self.step, self.time, self.stale = 0, 0.0, True
 
@@ -210,8 +210,8 @@ class State(StateMotion):
             if self.plastic.any():
                 raise InputError("the state has cells that yielded; give the model a criterion by which cells yield")
             self.plastic, self.held_slip = fresh.plastic, fresh.held_slip
-        self.plastic[:, HEAT] = 0.0
-        for rows, column in ((self.cracks, ONSET_STEP), (self.softened, SOFT_ONSET)):
+        self.plastic[:, PlasticColumn.HEAT] = 0.0
+        for rows, column in ((self.cracks, ONSET_STEP), (self.softened, SoftColumn.BEGAN)):
             rows[:, column] -= self.step  # steps count from here on
         self.crushed = crushing_of(soft, model.beam_softening, self.cracks, self.softened)
 
@@ -258,14 +258,14 @@ class State(StateMotion):
         """Accumulated plastic slip Σ Δγ of each cell [-], user's order, shape (n,); zeros if no cell can yield."""
         if not len(self.plastic):
             return freeze(np.zeros(len(self.pose)))
-        return self._by_user(self.plastic[:, GAMMA])
+        return self._by_user(self.plastic[:, PlasticColumn.GAMMA])
 
     @property
     def plastic_deformation(self) -> Floats:
         """Plastic deformation P of each cell in its frame, which scales its levers [-], user's order, (n, 3, 3)."""
         P = np.tile(np.eye(3), (len(self.pose), 1, 1))
         if len(self.plastic):
-            P += self._by_user(self.plastic[:, DEFORMATION : DEFORMATION + 9]).reshape(-1, 3, 3)
+            P += self._by_user(self.plastic[:, : PlasticColumn.GAMMA]).reshape(-1, 3, 3)
         return freeze(P)
 
     @property

@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
+from bondem._tables.columns import EventColumn, SoftColumn
 from bondem.damage.crack_columns import FACET, STATUS
-from bondem.damage.event_columns import BROKEN_BOND, SOFT_BOND
 from bondem.errors import InputError
 from bondem.model.state import State
 
@@ -41,8 +41,8 @@ def _check_numbers(state: State, n: int, m: int, walls: int) -> None:
     numbers = {
         "touching": (pair, n),
         "wall_touching": (at_wall[:, :1], n), "wall_touching of walls": (at_wall[:, 1:], walls),
-        "broken": (state.broken[:, BROKEN_BOND], m), "cracks": (state.cracks[:, FACET], m),
-        "status of cracks": (state.cracks[:, STATUS], 3), "softened": (state.softened[:, SOFT_BOND], m),
+        "broken": (state.broken[:, EventColumn.BOND], m), "cracks": (state.cracks[:, FACET], m),
+        "status of cracks": (state.cracks[:, STATUS], 3), "softened": (state.softened[:, SoftColumn.BOND], m),
     }  # fmt: skip
     for name, (values, count) in numbers.items():
         if not _are_numbers(values, count):

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance, shown
+from bondem._tables.columns import SoftColumn
 from bondem._types import Floats, PerBond, PerBond3
-from bondem.damage.event_columns import SOFT_BOND
 from bondem.errors import InputError
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -116,7 +116,7 @@ def _of_state(model: Model, state: State) -> BondForces:
 def _pressed(model: Model, state: State, length: Floats) -> PerBond:
     """Return the compressive force of beams that soften, without their share by integrity [N], user's order."""
     push = np.zeros(len(length))
-    begun = state.softened[:, SOFT_BOND].astype(np.int64)
+    begun = state.softened[:, SoftColumn.BOND].astype(np.int64)
     begun = begun[state.integrity[begun] > 0.0]
     if len(begun):
         bond = model.layout.bond_order[begun]

@@ -5,19 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from bondem._checks import instance
+from bondem._tables.columns import EventColumn, SoftColumn
 from bondem._types import Floats, Ints, PerBond
 from bondem.damage.criteria.criterion import MODES
-from bondem.damage.event_columns import (
-    BROKEN_BOND,
-    BROKEN_ENERGY,
-    BROKEN_GAP,
-    BROKEN_MODE,
-    BROKEN_PLACE,
-    BROKEN_STEP,
-    BROKEN_TIME,
-    OPENING_STEPS,
-    SOFT_BOND,
-)
 from bondem.damage.failure_passes import beam_indices, indices_of_facets, strengths_of
 from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import beam_tables
@@ -63,14 +53,14 @@ class BrokenBonds:
         """Return the bonds that broke before a state."""
         rows = state.broken
         return cls(
-            time=rows[:, BROKEN_TIME].copy(),
-            step=rows[:, BROKEN_STEP].astype(np.int64),
-            bond=state.layout.bond_order[rows[:, BROKEN_BOND].astype(np.int64)],
-            mode=np.array(MODES)[rows[:, BROKEN_MODE].astype(np.int64)],
-            gap=rows[:, BROKEN_GAP].copy(),
-            energy=rows[:, BROKEN_ENERGY].copy(),
-            position=rows[:, BROKEN_PLACE : BROKEN_PLACE + 3] + state.origin,
-            opening_steps=rows[:, OPENING_STEPS].copy(),
+            time=rows[:, EventColumn.TIME].copy(),
+            step=rows[:, EventColumn.STEP].astype(np.int64),
+            bond=state.layout.bond_order[rows[:, EventColumn.BOND].astype(np.int64)],
+            mode=np.array(MODES)[rows[:, EventColumn.MODE].astype(np.int64)],
+            gap=rows[:, EventColumn.GAP].copy(),
+            energy=rows[:, EventColumn.ENERGY].copy(),
+            position=rows[:, EventColumn.PLACE : EventColumn.PLACE + 3] + state.origin,
+            opening_steps=rows[:, EventColumn.OPENING_STEPS].copy(),
         )
 
     def __len__(self) -> int:
@@ -115,7 +105,7 @@ def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
     elif model.cells is None:
         beams, _ = beam_tables(constants, layout, model.period, state.integrity, may_share=False)
         found = beam_indices(state.pose, beams, table)
-        begun = state.softened[:, SOFT_BOND].astype(np.int64)
+        begun = state.softened[:, SoftColumn.BOND].astype(np.int64)
         found[begun] = state.integrity[begun] > 0.0
     else:
         pose = state.pose.copy()

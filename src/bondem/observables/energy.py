@@ -3,9 +3,9 @@
 import numpy as np
 
 from bondem._tables.cell_tables import CellPoses
+from bondem._tables.columns import SoftColumn
 from bondem._tables.step_tables import Beams
 from bondem._types import Floats, PerBond, PerElement3
-from bondem.damage.event_columns import SOFT_BOND
 from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import beam_energies, beam_tables
 from bondem.interactions.beams.bond_strain import BondStrain
@@ -137,7 +137,7 @@ def _pressed_energy(model: Model, state: State, beams: Beams) -> float:
 
     Contacts store that of broken beams where the model has them.
     """
-    bond = state.softened[:, SOFT_BOND].astype(np.int64)
+    bond = state.softened[:, SoftColumn.BOND].astype(np.int64)
     if model.hands_over:
         bond = bond[state.integrity[bond] > 0.0]
     branch = state.pose[beams.j[bond], :3] - state.pose[beams.i[bond], :3]

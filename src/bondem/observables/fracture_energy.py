@@ -6,9 +6,9 @@ from typing import cast
 
 import numpy as np
 
+from bondem._tables.columns import EventColumn, SoftColumn
 from bondem._types import Floats, Ints, PerBond
 from bondem.damage.crack_columns import FACET, ONSET, SPENT
-from bondem.damage.event_columns import BROKEN_BOND, BROKEN_ENERGY, SOFT_BOND, SOFT_SPENT
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.model.model import Model
 from bondem.model.state import State
@@ -94,10 +94,10 @@ def _broken(model: Model, state: State) -> tuple[Ints, Floats, Floats]:
         number, spent, chosen = rows[:, FACET], rows[:, SPENT], rows[:, ONSET] > 0.0
     elif model.beam_softening is not None:
         rows, absorbed = state.softened, model.beam_softening.absorbed(state.softened)
-        number, spent, chosen = rows[:, SOFT_BOND], rows[:, SOFT_SPENT], np.ones(len(rows), dtype=bool)
+        number, spent, chosen = rows[:, SoftColumn.BOND], rows[:, SoftColumn.SPENT], np.ones(len(rows), dtype=bool)
     else:
         rows = state.broken
-        number, spent, chosen = rows[:, BROKEN_BOND], rows[:, BROKEN_ENERGY], np.ones(len(rows), dtype=bool)
+        number, spent, chosen = rows[:, EventColumn.BOND], rows[:, EventColumn.ENERGY], np.ones(len(rows), dtype=bool)
         absorbed = np.full(len(rows), np.inf)
     bond = number.astype(np.int64)
     chosen = chosen & (state.integrity[bond] == 0.0)

@@ -14,7 +14,6 @@ from bondem._passes import calls
 from bondem._types import Floats
 from bondem.errors import InputError, PackingError
 from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
-from bondem.packing import packing_tables as tables
 from bondem.packing.packing_tables import new_flight, new_growing
 from bondem.packing.soft_spheres import SoftSpheres
 from bondem.packing.start import thrown
@@ -85,7 +84,7 @@ def grow(
         heat = float((velocity**2).sum())
         growing = new_growing(spheres.scale, _RATE, gain / _RATE, 20 * n)
         run_pass(calls.fly_and_grow(spheres.table, spheres.walls, near, growing, new_flight(n)))
-        gone, virial, met = (float(growing.report[k]) for k in (tables.TIME, tables.VIRIAL, tables.COLLISIONS))
+        gone, virial, met = growing.report.tolist()
         spheres.scale += _RATE * gone
         if last - spheres.scale < 1e-12:
             spheres.scale = last

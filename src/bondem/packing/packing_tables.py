@@ -2,12 +2,9 @@
 
 import numpy as np
 
+from bondem._tables.columns import GrowthReport, RelaxationReport
 from bondem._tables.packing_tables import Flight, Growing, Relaxing
 
-# Columns of `Relaxing.report`: rms force [m], mean overlap [m], contacts, largest overlap [m], steps taken.
-RMS_FORCE, MEAN_OVERLAP, CONTACTS, LARGEST_OVERLAP, STEPS, _RELAXING = range(6)
-# Columns of `Growing.report`: time gone by, sum of distance times exchanged momentum [m²], collisions.
-TIME, VIRIAL, COLLISIONS, _GROWING = range(4)
 # Columns of the sums of a block of spheres, and how many spheres a block has.
 _SUMS, _BLOCK = 8, 128
 
@@ -15,12 +12,12 @@ _SUMS, _BLOCK = 8, 128
 def new_relaxing(count: int, tolerance: float, loose: float) -> Relaxing:
     """Return the initial table of a relaxation of some spheres."""
     part = np.zeros((-(-count // _BLOCK), _SUMS))
-    return Relaxing(tolerance, loose, 0, np.zeros(3), part, np.zeros(_RELAXING))
+    return Relaxing(tolerance, loose, 0, np.zeros(3), part, np.zeros(RelaxationReport.COUNT))
 
 
 def new_growing(scale: float, rate: float, duration: float, events: int) -> Growing:
     """Return a growth with an empty report."""
-    return Growing(scale, rate, duration, events, np.zeros(_GROWING))
+    return Growing(scale, rate, duration, events, np.zeros(GrowthReport.COUNT))
 
 
 def new_flight(count: int) -> Flight:

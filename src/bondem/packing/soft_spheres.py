@@ -8,12 +8,12 @@ import numpy as np
 from bondem._checks import shown
 from bondem._core import run_pass
 from bondem._passes import calls
+from bondem._tables.columns import RelaxationReport
 from bondem._tables.packing_tables import Near, Spheres
 from bondem._threads import current_threads
 from bondem._types import Floats
 from bondem.geometry.elementary_shapes import Shape
 from bondem.geometry.neighbours import neighbours
-from bondem.packing import packing_tables as tables
 from bondem.packing.packing_tables import new_relaxing
 from bondem.packing.wall_contacts import walls
 
@@ -125,14 +125,14 @@ class SoftSpheres:
             near = self.near(self._skin * self.mean_radius, 0.499, threads=threads)
             relaxing = begun._replace(steps=steps - taken)
             ended = run_pass(calls.relax_spheres(self.table, self.walls, near, relaxing), threads=threads)
-            done = int(begun.report[tables.STEPS]) + (ended == "out_of_date")
+            done = int(begun.report[RelaxationReport.STEPS]) + (ended == "out_of_date")
             taken += done
             self.steps += done
             self.on_step(self.steps)
         self._skin = _SKIN_SETTLED
         mean = self.mean_radius
-        overlap, largest = float(begun.report[tables.MEAN_OVERLAP]), float(begun.report[tables.LARGEST_OVERLAP])
-        z = 2.0 * float(begun.report[tables.CONTACTS]) / len(self.sphere)
+        _, overlap, contacts, largest, _ = begun.report.tolist()
+        z = 2.0 * contacts / len(self.sphere)
         free = overlap < begun.loose  # no forces at all count as balanced for the pass
         settled = ended == "converged" and not free
         return Rest(z, overlap / mean, largest / mean, taken, settled, free)

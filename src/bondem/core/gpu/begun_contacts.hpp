@@ -9,7 +9,7 @@ namespace bondem {
 
 // Pair of an event of this step, or below 0.
 BONDEM_INLINE Index pair_of_event(const ContactPairs &pairs, const EventLog &log, Index event) {
-    return pairs.of_bond(Index(log.event(event, 2)));
+    return pairs.of_bond(Index(log.event(event, event_column::bond)));
 }
 // Begins the contact of event number e of this step. The output of its pair has the force, the energy that moves from
 // the event to the contact, the torque, and whether the two touch.
@@ -23,7 +23,7 @@ inline void begin_contact_of_event(Index e, const Moving &all, const ContactCons
     const double energy = begun.touches ? pair_energy(all.pose.data, c, pairs, k) : 0.0;
     const Vector f = begun.force, t = begun.torque;
     near.output.row<Row<double>>(k) = {{f.x, f.y, f.z, energy, t.x, t.y, t.z, begun.touches ? 1.0 : 0.0}};
-    log.event(event, 5) -= energy;
+    log.event(event, event_column::energy) -= energy;
 }
 inline void add_begun_contacts_of_element(Index p, const BondsOfElements &bonds, const BondMarks &marks,
                                           const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,

@@ -109,7 +109,7 @@ inline void count_failures(Index, const Candidates &candidates, const EventLog &
     if (!any_fails(candidates)) return;
     log.written(0) += candidates.count(0);
     double released = log.released(0);
-    for (Index event = log.written(1); event < log.written(0); event++) released += log.event(event, 5);
+    for (Index event = log.written(1); event < log.written(0); event++) released += log.event(event, event_column::energy);
     log.released(0) = released;
 }
 
@@ -212,7 +212,7 @@ inline void end_all_failures(Index, const Candidates &candidates) {
     if (any_fails(candidates)) end_failures(candidates);
 }
 inline void write_released_energy(Index, const DeviceSpan &span, const EventLog &log, const HistoryRows &history) {
-    history.record(clock_of(span).record, of_release) = log.released(0);
+    history.record(clock_of(span).record, device_column::released) = log.released(0);
 }
 
 }  // namespace bondem

@@ -163,18 +163,18 @@ inline void write_energy_of_contacts(Index, const DeviceSpan &span, const Contac
                                      const HistoryRows &history) {
     double sum = 0.0;
     for (Index q = 0; q < energies.energy.size(); q++) sum += energies.energy(q);
-    history.record(clock_of(span).record, of_contacts) = sum;
+    history.record(clock_of(span).record, device_column::contact) = sum;
 }
 inline void write_work_of_walls(Index, const DeviceSpan &span, const Walls &walls, const HistoryRows &history) {
     double sum = 0.0;
     for (Index w = 0; w < walls.body.size(); w++) sum += walls.body.row<const WallRow>(w).work;
-    history.record(clock_of(span).record, of_walls_work) = sum;
+    history.record(clock_of(span).record, device_column::walls) = sum;
 }
 inline void write_gauge_of_wall(Index g, const DeviceSpan &span, const Walls &walls, const Gauges &gauges,
                                 const HistoryRows &history) {
-    if (gauges.quantity(g) < gauge::of_walls) return;
+    if (gauges.quantity(g) < gauge_quantity::of_walls) return;
     const WallRow &row = walls.body.row<const WallRow>(gauges.element(gauges.start(g)));
-    write_wall(row, gauges.quantity(g), &history.record(clock_of(span).record, before_gauges + 3 * g));
+    write_wall(row, gauges.quantity(g), &history.record(clock_of(span).record, device_column::count + 3 * g));
 }
 
 }  // namespace bondem

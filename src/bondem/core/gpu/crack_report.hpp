@@ -30,7 +30,7 @@ inline void write_energy_of_yielding(Index, const DeviceSpan &span, const CrackE
                                      const HistoryRows &history) {
     double heat = 0.0;
     for (Index q = 0; q < found.heat.size(); q++) heat += found.heat(q);
-    history.record(clock_of(span).record, of_plasticity) = heat;
+    history.record(clock_of(span).record, device_column::plastic) = heat;
 }
 inline void sum_portion_of_crushing(Index b, const DeviceSpan &span, const FacetStrengths &strengths,
                                     const CohesiveCracks &cracks, const CrushingPortions &found) {
@@ -44,7 +44,7 @@ inline void write_all_crushing_of_facets(Index, const DeviceSpan &span, const Cr
                                          const HistoryRows &history) {
     double sum = 0.0;
     for (Index b = 0; b < found.energy.size(); b++) sum += found.energy(b);
-    history.record(clock_of(span).record, of_crushing) = sum - log.crushed(0);
+    history.record(clock_of(span).record, device_column::crushing) = sum - log.crushed(0);
 }
 
 }  // namespace bondem

@@ -240,7 +240,6 @@ inline void add_crack_load(Index e, const DeviceSpan &span, const Moving &all, c
     add_crack_loads(turn_of(span, cut, e), all, lists, cut);
 }
 
-constexpr Index cracks_of_portion = 256, portions_of_losses = 64;
 
 inline void sum_portion_of_losses(Index q, const DeviceSpan &span, const LossesOfCracks &losses) {
     const Index last = least((q + 1) * cracks_of_portion, span.m);

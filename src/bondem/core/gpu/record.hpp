@@ -7,15 +7,6 @@
 
 namespace bondem {
 
-// Columns of the sums: translation, rotation, damped, rubbed; normal, shear, bending, twisting; bonds turned wide, lost,
-// numbers that are not finite; work, its absolute value.
-constexpr Index sum_columns = 13, portions_of_group = 64;
-// Further columns of a record: energies of contacts and of non-local stresses, released, plastic and crushing
-// energies; work of walls; then gauges.
-enum FurtherColumn : Index {
-    of_contacts = sum_columns, of_non_local, of_release, of_plasticity, of_crushing, of_walls_work, before_gauges
-};
-
 inline void sum_portion_of_elements(Index b, const DeviceSpan &span, const Moving &all, const Portions &portions) {
     sum_element_energies(portion_of(span, b, elements_of_portion, span.n), all, portions);
 }
@@ -32,7 +23,7 @@ inline void sum_portion_of_works(Index b, const Rows &rows, const WorkPortions &
 
 // Column k % 13 of group k / 13.
 inline void fold_portions(Index k, const Portions &portions, const WorkPortions &works, const FoldedPortions &folded) {
-    const Index group = k / sum_columns, c = k % sum_columns;
+    const Index group = k / device_sums, c = k % device_sums;
     const auto add_up = [&](const auto &from, Index column) {
         const Index last = least((group + 1) * portions_of_group, from.size());
         double sum = 0.0;
@@ -54,8 +45,8 @@ inline void write_sum(Index c, const DeviceSpan &span, const FoldedPortions &fol
 // Part k % each of the sum of gauge k / each.
 inline void read_part_of_gauge(Index k, const Moving &all, const Rows &rows, const Gauges &gauges, const GaugeParts &to) {
     const Index g = k / to.each, part = k % to.each, first = gauges.start(g), count = gauges.start(g + 1) - first;
-    const bool largest = gauges.reduction(g) == gauge::largest;
-    if (gauges.quantity(g) >= gauge::of_walls) return;
+    const bool largest = gauges.reduction(g) == gauge_reduction::max_abs;
+    if (gauges.quantity(g) >= gauge_quantity::of_walls) return;
     for (Index axis = 0; axis < 3; axis++) {
         double value = largest ? -infinity : 0.0;
         for (Index e = first + count * part / to.each; e < first + count * (part + 1) / to.each; e++) {
@@ -69,14 +60,14 @@ inline void read_part_of_gauge(Index k, const Moving &all, const Rows &rows, con
 inline void write_gauge(Index k, const DeviceSpan &span, const Gauges &gauges, const GaugeParts &from,
                         const HistoryRows &history) {
     const Index g = k / 3, axis = k % 3, reduction = gauges.reduction(g);
-    if (gauges.quantity(g) >= gauge::of_walls) return;
-    double value = reduction == gauge::largest ? -infinity : 0.0;
+    if (gauges.quantity(g) >= gauge_quantity::of_walls) return;
+    double value = reduction == gauge_reduction::max_abs ? -infinity : 0.0;
     for (Index part = g * from.each; part < (g + 1) * from.each; part++) {
         const double x = from.parts(part, axis);
-        value = reduction == gauge::largest ? most(value, x) : value + x;
+        value = reduction == gauge_reduction::max_abs ? most(value, x) : value + x;
     }
     const double count = double(gauges.start(g + 1) - gauges.start(g));
-    history.record(clock_of(span).record, before_gauges + k) = reduction == gauge::mean ? value / count : value;
+    history.record(clock_of(span).record, device_column::count + k) = reduction == gauge_reduction::mean ? value / count : value;
 }
 
 }  // namespace bondem

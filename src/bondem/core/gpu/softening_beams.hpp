@@ -104,7 +104,7 @@ inline void write_all_crushing_of_beams(Index, const DeviceSpan &span, const Sof
                                         const EventLog &log, const HistoryRows &history) {
     double sum = 0.0;
     for (Index c = 0; c < soft.begun(0); c++) sum += crushed_by_beam(bounds, soft, c);
-    history.record(clock_of(span).record, of_crushing) = sum - log.crushed(0);
+    history.record(clock_of(span).record, device_column::crushing) = sum - log.crushed(0);
 }
 
 }  // namespace bondem

@@ -8,9 +8,6 @@ namespace bondem {
 static_assert(sizeof(Clock) == 9 * sizeof(Index));
 BONDEM_INLINE Clock &clock_of(const DeviceSpan &span) { return *reinterpret_cast<Clock *>(span.clock.data); }
 
-// Number of works, or of walls, of a portion.
-constexpr Index works_of_portion = 1024;
-
 // A turn of element p.
 BONDEM_INLINE Turn turn_of(const DeviceSpan &span, Index p) {
     return {clock_of(span), p, p + 1, p + 1, nullptr, nullptr, p, nullptr};

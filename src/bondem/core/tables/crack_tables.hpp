@@ -4,7 +4,6 @@
 
 namespace bondem {
 
-using Byte = uint8_t;
 
 // Mean stresses of n cells, and Σ b⊗f of their cracks.
 struct StressesOfCells {
@@ -28,7 +27,7 @@ struct YieldingCells {
     Array<double, 1> slipped;  // Σ Δγ before this step, which other cells read, (n,)
     Array<double, 1> held;  // that of a state: slip that the next step begins with, (n,)
     // P - 1 by rows, Σ Δγ, last increment of strain in space, energy dissipated [J]
-    Array<double, 2> plastic;  // (n, 17)
+    Array<double, 2> plastic;  // (n, plastic_column::count)
     Array<int32_t, 2> base_i;  // levers of facets without plastic strain [pitch], (3, m)
     Array<int32_t, 2> base_j;  // levers of facets without plastic strain [pitch], (3, m)
     Array<double, 2> base_wall;  // those of walls [m], (held, 3)

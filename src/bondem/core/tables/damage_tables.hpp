@@ -36,7 +36,7 @@ struct Postponed {
 // Failures of one call of the core, in the order of time.
 struct EventLog {
     // time [s], step, bond, mode, gap [m], energy [J], place [m], steps since onset
-    Array<double, 2> event;  // (bonds, 10)
+    Array<double, 2> event;  // (bonds, event_column::count)
     Array<Index, 1> written;  // number of events, and of those before the present step, (2,)
     Array<double, 1> released;  // energy released since the start of the run [J], (1,)
     Array<double, 1> crushed;  // what bonds had released before it beyond their fracture energy [J], (1,)

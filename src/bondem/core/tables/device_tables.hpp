@@ -90,7 +90,7 @@ struct CrushingPortions {
 };
 // Sums over groups of portions.
 struct FoldedPortions {
-    Array<double, 2> sums;  // columns as in `SUM_COLUMNS`, (folds, 13)
+    Array<double, 2> sums;  // first columns of `device_column`, (folds, 13)
 };
 // Parts of the sums or largest values of gauges.
 struct GaugeParts {

@@ -4,7 +4,6 @@
 
 namespace bondem {
 
-using Byte = uint8_t;
 
 // Constants and states of m facets; see `bondem.interactions.cells.cell_constants`.
 struct WeakenedFacets {

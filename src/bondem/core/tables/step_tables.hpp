@@ -7,7 +7,6 @@
 
 namespace bondem {
 
-using Byte = uint8_t;
 
 // The motion of n elements; arrays of a state.
 struct Moving {

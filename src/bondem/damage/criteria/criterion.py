@@ -13,14 +13,14 @@ from typing import ClassVar, Literal
 import numpy as np
 
 from bondem._checks import choice, instance
+from bondem._tables.columns import FailureMode
 from bondem._types import Floats, Ints, PerBond, PerBond3
 from bondem.damage.cohesive_softening import Softening
 from bondem.damage.scatter import Normal, Weibull
 from bondem.interactions.beams.bond_law import BondStiffness, Section
 
 #: Modes of breakage, by the largest part of the index. States and run files store the number.
-INTACT, TENSION, SHEAR, BENDING, TWISTING = range(5)
-MODES = ("intact", "tension", "shear", "bending", "twisting")
+MODES = tuple(mode.name.lower() for mode in FailureMode)
 
 #: Stresses by which criteria evaluate facets.
 On = Literal["stress", "traction"]

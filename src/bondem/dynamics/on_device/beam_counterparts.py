@@ -4,16 +4,16 @@ import numpy as np
 
 from bondem._device import Launch
 from bondem._passes import kernels
+from bondem._tables.columns import WORKS_OF_PORTION
 from bondem._tables.device_tables import StrainPortions
 from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, Portions, Rows, StepCut, Strain, Timeline
-from bondem.dynamics.on_device.device_tables import WORKS
 from bondem.dynamics.on_device.translation import Counterpart, Translation
 
 
 def _strains(
     run: Translation, timeline: Timeline, strain: Strain, moving: Moving, beams: Beams, rows: Rows
 ) -> list[Launch]:
-    count = -(-len(strain.bond) // WORKS)
+    count = -(-len(strain.bond) // WORKS_OF_PORTION)
 
     def make() -> StrainPortions:
         return StrainPortions(np.zeros(2, dtype=np.int64), np.zeros((count, len(strain.schedule))))

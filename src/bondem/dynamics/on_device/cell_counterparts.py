@@ -14,9 +14,9 @@ from bondem._tables.cell_tables import (
     FacetTractions,
     WallConstraints,
 )
+from bondem._tables.columns import WORKS_OF_PORTION
 from bondem._tables.device_tables import WallEnergy
 from bondem._tables.step_tables import Beams, Moving, Portions, Rows, StepCut, Timeline
-from bondem.dynamics.on_device.device_tables import WORKS
 from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
 
 _OF_CELLS = Moving, ElasticFacets, WallConstraints, CorrectedMass
@@ -140,7 +140,7 @@ def _cell_energies(run: Translation, cells: CellDilatation, found: DilatationEne
 
 def energy_of_walls(run: Translation, moving: Moving, walls: WallConstraints) -> tuple[WallEnergy, list[Launch]]:
     """Return the energy of portions of walls, and the launches that find it."""
-    held = run.once(walls, lambda: WallEnergy(np.zeros(-(-len(walls.cell) // WORKS))))
+    held = run.once(walls, lambda: WallEnergy(np.zeros(-(-len(walls.cell) // WORKS_OF_PORTION))))
     return held, [(kernels.sum_portion_of_walls(moving, walls, held), len(held.energy))]
 
 

@@ -5,6 +5,7 @@ import numpy as np
 from bondem._device import Launch
 from bondem._passes import kernels
 from bondem._tables.cell_tables import CellDilatation, ElasticFacets, FacetForces
+from bondem._tables.columns import CRACKS_OF_PORTION, PORTIONS_OF_LOSSES
 from bondem._tables.contact_tables import ContactPairs, NearPairs
 from bondem._tables.crack_tables import (
     CellSlack,
@@ -15,17 +16,10 @@ from bondem._tables.crack_tables import (
     StressesOfCells,
 )
 from bondem._tables.damage_tables import EventLog
-from bondem._tables.device_tables import DeviceSpan, LossesOfCracks
+from bondem._tables.device_tables import LossesOfCracks
 from bondem._tables.step_tables import Moving
 from bondem.dynamics.cohesive_tables import BEGAN
 from bondem.dynamics.on_device.translation import Counterpart, Translation, bonds, elements, over
-
-# Facets of a portion of what cracks dissipate, and portions of a group, as in `core/gpu/cracks.hpp`.
-_PORTION, _GROUP = 256, 64
-
-_CRACKS = ElasticFacets, CohesiveCracks, CrackLists
-_JUDGED = DeviceSpan, Moving, ElasticFacets, FacetStrengths, StressesOfCells, CohesiveCracks, CrackLists
-_CHANGED = DeviceSpan, Moving, ElasticFacets, CellDilatation, CellSlack, CohesiveCracks, CrackLists
 
 
 def _losses(run: Translation, cracks: CohesiveCracks) -> LossesOfCracks:
@@ -33,9 +27,10 @@ def _losses(run: Translation, cracks: CohesiveCracks) -> LossesOfCracks:
 
     def make() -> LossesOfCracks:
         m = run.span.m
-        portions = -(-m // _PORTION)
+        portions = -(-m // CRACKS_OF_PORTION)
         made = LossesOfCracks(
-            np.zeros(m), np.zeros(portions), np.zeros(-(-portions // _GROUP)), np.zeros(m, dtype=np.int64),
+            np.zeros(m), np.zeros(portions), np.zeros(-(-portions // PORTIONS_OF_LOSSES)),
+            np.zeros(m, dtype=np.int64),
             np.zeros(1, dtype=np.int64),
         )  # fmt: skip
         run.scratch += [made.lost, made.portion, made.group, made.fallen]

@@ -11,6 +11,7 @@ from bondem._tables.cell_tables import (
     FacetTractions,
     WallConstraints,
 )
+from bondem._tables.columns import BONDS_OF_PORTION
 from bondem._tables.crack_tables import CohesiveCracks, CrackEnergies, FacetStrengths, StressesOfCells
 from bondem._tables.damage_tables import EventLog
 from bondem._tables.device_tables import (
@@ -71,7 +72,7 @@ def _energies(
 
 
 def _crack_portions(run: Translation, found: CrackEnergies) -> CrackPortions:
-    return run.once(found, lambda: CrackPortions(np.zeros((-(-run.span.m // 2048), 3))))
+    return run.once(found, lambda: CrackPortions(np.zeros((-(-run.span.m // BONDS_OF_PORTION), 3))))
 
 
 def _add_energies_to(
@@ -94,7 +95,7 @@ def _write(run: Translation, found: CrackEnergies, history: HistoryRows) -> list
 def _write_crushing(
     run: Translation, strengths: FacetStrengths, cracks: CohesiveCracks, log: EventLog, history: HistoryRows
 ) -> list[Launch]:
-    portions = run.once(strengths, lambda: CrushingPortions(np.zeros(-(-run.span.m // 2048))))
+    portions = run.once(strengths, lambda: CrushingPortions(np.zeros(-(-run.span.m // BONDS_OF_PORTION))))
     return [
         (kernels.sum_portion_of_crushing(run.span, strengths, cracks, portions), len(portions.energy)),
         (kernels.write_all_crushing_of_facets(run.span, portions, log, history), 1),

@@ -4,9 +4,9 @@ import numpy as np
 
 from bondem._device import Launch
 from bondem._passes import kernels
+from bondem._tables.columns import DEVICE_SUMS
 from bondem._tables.device_tables import GaugeParts
 from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, Rows
-from bondem.dynamics.on_device.device_tables import SUM_COLUMNS
 from bondem.dynamics.on_device.translation import Counterpart, Translation
 
 # Elements of a part of a gauge, about, and parts of a gauge at most.
@@ -24,7 +24,7 @@ def _judge(run: Translation, rows: Rows, portions: Portions) -> list[Launch]:
 
 
 def _write(run: Translation, rows: Rows, portions: Portions, history: HistoryRows) -> list[Launch]:
-    return [*run.fold(rows, portions), (kernels.write_sum(run.span, run.folded, history), len(SUM_COLUMNS))]
+    return [*run.fold(rows, portions), (kernels.write_sum(run.span, run.folded, history), DEVICE_SUMS)]
 
 
 def _read(run: Translation, moving: Moving, rows: Rows, gauges: Gauges, history: HistoryRows) -> list[Launch]:

@@ -7,6 +7,13 @@ import numpy as np
 
 from bondem._device import Launch
 from bondem._passes import Kernel, StepEntry, kernels
+from bondem._tables.columns import (
+    BONDS_OF_PORTION,
+    DEVICE_SUMS,
+    ELEMENTS_OF_PORTION,
+    PORTIONS_OF_GROUP,
+    WORKS_OF_PORTION,
+)
 from bondem._tables.damage_tables import EventLog
 from bondem._tables.device_tables import (
     BondsOfElements,
@@ -17,7 +24,7 @@ from bondem._tables.device_tables import (
     WorkPortions,
 )
 from bondem._tables.step_tables import Portions, Rows, StepCut
-from bondem.dynamics.on_device.device_tables import GROUP, SUM_COLUMNS, WORKS, new_row_order
+from bondem.dynamics.on_device.device_tables import new_row_order
 from bondem.specimen.ordering import Layout
 
 _T = TypeVar("_T")
@@ -60,9 +67,9 @@ class Translation:
             layout.in_start.astype(np.int32), layout.out_start.astype(np.int32), np.ascontiguousarray(layout.out_bond)
         )
         self.loads, self.dashed = LoadsOfBonds(np.zeros((9, m))), LoadsOfBonds(np.zeros((9, m)))
-        self._works = WorkPortions(np.zeros((-(-works // WORKS), 2)))
-        most = max(-(-n // 1024), -(-m // 2048), len(self._works.works), 1)
-        self.folded = FoldedPortions(np.zeros((-(-most // GROUP), len(SUM_COLUMNS))))
+        self._works = WorkPortions(np.zeros((-(-works // WORKS_OF_PORTION), 2)))
+        most = max(-(-n // ELEMENTS_OF_PORTION), -(-m // BONDS_OF_PORTION), len(self._works.works), 1)
+        self.folded = FoldedPortions(np.zeros((-(-most // PORTIONS_OF_GROUP), DEVICE_SUMS)))
         self.logs: list[EventLog] = []
         self.scratch: list[np.ndarray] = []
         self.before_keeping: list[Callable[[], None]] = []

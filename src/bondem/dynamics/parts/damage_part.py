@@ -8,12 +8,12 @@ import numpy as np
 from bondem._passes import steps
 from bondem._tables.beam_softening_tables import SofteningBounds
 from bondem._tables.cell_tables import ElasticFacets, FacetsOfCells
+from bondem._tables.columns import SoftColumn
 from bondem._tables.crack_tables import CohesiveCracks, CrackLists, FacetStrengths
 from bondem._tables.damage_tables import Candidates, EventLog, FailureBounds, Postponed, Strengths
 from bondem._tables.non_local_tables import LaggedStresses
 from bondem._tables.step_tables import Dashpots, StepCut
 from bondem._types import PerBond
-from bondem.damage.event_columns import SOFT_BOND
 from bondem.damage.failure_passes import strengths_of
 from bondem.damage.failure_table import FailureTable
 from bondem.dynamics.crack_joints import joints
@@ -55,7 +55,7 @@ class DamageTables:
         n, m = len(state.pose), len(state.integrity)
         limit = np.full(filled, np.inf, dtype=np.float32)
         limit[:m] = table.limit
-        limit[state.softened[:, SOFT_BOND].astype(np.int64)] = np.inf
+        limit[state.softened[:, SoftColumn.BOND].astype(np.int64)] = np.inf
         first = len(cut.sums) - n
         return cls(
             table=table,

@@ -6,13 +6,12 @@ import numpy as np
 
 from bondem._passes import steps
 from bondem._tables.beam_softening_tables import SofteningBeams, SofteningBounds
+from bondem._tables.columns import BONDS_OF_PORTION, SoftColumn
 from bondem._tables.step_tables import AlikeBeams, Beams
 from bondem.damage.beam_softening import BeamSoftening
-from bondem.damage.event_columns import SOFT_BOND, SOFT_COLUMNS
 from bondem.damage.failure_passes import strengths_of
 from bondem.dynamics.parts.damage_part import DamageTables
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.step_tables import BONDS_OF_PORTION
 from bondem.interactions.step_part import Part
 from bondem.model.state import State
 
@@ -39,9 +38,9 @@ class SofteningTables:
         Contacts carry the pressure on beams that have broken if it is `handed` to them.
         """
         m, begun = len(state.integrity), len(state.softened)
-        row = np.zeros((m, SOFT_COLUMNS))
+        row = np.zeros((m, SoftColumn.COUNT))
         row[:begun] = state.softened
-        bond = state.softened[:, SOFT_BOND].astype(np.int64)
+        bond = state.softened[:, SoftColumn.BOND].astype(np.int64)
         press = np.zeros(len(beams.i))
         press[bond] = (1.0 - state.integrity[bond]) * beams.kn[bond]
         if handed:

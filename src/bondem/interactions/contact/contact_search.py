@@ -15,10 +15,6 @@ from bondem.boundary.wall_rows import named_rows, no_rows, wall_rows
 from bondem.boundary.wall_table import WallTable
 from bondem.geometry.rotations import turned_vectors
 
-#: How elements touch: as spheres; by faces of cells, or not at all as these faces lie between them; not yet, though
-#: inside their spheres. `core/passes/contacts/pairs.hpp`
-APART, TOUCHING, JUST_PARTED, FACING, LATE = range(5)
-
 
 def walls_at(table: WallTable, body: Floats) -> Walls:
     """Return the walls of a model at their places in `body`, (w, 27), which they share."""

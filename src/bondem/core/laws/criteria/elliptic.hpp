@@ -17,7 +17,7 @@ struct Elliptic {
     template <class T> static BONDEM_INLINE Verdict<T> verdict(const BondLoads<T> &load, const Coefficients<T> &s) {
         const T zero = {}, strain = load.strain > zero ? load.strain : zero;
         const T stretch = strain * s.a, along = stretch * stretch, about = load.angle * s.b;
-        const T tension = constant<T>(tension_mode), bending = constant<T>(bending_mode);
+        const T tension = constant<T>(failure_mode::tension), bending = constant<T>(failure_mode::bending);
         return {along + about, along >= about ? tension : bending};
     }
 };

@@ -17,12 +17,12 @@ struct LinearSum {
 
     template <class T> static BONDEM_INLINE Verdict<T> verdict(const BondLoads<T> &load, const Coefficients<T> &s) {
         const T n = load.axial * s.a, q = load.shear * s.b, m = load.bending * s.c, t = load.twisting * s.d;
-        T mode = constant<T>(tension_mode), largest = n;
-        mode = q > largest ? constant<T>(shear_mode) : mode;
+        T mode = constant<T>(failure_mode::tension), largest = n;
+        mode = q > largest ? constant<T>(failure_mode::shear) : mode;
         largest = q > largest ? q : largest;
-        mode = m > largest ? constant<T>(bending_mode) : mode;
+        mode = m > largest ? constant<T>(failure_mode::bending) : mode;
         largest = m > largest ? m : largest;
-        mode = t > largest ? constant<T>(twisting_mode) : mode;
+        mode = t > largest ? constant<T>(failure_mode::twisting) : mode;
         return {n + q + m + t, mode};
     }
 };

@@ -5,11 +5,9 @@
 // with them; the mode is that of the largest part of the index.
 #pragma once
 #include "../../lanes.hpp"
+#include "../../tables/columns.hpp"
 
 namespace bondem {
-
-// Mode of a failure; states and run files store its number.
-enum FailureMode : Index { intact_mode, tension_mode, shear_mode, bending_mode, twisting_mode };
 
 // Loads of a bond, tension positive. A facet has an axial and a shear force only.
 template <class T> struct BondLoads {
@@ -26,7 +24,7 @@ template <class T> struct Coefficients {
 // Index and mode that a criterion returns.
 template <class T> struct Verdict {
     T index;  // the bond fails at 1 [-]
-    T mode;  // a `FailureMode`
+    T mode;  // a `failure_mode`
 };
 
 template <class T> BONDEM_INLINE T constant(double value) { return T{} + value; }

@@ -16,7 +16,7 @@ struct MohrCoulomb {
 
     template <class T> static BONDEM_INLINE Verdict<T> verdict(const BondLoads<T> &load, const Coefficients<T> &s) {
         const T along = load.axial * s.a, across = (load.shear + load.axial * s.c) * s.b;
-        const T tension = constant<T>(tension_mode), shear = constant<T>(shear_mode);
+        const T tension = constant<T>(failure_mode::tension), shear = constant<T>(failure_mode::shear);
         return {along >= across ? along : across, along >= across ? tension : shear};
     }
 };

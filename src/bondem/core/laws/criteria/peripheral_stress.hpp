@@ -20,7 +20,7 @@ struct PeripheralStress {
 
     template <class T> static BONDEM_INLINE Verdict<T> verdict(const BondLoads<T> &load, const Coefficients<T> &s) {
         const T along = load.axial * s.a + load.bending * s.b, across = load.shear * s.c + load.twisting * s.d;
-        const T tension = constant<T>(tension_mode), shear = constant<T>(shear_mode);
+        const T tension = constant<T>(failure_mode::tension), shear = constant<T>(failure_mode::shear);
         return {along >= across ? along : across, along >= across ? tension : shear};
     }
 };

@@ -15,7 +15,7 @@ namespace bondem {
 struct PrincipalStressCriterion {
     template <class T> static BONDEM_INLINE Verdict<T> verdict(T largest, T least, const Coefficients<T> &s) {
         const T pulled = s.a * largest, sheared = s.b * largest - s.c * least;
-        const T tension = constant<T>(tension_mode), shear = constant<T>(shear_mode);
+        const T tension = constant<T>(failure_mode::tension), shear = constant<T>(failure_mode::shear);
         return {pulled >= sheared ? pulled : sheared, pulled >= sheared ? tension : shear};
     }
 };

@@ -7,7 +7,7 @@
 #include "contact_loads.hpp"
 
 #include "../../registered.hpp"
-#include "../record/columns.hpp"
+#include "../../tables/columns.hpp"
 #include "face_contacts.hpp"
 #include "pairs.hpp"
 #include "travel.hpp"
@@ -232,7 +232,7 @@ BONDEM_PASS(sum_pair_energies, of_elements)
 void write_contact_energy(const Turn &turn, const ContactEnergies &energies, const HistoryRows &history) {
     double sum = 0.0;
     for (Index q = 0; q < energies.energy.size(); q++) sum += energies.energy(q);
-    history.record(turn.clock.record, column::contact) = sum;
+    history.record(turn.clock.record, history_column::contact) = sum;
 }
 BONDEM_PASS(write_contact_energy, serial)
 

@@ -9,11 +9,6 @@
 
 namespace bondem {
 
-// Kind of a contact. A contact that has parted in this step still counts its losses. Cells whose cracked faces face
-// each other touch by these faces, not as spheres; where they turn away from each other inside their spheres, the
-// spheres touch from the distance then, until they have come apart.
-enum TouchState : Byte { separate, touching, parted, facing, late };
-
 // Calls on(law) with the law of numbers of a contact, or of as many as there are lanes.
 template <class Numbers, class On> BONDEM_INLINE void with_law(const ContactConstants &c, const Numbers &of, On on) {
     using Number = decltype(of.modulus);

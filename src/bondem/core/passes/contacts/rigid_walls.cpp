@@ -11,7 +11,7 @@
 
 #include "../../registered.hpp"
 #include "../boundary/timeline.hpp"
-#include "../record/columns.hpp"
+#include "../../tables/columns.hpp"
 #include "pairs.hpp"
 #include "seen_from_wall.hpp"
 #include "travel.hpp"
@@ -255,12 +255,12 @@ BONDEM_PASS(count_wall_work, serial)
 // Adds the work of walls to a record, and writes gauges of walls.
 void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, const HistoryRows &history) {
     for (Index w = 0; w < walls.body.size(); w++)
-        history.record(turn.clock.record, column::work) += walls.body.row<const WallRow>(w).work;
+        history.record(turn.clock.record, history_column::work) += walls.body.row<const WallRow>(w).work;
     for (Index g = 0; g < gauges.quantity.size(); g++) {
         const Index quantity = gauges.quantity(g);
-        if (quantity < gauge_of_wall::displacement) continue;
+        if (quantity < wall_quantity::displacement) continue;
         write_wall(walls.body.row<const WallRow>(gauges.element(gauges.start(g))), quantity,
-                   &history.record(turn.clock.record, column::fixed_columns + 3 * g));
+                   &history.record(turn.clock.record, history_column::count + 3 * g));
     }
 }
 BONDEM_PASS(write_walls, serial)

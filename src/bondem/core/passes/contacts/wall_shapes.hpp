@@ -5,20 +5,12 @@
 
 namespace bondem {
 
-// A plane, a cylinder around the elements and one among them, a sphere around them and one among them, a disc.
-enum WallKind : Index { plane_wall, cylinder_around, cylinder_among, sphere_around, sphere_among, disc_wall };
-
 inline bool is_zero(Vector v) { return v.x == 0.0 && v.y == 0.0 && v.z == 0.0; }
 // Rotation vector of a unit quaternion [rad], of length at most π.
 inline Vector rotation_vector(Quaternion<double> q) {
     return {gauge::rotation_component(q, 0), gauge::rotation_component(q, 1), gauge::rotation_component(q, 2)};
 }
 
-// Quantities of a wall that gauges record, beside those of elements. Power is that of the wall on the elements: by
-// its velocity and its growth, by its spin, and their sum.
-namespace gauge_of_wall {
-enum Quantity : Index { displacement = 5, force, growth_and_force, velocity, torque, rotation, angular_velocity, power };
-}
 inline double moving_power(const WallRow &row) {
     double sum = 0.0;
     for (Index c = 0; c < 3; c++) sum += row.force[c] * row.velocity[c];
@@ -28,13 +20,13 @@ inline double moving_power(const WallRow &row) {
 inline double turning_power(const WallRow &row) { return dot(row.torque, row.spin); }
 inline Vector read_wall(const WallRow &row, Index quantity) {
     switch (quantity) {
-        case gauge_of_wall::displacement: return row.displacement;
-        case gauge_of_wall::velocity: return row.velocity;
-        case gauge_of_wall::growth_and_force: return {row.growth, row.growth_force, row.normal_force};
-        case gauge_of_wall::torque: return row.torque;
-        case gauge_of_wall::rotation: return rotation_vector(row.orientation);
-        case gauge_of_wall::angular_velocity: return row.spin;
-        case gauge_of_wall::power: break;
+        case wall_quantity::displacement: return row.displacement;
+        case wall_quantity::velocity: return row.velocity;
+        case wall_quantity::growth: return {row.growth, row.growth_force, row.normal_force};
+        case wall_quantity::torque: return row.torque;
+        case wall_quantity::rotation: return rotation_vector(row.orientation);
+        case wall_quantity::angular_velocity: return row.spin;
+        case wall_quantity::power: break;
         default: return row.force;
     }
     const double moving = -moving_power(row), turning = -turning_power(row);

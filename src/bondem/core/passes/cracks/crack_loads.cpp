@@ -3,7 +3,7 @@
 
 #include "../../registered.hpp"
 #include "../cells/walls.hpp"
-#include "../record/columns.hpp"
+#include "../../tables/columns.hpp"
 #include "loaded_cracks.hpp"
 
 namespace bondem {
@@ -108,7 +108,7 @@ BONDEM_PASS(add_crack_energies, serial)
 void write_heat(const Turn &turn, const CrackEnergies &found, const HistoryRows &history) {
     double heat = 0.0;
     for (Index q = 0; q < found.heat.size(); q++) heat += found.heat(q);
-    history.record(turn.clock.record, column::plastic) = heat;
+    history.record(turn.clock.record, history_column::plastic) = heat;
 }
 BONDEM_PASS(write_heat, serial)
 
@@ -117,7 +117,7 @@ void write_crushing_of_facets(const Turn &turn, const FacetStrengths &strengths,
                               const EventLog &log, const HistoryRows &history) {
     double sum = 0.0;
     for (Index c = 0; c < cracks.size(0); c++) sum += crushed_by_facet(strengths, cracks, cracks.order(c));
-    history.record(turn.clock.record, column::crushing) = sum - log.crushed(0);
+    history.record(turn.clock.record, history_column::crushing) = sum - log.crushed(0);
 }
 BONDEM_PASS(write_crushing_of_facets, serial)
 

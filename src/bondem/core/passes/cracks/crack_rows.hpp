@@ -23,7 +23,7 @@ struct CrackStateRow {
     double slip[3];  // of the faces, or of the spring of friction, in the frame of cell i [m]
     double rub[3];  // friction force a step ago [N], or by how much the faces slip in this step, in that frame [m]
     double fresh;  // 1 for a crack that begins to be treated in this step
-    double kind;  // `crack::Kind`
+    double kind;  // `crack::CrackKind`
 };
 struct CrackFrameRow {
     double axes[4];  // quaternion in the frame of cell i
@@ -60,11 +60,6 @@ inline CrackHistoryRow &history_of(const CohesiveCracks &cracks,
                                    Index c) { return cracks.history.row<CrackHistoryRow>(c); }
 
 namespace crack {
-// A crack of the material; one with one integrity for all directions, of a material plane or a cell without cohesion;
-// and one of the material that no longer transmits shear along it, with a spring of friction.
-enum Kind : int { of_material, alike, let_go };
-// Treatment of a crack: one by one; as a facet of less stiffness; or not at all, because its faces have parted.
-enum Status : int { active, resting, parted };
 // Changes of the treatment of a crack in a step.
 enum Flag : Byte { unchanged, fell, calmed, parts, wakes };
 // Columns of the loads of a half: force on its cell, energy rubbed away, torque, and N of `slides.hpp`; and the

@@ -95,7 +95,7 @@ inline void log_crack(const Clock &clock, const Moving &all, const ElasticFacets
     const Vector centre = {all.pose(facets.i(k), 0), all.pose(facets.i(k), 1), all.pose(facets.i(k), 2)};
     const double gap = dot(at.gap, at.across());
     const CrackHistoryRow &history = history_of(cracks, k);
-    log_event(clock, log, k, gap > 0.0 ? tension_mode : shear_mode,
+    log_event(clock, log, k, gap > 0.0 ? failure_mode::tension : failure_mode::shear,
               {history.spent, gap, centre + at.arm_i, double(clock.step) - history.onset_step});
 }
 

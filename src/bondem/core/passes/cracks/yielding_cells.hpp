@@ -8,11 +8,6 @@
 
 namespace bondem {
 
-// Columns of a cell in `YieldingCells::plastic`.
-namespace plastic_column {
-enum : Index { deformation = 0, gamma = 9, increment = 10, heat = 16 };
-}
-
 // The plastic strain of the last increment, in space [-].
 inline Symmetric3<double> strain_of(const YieldingCells &cells, Index p) {
     const double *e = &cells.plastic(p, plastic_column::increment);

@@ -8,7 +8,7 @@
 #include "beam_softening.hpp"
 
 #include "../../registered.hpp"
-#include "../record/columns.hpp"
+#include "../../tables/columns.hpp"
 #include "pipeline.hpp"
 #include "softening_beam.hpp"
 
@@ -79,7 +79,7 @@ void write_crushing_of_beams(const Turn &turn, const SofteningBounds &bounds, co
                              const HistoryRows &history) {
     double sum = 0.0;
     for (Index c = 0; c < soft.begun(0); c++) sum += crushed_by_beam(bounds, soft, c);
-    history.record(turn.clock.record, column::crushing) = sum - log.crushed(0);
+    history.record(turn.clock.record, history_column::crushing) = sum - log.crushed(0);
 }
 BONDEM_PASS(write_crushing_of_beams, serial)
 

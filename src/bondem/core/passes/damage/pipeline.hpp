@@ -145,15 +145,15 @@ template <class On> inline void for_each_failing(const Candidates &candidates, O
 }
 // Calls on(k, event) for those that have failed in this step; event is the number of a row of the log.
 template <class On> inline void for_each_event(const EventLog &log, On on) {
-    for (Index event = log.written(1); event < log.written(0); event++) on(Index(log.event(event, 2)), event);
+    for (Index event = log.written(1); event < log.written(0); event++) on(Index(log.event(event, event_column::bond)), event);
 }
 
 inline void write_event(const Clock &clock, const EventLog &log, Index event, Index k, Index mode, const Removal &removal) {
     double *const row = &log.event(event, 0);
     const Vector x = removal.place;
-    const double all[10] = {clock.time, double(clock.step), double(k), double(mode), removal.gap, removal.energy,
+    const double all[event_column::count] = {clock.time, double(clock.step), double(k), double(mode), removal.gap, removal.energy,
                             x.x, x.y, x.z, removal.opening_steps};
-    for (Index c = 0; c < 10; c++) row[c] = all[c];
+    for (Index c = 0; c < event_column::count; c++) row[c] = all[c];
 }
 inline void log_event(const Clock &clock, const EventLog &log, Index k, Index mode, const Removal &removal) {
     write_event(clock, log, log.written(0)++, k, mode, removal);
@@ -172,7 +172,7 @@ inline void remove(const Turn &turn, const Candidates &candidates, const EventLo
 
 // Subtracts the energy that a contact of the two elements stores from the energy of an event [J].
 inline void take_over(const EventLog &log, Index event, double energy) {
-    log.event(event, 5) -= energy;
+    log.event(event, event_column::energy) -= energy;
     log.released(0) -= energy;
 }
 

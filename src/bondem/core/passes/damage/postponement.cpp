@@ -1,7 +1,7 @@
 // Elements that a failure postpones from the end of a step to the removal of failed bonds.
 #include "../../registered.hpp"
 #include "../motion/elements.hpp"
-#include "../record/columns.hpp"
+#include "../../tables/columns.hpp"
 #include "pipeline.hpp"
 
 namespace bondem {
@@ -77,7 +77,7 @@ BONDEM_PASS(list_postponed, divides_elements)
 
 // Writes the energy released into a record.
 void write_released(const Turn &turn, const EventLog &log, const HistoryRows &history) {
-    history.record(turn.clock.record, column::released) = log.released(0);
+    history.record(turn.clock.record, history_column::released) = log.released(0);
 }
 BONDEM_PASS(write_released, serial)
 

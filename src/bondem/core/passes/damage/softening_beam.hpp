@@ -8,10 +8,6 @@
 
 namespace bondem {
 
-// Columns of a row of a beam that has begun to soften.
-namespace soft_column {
-enum : Index { bond, first, last, rate, spent, mode, began };
-}
 // Further columns of a beam that begins to soften in this step.
 namespace onset_column {
 enum : Index { first, last, rate, spent };
@@ -69,7 +65,7 @@ inline double soften_beam(const Clock &clock, const Moving &all, const Beams &be
 inline double crushed_by_beam(const SofteningBounds &bounds, const SofteningBeams &soft, Index c) {
     const double *const row = &soft.row(c, 0);
     const Index k = bond_of_row(soft, c), mode = Index(row[soft_column::mode]);
-    const double of_mode = mode == shear_mode || mode == twisting_mode ? bounds.slide(k) : bounds.tear(k);
+    const double of_mode = mode == failure_mode::shear || mode == failure_mode::twisting ? bounds.slide(k) : bounds.tear(k);
     return most(row[soft_column::spent] - absorbed_energy(row[soft_column::first], row[soft_column::last], of_mode), 0.0);
 }
 inline bool has_broken(const SofteningBounds &bounds, const SofteningBeams &soft, Index c) {

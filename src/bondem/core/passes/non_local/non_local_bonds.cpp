@@ -8,7 +8,7 @@
 #include "non_local_bonds.hpp"
 
 #include "../../registered.hpp"
-#include "../record/columns.hpp"
+#include "../../tables/columns.hpp"
 #include "bond_columns.hpp"
 
 namespace bondem {
@@ -148,7 +148,7 @@ BONDEM_PASS(add_lasting_loads, bonds_of_blocks)
 
 // Writes the work of the extra forces of bonds to the energy balance.
 void write_non_local_work(const Turn &turn, const NonLocalWork &work, const HistoryRows &history) {
-    history.record(turn.clock.record, column::non_local) = sum_of(work);
+    history.record(turn.clock.record, history_column::non_local) = sum_of(work);
 }
 BONDEM_PASS(write_non_local_work, serial)
 

@@ -4,6 +4,7 @@
 // All radii grow in proportion at a constant rate. Between collisions a sphere flies straight; each knows its own next
 // event and stands in a heap by its time. One thread: events depend on each other, and their order makes the bits.
 #include "../../registered.hpp"
+#include "../../tables/columns.hpp"
 #include "../../tables/packing_tables.hpp"
 #include "../../vector3.hpp"
 #include "periodic.hpp"
@@ -15,7 +16,6 @@ enum Grown : Index { grown, list_out_of_date, too_many_events };
 
 // Kinds of the next event of a sphere, other than the number of a sphere; the axis of a flat wall is subtracted.
 constexpr Index nothing = -1, leave = -2, check = -3, round_wall = -4, lower_wall = -10, upper_wall = -20;
-enum Report { time_gone, virial_sum, collision_count };
 
 struct Event {
     double time;
@@ -215,9 +215,9 @@ Index fly_and_grow(Index, const Spheres &spheres, const PackingWalls &walls, con
         flying.fly(i, now);
         spheres.sphere(i, 3) = spheres.unit(i) * (growing.scale + growing.rate * now);
     }
-    growing.report(time_gone) = now;
-    growing.report(virial_sum) = virial;
-    growing.report(collision_count) = double(collisions);
+    growing.report(growth_report::time) = now;
+    growing.report(growth_report::virial) = virial;
+    growing.report(growth_report::collisions) = double(collisions);
     return status;
 }
 BONDEM_CALL(fly_and_grow, "grown list_out_of_date too_many_events")

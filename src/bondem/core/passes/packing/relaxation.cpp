@@ -7,6 +7,7 @@
 // times √mass.
 #include "../../lanes.hpp"
 #include "../../registered.hpp"
+#include "../../tables/columns.hpp"
 #include "../../tables/packing_tables.hpp"
 #include "../../threads.hpp"
 #include "packing_walls.hpp"
@@ -21,7 +22,6 @@ enum Relaxed : Index { converged, out_of_date, exhausted, loose };
 
 // Columns of the sums of a block, which are added up in order: no result depends on the threads.
 enum Sum { power, force_square, speed_square, overlap, contacts, deepest, farthest, eased_square };
-enum Report { rms_force, mean_overlap, contact_count, largest_overlap, steps_taken };
 enum Fire { time_step, mixing, downhill };
 
 // FIRE: first and longest step (the stiffest sphere stays stable to about 0.7), mixing, and when to trust the descent.
@@ -145,11 +145,11 @@ void descend(const Spheres &spheres, const PackingWalls &walls, const Near &near
 void report_on(const Relaxing &relaxing, Index n, Index step) {
     const Array<double, 2> &part = relaxing.part;
     const double count = total(part, contacts);
-    relaxing.report(rms_force) = root(total(part, force_square) / double(n));
-    relaxing.report(mean_overlap) = total(part, overlap) / most(count, 1.0);
-    relaxing.report(contact_count) = 0.5 * count;
-    relaxing.report(largest_overlap) = largest(part, deepest);
-    relaxing.report(steps_taken) = double(step);
+    relaxing.report(relaxation_report::rms_force) = root(total(part, force_square) / double(n));
+    relaxing.report(relaxation_report::mean_overlap) = total(part, overlap) / most(count, 1.0);
+    relaxing.report(relaxation_report::contacts) = 0.5 * count;
+    relaxing.report(relaxation_report::largest_overlap) = largest(part, deepest);
+    relaxing.report(relaxation_report::steps) = double(step);
 }
 
 Descent next_step(const Relaxing &relaxing, double longest) {
@@ -185,8 +185,8 @@ Index relax_spheres(Index threads, const Spheres &spheres, const PackingWalls &w
     for (Index step = 0; step <= relaxing.steps; step++) {
         for_each_task(threads, blocks, [&](Index b) { press(spheres, walls, near, b, relaxing.part); });
         report_on(relaxing, n, step);
-        if (relaxing.report(rms_force) <= relaxing.tolerance * relaxing.report(mean_overlap)) return converged;
-        if (relaxing.report(mean_overlap) < relaxing.loose) return loose;
+        if (relaxing.report(relaxation_report::rms_force) <= relaxing.tolerance * relaxing.report(relaxation_report::mean_overlap)) return converged;
+        if (relaxing.report(relaxation_report::mean_overlap) < relaxing.loose) return loose;
         if (step == relaxing.steps) return exhausted;
         const Descent down = next_step(relaxing, longest);
         for_each_task(threads, blocks, [&](Index b) { descend(spheres, walls, near, down, b, relaxing.part); });

@@ -4,10 +4,6 @@
 
 namespace bondem::gauge {
 
-// Quantity of an element that a gauge records, and its reduction over elements. Gauges of walls read no elements.
-enum Quantity : Index { displacement, velocity, angle, spin, force, of_walls };
-enum Reduction : Index { mean, sum, largest };
-
 // Component of the rotation vector of a unit quaternion [rad], of length at most π.
 inline double rotation_component(Quaternion<double> q, Index axis) {
     const Vector v = {q.x, q.y, q.z};
@@ -18,10 +14,10 @@ inline double rotation_component(Quaternion<double> q, Index axis) {
 
 inline double read(const Moving &all, const Rows &rows, Index quantity, Index p, Index axis) {
     switch (quantity) {
-        case displacement: return all.pose(p, axis) - all.rest(p, axis);
-        case velocity: return all.motion(p, axis);
-        case angle: return rotation_component(orientation(gather(all.pose.data, Short(p))), axis);
-        case spin: return all.motion(p, 4 + axis);
+        case gauge_quantity::displacement: return all.pose(p, axis) - all.rest(p, axis);
+        case gauge_quantity::velocity: return all.motion(p, axis);
+        case gauge_quantity::rotation: return rotation_component(orientation(gather(all.pose.data, Short(p))), axis);
+        case gauge_quantity::angular_velocity: return all.motion(p, 4 + axis);
         default: break;
     }
     const Index r = rows.of(p);

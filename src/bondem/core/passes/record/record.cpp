@@ -2,13 +2,13 @@
 #include "record.hpp"
 
 #include "../../registered.hpp"
-#include "columns.hpp"
+#include "../../tables/columns.hpp"
 #include "reading.hpp"
 
 namespace bondem {
 namespace {
 
-using namespace column;
+using namespace history_column;
 
 // Kinetic energy over all energy supplied so far above which a run counts as unstable. The ratio exceeds one by the
 // error of the scheme only; unstable motion grows by orders of magnitude in a hundred steps.
@@ -78,15 +78,15 @@ void read_gauges(const Turn &turn, const Moving &all, const Rows &rows, const Ga
     for (Index g = 0; g < gauges.quantity.size(); g++) {
         const Index quantity = gauges.quantity(g), reduction = gauges.reduction(g);
         const Index first = gauges.start(g), last = gauges.start(g + 1);
-        if (quantity >= gauge::of_walls) continue;
+        if (quantity >= gauge_quantity::of_walls) continue;
         for (Index axis = 0; axis < 3; axis++) {
-            double value = reduction == gauge::largest ? -infinity : 0.0;
+            double value = reduction == gauge_reduction::max_abs ? -infinity : 0.0;
             for (Index e = first; e < last; e++) {
                 const double x = gauge::read(all, rows, quantity, gauges.element(e), axis);
-                value = reduction == gauge::largest ? most(value, absolute(x)) : value + x;
+                value = reduction == gauge_reduction::max_abs ? most(value, absolute(x)) : value + x;
             }
-            history.record(turn.clock.record, fixed_columns + 3 * g + axis) =
-                reduction == gauge::mean ? value / double(last - first) : value;
+            history.record(turn.clock.record, history_column::count + 3 * g + axis) =
+                reduction == gauge_reduction::mean ? value / double(last - first) : value;
         }
     }
 }

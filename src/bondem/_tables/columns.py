@@ -1,0 +1,204 @@
+"""Numbers of `core/tables/columns.hpp`, written by `python -m tests.core.tables` from the header."""
+
+from enum import IntEnum
+
+ELEMENTS_OF_PORTION = 1024  #: elements of a portion
+BONDS_OF_PORTION = 2048  #: bonds or facets of a portion
+WORKS_OF_PORTION = 1024  #: works, or walls, of a portion on a device
+PORTIONS_OF_GROUP = 64  #: portions that a device sums first
+DEVICE_SUMS = 13  #: columns of a record on a device that are sums over portions
+CRACKS_OF_PORTION = 256  #: facets of a portion of what cracks dissipate on a device
+PORTIONS_OF_LOSSES = 64  #: portions of what cracks dissipate that a device sums first
+
+
+class HistoryColumn(IntEnum):
+    """Columns of a record of the history before those of gauges."""
+
+    TIME = 0  #: [s]
+    TRANSLATION = 1  #: kinetic energy [J]
+    ROTATION = 2  #: kinetic energy [J]
+    NORMAL = 3  #: elastic energy of bonds [J]
+    SHEAR = 4  #: elastic energy of bonds [J]
+    BENDING = 5  #: elastic energy of bonds [J]
+    TWISTING = 6  #: elastic energy of bonds [J]
+    CONTACT = 7  #: elastic energy of contacts [J]
+    WORK = 8  #: work of loads, drives and walls [J]
+    LOSS = 9  #: loss to damping [J]
+    FRICTION = 10  #: loss to friction [J]
+    NON_LOCAL = 11  #: work of the extra forces of the non-local law [J]
+    RELEASED = 12  #: energy that bonds have released [J]
+    PLASTIC = 13  #: energy that cells have dissipated by yielding [J]
+    CRUSHING = 14  #: part of the released energy beyond the fracture energy [J]
+    COUNT = 15
+
+
+class DeviceColumn(IntEnum):
+    """Columns of a record on a device before those of gauges: sums over portions, then what is written by itself."""
+
+    TRANSLATION = 0  #: kinetic energy [J]
+    ROTATION = 1  #: kinetic energy [J]
+    DAMPED = 2  #: loss to damping [J]
+    RUBBED = 3  #: loss to friction [J]
+    NORMAL = 4  #: elastic energy of bonds [J]
+    SHEAR = 5  #: elastic energy of bonds [J]
+    BENDING = 6  #: elastic energy of bonds [J]
+    TWISTING = 7  #: elastic energy of bonds [J]
+    WIDE = 8  #: number of bonds turned wide
+    LOST = 9  #: number of bonds lost
+    NOT_FINITE = 10  #: number of portions with a number that is not finite
+    WORK = 11  #: work of loads and drives [J]
+    SUPPLIED = 12  #: sum of its absolute values [J]
+    CONTACT = 13  #: elastic energy of contacts [J]
+    NON_LOCAL = 14  #: work of the extra forces of the non-local law [J]
+    RELEASED = 15  #: energy that bonds have released [J]
+    PLASTIC = 16  #: energy that cells have dissipated by yielding [J]
+    CRUSHING = 17  #: part of the released energy beyond the fracture energy [J]
+    WALLS = 18  #: work of walls [J]
+    COUNT = 19
+
+
+class EventColumn(IntEnum):
+    """Columns of the failure of a bond."""
+
+    TIME = 0  #: [s]
+    STEP = 1  #: number of the step
+    BOND = 2  #: number of the bond
+    MODE = 3  #: `failure_mode`
+    GAP = 4  #: how far it is open [m]
+    ENERGY = 5  #: energy released [J]
+    PLACE = 6  #: [m], and two columns more
+    OPENING_STEPS = 9  #: steps since the onset of softening, nan of a bond that failed at once
+    COUNT = 10
+
+
+class FailureMode(IntEnum):
+    """Modes of failure by the largest part of the index; states and run files store the number."""
+
+    INTACT = 0
+    TENSION = 1
+    SHEAR = 2
+    BENDING = 3
+    TWISTING = 4
+
+
+class SoftColumn(IntEnum):
+    """Columns of a beam that has begun to soften."""
+
+    BOND = 0  #: number of the beam
+    FIRST = 1  #: opening λ at the onset [√J]
+    LAST = 2  #: opening λ at which no integrity is left [√J]
+    RATE = 3  #: -∂U/∂s a step ago [J]
+    SPENT = 4  #: energy dissipated [J]
+    MODE = 5  #: `failure_mode` of the larger part of the index
+    BEGAN = 6  #: step of onset
+    COUNT = 7
+
+
+class PlasticColumn(IntEnum):
+    """Columns of a cell that yields."""
+
+    DEFORMATION = 0  #: P - 1 of its plastic deformation P in its own frame, row by row
+    GAMMA = 9  #: Σ Δγ
+    INCREMENT = 10  #: last increment of strain in space: xx, yy, zz, xy, xz, yz
+    HEAT = 16  #: energy dissipated [J]
+    COUNT = 17
+
+
+class CrackKind(IntEnum):
+    """Kinds of cracks: of the material; with one integrity for all directions, of a material plane or a cell without
+    cohesion; and of the material that no longer transmits shear along it, with a spring of friction.
+    """
+
+    OF_MATERIAL = 0
+    ALIKE = 1
+    LET_GO = 2
+
+
+class CrackStatus(IntEnum):
+    """Ways in which cracks are treated: one by one; as a facet of less stiffness; not at all, once their faces have
+    parted.
+    """
+
+    ACTIVE = 0
+    RESTING = 1
+    PARTED = 2
+
+
+class TouchState(IntEnum):
+    """States of contacts. A contact that has parted in this step still counts its losses. Cells whose cracked faces
+    face each other touch by these faces, not as spheres; where they turn away from each other inside their
+    spheres, the spheres touch from the distance then, until they have come apart.
+    """
+
+    SEPARATE = 0
+    TOUCHING = 1
+    PARTED = 2
+    FACING = 3
+    LATE = 4
+
+
+class WallKind(IntEnum):
+    """Kinds of walls: a plane, a cylinder around the elements and one among them, a sphere around them and one among
+    them, a disc.
+    """
+
+    PLANE_WALL = 0
+    CYLINDER_AROUND = 1
+    CYLINDER_AMONG = 2
+    SPHERE_AROUND = 3
+    SPHERE_AMONG = 4
+    DISC_WALL = 5
+
+
+class GaugeQuantity(IntEnum):
+    """Quantities of elements that gauges record."""
+
+    DISPLACEMENT = 0
+    VELOCITY = 1
+    ROTATION = 2
+    ANGULAR_VELOCITY = 3
+    FORCE = 4
+    OF_WALLS = 5
+
+
+class WallQuantity(IntEnum):
+    """Quantities of a wall that gauges record, behind those of elements. Power is that of the wall on the elements:
+    by its velocity and its growth, by its spin, and their sum.
+    """
+
+    DISPLACEMENT = 5
+    FORCE = 6
+    GROWTH = 7
+    VELOCITY = 8
+    TORQUE = 9
+    ROTATION = 10
+    ANGULAR_VELOCITY = 11
+    POWER = 12
+
+
+class GaugeReduction(IntEnum):
+    """Reductions by which a gauge makes one number of many."""
+
+    MEAN = 0
+    SUM = 1
+    MAX_ABS = 2
+
+
+class RelaxationReport(IntEnum):
+    """Columns of the report of a relaxation."""
+
+    RMS_FORCE = 0  #: [m]
+    MEAN_OVERLAP = 1  #: [m]
+    CONTACTS = 2
+    LARGEST_OVERLAP = 3  #: [m]
+    STEPS = 4
+    COUNT = 5
+
+
+class GrowthReport(IntEnum):
+    """Columns of the report of a growth."""
+
+    TIME = 0  #: time that has passed
+    VIRIAL = 1  #: sum of distance times exchanged momentum [m²]
+    COLLISIONS = 2
+    COUNT = 3

@@ -1,0 +1,153 @@
+// Numbers that the core and Python share: sizes of portions, columns of rows, and kinds. `python -m tests.core.tables`
+// writes them into `bondem/_tables/columns.py`.
+#pragma once
+#include "../scalars.hpp"
+
+namespace bondem {
+
+constexpr Index elements_of_portion = 1024;  // elements of a portion
+constexpr Index bonds_of_portion = 2048;  // bonds or facets of a portion
+constexpr Index works_of_portion = 1024;  // works, or walls, of a portion on a device
+constexpr Index portions_of_group = 64;  // portions that a device sums first
+constexpr Index device_sums = 13;  // columns of a record on a device that are sums over portions
+constexpr Index cracks_of_portion = 256;  // facets of a portion of what cracks dissipate on a device
+constexpr Index portions_of_losses = 64;  // portions of what cracks dissipate that a device sums first
+
+// Columns of a record of the history before those of gauges.
+namespace history_column {
+enum : Index {
+    time,  // [s]
+    translation,  // kinetic energy [J]
+    rotation,  // kinetic energy [J]
+    normal,  // elastic energy of bonds [J]
+    shear,  // elastic energy of bonds [J]
+    bending,  // elastic energy of bonds [J]
+    twisting,  // elastic energy of bonds [J]
+    contact,  // elastic energy of contacts [J]
+    work,  // work of loads, drives and walls [J]
+    loss,  // loss to damping [J]
+    friction,  // loss to friction [J]
+    non_local,  // work of the extra forces of the non-local law [J]
+    released,  // energy that bonds have released [J]
+    plastic,  // energy that cells have dissipated by yielding [J]
+    crushing,  // part of the released energy beyond the fracture energy [J]
+    count
+};
+}
+// Columns of a record on a device before those of gauges: sums over portions, then what is written by itself.
+namespace device_column {
+enum : Index {
+    translation,  // kinetic energy [J]
+    rotation,  // kinetic energy [J]
+    damped,  // loss to damping [J]
+    rubbed,  // loss to friction [J]
+    normal,  // elastic energy of bonds [J]
+    shear,  // elastic energy of bonds [J]
+    bending,  // elastic energy of bonds [J]
+    twisting,  // elastic energy of bonds [J]
+    wide,  // number of bonds turned wide
+    lost,  // number of bonds lost
+    not_finite,  // number of portions with a number that is not finite
+    work,  // work of loads and drives [J]
+    supplied,  // sum of its absolute values [J]
+    contact,  // elastic energy of contacts [J]
+    non_local,  // work of the extra forces of the non-local law [J]
+    released,  // energy that bonds have released [J]
+    plastic,  // energy that cells have dissipated by yielding [J]
+    crushing,  // part of the released energy beyond the fracture energy [J]
+    walls,  // work of walls [J]
+    count
+};
+}
+// Columns of the failure of a bond.
+namespace event_column {
+enum : Index {
+    time,  // [s]
+    step,  // number of the step
+    bond,  // number of the bond
+    mode,  // `failure_mode`
+    gap,  // how far it is open [m]
+    energy,  // energy released [J]
+    place,  // [m], and two columns more
+    opening_steps = 9,  // steps since the onset of softening, nan of a bond that failed at once
+    count
+};
+}
+// Modes of failure by the largest part of the index; states and run files store the number.
+namespace failure_mode {
+enum : Index { intact, tension, shear, bending, twisting };
+}
+// Columns of a beam that has begun to soften.
+namespace soft_column {
+enum : Index {
+    bond,  // number of the beam
+    first,  // opening λ at the onset [√J]
+    last,  // opening λ at which no integrity is left [√J]
+    rate,  // -∂U/∂s a step ago [J]
+    spent,  // energy dissipated [J]
+    mode,  // `failure_mode` of the larger part of the index
+    began,  // step of onset
+    count
+};
+}
+// Columns of a cell that yields.
+namespace plastic_column {
+enum : Index {
+    deformation,  // P - 1 of its plastic deformation P in its own frame, row by row
+    gamma = 9,  // Σ Δγ
+    increment,  // last increment of strain in space: xx, yy, zz, xy, xz, yz
+    heat = 16,  // energy dissipated [J]
+    count
+};
+}
+namespace crack {
+// Kinds of cracks: of the material; with one integrity for all directions, of a material plane or a cell without
+// cohesion; and of the material that no longer transmits shear along it, with a spring of friction.
+enum CrackKind : int { of_material, alike, let_go };
+// Ways in which cracks are treated: one by one; as a facet of less stiffness; not at all, once their faces have parted.
+enum CrackStatus : int { active, resting, parted };
+}  // namespace crack
+
+// States of contacts. A contact that has parted in this step still counts its losses. Cells whose cracked faces face
+// each other touch by these faces, not as spheres; where they turn away from each other inside their spheres, the
+// spheres touch from the distance then, until they have come apart.
+enum TouchState : Byte { separate, touching, parted, facing, late };
+// Kinds of walls: a plane, a cylinder around the elements and one among them, a sphere around them and one among them,
+// a disc.
+enum WallKind : Index { plane_wall, cylinder_around, cylinder_among, sphere_around, sphere_among, disc_wall };
+
+// Quantities of elements that gauges record.
+namespace gauge_quantity {
+enum : Index { displacement, velocity, rotation, angular_velocity, force, of_walls };
+}
+// Quantities of a wall that gauges record, behind those of elements. Power is that of the wall on the elements: by its
+// velocity and its growth, by its spin, and their sum.
+namespace wall_quantity {
+enum : Index { displacement = 5, force, growth, velocity, torque, rotation, angular_velocity, power };
+}
+// Reductions by which a gauge makes one number of many.
+namespace gauge_reduction {
+enum : Index { mean, sum, max_abs };
+}
+// Columns of the report of a relaxation.
+namespace relaxation_report {
+enum : Index {
+    rms_force,  // [m]
+    mean_overlap,  // [m]
+    contacts,
+    largest_overlap,  // [m]
+    steps,
+    count
+};
+}
+// Columns of the report of a growth.
+namespace growth_report {
+enum : Index {
+    time,  // time that has passed
+    virial,  // sum of distance times exchanged momentum [m²]
+    collisions,
+    count
+};
+}
+
+}  // namespace bondem
