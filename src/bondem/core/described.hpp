@@ -19,34 +19,22 @@ struct TableDescription {
 };
 
 template <class T> struct TypeName;
-template <> struct TypeName<double> { static constexpr const char *name = "float64"; };
-// Numbers of the members of a row, which is no table itself, by their shape.
-template <> struct TypeName<Vector> { static constexpr const char *name = "float64"; };
-template <> struct TypeName<Quaternion<double>> { static constexpr const char *name = "float64"; };
-template <> struct TypeName<Index> { static constexpr const char *name = "int64"; };
-template <> struct TypeName<Array<double, 1>> { static constexpr const char *name = "float64 written"; };
-template <> struct TypeName<Array<double, 2>> { static constexpr const char *name = "float64 written"; };
-template <> struct TypeName<Array<double, 3>> { static constexpr const char *name = "float64 written"; };
-template <> struct TypeName<Array<Index, 1>> { static constexpr const char *name = "int64 written"; };
-template <> struct TypeName<Array<Index, 2>> { static constexpr const char *name = "int64 written"; };
-template <> struct TypeName<Array<int32_t, 1>> { static constexpr const char *name = "int32 written"; };
-template <> struct TypeName<Array<int32_t, 2>> { static constexpr const char *name = "int32 written"; };
-template <> struct TypeName<Array<uint8_t, 1>> { static constexpr const char *name = "uint8 written"; };
-template <> struct TypeName<Array<uint8_t, 2>> { static constexpr const char *name = "uint8 written"; };
-template <> struct TypeName<Array<const float, 3>> { static constexpr const char *name = "float32 read"; };
-template <> struct TypeName<Array<const float, 2>> { static constexpr const char *name = "float32 read"; };
-template <> struct TypeName<Array<Short, 1>> { static constexpr const char *name = "uint32 written"; };
-template <> struct TypeName<Array<float, 1>> { static constexpr const char *name = "float32 written"; };
-template <> struct TypeName<Array<const double, 1>> { static constexpr const char *name = "float64 read"; };
-template <> struct TypeName<Array<const double, 2>> { static constexpr const char *name = "float64 read"; };
-template <> struct TypeName<Array<const double, 3>> { static constexpr const char *name = "float64 read"; };
-template <> struct TypeName<Array<const Index, 1>> { static constexpr const char *name = "int64 read"; };
-template <> struct TypeName<Array<const int32_t, 1>> { static constexpr const char *name = "int32 read"; };
-template <> struct TypeName<Array<const int32_t, 2>> { static constexpr const char *name = "int32 read"; };
-template <> struct TypeName<Array<const Index, 2>> { static constexpr const char *name = "int64 read"; };
-template <> struct TypeName<Array<const uint8_t, 1>> { static constexpr const char *name = "uint8 read"; };
-template <> struct TypeName<Array<const uint8_t, 2>> { static constexpr const char *name = "uint8 read"; };
-template <> struct TypeName<Array<const Short, 1>> { static constexpr const char *name = "uint32 read"; };
+#define BONDEM_ARRAY(type, word)                                                                                            \
+    template <int axes> struct TypeName<Array<type, axes>> { static constexpr const char *name = word " written"; };        \
+    template <int axes> struct TypeName<Array<const type, axes>> { static constexpr const char *name = word " read"; };
+#define BONDEM_NUMBER(type, word) \
+    template <> struct TypeName<type> { static constexpr const char *name = word; };
+BONDEM_NUMBER(double, "float64")
+BONDEM_NUMBER(Index, "int64")
+// Members of a row, which is no table itself: as many numbers as their shape says.
+BONDEM_NUMBER(Vector, "float64")
+BONDEM_NUMBER(Quaternion<double>, "float64")
+BONDEM_ARRAY(double, "float64")
+BONDEM_ARRAY(float, "float32")
+BONDEM_ARRAY(Index, "int64")
+BONDEM_ARRAY(int32_t, "int32")
+BONDEM_ARRAY(Short, "uint32")
+BONDEM_ARRAY(uint8_t, "uint8")
 
 template <class T> struct Described;  // fields of a table
 
