@@ -44,7 +44,7 @@ _HEADLINES: dict[str, Callable[[Any], str]] = {
     "Fragments": lambda o: f"{len(o.mass)} fragments",
     "Placed": _extent, "Joined": _extent, "Overlap": _extent, "Cut": _extent,
 }  # fmt: skip
-# Of these the properties tell more than the attributes.
+# Properties of these classes are more informative than their attributes.
 _SHOWN: dict[str, tuple[str, ...]] = {
     "State": ("displacement", "velocity", "angular_velocity", "bond_integrity", "contacts", "wall_force"),
     "Model": ("bond", "density", "failure", "boundary", "contact", "walls"),

@@ -77,25 +77,25 @@ def staged(title: str, *, shares: bool = True) -> Callable[[Callable[P, R]], Cal
     """
 
     def decorate(function: Callable[P, R]) -> Callable[P, R]:
-        takes = shares and "progress" in inspect.signature(function).parameters
+        accepted = shares and "progress" in inspect.signature(function).parameters
 
         @functools.wraps(function)
         def run(*args: P.args, **named: P.kwargs) -> R:
-            if takes and named.get("progress") is not None and not callable(named["progress"]):
+            if accepted and named.get("progress") is not None and not callable(named["progress"]):
                 raise InputError(
                     f"{function.__name__}: progress = {shown(named['progress'])}; give a function of the completed"
                     " share, 0 … 1, or None"
                 )
             if _Chosen.board is not None or _Chosen.hidden:
                 return function(*args, **named)
-            if takes and named.get("progress") is not None:
+            if accepted and named.get("progress") is not None:
                 with quiet():
                     return function(*args, **named)
-            with stages() as tell:
-                tell(title, 0.0)
-                if takes:
+            with stages() as show:
+                show(title, 0.0)
+                if accepted:
                     given: Any = named
-                    given["progress"] = functools.partial(tell, title)
+                    given["progress"] = functools.partial(show, title)
                 return function(*args, **named)
 
         return run
@@ -126,8 +126,8 @@ def stages(*, at_once: bool = False) -> Iterator[Callable[[str, float], None]]:
 def reported(progress: Callable[[str, float], None] | None) -> Iterator[Callable[[str, float], None]]:
     """Report stages to a function if there is one, else show them; yields a function of a stage and a share."""
     if progress is None:
-        with stages() as tell:
-            yield tell
+        with stages() as show:
+            yield show
     elif _Chosen.board is not None:
         yield progress
     else:
@@ -180,7 +180,7 @@ class Board:
         self._shares: dict[str, float] = {}
         self._since: dict[str, float] = {}
         self._stage = ""
-        self._begun, self._closed = time.monotonic(), threading.Event()
+        self._start, self._closed = time.monotonic(), threading.Event()
         self._view: _Bars | _Lines | None = None
         self._lock = threading.RLock()
         self._delay = delay
@@ -230,7 +230,7 @@ class Board:
     @property
     def seconds(self) -> float:
         """Time since the start of the call [s]."""
-        return time.monotonic() - self._begun
+        return time.monotonic() - self._start
 
 
 class _Lines:

@@ -38,14 +38,14 @@ def noticing() -> Iterator[Halt]:
             signal.signal(number, handler if handler is not None else signal.SIG_DFL)
 
 
-def stop_by(number: int, told: str, result: object) -> None:
+def stop_by(number: int, message: str, result: object) -> None:
     """Stop as the signal would have: KeyboardInterrupt for SIGINT, SystemExit with status 143 for SIGTERM.
 
     Args:
         number: number of the signal.
-        told: text for the traceback of an interrupt.
+        message: text for the traceback of an interrupt.
         result: result of the run so far, an attribute of the interrupt.
     """
     if number == signal.SIGINT:
-        raise RunInterrupted(told, result)
+        raise RunInterrupted(message, result)
     raise SystemExit(128 + number)

@@ -178,7 +178,7 @@ def _warn(result: ExplicitResult) -> None:
 
 
 def _kept(
-    out: str | Path | None, model: Model, plan: Plan, begun: State, callback: Callback | None
+    out: str | Path | None, model: Model, plan: Plan, initial: State, callback: Callback | None
 ) -> str | Path | None:
     """Return the path of a run file if it holds this very run, None if there is no file.
 
@@ -194,7 +194,7 @@ def _kept(
     path = place("out", out)
     if not os.path.exists(path):
         return None
-    if identity_in(path) != identity_of(model, plan, begun):
+    if identity_in(path) != identity_of(model, plan, initial):
         raise InputError(
             f"out = '{path}': the file does not hold this run (model, options and initial state); delete it, or give"
             " another name"

@@ -92,8 +92,8 @@ class Holds:
         """Return True if the same facets are held and moved in the same way."""
         arrays = ((self.facet, other.facet), (self.axes, other.axes), (self.drive, other.drive))
         moved = self.drives == other.drives and self.rate == other.rate
-        alike = np.array_equal(self.friction, other.friction, equal_nan=True)
-        return moved and alike and all(np.array_equal(*each) for each in arrays)
+        same_friction = np.array_equal(self.friction, other.friction, equal_nan=True)
+        return moved and same_friction and all(np.array_equal(*each) for each in arrays)
 
     def final_motion(self) -> Floats:
         """Return displacements of the walls at the end of all schedules [m], shape (g, 3)."""

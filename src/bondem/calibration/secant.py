@@ -6,7 +6,7 @@ import numpy as np
 
 from bondem._types import Floats
 
-# Changes of parameters that are of the size of the noise of a test do not tell slopes, in logarithms.
+# Changes of parameters of the size of the noise of a test do not determine slopes, in logarithms.
 _NOISE = 0.02
 # Singular values of the weighted slopes below this share of the largest say nothing.
 _SINGULAR = 1e-3

@@ -148,18 +148,18 @@ class StrengthCalibration:
         lines = [self.message]
         for test, (target, tolerance) in self.targets.items():
             found, first = self.nearest.mean(test), self.runs[0]
-            begun = f", {first.mean(test) / 1e6:.4g} at the start" if test in first.measured else ""
-            lines.append(f"  {test}: {found / 1e6:.4g} MPa for {target / 1e6:.4g} ± {tolerance / 1e6:.4g}{begun}")
+            initial = f", {first.mean(test) / 1e6:.4g} at the start" if test in first.measured else ""
+            lines.append(f"  {test}: {found / 1e6:.4g} MPa for {target / 1e6:.4g} ± {tolerance / 1e6:.4g}{initial}")
         for name in self.names:
-            value, told = self.nearest.parameters[name], ""
+            value, limits = self.nearest.parameters[name], ""
             if self.sensitivities is not None:
                 slopes = ", ".join(f"d ln {test} = {row[name]:.2f}" for test, row in self.sensitivities.items())
                 low, high = self.tolerated(name)
-                told = f", {low:.4g} … {high:.4g} within the tolerances; per d ln {name}: {slopes}"
+                limits = f", {low:.4g} … {high:.4g} within the tolerances; per d ln {name}: {slopes}"
                 if len(next(iter(self.nearest.measured.values()))) > 1:
                     low, high = self.interval(name)
-                    told = f", {low:.4g} … {high:.4g} by the scatter of packings (95 %){told}"
-            lines.append(f"  {name} = {value:.5g}{told}")
+                    limits = f", {low:.4g} … {high:.4g} by the scatter of packings (95 %){limits}"
+            lines.append(f"  {name} = {value:.5g}{limits}")
         return "\n".join(lines)
 
 
@@ -261,11 +261,11 @@ def _checked(tests: object, targets: object, start: object) -> dict[str, tuple[f
         target = number(_WHO, f"target of {name}", pair[0], above=0.0, unit="Pa")
         tolerance = number(_WHO, f"tolerance of {name}", pair[1], above=0.0, below=target, unit="Pa")
         goals[name] = target, tolerance
-        _takes(name, test, start)
+        _check_keywords(name, test, start)
     return goals
 
 
-def _takes(name: str, test: object, start: Mapping[str, float]) -> None:
+def _check_keywords(name: str, test: object, start: Mapping[str, float]) -> None:
     """Check that a test takes the parameters as keywords."""
     parts = functions_of(test)
     if not parts or not all(callable(part) for part in parts):

@@ -99,9 +99,9 @@ class Runs:
         names, rows = list(self.tests), dict[str, dict[str, Any]]()
         for together in [names] if self.executor is not None else [[name] for name in names]:
             missing = [name for name in together if self._found(name, parameters) is None]
-            begun = {name: self._begin(number, name, parameters) for name in missing}
+            started = {name: self._begin(number, name, parameters) for name in missing}
             for name in together:
-                rows[name] = self._found(name, parameters) or self._keep(name, parameters, begun[name])
+                rows[name] = self._found(name, parameters) or self._keep(name, parameters, started[name])
             if any(row["failed"] for row in rows.values()):
                 break
         measured: dict[str, tuple[float, ...]] = {}
@@ -118,8 +118,8 @@ class Runs:
     def _begin(self, number: int, name: str, parameters: Mapping[str, float]) -> list[Callable[[], object]]:
         """Start a test and return a function for its strengths; an executor runs all tests in parallel."""
         if self.progress is not None:
-            told = ", ".join(f"{key} = {value:.5g}" for key, value in parameters.items())
-            self.progress(f"run {number}, {name}: {told}")
+            values = ", ".join(f"{key} = {value:.5g}" for key, value in parameters.items())
+            self.progress(f"run {number}, {name}: {values}")
         parts = functions_of(self.tests[name])
         if self.executor is None:
             return [partial(part, **parameters) for part in parts]

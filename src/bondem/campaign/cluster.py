@@ -66,7 +66,7 @@ def connected(
         UnprotectedClusterWarning: the scheduler of `address` is on another machine and does not use TLS.
     """
     distributed, config = needed("dask.distributed", "campaign"), needed("dask", "campaign").config
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what fails is told by rows
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # rows report failures
     settings = {
         "distributed.scheduler.allowed-failures": _DEATHS,
         "distributed.comm.timeouts.connect": _PATIENCE,

@@ -19,8 +19,8 @@ from bondem.io.folder import only_writer
 # The table is written again when so much time has passed and something has come [s].
 _EVERY = 5.0
 
-#: Told the share that is done, and a word on what is going on.
-Told = Callable[[str, float], None]
+#: Function of the name of a stage and its completed share.
+Report = Callable[[str, float], None]
 
 
 def run_campaign(
@@ -29,7 +29,7 @@ def run_campaign(
     *,
     workers: int | None = None,
     address: str | None = None,
-    progress: Told | None = None,
+    progress: Report | None = None,
     dashboard: Callable[[str], None] | None = None,
 ) -> dict[str, Any]:
     """Run a campaign; specimens already finished in the folder are not run again.
@@ -56,15 +56,15 @@ def run_campaign(
     instance("run_campaign", "campaign", campaign, Campaign, "a campaign from bd.read_campaign")
     folder = place("out", out)
     require_tables()
-    with only_writer(folder, "output folder"), reported(progress) as tell:
-        return _carry_out(campaign, folder, workers, address, tell, dashboard)
+    with only_writer(folder, "output folder"), reported(progress) as report:
+        return _carry_out(campaign, folder, workers, address, report, dashboard)
 
 
 def _carry_out(
-    campaign: Campaign, out: Path, workers: int | None, address: str | None, tell: Told,
+    campaign: Campaign, out: Path, workers: int | None, address: str | None, report: Report,
     dashboard: Callable[[str], None] | None,
 ) -> dict[str, Any]:  # fmt: skip
-    begun = time.perf_counter()
+    start = time.perf_counter()
     make_folder(out / SPECIMENS)
     clear(out)
     rows = {one.name: row for one in campaign.specimens if (row := finished(one, out)) is not None}
@@ -77,17 +77,17 @@ def _carry_out(
                 dashboard(client.dashboard_link)
             for row in _arriving(client, missing, out.resolve()):
                 rows[row["name"]] = row
-                tell("specimens", len(rows) / len(campaign.specimens))
+                report("specimens", len(rows) / len(campaign.specimens))
                 if time.perf_counter() - shown > _EVERY:
                     write_tables(_good(campaign, rows), campaign.keys, out)
                     shown = time.perf_counter()
-    tell("specimens", 1.0)
+    report("specimens", 1.0)
     clear(out)
     good = _good(campaign, rows)
     write_tables(good, campaign.keys, out)
     results = {
         "campaign": campaign.name, "varied": list(campaign.keys), "specimens": len(campaign.specimens),
-        "finished": len(good), "before": before, "seconds": round(time.perf_counter() - begun, 3),
+        "finished": len(good), "before": before, "seconds": round(time.perf_counter() - start, 3),
         "failed": [rows[one.name] for one in campaign.specimens if "error" in rows[one.name]],
         "version": bondem.__version__,
     }  # fmt: skip

@@ -194,11 +194,11 @@ def _specimen(shared: Mapping[str, Any], varied: Mapping[str, Any], folder: Path
     document: dict[str, Any] = copy.deepcopy(dict(shared)) | {"packings": 1}
     for key, value in varied.items():
         _put(document, key, copy.deepcopy(value))
-    told = ", ".join(f"{key} = {shown(value)}" for key, value in varied.items())
+    values = ", ".join(f"{key} = {shown(value)}" for key, value in varied.items())
     try:
         parse_study(document, folder=folder)
     except StudyError as error:
-        raise StudyError(f"{error} (specimen of {told})") from None
+        raise StudyError(f"{error} (specimen of {values})") from None
     digest = hashlib.sha256(code.encode())
     digest.update(json.dumps(document, sort_keys=True, default=str).encode())
     for key in ("particles", "file"):

@@ -40,7 +40,7 @@ def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
     if known is not None:  # by a worker that was taken for dead
         return known
     own = final.parent / f".{specimen.name}.{socket.gethostname()}-{os.getpid()}-{uuid.uuid4().hex[:8]}{_UNFINISHED}"
-    begun = time.perf_counter()
+    start = time.perf_counter()
     try:
         with threads(1), quiet():
             results = run_study(parse_study(specimen.document, folder=specimen.folder), own)
@@ -48,7 +48,7 @@ def carry_out(specimen: CampaignSpecimen, out: Path) -> dict[str, Any]:
         shutil.rmtree(own, ignore_errors=True)
         return _row(specimen) | {"error": " ".join(str(error).split())}
     worker = f"{socket.gethostname()}:{os.getpid()}"
-    row = _row(specimen) | {"values": {**scalars(results), "seconds": round(time.perf_counter() - begun, 3)}}
+    row = _row(specimen) | {"values": {**scalars(results), "seconds": round(time.perf_counter() - start, 3)}}
     write_text(own / RECORD, json.dumps(row | {"inputs": specimen.inputs, "worker": worker}, indent=1) + "\n")
     try:
         own.rename(final)

@@ -77,7 +77,7 @@ def leave_with(command: click.Command) -> NoReturn:
     with warnings.catch_warnings():
         warnings.showwarning = _warn
         status = _status(command)
-    with contextlib.suppress(OSError):  # where nobody can be told, the status is
+    with contextlib.suppress(OSError):  # without an output the status remains
         flush(sys.stderr)
     sys.exit(status)
 
@@ -96,7 +96,7 @@ def _status(command: click.Command) -> int:
         where = f"'{error.filename}': " if error.filename else ""
         return _complain(f"{where}{error.strerror or error}; make room or choose another place", BAD_INPUT)
     except (click.Abort, KeyboardInterrupt) as stop:
-        return _complain(_told(stop), INTERRUPTED)
+        return _complain(_interrupt_text(stop), INTERRUPTED)
     except SystemError as error:
         # what an interrupt becomes that comes while compiled code runs
         if _by_interrupt(error):
@@ -116,7 +116,7 @@ def _by_interrupt(error: BaseException | None) -> bool:
     return error is not None
 
 
-def _told(stop: BaseException) -> str:
+def _interrupt_text(stop: BaseException) -> str:
     """Message of an interrupt, such as how to resume the run."""
     cause = stop.__cause__ or stop.__context__
     return str(stop) or (str(cause) if isinstance(cause, KeyboardInterrupt) else "") or "interrupted"
@@ -132,5 +132,5 @@ def _complain(message: str, status: int) -> int:
 
 
 def _say(message: str) -> None:
-    with contextlib.suppress(OSError):  # where stderr cannot be written to, nobody can be told
+    with contextlib.suppress(OSError):  # stderr may be closed
         click.echo(f"bondem: {' '.join(message.split())}", err=True)

@@ -43,13 +43,13 @@ def command(study_file: Path, out: Path, workers: int | None, address: str | Non
     campaign = read_campaign(study_file)
     with progress_bars(log) as progress:
         results = run_campaign(
-            campaign, out, workers=workers, address=address, progress=progress, dashboard=_tell_address
+            campaign, out, workers=workers, address=address, progress=progress, dashboard=_show_address
         )
     _show(results, out)
     return FAILED if results["failed"] else 0
 
 
-def _tell_address(link: str) -> None:
+def _show_address(link: str) -> None:
     console = Console(highlight=False, stderr=True)
     if console.is_terminal:
         console.print(f"dashboard: {link}", markup=False)
@@ -61,8 +61,8 @@ def _show(results: Mapping[str, Any], out: Path) -> None:
     done = f"{results['finished']} of {results['specimens']} specimens finished{before}"
     console.print(f"[bold]{escape(results['campaign'])}[/bold]: {done}, in {span(results['seconds'])}")
     for row in results["failed"][:_SHOWN]:
-        told = ", ".join(f"{key} = {value}" for key, value in row["varied"].items())
-        console.print(f"  failed: {told}: {row['error']}", markup=False)
+        values = ", ".join(f"{key} = {value}" for key, value in row["varied"].items())
+        console.print(f"  failed: {values}: {row['error']}", markup=False)
     if len(results["failed"]) > _SHOWN:
         console.print(f"  and {len(results['failed']) - _SHOWN} more")
     console.print(f"  {out / 'table.parquet'}\n  {out / 'table.csv'}\n  {out / 'results.json'}", markup=False)

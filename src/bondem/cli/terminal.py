@@ -40,11 +40,11 @@ def progress_bars(log: Path | None = None) -> Iterator[Callable[[str, float], No
         with stages(at_once=True) as show:
             yield show
         return
-    with closing(_Log(log)) as lines, listening(lines.hear), stages(at_once=True) as show:
+    with closing(_Log(log)) as lines, listening(lines.store), stages(at_once=True) as show:
 
         def progress(stage: str, share: float) -> None:
             show(stage, share)
-            lines.tell(stage, share)
+            lines.report(stage, share)
 
         yield progress
 
@@ -57,21 +57,21 @@ class _Log:
             self._file = path.open("a", encoding="utf-8", buffering=1)
         except OSError as error:
             raise InputError(f"--log = '{path}': cannot be written ({error.strerror}); give another file") from None
-        self._told: dict[str, int] = {}
-        self._heard = ""
+        self._written: dict[str, int] = {}
+        self._latest = ""
         self._write("started")
 
-    def tell(self, stage: str, share: float) -> None:
+    def report(self, stage: str, share: float) -> None:
         """Write a line if another twentieth of the stage is complete."""
         step = int(20.0 * share + 1e-9)
-        if step > self._told.get(stage, -1):
-            self._told[stage] = step
-            self._write(f"{stage} {5 * step:3d} %{self._heard}")
-            self._heard = ""
+        if step > self._written.get(stage, -1):
+            self._written[stage] = step
+            self._write(f"{stage} {5 * step:3d} %{self._latest}")
+            self._latest = ""
 
-    def hear(self, pulse: Pulse) -> None:
+    def store(self, pulse: Pulse) -> None:
         """Store the progress of the run for the next line."""
-        self._heard = f": {pulse.words}"
+        self._latest = f": {pulse.words}"
 
     def close(self) -> None:
         """Write the last line and close the file."""

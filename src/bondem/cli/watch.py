@@ -46,10 +46,10 @@ def command(run_file: Path, interval: float, patience: float) -> None:
 
 
 def _follow(run_file: Path, found: RunContents, interval: float) -> None:
-    told = -1
+    shown = -1
     while True:
-        if found.step != told:
-            told = found.step
+        if found.step != shown:
+            shown = found.step
             left = "" if found.left is None else f", {span(found.left)} left"
             rate = "" if found.rate is None else f", {found.rate:.4g} steps/s{left}"
             click.echo(f"step {found.step} of {found.steps}, t = {found.time:.6g} s, {found.broken} broken{rate}")

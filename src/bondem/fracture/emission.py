@@ -157,8 +157,8 @@ def _emissions(events: BrokenBonds, label: Ints, period: Floats | None) -> Acous
     energy = np.bincount(label, events.energy, c).astype(float)
     # where nothing was released all count alike
     weight = np.where(energy[label] > 0.0, events.energy, 1.0)
-    begun = events.position[first]
-    way = events.position - begun[label]
+    origin = events.position[first]
+    way = events.position - origin[label]
     if period is not None:
         way -= period * np.rint(way / period)
     moment = np.zeros((c, 3))
@@ -168,7 +168,7 @@ def _emissions(events: BrokenBonds, label: Ints, period: Floats | None) -> Acous
         share[:, column] = np.bincount(label, weight * (events.mode == mode), c)
     return AcousticEmission(
         time=events.time[first], duration=last - events.time[first],
-        position=begun + moment / np.bincount(label, weight, c)[:, None], energy=energy,
+        position=origin + moment / np.bincount(label, weight, c)[:, None], energy=energy,
         magnitude=magnitude_of(energy), count=np.bincount(label, minlength=c),
         mode=np.array(MODES)[share.argmax(axis=1)], label=label,
     )  # fmt: skip

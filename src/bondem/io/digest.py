@@ -17,18 +17,18 @@ def digest_of(items: Iterable[tuple[str, Any]]) -> str:
     found = hashlib.blake2b(digest_size=32)
     for name, value in items:
         if isinstance(value, str):
-            told, data = "text", value.encode()
+            stored, data = "text", value.encode()
         else:
             array = np.ascontiguousarray(value)
-            told, data = f"{array.dtype.str} {np.shape(value)}", array.data if array.size else b""
-        found.update(f"{name} {told} ".encode())
+            stored, data = f"{array.dtype.str} {np.shape(value)}", array.data if array.size else b""
+        found.update(f"{name} {stored} ".encode())
         found.update(data)
     return found.hexdigest()
 
 
-def agree(found: str, told: object) -> bool:
+def agree(found: str, stored: object) -> bool:
     """True if a digest equals the one stored in a file."""
-    return hmac.compare_digest(found.encode(), text_of(told).encode(errors="replace"))
+    return hmac.compare_digest(found.encode(), text_of(stored).encode(errors="replace"))
 
 
 def fixed(text: str) -> np.bytes_:

@@ -310,8 +310,8 @@ def _read_journal(journal: Path) -> tuple[int, list[tuple[int, bytes]]] | None:
         data = journal.read_bytes()
     except OSError:
         return None
-    body, told = data[:-32], data[-32:]
-    if len(data) < _HEAD.size + 32 or hashlib.blake2b(body, digest_size=32).digest() != told:
+    body, digest = data[:-32], data[-32:]
+    if len(data) < _HEAD.size + 32 or hashlib.blake2b(body, digest_size=32).digest() != digest:
         return None
     magic, length, count = _HEAD.unpack_from(body)
     if magic != _MAGIC:

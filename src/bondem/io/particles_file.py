@@ -125,6 +125,6 @@ def _read(path: Path) -> tuple[Particles, Lattice | None, dict[str, Any]]:
                 Particles(array_at(file, "elements/position"), array_at(file, "elements/radius"), period), shape
             )
             lattice = read_bonds(file, particles) if "bonds/pairs" in file else None
-            told = json.loads(array_at(file, "provenance").item())
-            origin = {"bondem_version": version} | {key: decode(value) for key, value in told.items()}
+            stored = json.loads(array_at(file, "provenance").item())
+            origin = {"bondem_version": version} | {key: decode(value) for key, value in stored.items()}
     return particles, lattice, origin

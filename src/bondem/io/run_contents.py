@@ -106,7 +106,7 @@ def _contents(path: Path, file: Any, head: Any, written: bool) -> RunContents:
     dt, duration = float(plan["dt"]), float(plan["duration"])
     stands = kept.attrs if kept is not None else {}
     steps = file.get("VTKHDF/elements/Steps")
-    told = json.loads(file["provenance"][()]) if "provenance" in file else {"bondem": str(head["bondem_version"])}
+    stored = json.loads(file["provenance"][()]) if "provenance" in file else {"bondem": str(head["bondem_version"])}
     missed = None if history is None or not len(history) else history.imbalance
     return RunContents(
         path=str(path), size=path.stat().st_size, elements=len(file["elements/radius"]),
@@ -116,7 +116,7 @@ def _contents(path: Path, file: Any, head: Any, written: bool) -> RunContents:
         snapshots=0 if steps is None else int(steps.attrs["NSteps"]),
         broken=len(file["state/broken"]) if kept is not None and "broken" in kept else 0,
         imbalance=None if missed is None or not np.isfinite(missed) else missed, written=written,
-        provenance={str(key): str(value) for key, value in told.items()}, schema=int(head["schema"]),
+        provenance={str(key): str(value) for key, value in stored.items()}, schema=int(head["schema"]),
     )  # fmt: skip
 
 

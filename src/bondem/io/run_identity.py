@@ -27,21 +27,21 @@ def text_of_model(model: Model) -> str:
     })  # fmt: skip
 
 
-def identity_of(model: Model, plan: Plan, begun: State) -> str:
+def identity_of(model: Model, plan: Plan, initial: State) -> str:
     """Return the digest of a run.
 
     Args:
         model: model of the run.
         plan: options of the run with the resolved time step.
-        begun: initial state.
+        initial: initial state.
     """
     lattice = model.lattice
     items: list[tuple[str, Any]] = [
         ("plan", json.dumps(encode(plan))), ("model", text_of_model(model)),
         ("position", lattice.particles.position), ("radius", lattice.particles.radius),
-        ("density", model.density), ("pairs", lattice.pairs), ("time", begun.time),
+        ("density", model.density), ("pairs", lattice.pairs), ("time", initial.time),
     ]  # fmt: skip
-    items += [(name, getattr(begun, name)) for name in State.ARRAYS]
+    items += [(name, getattr(initial, name)) for name in State.ARRAYS]
     if len(lattice.names) > 1:
         items += [("body", lattice.body), ("bodies", json.dumps([lattice.names, encode(lattice.bodies.shapes)]))]
     tables = lattice.elements.tables.values()

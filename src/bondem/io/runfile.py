@@ -120,7 +120,7 @@ class RunFile:
         self._model, self._plan, self._identity = model, plan, identity
         self._cracks = cracks if model.failure is not None else None
         self._before = goes_on.seconds if goes_on is not None else 0.0
-        self._begun = time.perf_counter()
+        self._start = time.perf_counter()
         self._texts = {
             "plan": json.dumps(encode(plan)),
             "model": text_of_model(model),
@@ -172,7 +172,7 @@ class RunFile:
         Raises:
             RunFileError: the disk is full, or another failure to write; the previous checkpoint remains valid.
         """
-        file = self._begun_file()
+        file = self._new_file()
         kept = file.require_group("state")
         for name in State.ARRAYS:
             _put(kept, name, getattr(state, name))
@@ -185,7 +185,7 @@ class RunFile:
 
     def snapshot(self, state: State) -> None:
         """Append a state for ParaView."""
-        file = self._begun_file()
+        file = self._new_file()
         if self._snapshots is None:
             self._snapshots = Snapshots.begin(file, self._model, self._cracks)
         self._snapshots.take(self._model, state)
@@ -200,9 +200,9 @@ class RunFile:
             self._replaced = None
 
     def _seconds(self) -> float:
-        return self._before + time.perf_counter() - self._begun
+        return self._before + time.perf_counter() - self._start
 
-    def _begun_file(self) -> h5py.File:
+    def _new_file(self) -> h5py.File:
         if self._file is not None:
             return self._file
         particles = self._model.lattice.particles

@@ -22,11 +22,11 @@ def write_arrays(path: str, result: str) -> None:
     reader: Any = _READERS[Path(path).suffix.lower()]()
     complaints: list[str] = []
 
-    def hear(_caller: Any, _event: str, text: str) -> None:
+    def on_error(_caller: Any, _event: str, text: str) -> None:
         complaints.append(text)
 
-    hear.CallDataType = "string0"  # type: ignore[attr-defined]  # how VTK passes the text
-    reader.AddObserver("ErrorEvent", hear)
+    on_error.CallDataType = "string0"  # type: ignore[attr-defined]  # how VTK passes the text
+    reader.AddObserver("ErrorEvent", on_error)
     reader.SetFileName(path)
     reader.Update()
     data: Any = reader.GetOutput()

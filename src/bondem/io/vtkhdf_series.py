@@ -121,10 +121,10 @@ class Piece:
                 own = polygons if kind == "Polygons" else np.zeros(1, dtype=np.int64)
                 append(group, f"{kind}/NumberOfCells", np.array([len(own) - 1]))
                 append(group, f"{kind}/NumberOfConnectivityIds", np.array([own[-1]]))
-                begun = append(group, f"{kind}/Offsets", own)
+                offset = append(group, f"{kind}/Offsets", own)
                 linked = append(group, f"{kind}/Connectivity", np.arange(own[-1]))
                 if kind == "Polygons":
-                    cell, corner = begun - part, linked
+                    cell, corner = offset - part, linked
         append(steps, "Values", np.array([time]))
         append(steps, "PartOffsets", np.array([part]))
         append(steps, "NumberOfParts", np.array([1]))

@@ -222,9 +222,9 @@ def _read(run: ExplicitResult, ball: BallSpecimen, flight: Floats, normal: Float
     broken = ball.broken(run.state, fine)
     pieces = broken.pieces
     gained = (pieces.mass[:, None] * (pieces.velocity - flight)).sum(axis=0)
-    came = ball.mass * float(np.linalg.norm(flight))
+    initial = ball.mass * float(np.linalg.norm(flight))
     return SphereImpact(
         velocity=tuple(flight.tolist()), normal=tuple(normal.tolist()), time=history.time, force=-pushed @ normal,
         broken=broken, restitution=float(pieces.velocity[0] @ normal / -(flight @ normal)),
-        momentum=float(np.linalg.norm(impulse - gained)) / came, residual=run.residual, run=run,
+        momentum=float(np.linalg.norm(impulse - gained)) / initial, residual=run.residual, run=run,
     )  # fmt: skip

@@ -90,7 +90,7 @@ def strike(
     waiting = sorted(moments)
     last = 0.0
 
-    def look(state: State, _record: History) -> None:
+    def sample(state: State, _record: History) -> None:
         nonlocal last
         if not slices and not waiting:
             return
@@ -117,7 +117,7 @@ def strike(
     return run_test(
         "impact", model, read, duration=duration, every=1, out=out, state=state, progress=progress,
         gauges={"near": Gauge(near, "velocity"), "far": Gauge(far, "velocity")},
-        callback=look if slices or waiting else None,
+        callback=sample if slices or waiting else None,
     )  # fmt: skip
 
 

@@ -217,14 +217,14 @@ class State(StateMotion):
 
     def _take_walls(self, walls: Sequence[Wall]) -> list[Wall | None]:
         """Carry over displacement and contacts of walls of the same definition; return the previous wall of each."""
-        came = known_walls(self.model.walls, walls)
-        if came != list(range(len(self.walls))):
+        previous = known_walls(self.model.walls, walls)
+        if previous != list(range(len(self.walls))):
             rolled = self.wall_rolled if len(self.wall_rolled) else np.zeros((len(self.wall_stretch), 0))
             memory = np.hstack([self.wall_stretch, rolled])
-            self.walls, self.wall_touching, memory = rows_of_walls(came, self.walls, self.wall_touching, memory)
+            self.walls, self.wall_touching, memory = rows_of_walls(previous, self.walls, self.wall_touching, memory)
             self.wall_stretch = np.ascontiguousarray(memory[:, :6])
             self.wall_rolled = np.ascontiguousarray(memory[:, 6:]).reshape(-1, 3)
-        return [None if before < 0 else self.model.walls[before] for before in came]
+        return [None if before < 0 else self.model.walls[before] for before in previous]
 
     @property
     def bond_integrity(self) -> PerBond:

@@ -35,8 +35,8 @@ class StateMotion:
         one = f"({columns},) for all elements, or " if broadcast else ""
         wanted = f"finite numbers of shape {one}{shape} in the user's order"
         values = array("State", name, given, wanted=wanted)
-        alike = broadcast and (values.shape == (columns,) or (columns == 3 and values.ndim == 0 and values == 0.0))
-        if not (alike or values.shape == shape) or not np.isfinite(values).all():
+        uniform = broadcast and (values.shape == (columns,) or (columns == 3 and values.ndim == 0 and values == 0.0))
+        if not (uniform or values.shape == shape) or not np.isfinite(values).all():
             raise InputError(f"State: {name} has shape {values.shape} or is not finite; give {wanted}")
         return np.broadcast_to(values, shape)[self.layout.order]
 

@@ -47,20 +47,22 @@ def _set_momentum(row: np.void, was: object, motion: Free) -> None:
 def known_walls(before: Sequence[Wall], walls: Sequence[Wall]) -> list[int]:
     """Return the number of each wall in the previous run, identified by its definition, or -1 for a new wall."""
     rows = [wall.row.tolist() for wall in before]
-    came: list[int] = []
+    previous: list[int] = []
     for wall in walls:
         row = wall.row.tolist()
-        came.append(rows.index(row) if row in rows else -1)
-        if came[-1] >= 0:
-            rows[came[-1]] = []  # of two walls in one place each goes on by itself
-    return came
+        previous.append(rows.index(row) if row in rows else -1)
+        if previous[-1] >= 0:
+            rows[previous[-1]] = []  # of two walls in one place each goes on by itself
+    return previous
 
 
-def rows_of_walls(came: Sequence[int], rows: Floats, touching: Ints, stretch: Floats) -> tuple[Floats, Ints, Floats]:
+def rows_of_walls(
+    previous: Sequence[int], rows: Floats, touching: Ints, stretch: Floats
+) -> tuple[Floats, Ints, Floats]:
     """Return rows and contacts of the walls of a new run.
 
     Args:
-        came: number that each wall had before, or -1.
+        previous: number that each wall had before, or -1.
         rows: rows of the previous walls, shape (w, 27).
         touching: element and wall of each contact, shape (b, 2).
         stretch: tangential stretch of these contacts, shape (b, 6).
@@ -68,8 +70,8 @@ def rows_of_walls(came: Sequence[int], rows: Floats, touching: Ints, stretch: Fl
     Returns:
         Rows, contacts and stretches of the new walls, without contacts with walls that no longer exist.
     """
-    number, found = np.full(len(rows), -1), walls_at_rest(len(came))
-    for new, before in enumerate(came):
+    number, found = np.full(len(rows), -1), walls_at_rest(len(previous))
+    for new, before in enumerate(previous):
         if before >= 0:
             found[new], number[before] = rows[before], new
     kept = number[touching[:, 1]] >= 0

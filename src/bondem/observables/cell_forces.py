@@ -108,8 +108,8 @@ def _turned(model: Model, state: State) -> CellForces:
     share_i, share_j = turned_vectors(q[i], constants.share_i), turned_vectors(q[j], constants.share_j)
     grips, n = constants.grips, len(cells.volume)
     arm = turned_vectors(q[grips.cell], grips.arm)
-    came = state.displacement[grips.cell] + arm - grips.lever
-    opened = grips.axes * (wall_places(model, state) - came)
+    moved = state.displacement[grips.cell] + arm - grips.lever
+    opened = grips.axes * (wall_places(model, state) - moved)
     whole = state.bond_integrity
     constants = constants.damaged(whole, i, j)
     swelling = constants.pressed_by(loads_on_facets(model, state.time))

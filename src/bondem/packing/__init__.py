@@ -146,7 +146,7 @@ def pack(
     if sizes is not None:
         instance("pack", "sizes", sizes, SizeLaw, "a law of the radii: bd.Uniform, bd.Lognormal or bd.Sieve")
     seed = whole("pack", "seed", seed, advice="a whole number from 0 up")
-    told = progress or (lambda share: None)
+    report = progress or (lambda share: None)
     if method == EVEN:
         given = (spread, sizes, coordination_number, volume_fraction, jamming or None)
         if any(value is not None for value in given):
@@ -161,16 +161,16 @@ def pack(
             cells = count
             if isinstance(around, Aggregates):
                 balls = request["around"] = around
-                return _kept(request, lambda: around_balls(shape, cells, balls, random, told), told, cache=cache)
+                return _kept(request, lambda: around_balls(shape, cells, balls, random, report), report, cache=cache)
             ends = request["around"] = around
-            return _kept(request, lambda: around_surfaces(shape, cells, ends, random, told), told, cache=cache)
+            return _kept(request, lambda: around_surfaces(shape, cells, ends, random, report), report, cache=cache)
         if count is not None:
-            return _kept(request, lambda: even(shape, count, random, told), told, cache=cache)
+            return _kept(request, lambda: even(shape, count, random, report), report, cache=cache)
         assert callable(size)
         if shape.period is not None:
             raise InputError("pack: a periodic cell requires cells of one size; give size= as a number, or count=")
         at = sizes_by(size)
-        return _kept(request | {"size": size}, lambda: graded(shape, at, random, told), told, cache=cache)
+        return _kept(request | {"size": size}, lambda: graded(shape, at, random, report), report, cache=cache)
     assert count is not None
     target = chosen(count, coordination_number, volume_fraction, jamming=jamming)
     size_law = Uniform(SPREAD if spread is None else spread) if sizes is None else sizes
@@ -179,7 +179,7 @@ def pack(
 
     def make() -> Particles:
         random, again = (np.random.Generator(np.random.Philox(seed)) for _ in range(2))
-        on_step = _counting(told)
+        on_step = _counting(report)
         try:
             spheres = _METHODS[method](own, size_law.radii(count, random), target, random, on_step)
             target.reach(spheres)
@@ -194,7 +194,7 @@ def pack(
         return filled(Particles(centre, spheres.sphere[:, 3].copy(), shape.period), shape)
 
     request = {"shape": shape, "sizes": size_law, "count": count, "target": target, "method": method, "seed": seed}
-    return _kept(request, make, told, cache=cache)
+    return _kept(request, make, report, cache=cache)
 
 
 def _two_sizes(
@@ -212,14 +212,14 @@ def _two_sizes(
     return spheres
 
 
-def _counting(told: Callable[[float], None]) -> Callable[[int], None]:
+def _counting(report: Callable[[float], None]) -> Callable[[int], None]:
     """Return a function of the number of steps that reports progress; the number may begin again."""
     before = last = 0
 
     def on_step(steps: int) -> None:
         nonlocal before, last
         before, last = before + (last if steps < last else 0), steps
-        told((before + steps) / (before + steps + _USUAL_STEPS))
+        report((before + steps) / (before + steps + _USUAL_STEPS))
 
     return on_step
 
@@ -243,11 +243,11 @@ def _surfaces(around: object) -> Aggregates | tuple[Around, ...]:
 
 
 def _kept(
-    request: dict[str, object], make: Callable[[], Particles], told: Callable[[float], None], *, cache: bool
+    request: dict[str, object], make: Callable[[], Particles], report: Callable[[float], None], *, cache: bool
 ) -> Particles:
     """Return the packing of a request, from disk if possible, else newly made."""
     count = request["count"]
     worth = wanted(count if isinstance(count, int) else _MOST)
     particles = PackingCache().remembered(request, make) if cache and worth else make()
-    told(1.0)
+    report(1.0)
     return particles

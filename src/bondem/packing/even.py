@@ -30,7 +30,7 @@ _ONTO = 1e-3
 
 
 def even(
-    shape: Shape, count: int, random: np.random.Generator, told: Callable[[float], None]
+    shape: Shape, count: int, random: np.random.Generator, report: Callable[[float], None]
 ) -> Particles:
     """Pack equal spheres, no two of which overlap by more than a tenth of their diameter.
 
@@ -38,7 +38,7 @@ def even(
         shape: shape to fill.
         count: number of spheres.
         random: random generator.
-        told: function called with the completed share.
+        report: function called with the completed share.
 
     Raises:
         InputError: The spheres are too large for the shape, or a part of it received no centre.
@@ -52,7 +52,7 @@ def even(
     if lost.size:
         x[lost] = random_centres(shape, np.full(lost.size, _START * width), random)
     for step in range(_LLOYD):
-        told((step + 1) / (_LLOYD + 2))
+        report((step + 1) / (_LLOYD + 2))
         x = kept_inside(shape, cell_centroids(points_of(shape, x, width)), x, margin)
     return filled(Particles(x, usual_radius(shape, x, width), shape.period), shape)
 

@@ -54,7 +54,7 @@ def settled_free(
     pins: PerElement3,
     free: PerElement3,
     h: float,
-    told: Callable[[float], None],
+    report: Callable[[float], None],
     *,
     nearest: Nearest | None = None,
     clear: float = 0.0,
@@ -66,7 +66,7 @@ def settled_free(
         pins: centres that stay, (k, 3) [m].
         free: all others, (n - k, 3) [m].
         h: size of a cell [m].
-        told: function of the completed share.
+        report: function of the completed share.
         nearest: distance from the surfaces, where free centres are to keep clear of them.
         clear: least distance from the surfaces [m].
     """
@@ -84,6 +84,6 @@ def settled_free(
         for _ in range(_SAME):
             x = moved(pushed(x, size, other))
     for step in range(_LLOYD):
-        told((step + 1) / (_LLOYD + 2))
+        report((step + 1) / (_LLOYD + 2))
         x = moved(cell_centroids(points_of(shape, x, h)))
     return x

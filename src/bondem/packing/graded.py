@@ -31,7 +31,7 @@ _TRIES = 30
 
 def graded(
     shape: Shape, size: SizesAt, random: np.random.Generator,
-    told: Callable[[float], None],
+    report: Callable[[float], None],
 ) -> Particles:  # fmt: skip
     """Pack spheres as large as the cells, no two of which overlap by half the smaller radius.
 
@@ -39,27 +39,27 @@ def graded(
         shape: shape to fill.
         size: sizes of cells at points (k, 3) [m], (k,).
         random: random generator.
-        told: function called with the completed share.
+        report: function called with the completed share.
 
     Raises:
         InputError: There are too many cells, sizes change too fast, or a part of the shape received no centre.
     """
     places = sites(shape, size)
-    x = _begun(shape, places, size, random)
+    x = _initial_centres(shape, places, size, random)
     for _ in range(_ROUNDS if len(x) > 1 else 0):
         h, other = size(x), nearest_others(x, _NEAR)[1]
         for _ in range(_SAME):
             x = kept_inside(shape, pushed(x, h, other), x, _MARGIN * h)
     _check_slope(x, size(x))
     for step in range(_LLOYD):
-        told((step + 1) / (_LLOYD + 2))
+        report((step + 1) / (_LLOYD + 2))
         x = _inside(shape, cell_centroids(_spheres(shape, x, _RADIUS * size(x))), x, size)
     h = size(x)
     _check_slope(x, h)
     return _spheres(shape, x, _share(shape, x, h) * h)
 
 
-def _begun(
+def _initial_centres(
     shape: Shape, places: Sites, size: SizesAt, random: np.random.Generator
 ) -> PerElement3:
     """Return random centres, one in each of `count` equal parts of the capacity of the places [m], (n, 3)."""

@@ -114,7 +114,7 @@ def least_count(shape: Shape, radius: float) -> int:
 
 
 def around_balls(
-    shape: Shape, count: int, balls: Aggregates, random: np.random.Generator, told: Callable[[float], None]
+    shape: Shape, count: int, balls: Aggregates, random: np.random.Generator, report: Callable[[float], None]
 ) -> Particles:
     """Pack equal spheres for cells that end on the surfaces of balls.
 
@@ -123,7 +123,7 @@ def around_balls(
         count: number of spheres.
         balls: balls inside the shape.
         random: random generator.
-        told: function called with the completed share.
+        report: function called with the completed share.
 
     Raises:
         InputError: The cells are too large for the balls, or balls reach out of the shape.
@@ -142,7 +142,7 @@ def around_balls(
     if free < len(radius):
         raise InputError(f"pack: the surfaces of {len(radius)} balls need more than {count} cells; ask for more")
     free_centres = thrown_free(shape, free, lambda x: np.abs(balls.depth(x)), _CLEAR * h, h, random)
-    x = settled_free(shape, pins, free_centres, h, told)
+    x = settled_free(shape, pins, free_centres, h, report)
     return filled(Particles(x, usual_radius(shape, x, 0.5 * h), None), shape)
 
 

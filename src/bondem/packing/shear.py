@@ -52,7 +52,7 @@ _FRACTION, _CLEARANCE, _DISORDER = 0.64, 0.01, 0.005
 # Fastest the pressure wall moves, over √(p/ρ) and over what the shear asks of it.
 _SPEED, _AHEAD = 0.3, 3.0
 
-# What `on_step` is told at the end: it counts relaxation steps, of which some thousand are usual.
+# Last number passed to `on_step`, which counts relaxation steps; some thousand are usual.
 _TOLD = 2000
 
 
@@ -129,13 +129,13 @@ def compact(
     position, top = _grid(shape, radius, random)
     length = float(shape.bounds[1][0])
     first = max(cycles - _FITTING, 1)
-    tell = _shares(on_share, first, _FITTING)
+    report = _shares(on_share, first, _FITTING)
 
     press = _Press(shape, float(radius.mean()))
-    done = press.run(position, radius, top, first, lambda share: tell(0, share))
+    done = press.run(position, radius, top, first, lambda share: report(0, share))
     # the radii that fill the shape at the density reached; the walls then bring it about
     radius = radius * (length / done.length) ** (1.0 / 3.0)
-    again = press.run(done.position, radius, done.length, _FITTING, lambda share: tell(1, share))
+    again = press.run(done.position, radius, done.length, _FITTING, lambda share: report(1, share))
     records = again.history.records.copy()
     records[:, 0] += done.history.time[-1]
     return replace(again, history=done.history.extended(records), steps=done.steps + again.steps)

@@ -50,14 +50,14 @@ def thrown(
     try:
         centre = random_centres(shape, inside * radius, random)
     except InputError as error:
-        told = "give smaller ones, or a larger shape"
+        advice = "give smaller ones, or a larger shape"
         if by_count:
             # cells may reach from wall to wall; spheres need room to lie beside each other
             at_rest = radius * (_AT_REST / fraction) ** (1.0 / 3.0)
             count, mean = enough(shape, at_rest, _CELLS_ACROSS if inside < 1.0 else ACROSS)
-            told = f"give count={count} or more, with a mean radius of {mean:.3g} m, or a larger shape"
+            advice = f"give count={count} or more, with a mean radius of {mean:.3g} m, or a larger shape"
         raise InputError(
-            f"{len(radius)} spheres of radius {radius.max():.3g} m do not fit into {shown(shape)}; {told}"
+            f"{len(radius)} spheres of radius {radius.max():.3g} m do not fit into {shown(shape)}; {advice}"
         ) from error
     order = np.argsort(morton_code(centre), kind="stable")
     return SoftSpheres(shape, centre[order], radius[order])

@@ -57,7 +57,7 @@ class _Sided:
 
 
 def around_surfaces(
-    shape: Shape, count: int, surfaces: Sequence[Around], random: np.random.Generator, told: Callable[[float], None]
+    shape: Shape, count: int, surfaces: Sequence[Around], random: np.random.Generator, report: Callable[[float], None]
 ) -> Particles:
     """Pack equal spheres for cells that end on surfaces.
 
@@ -66,7 +66,7 @@ def around_surfaces(
         count: number of spheres.
         surfaces: surfaces within the shape or across it, apart from each other by 1.6 cells or more.
         random: random generator.
-        told: function called with the completed share.
+        report: function called with the completed share.
 
     Raises:
         InputError: The cells are too large, or surfaces lie outside the shape or too near to each other.
@@ -86,7 +86,7 @@ def around_surfaces(
         raise InputError(f"pack: the surfaces of around= need more than {count} cells; ask for more")
     nearest = partial(_nearest, sided)
     free = thrown_free(shape, count - len(pins), nearest, _CLEAR * h, h, random)
-    x = settled_free(shape, pins, free, h, told, nearest=nearest, clear=_CLEAR * h)
+    x = settled_free(shape, pins, free, h, report, nearest=nearest, clear=_CLEAR * h)
     return filled(Particles(x, usual_radius(shape, x, 0.5 * h), None), shape)
 
 

@@ -28,16 +28,16 @@ def draw_pieces(path: Path, specimen: Examined) -> None:
             _draw_test(figure, left, right, specimen.lattice, specimen.outcomes[name], FAILURE_TESTS[name].figure)
 
 
-def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: Outcome, told: TestFigure) -> None:
+def _draw_test(figure: Figure, left: Axes, right: Axes, body: Lattice, outcome: Outcome, style: TestFigure) -> None:
     cracking = outcome.cracking
     assert cracking is not None
     state, found = cracking.state, cracking.found
     reach = reach_of(body, state.displacement)
-    draw_fragments(left, body, state, cracking.fragments, view=view_of(told), reach=reach)
-    left.set_title(f"{told.title}: {pieces_and_crumbs(cracking)}", color=INK)
+    draw_fragments(left, body, state, cracking.fragments, view=view_of(style), reach=reach)
+    left.set_title(f"{style.title}: {pieces_and_crumbs(cracking)}", color=INK)
     left.text(0.02, 0.0, magnified(reach), transform=left.transAxes, fontsize=8.5)
     cracks = many(cracking.count, "crack") if cracking.sectioned else "cracks"
-    scale = draw_cracks(right, body, found, view=view_of(told))
+    scale = draw_cracks(right, body, found, view=view_of(style))
     right.set_title(f"{cracks}, {area(cracking.surface)} of facets", color=INK)
     if len(found):
         bar = figure.colorbar(scale, ax=right, orientation="horizontal", shrink=0.6, aspect=30, pad=0.02)
@@ -55,8 +55,8 @@ def draw_energies(path: Path, specimen: Examined) -> None:
     with sheet(path, 4.1 * columns + 0.4, 3.2 * rows + 0.5, rows, columns, squeeze=False) as (figure, axes):
         for ax, name in zip(panels(axes, len(names)), names, strict=True):
             outcome = specimen.outcomes[name]
-            told = FAILURE_TESTS[name].figure_of(outcome.curves)
-            strain = told.across[0] * outcome.curves["strain"]
+            style = FAILURE_TESTS[name].figure_of(outcome.curves)
+            strain = style.across[0] * outcome.curves["strain"]
             missing = np.abs(outcome.energy["balance"]).max()
             farther = strain >= np.maximum.accumulate(strain)
             strain, energy = strain[farther], {part: along[farther] for part, along in outcome.energy.items()}
@@ -65,7 +65,7 @@ def draw_energies(path: Path, specimen: Examined) -> None:
                 ax.fill_between(strain, top, top + energy[part], color=_COLOURS[part], linewidth=0.0, label=part)
                 top = top + energy[part]
             ax.plot(strain, energy["work"], color=INK, linestyle=(0, (4, 3)), linewidth=1.2, label="work of the load")
-            ax.set(xlabel=f"{told.strain} [{told.across[1]}]", ylabel="energy [J]", title=told.title)
+            ax.set(xlabel=f"{style.strain} [{style.across[1]}]", ylabel="energy [J]", title=style.title)
             ax.set_ylim(bottom=0.0)
             ax.text(0.02, 0.97, f"balance within {with_unit(float(missing), 'J', 2)}", transform=ax.transAxes,
                     va="top", fontsize=8.5)  # fmt: skip

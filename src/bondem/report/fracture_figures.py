@@ -76,10 +76,10 @@ def _draw_growth(ax: Axes, growth: CrackGrowth) -> None:
 
 def _draw_magnitudes(ax: Axes, emission: AcousticEmission, b_value: BValue | None) -> None:
     """Draw the number of emissions above each magnitude."""
-    heard = np.sort(emission.magnitude[np.isfinite(emission.magnitude)])
-    ax.step(heard, np.arange(len(heard), 0, -1), where="pre", color=BLUE, label=f"{len(emission)} emissions")
+    size = np.sort(emission.magnitude[np.isfinite(emission.magnitude)])
+    ax.step(size, np.arange(len(size), 0, -1), where="pre", color=BLUE, label=f"{len(emission)} emissions")
     if b_value is not None:
-        m = np.array([b_value.completeness, heard[-1]])
+        m = np.array([b_value.completeness, size[-1]])
         ax.plot(m, b_value.count * 10.0 ** (-b_value.b * (m - m[0])), color=ORANGE, linestyle=(0, (4, 3)),
                 label=f"b = {b_value.b:.2f} ({b_value.interval[0]:.2f} to {b_value.interval[1]:.2f})")  # fmt: skip
         ax.axvline(m[0], color=GREY, linewidth=0.8)

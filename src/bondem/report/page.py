@@ -265,10 +265,10 @@ def _peak(name: str, outcomes: Sequence[Outcome], band: tuple[float, float] | No
     """Mean peak of the curves beside the measured range; None without one."""
     if band is None:
         return None
-    found, told = float(np.mean([one.curves["stress"].max() for one in outcomes])), FAILURE_TESTS[name].figure
+    found, style = float(np.mean([one.curves["stress"].max() for one in outcomes])), FAILURE_TESTS[name].figure
     off = 0.0 if band[0] <= found <= band[1] else found / (band[0] if found < band[0] else band[1]) - 1.0
-    return {"name": f"peak {told.stress}", "value": found, "unit": told.units[1], "off": off,
-            "measured": between(*band, told.units[1])}  # fmt: skip
+    return {"name": f"peak {style.stress}", "value": found, "unit": style.units[1], "off": off,
+            "measured": between(*band, style.units[1])}  # fmt: skip
 
 
 def _number(value: object) -> float | None:

@@ -216,16 +216,16 @@ def _supports(model: Model) -> tuple[Floats, list[Patch]]:
     colour = np.tile(to_rgb(_PLAIN), (len(model.lattice.particles), 1))
     handles: dict[str, Patch] = {}
     for condition in model.boundary:
-        told = _told(condition)
-        if told is None:
+        effect = _effect(condition)
+        if effect is None:
             continue
-        words, tint = told
+        words, tint = effect
         colour[condition.region.select(model.lattice)] = to_rgb(tint)
         handles[words] = Patch(color=tint, label=words)
     return colour, list(handles.values())
 
 
-def _told(condition: Any) -> tuple[str, str] | None:
+def _effect(condition: Any) -> tuple[str, str] | None:
     """Return words for the effect of a condition, and its colour; None for conditions that act everywhere."""
     match condition:
         case Fix():

@@ -43,7 +43,7 @@ def render_run(
         InputError: no such field snapshot or camera, or an unknown suffix.
         RunFileError: the file is not a run file.
     """
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # of a screen that is not there nobody need hear
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # no messages about a missing screen
     film = out.suffix.lower() in _MOVIES
     if not film and out.suffix.lower() != ".png":
         raise InputError(
@@ -67,8 +67,8 @@ def _film(scene: Scene, plotter: Any, out: Path) -> None:
     try:
         plotter.open_gif(str(out)) if out.suffix.lower() == ".gif" else plotter.open_movie(str(out))
     except (ImportError, ValueError) as error:
-        told = " ".join(str(error).split())
-        raise InputError(f"films need imageio ({told}); {install('view')}") from None
+        reason = " ".join(str(error).split())
+        raise InputError(f"films need imageio ({reason}); {install('view')}") from None
     for number in range(scene.count):
         plotter.clear_actors()
         scene.draw(plotter, number)

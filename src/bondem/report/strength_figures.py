@@ -36,8 +36,8 @@ def draw_curves(path: Path, findings: Findings) -> None:
     with sheet(path, width, high, rows, columns, squeeze=False) as (figure, axes):
         lines: dict[str, Artist] = {}
         for ax, name in zip(panels(axes, len(names)), names, strict=True):
-            told = FAILURE_TESTS[name].figure_of(findings.specimens[0].outcomes[name].curves)
-            (across, along), (up, of) = told.across, told.up
+            style = FAILURE_TESTS[name].figure_of(findings.specimens[0].outcomes[name].curves)
+            (across, along), (up, of) = style.across, style.up
             for n, one in enumerate(findings.specimens):
                 outcome = one.outcomes[name]
                 x, y = across * outcome.curves["strain"], up * outcome.curves["stress"]
@@ -53,9 +53,9 @@ def draw_curves(path: Path, findings: Findings) -> None:
                 ax.axhspan(up * band[0], up * band[1], color=GREY, alpha=0.3, linewidth=0.0,
                            label=f"peaks measured, {findings.citation}")  # fmt: skip
             theory = findings.specimens[0].outcomes[name].theory
-            if math.isfinite(theory) and told.line:
+            if math.isfinite(theory) and style.line:
                 ax.axhline(up * theory, color=ORANGE, linestyle=(0, (4, 3)), label="strength of the material")
-            ax.set(xlabel=f"{told.strain} [{along}]", ylabel=f"{told.stress} [{of}]", title=told.title)
+            ax.set(xlabel=f"{style.strain} [{along}]", ylabel=f"{style.stress} [{of}]", title=style.title)
             ax.set_ylim(bottom=0.0)
             lines |= {str(line.get_label()): line for line in ax.get_legend_handles_labels()[0]}
         if lines:
@@ -78,7 +78,7 @@ def draw_broken(path: Path, specimen: Examined) -> None:
             draw_failed(figure, ax, specimen.lattice, specimen.outcomes[name].curves, FAILURE_TESTS[name].figure)
 
 
-def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Floats], told: TestFigure) -> None:
+def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Floats], style: TestFigure) -> None:
     """Draw one broken specimen.
 
     Args:
@@ -86,21 +86,21 @@ def draw_failed(figure: Figure, ax: Axes, body: Lattice, curves: Mapping[str, Fl
         ax: axes to draw on.
         body: lattice of cells or of bonded spheres.
         curves: arrays "displacement" [m], "orientation", "damage" and "slip" of the cells, and "piece" for fragments.
-        told: style of the figure.
+        style: style of the figure.
     """
-    view = view_of(told)
-    slipped = told.slips and float(curves["slip"].max()) > 0.0
+    view = view_of(style)
+    slipped = style.slips and float(curves["slip"].max()) > 0.0
     value = 100.0 * curves["slip"] if slipped else curves["damage"]
     norm = Normalize(0.0, (float(value.max()) or 1.0) if slipped else 1.0)
     reach = reach_of(body, curves["displacement"])
     colour = np.asarray(colormaps[SEQUENTIAL](norm(value)))[:, :3]
     shown = None
-    if told.halved:
+    if style.halved:
         toward = view.axes[2] * (0.0, 1.0, 1.0)
         shown = (body.centre - np.mean(body.particles.envelope.bounds, axis=0)) @ toward < 0.0
     motion = curves["displacement"], curves["orientation"]
     draw_magnified(ax, body, colour, motion, view=view, reach=reach, shown=shown, piece=curves.get("piece"))
-    ax.set_title(f"{told.title}, {magnified(reach)}", color=INK)
+    ax.set_title(f"{style.title}, {magnified(reach)}", color=INK)
     bar = figure.colorbar(
         ScalarMappable(norm, SEQUENTIAL), ax=ax, orientation="horizontal", shrink=0.7, aspect=30, pad=0.02
     )
@@ -114,9 +114,9 @@ def magnified(reach: float) -> str:
     return "true motion" if reach == 1.0 else f"motion × {reach:g}"
 
 
-def view_of(told: TestFigure) -> View:
+def view_of(style: TestFigure) -> View:
     """Direction of view of the figures of a test."""
-    return View(azimuth=told.azimuth, elevation=told.elevation)
+    return View(azimuth=style.azimuth, elevation=style.elevation)
 
 
 def reach_of(body: Lattice, moved: Floats) -> float:

@@ -13,11 +13,11 @@ def draw_errors(path: Path, findings: Findings) -> None:
     tests = findings.results["tests"]
     names = [name for name, row in tests.items() if row["error"] is not None]
     place = np.arange(len(names))[::-1]
-    told: set[str] = set()
+    labelled: set[str] = set()
 
     def once(label: str) -> str | None:
-        fresh = label not in told
-        told.add(label)
+        fresh = label not in labelled
+        labelled.add(label)
         return label if fresh else None
 
     with sheet(path, 8.2, 0.48 * len(names) + 1.1) as (figure, ax):

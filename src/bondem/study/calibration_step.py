@@ -96,26 +96,26 @@ def run_calibration(
     """
     if out is not None:
         require_folder(Path(out), "output folder")
-    tell = progress or (lambda stage, share: None)
+    on_stage = progress or (lambda stage, share: None)
     if plan.law is None:
         recommend(plan.material.nu)  # raises before any work
-    begun = time.perf_counter()
+    start = time.perf_counter()
     lattices: list[Lattice] = []
     for k in range(plan.packings):
         stage = f"pack {k + 1} of {plan.packings}"
         particles = pack(
             SHAPES[plan.shape], count=plan.count, spread=plan.spread, seed=plan.seed + k, cache=cache,
-            progress=lambda share, stage=stage: tell(stage, share),
+            progress=lambda share, stage=stage: on_stage(stage, share),
         )  # fmt: skip
         lattices.append(connect(particles))
     packed = time.perf_counter()
-    tell("calibrate", 0.0)
+    on_stage("calibrate", 0.0)
     fit = calibrate(
         lattices, plan.material, law=plan.law, nu_mu=plan.nu_mu, ucs=plan.ucs, tension=plan.tension,
         friction_angle=plan.friction_angle,
     )  # fmt: skip
-    tell("calibrate", 1.0)
-    seconds = {"pack_s": round(packed - begun, 3), "calibrate_s": round(time.perf_counter() - packed, 3)}
+    on_stage("calibrate", 1.0)
+    seconds = {"pack_s": round(packed - start, 3), "calibrate_s": round(time.perf_counter() - packed, 3)}
     found = _summary(plan, fit, lattices) | {"timing": seconds, "version": __version__}
     if out is not None:
         folder = Path(out)

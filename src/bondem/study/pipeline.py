@@ -43,7 +43,7 @@ from bondem.study.results import collect
 from bondem.study.specimen_step import SpecimenPlan
 from bondem.study.study_file import Study
 
-#: Told the name of a stage and the share of it that is done, 0 … 1.
+#: Function of the name of a stage and its completed share, 0 … 1.
 Progress = Callable[[str, float], None]
 
 
@@ -64,21 +64,21 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
         PackingError: a packing did not reach its target.
         UnreachableTargetError: neither the bond law nor any recommended law gives the material's Poisson's ratio.
     """
-    with only_writer(Path(out), "output folder"), reported(progress) as tell:
-        return _carry_out(study, Path(out), tell)
+    with only_writer(Path(out), "output folder"), reported(progress) as on_stage:
+        return _carry_out(study, Path(out), on_stage)
 
 
-def _carry_out(study: Study, out: Path, tell: Progress) -> dict[str, Any]:
+def _carry_out(study: Study, out: Path, on_stage: Progress) -> dict[str, Any]:
     if study.material is not None and study.bond.law is None and study.bond.cells is None:
         recommend(study.material.nu)  # raises before any work
     watch = _Watch()
-    bodies = tuple(packed(study, k, tell) for k in range(study.packings))
+    bodies = tuple(packed(study, k, on_stage) for k in range(study.packings))
     lattices = tuple(body.lattice for body in bodies)
     watch.lap("pack_s")
-    bonds = bonds_of(study, study.material, lattices, tell) if study.material is not None else None
+    bonds = bonds_of(study, study.material, lattices, on_stage) if study.material is not None else None
     fit = bonds.fit if bonds is not None else None
     watch.lap("calibrate_s")
-    specimens = tuple(examined(study, k, body, bonds, tell) for k, body in enumerate(bodies))
+    specimens = tuple(examined(study, k, body, bonds, on_stage) for k, body in enumerate(bodies))
     watch.lap("tests_s")
     results = collect(study, bonds, specimens, watch.laps)
     findings = Findings(
@@ -108,7 +108,7 @@ def _carry_out(study: Study, out: Path, tell: Progress) -> dict[str, Any]:
         for one in specimens:
             keep_specimen(out / f"specimen_{one.seed}.h5", one.lattice, one.law, bonds.density)
     report_last(out, lambda: write_report(
-        findings, out, figures=study.figures, progress=lambda share: tell("report", share)
+        findings, out, figures=study.figures, progress=lambda share: on_stage("report", share)
     ))  # fmt: skip
     return results
 
@@ -144,32 +144,32 @@ class _Body:
     aggregates: Aggregates | None
 
 
-def packed(study: Study, k: int, tell: Progress) -> _Body:
+def packed(study: Study, k: int, on_stage: Progress) -> _Body:
     """Create packing k with its bonds; a specimen in two pieces raises an error."""
     stage, seed = f"pack {k + 1} of {study.packings}", study.seed + k
     balls = None
     if study.aggregates is not None and isinstance(study.specimen, SpecimenPlan):
-        tell(f"{stage}: aggregates", 0.0)
+        on_stage(f"{stage}: aggregates", 0.0)
         balls = study.aggregates.placed(study.specimen.shape, study.specimen.count, seed)
-    particles = study.specimen.particles(seed, lambda share: tell(stage, share), balls)
+    particles = study.specimen.particles(seed, lambda share: on_stage(stage, share), balls)
     study.require_testable(particles.envelope)
     if study.bond.cells is not None:
         return _Body(connect(particles, method="laguerre"), balls)
     return _Body(connect(particles, tolerance=study.bond.tolerance, reach=study.bond.reach), balls)
 
 
-def bonds_of(study: Study, material: Material, lattices: tuple[Lattice, ...], tell: Progress) -> Bonding:
+def bonds_of(study: Study, material: Material, lattices: tuple[Lattice, ...], on_stage: Progress) -> Bonding:
     """Bonds of a material: the calibrated law, or the uncalibrated cell law."""
     if study.bond.cells is not None:
         law = study.bond.cells(E=material.E, nu=material.nu, facet_rotation=study.bond.facet_rotation)
         return Bonding(law=law, density=material.rho)
-    fit = calibrated(study, material, lattices, tell)
+    fit = calibrated(study, material, lattices, on_stage)
     return Bonding(law=fit.law, density=fit.density, fit=fit)
 
 
-def calibrated(study: Study, material: Material, lattices: tuple[Lattice, ...], tell: Progress) -> Calibration:
+def calibrated(study: Study, material: Material, lattices: tuple[Lattice, ...], on_stage: Progress) -> Calibration:
     """Calibrate the law to E, ν and ρ of the material on the first packings."""
-    tell("calibrate", 0.0)
+    on_stage("calibrate", 0.0)
     fit = calibrate(
         lattices[: study.calibrating],
         material,
@@ -177,18 +177,18 @@ def calibrated(study: Study, material: Material, lattices: tuple[Lattice, ...], 
         nu_mu=study.bond.nu_mu,
         radius_rule=study.bond.radius_rule,
     )
-    tell("calibrate", 1.0)
+    on_stage("calibrate", 1.0)
     return fit
 
 
-def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Progress) -> Examined:
+def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, on_stage: Progress) -> Examined:
     """Evaluate packing k: its fabric and, under the law of the study, its moduli and tests."""
     lattice = body.lattice
     stage = f"test {k + 1} of {study.packings}"
-    tell(stage, 0.0)
+    on_stage(stage, 0.0)
     if bonds is None:
         specimen = Examined(seed=study.seed + k, lattice=lattice, quality=_quality(lattice))
-        tell(stage, 1.0)
+        on_stage(stage, 1.0)
         return specimen
     law, density = _law(study, bonds, body), bonds.density
     known = bonds.fit.tensions[: study.calibrating] if bonds.fit is not None else ()
@@ -208,20 +208,20 @@ def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, tell: Pro
     outcomes: dict[str, Outcome] = {}
     if tension is None:  # a ball, or a specimen with a notch or borings, is broken only
         for name in study.tests:
-            outcomes[name] = to_failure(name, study, body, bonds, partial(tell, f"{name}, {stage}"))
-        tell(stage, 1.0)
+            outcomes[name] = to_failure(name, study, body, bonds, partial(on_stage, f"{name}, {stage}"))
+        on_stage(stage, 1.0)
         return replace(specimen, outcomes=outcomes)
     bar = ElasticBar(lattice, law, tension, density, rho)
     if any(name in ELASTIC_TESTS and ELASTIC_TESTS[name].vibrates for name in study.tests):
         specimen = replace(specimen, frequencies=bar.frequencies)
-        tell(stage, 0.3)
+        on_stage(stage, 0.3)
     for done, name in enumerate(study.tests):
-        tell(stage, 0.6 + 0.4 * done / len(study.tests))
+        on_stage(stage, 0.6 + 0.4 * done / len(study.tests))
         if name in FAILURE_TESTS:
-            outcomes[name] = to_failure(name, study, body, bonds, partial(tell, f"{name}, {stage}"))
+            outcomes[name] = to_failure(name, study, body, bonds, partial(on_stage, f"{name}, {stage}"))
         else:
             outcomes[name] = ELASTIC_TESTS[name].perform(bar)
-    tell(stage, 1.0)
+    on_stage(stage, 1.0)
     return replace(specimen, outcomes=outcomes)
 
 

@@ -19,7 +19,7 @@ from bondem.study.toml_table import TomlTable
 _OWN, _OPTIONS = ("name", "tests"), tuple(name for name, test in FAILURE_TESTS.items() if test.options)
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 _-]{0,59}")
 # Files of the programme itself.
-_TAKEN = ("figures",)
+_OWN_NAMES = ("figures",)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -175,10 +175,10 @@ def _series(
     """Read specimen k as a study of its own."""
     where = TomlTable(table, SEVERAL, f"specimens[{k}]")
     name = where.text("name")
-    if not _NAME.fullmatch(name) or name.lower() in _TAKEN:
+    if not _NAME.fullmatch(name) or name.lower() in _OWN_NAMES:
         raise StudyError(
             f"'specimens[{k}].name' = '{name}': not a folder name for its results; use letters, digits, spaces,"
-            f" - and _ only, and not {', '.join(_TAKEN)}"
+            f" - and _ only, and not {', '.join(_OWN_NAMES)}"
         )
     tests = where.texts("tests", default=())
     if not tests:

@@ -43,8 +43,8 @@ def run_programme(
         InputError: the folder cannot be written to, another process writes to it, or a study is not feasible.
         UnstableRunError: a run became unstable. Results of finished specimens are kept.
     """
-    with only_writer(Path(out), "output folder"), reported(progress) as tell:
-        return _carry_out(programme, Path(out), fresh, tell)
+    with only_writer(Path(out), "output folder"), reported(progress) as on_stage:
+        return _carry_out(programme, Path(out), fresh, on_stage)
 
 
 def _carry_out(programme: Programme, out: Path, fresh: bool, progress: Progress) -> dict[str, Any]:
@@ -75,10 +75,10 @@ def _results(series: Series, folder: Path, fresh: bool, progress: Progress) -> d
             return known
     (folder / _FINISHED).unlink(missing_ok=True)
 
-    def tell(stage: str, share: float) -> None:
+    def on_stage(stage: str, share: float) -> None:
         progress(f"{series.name}: {stage}", share)
 
-    run_study(series.study, folder, progress=tell)
+    run_study(series.study, folder, progress=on_stage)
     write_text(folder / _FINISHED, json.dumps({"inputs": inputs}) + "\n")
     # As the next time: what a file holds, numbers included.
     return json.loads((folder / "results.json").read_text(encoding="utf-8"))
@@ -135,8 +135,8 @@ def _rows(series: Series, results: Mapping[str, Any]) -> list[dict[str, Any]]:
             rows.append(shared | of | _against(macro[test], getattr(material, test), None))
     for test, row in results["tests"].items():
         of = {key: row[key] for key in ("unit", "measured", "scatter")}
-        told = {"test": test, "label": _label(series.study, test)}
-        rows.append(shared | told | of | _against(row["measured"], series.targets.get(test), row["theory"]))
+        named = {"test": test, "label": _label(series.study, test)}
+        rows.append(shared | named | of | _against(row["measured"], series.targets.get(test), row["theory"]))
     return rows
 
 

@@ -28,7 +28,7 @@ from bondem.specimen.ordering import Layout
 # Lamé's λ over G from which the gradient between cells does not grow any more.
 _STIFFEST = 2.0
 # Squared cosine of the angle between the normals of two cells within which they are one layer.
-_ALIKE = 0.5
+_PARALLEL = 0.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,10 +89,10 @@ class GradientConstants:
         soft = gradient_stiffness(body, G, lame)[i][inner] / lame[i][inner] ** 2
         spring = (area * span)[inner] * soft / mean_square_span(body)
         layer = walls.layer
-        alike = (np.einsum("mxa,mya->mxy", layer[i], layer[j]) ** 2).sum(axis=2) > _ALIKE
-        back = (np.einsum("mxa,mya->mxy", layer[j], layer[i]) ** 2).sum(axis=2) > _ALIKE
-        facet = np.flatnonzero((alike | back).any(axis=1))
-        way_a = np.cross(layer[i], shares[0][:, None]) * alike[:, :, None]
+        parallel = (np.einsum("mxa,mya->mxy", layer[i], layer[j]) ** 2).sum(axis=2) > _PARALLEL
+        back = (np.einsum("mxa,mya->mxy", layer[j], layer[i]) ** 2).sum(axis=2) > _PARALLEL
+        facet = np.flatnonzero((parallel | back).any(axis=1))
+        way_a = np.cross(layer[i], shares[0][:, None]) * parallel[:, :, None]
         way_b = np.cross(layer[j], shares[1][:, None]) * back[:, :, None]
         inertia = 0.5 * np.einsum("naa->n", cells.inertia)[:, None]
         second = inertia - np.einsum("nxa,nab,nxb->nx", layer, cells.inertia, layer)

@@ -14,7 +14,7 @@ from bondem._types import Floats, Ints
 from bondem.interactions.cells.free_walls import FreeWalls
 
 # cos² of the angle between the walls of two cells within which they are one wall.
-_ALIKE = 0.8
+_PARALLEL = 0.8
 # Torsion constant of a cross-section over A⁴ / I_p, exact for a square.
 _TORSION = 0.1406 / 6.0
 
@@ -50,8 +50,8 @@ def twist_at_walls(
         cells: cells on both sides of each facet, (m,) each.
     """
     one, other = (walls.wall[cell] for cell in cells)
-    alike = (one * other).sum(axis=1) ** 2 > _ALIKE
-    moment = 0.5 * alike * (np.einsum("ma,mab,mb->m", one, S, one) + np.einsum("ma,mab,mb->m", other, S, other))
+    parallel = (one * other).sum(axis=1) ** 2 > _PARALLEL
+    moment = 0.5 * parallel * (np.einsum("ma,mab,mb->m", one, S, one) + np.einsum("ma,mab,mb->m", other, S, other))
     column = walls.column[cells[0]] & walls.column[cells[1]]
     polar = np.einsum("mii->m", S)
     moment = np.where(column, 0.5 * _TORSION * area**4 / np.where(column, polar, 1.0), moment)

@@ -158,7 +158,7 @@ def _batch(centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats) -> _
 
 
 def _batches(
-    centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats, told: Callable[[float], None]
+    centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats, report: Callable[[float], None]
 ) -> Iterator[_Batch]:
     """Compute some cells, and repeat those that outgrow their boxes in larger ones; `half`, (n,), is then doubled."""
     waiting, done = chosen, 0
@@ -169,7 +169,7 @@ def _batches(
             for batch in pool.map(lambda part: _batch(centres, walls, part, half[part]), some):
                 again.append(batch.again)
                 done += len(batch.whole) + len(np.unique(batch.pieces.cell))
-                told(min(done / len(chosen), 1.0))
+                report(min(done / len(chosen), 1.0))
                 yield batch
             waiting = np.concatenate(again)
             half[waiting] *= 2.0
@@ -238,8 +238,8 @@ def tessellate(
         InputError: Centres coincide or lie outside the shape, a cell has no volume, a periodic cell is too small, or
             a part of the shape has no elements.
     """
-    told = progress or (lambda share: None)
-    made = tessellation(particles, lambda share: told(0.9 * share))
+    report = progress or (lambda share: None)
+    made = tessellation(particles, lambda share: report(0.9 * share))
     found, owner = made.cut.found, made.cut.owner
     a = owner[found.piece]
     b = np.where(found.other >= 0, owner[found.other], found.element)
@@ -249,7 +249,7 @@ def tessellate(
     volume, centroid, inertia = _solid_tables(made)
     _check_volume(particles.envelope, float(volume.sum()))
     pairs, between, remainder = facets(particles, every.chosen(every.b >= 0).facing(), free, volume)
-    told(1.0)
+    report(1.0)
     grid = pitch(made.centres.reach, particles.period, CENTRE_BITS)
     return pairs, between, Cells(volume, freeze(on_raster(centroid, grid)), inertia, remainder, free)
 
