@@ -39,7 +39,7 @@ CELL_LAWS: dict[str, type[CellBond]] = {law.__name__: law for law in (CellBond,)
 #: Those without regions and without calibration, by the name of the class.
 WHOLE_LAWS: dict[str, type] = {NonLocal.__name__: NonLocal}
 
-#: The law of the paper (André et al. 2012), which studies take unless told otherwise.
+#: The law of the paper (André et al. 2012), the default of studies.
 DEFAULT: type[BondLaw] = EulerBernoulli
 
 #: r̃ and every parameter beside it that a law varies, by name.
