@@ -22,10 +22,10 @@ RECORDS = (
     "cell_hole", "cell_inertia", "cell_moduli", "cell_rayleigh", "cell_reflection", "cell_waves", "chen",
     "chen_damping", "chen_tables", "chen_unbonded", "cmod", "concrete", "concrete_beams", "disc_finite_elements",
     "energy_drift", "every_facet", "fem_clamped", "glass", "incremental_drift", "joint_slip", "kinds_of_loss",
-    "laws_side_by_side", "load_factors", "mass_moments", "mesoscale", "mka3d", "non_local", "non_local_noise",
-    "non_local_reach", "notched_bars", "opening_energy", "paper_parameters", "plate_forces", "second_order",
-    "shattering", "shear_bands", "strength", "strength_calibration", "stress_waves", "time_to_accuracy",
-    "turning_energy", "uniform_stress", "yield_surfaces",
+    "laws_side_by_side", "load_factors", "loading_paths", "mass_moments", "mesoscale", "mka3d", "non_local",
+    "non_local_noise", "non_local_reach", "notched_bars", "opening_energy", "paper_parameters", "plate_forces",
+    "second_order", "shattering", "shear_bands", "strength", "strength_calibration", "stress_waves",
+    "time_to_accuracy", "turning_energy", "uniform_stress", "yield_surfaces",
 )  # fmt: skip
 
 

@@ -7,14 +7,12 @@ from book.chapters.concrete import CONCRETE
 from book.chapters.rapid_fracture import BRANCHING
 from book.forms import Form
 from book.quoting import Quoted
-from book.results import Measurement
+from book.results import Measurement, record
 
-PATHS = Measurement(
-    "loading_paths", "python benchmarks/loading_paths.py && python benchmarks/loading_paths.py --summary", "3 h"
-)
-#: The same with the rule of cracks that equilibria have.
+PATHS = record("loading_paths", takes="3 h")
+#: The same with the rule of cracks that equilibria have, whose cases are kept.
 BEFORE = Measurement(
-    "loading_paths_before", "python benchmarks/loading_paths.py --summary --name loading_paths_before", "3 h"
+    "loading_paths_before", "python -m validation loading_paths --out benchmarks/results/loading_paths_before.json"
 )
 MEASUREMENTS = (PATHS, BEFORE)
 
@@ -87,16 +85,16 @@ def _pressed() -> list[Quoted]:
 def _compact() -> list[Quoted]:
     case = "compact tension: G_f"
     found = []
-    for name, record, words, pick in (
+    for name, of, words, pick in (
         ("work", PATHS, "mean", fmean), ("largest_work", PATHS, "largest of all", max),
         ("former", BEFORE, "mean, with the rule of equilibria", fmean),
     ):  # fmt: skip
-        rows = [row for one in record.at("cases") for row in one["rows"] if row["name"] == case]
+        rows = [row for one in of.at("cases") for row in one["rows"] if row["name"] == case]
         rows = [row for row in rows if row["count"] == _COMPACT]
         packings = len({row["seed"] for row in rows})
         found.append(Quoted(
             name=f"compact.{name}", says=f"work of compact-tension bodies over G_f and the ligament: {words}",
-            size=f"{_COMPACT} cells, {packings} packings, {len(rows)} bodies", record=record, form=RATIO,
+            size=f"{_COMPACT} cells, {packings} packings, {len(rows)} bodies", record=of, form=RATIO,
             values=(pick([row["measured"] for row in rows]),),
         ))  # fmt: skip
     return found

@@ -8,7 +8,7 @@ import types
 from collections.abc import Callable
 from dataclasses import MISSING, fields
 from pathlib import Path
-from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
 import click
 
@@ -59,7 +59,8 @@ def recording(package: str, name: str, module: types.ModuleType) -> click.Comman
     """A command of a module that measures into a record, that draws from one, or both.
 
     Its function `measure(record, *, …)` gets the record and has an argument for each option; a tuple of texts takes
-    those of its default only. Its function `draw(record, folder)` draws what the record has.
+    those of its default only, or those of its annotation. Its function `draw(record, folder)` draws what the record
+    has.
 
     Args:
         package: of the command, `python -m PACKAGE NAME`.
@@ -68,7 +69,7 @@ def recording(package: str, name: str, module: types.ModuleType) -> click.Comman
     """
     usual, options, told = RESULTS / f"{name}.json", [], explained(getattr(module, "measure", None))
     if hasattr(module, "measure"):
-        hints = get_type_hints(module.measure)
+        hints = get_type_hints(module.measure, include_extras=True)
         arguments = list(inspect.signature(module.measure).parameters.values())[1:]
         options += [_option(one.name, hints[one.name], one.default, told.get(one.name, ""), choose=True)
                     for one in arguments]  # fmt: skip
@@ -109,14 +110,18 @@ def _of_text(default: object) -> bool:
 def _option(name: str, kind: Any, default: Any, text: str, *, choose: bool = False) -> click.Option:
     """An option for a field or an argument: a flag, one value, or several with commas between."""
     flag = f"--{name.replace('_', '-')}"
+    choices: tuple[str, ...] = ()
+    if get_origin(kind) is Annotated:
+        kind, choices = get_args(kind)
     if kind is bool:
         return click.Option([flag], is_flag=True, help=text)
     several = get_origin(kind) is tuple
     of = get_args(kind)[0] if several else kind
     if get_origin(of) in (Union, types.UnionType):
         of = next(one for one in get_args(of) if one is not types.NoneType)
-    choices: tuple[str, ...] = get_args(of) if get_origin(of) is Literal else ()
-    if several and of is str and choose:
+    if get_origin(of) is Literal:
+        choices = get_args(of)
+    elif several and of is str and choose and not choices:
         choices = default
     of = str if choices else of
     shown = ",".join(map(str, default)) if several else default

@@ -3,8 +3,8 @@
 import numpy as np
 
 import bondem as bd
-from paths.driving import ENERGY, RANKINE, SIDE, TENSION, E, course, cube, torn
-from paths.rows import Row
+from validation.studies.paths.driving import ENERGY, RANKINE, SIDE, TENSION, E, course, cube, torn
+from validation.studies.paths.rows import Row
 
 #: Openings, over the last one, at which a crack is held, and the slides then, over the same.
 SLIDES: dict[float, tuple[float, ...]] = {1.2: (1.0,), 0.3: (0.3, 0.6, 1.5)}

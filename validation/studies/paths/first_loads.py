@@ -8,9 +8,9 @@ from functools import cache
 import numpy as np
 
 import bondem as bd
-from paths.affine import sheared
-from paths.driving import LAW, MOHR, NU, RANKINE, RHO, SIDE, TENSION, Course, E, course, cube
-from paths.rows import Row
+from validation.studies.paths.affine import sheared
+from validation.studies.paths.driving import LAW, MOHR, NU, RANKINE, RHO, SIDE, TENSION, Course, E, course, cube
+from validation.studies.paths.rows import Row
 
 #: First loads along x over f_t / E, and how far strength and stiffness of a second load across may be off [-].
 FIRST = {1.02: 0.03, 2.0: 0.03}

@@ -5,8 +5,8 @@ import math
 from functools import cache
 
 import bondem as bd
-from paths.driving import LAW, RHO, RISE, TENSION, Course, E, course
-from paths.rows import Row
+from validation.studies.paths.driving import LAW, RHO, RISE, TENSION, Course, E, course
+from validation.studies.paths.rows import Row
 
 #: Fracture energies [J/m²] and curves.
 ENERGIES = (50.0, 200.0)

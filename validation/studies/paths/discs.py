@@ -4,9 +4,9 @@ import json
 from functools import cache
 
 import bondem as bd
-from kept import RESULTS
-from paths.rows import Row
+from validation.frame.record import RESULTS
 from validation.studies import brazilian
+from validation.studies.paths.rows import Row
 
 #: E G_f / f_t^2 over the diameter; where finite elements have no maximum of the load, the strength is stated only.
 SHARES = (0.25, 1.0, 4.0)

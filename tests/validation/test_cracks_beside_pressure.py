@@ -1,7 +1,6 @@
 """The rule of cracks by cases of the battery, on cubes of 100 and 400 cells: each limit is that of the case."""
 
 from collections.abc import Sequence
-from types import ModuleType
 
 import numpy as np
 import pytest
@@ -10,15 +9,9 @@ from scipy.spatial.transform import Rotation
 import bondem as bd
 from bondem._tables.columns import CrackKind
 from bondem.damage.crack_columns import AXES, FACET, KIND
-from tests.scripts import scripts
+from validation.studies.paths import beside, driving, first_loads, opened, two_cracks
 
 CELLS = 100
-
-
-@pytest.fixture(scope="module")
-def paths() -> dict[str, ModuleType]:
-    names = "beside", "driving", "first_loads", "opened", "two_cracks"
-    return scripts("benchmarks", **{name: f"paths.{name}" for name in names})
 
 
 def rows_met(rows: Sequence, names: Sequence[str]) -> None:
@@ -29,31 +22,30 @@ def rows_met(rows: Sequence, names: Sequence[str]) -> None:
 
 
 def test_a_dead_pressure_along_a_crack_takes_no_part_in_it(
-    paths: dict[str, ModuleType], monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(paths["beside"], "DEAD", (-6.0,))
-    rows_met(paths["beside"].dead(1, CELLS), ["peak", "G_f", "left over f_t"])
+    monkeypatch.setattr(beside, "DEAD", (-6.0,))
+    rows_met(beside.dead(1, CELLS), ["peak", "G_f", "left over f_t"])
 
 
-def test_an_open_crack_slides_freely(paths: dict[str, ModuleType], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(paths["opened"], "SLIDES", {1.2: (1.0,)})
-    rows_met(paths["opened"].slide(1, CELLS), ["shear over f_t"])
+def test_an_open_crack_slides_freely(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(opened, "SLIDES", {1.2: (1.0,)})
+    rows_met(opened.slide(1, CELLS), ["shear over f_t"])
 
 
-def test_two_opposite_wedges_take_the_work_of_a_block_between_two_beds(paths: dict[str, ModuleType]) -> None:
-    rows = paths["two_cracks"].strips(1, 4 * CELLS)
+def test_two_opposite_wedges_take_the_work_of_a_block_between_two_beds() -> None:
+    rows = two_cracks.strips(1, 4 * CELLS)
     rows_met(rows, ["torn twice: two wedges: G_f", "less what is exact"])
 
 
 def test_a_second_load_along_the_diagonal_has_its_strength(
-    paths: dict[str, ModuleType], monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(paths["first_loads"], "DIAGONAL", {1.02: 0.05})
-    rows_met(paths["first_loads"].diagonal(1, CELLS), ["largest σ1 in shear", "shear modulus"])
+    monkeypatch.setattr(first_loads, "DIAGONAL", {1.02: 0.05})
+    rows_met(first_loads.diagonal(1, CELLS), ["largest σ1 in shear", "shear modulus"])
 
 
-def test_most_facets_of_a_crack_have_the_axes_of_a_neighbour(paths: dict[str, ModuleType]) -> None:
-    driving = paths["driving"]
+def test_most_facets_of_a_crack_have_the_axes_of_a_neighbour() -> None:
     body: bd.Lattice = driving.cube(1, 4 * CELLS)
     state = driving.course(body, driving.RANKINE, {"x": (0.0, driving.torn())}).run.state
     rows = state.cracks[state.cracks[:, KIND] == CrackKind.OF_MATERIAL]

@@ -3,8 +3,8 @@
 import numpy as np
 
 import bondem as bd
-from paths.mirrored import halves
-from paths.rows import Row
+from validation.studies.paths.mirrored import halves
+from validation.studies.paths.rows import Row
 
 #: E of both [Pa], ν, expansion of the stiff one [-], size [m], limit [-].
 SOFT, STIFF, NU, STRAIN, SIZE, LIMIT = 7e9, 70e9, 0.2, 1e-4, (80e-3, 16e-3, 10e-3), 0.01

@@ -5,9 +5,9 @@ from dataclasses import replace
 from functools import cache
 
 import bondem as bd
-from paths.affine import sheared
-from paths.driving import ENERGY, NU, RANKINE, TENSION, E, course, cube
-from paths.rows import Row
+from validation.studies.paths.affine import sheared
+from validation.studies.paths.driving import ENERGY, NU, RANKINE, TENSION, E, course, cube
+from validation.studies.paths.rows import Row
 
 #: Strains along x and y and shear in proportion from the strain at f_t on (Willam, Pramono and Sture 1987), and the
 #: shear at the end over f_t / E.

@@ -1,9 +1,9 @@
 """Tension with another stress beside it: peak and fracture energy, where principal axes stay and where they turn."""
 
 import bondem as bd
-from paths.affine import sheared
-from paths.driving import ENERGY, NU, RANKINE, SIDE, TENSION, E, course, cube, torn
-from paths.rows import Row
+from validation.studies.paths.affine import sheared
+from validation.studies.paths.driving import ENERGY, NU, RANKINE, SIDE, TENSION, E, course, cube, torn
+from validation.studies.paths.rows import Row
 
 #: How far the peak may be from σ1 = f_t, and what cracks dissipate over the ligament from G_f [-].
 PEAK, WORK = 0.02, 0.08

@@ -5,8 +5,8 @@ import math
 import numpy as np
 
 import bondem as bd
-from paths.driving import ENERGY, LAW, RANKINE
-from paths.rows import Row
+from validation.studies.paths.driving import ENERGY, LAW, RANKINE
+from validation.studies.paths.rows import Row
 
 #: Angles between the packing and the plate [degrees], and how far the work may be from its mean over them [-].
 ANGLES, LIMIT = (0.0, 30.0, 45.0), 0.04

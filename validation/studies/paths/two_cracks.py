@@ -9,8 +9,8 @@ one a body follows: here two strips at opposite ends that are weaker, or one sec
 import numpy as np
 
 import bondem as bd
-from paths.driving import ENERGY, NU, SIDE, TENSION, Course, E, Floats, course, cube, torn
-from paths.rows import Row
+from validation.studies.paths.driving import ENERGY, NU, SIDE, TENSION, Course, E, Floats, course, cube, torn
+from validation.studies.paths.rows import Row
 
 #: How much weaker strips are than the rest, and the section; depth of the strips and of the section [m].
 STRIPS, SECTION, DEPTH, WIDTH = 0.02, 0.3, 14e-3, 22e-3

@@ -4,10 +4,10 @@ import json
 import math
 
 import bondem as bd
-from kept import RESULTS
-from paths.driving import ANGLE, COHESION, ENERGY, LAW, TENSION
-from paths.rows import Row
+from validation.frame.record import RESULTS
 from validation.studies import brazilian
+from validation.studies.paths.driving import ANGLE, COHESION, ENERGY, LAW, TENSION
+from validation.studies.paths.rows import Row
 
 #: Pressures on the sides [Pa], and limits of compression, and of splitting as before [-].
 PRESSURES, LIMIT, SPLIT_LIMIT = (0.0, 5e6, 10e6), 0.01, 0.02

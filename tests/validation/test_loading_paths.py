@@ -1,31 +1,18 @@
 """The battery of loading paths: how verdicts come about, which cases there are, and how speeds change on a path."""
 
 import json
-import sys
-from collections.abc import Iterator
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 
-FOLDER = Path(__file__).parents[2] / "benchmarks"
+from validation.frame.record import Record
+from validation.studies import loading_paths as battery
+from validation.studies.paths.driving import speeds, travel
+from validation.studies.paths.rows import Row, table, verdicts
 
 
-@pytest.fixture(scope="module")
-def battery() -> Iterator[ModuleType]:
-    sys.path.insert(0, str(FOLDER))
-    try:
-        import loading_paths
-
-        yield loading_paths
-    finally:
-        sys.path.remove(str(FOLDER))
-
-
-def test_a_tolerance_is_on_each_row_or_on_their_mean(battery: ModuleType) -> None:
-    from paths.rows import Row, verdicts
-
+def test_a_tolerance_is_on_each_row_or_on_their_mean() -> None:
     each = [Row("a", "peak", measured, 2.0, 0.05, seed, 400) for seed, measured in ((1, 2.0), (2, 2.12))]
     mean = [Row("a", "work", measured, 2.0, 0.05, seed, 400, mean=True) for seed, measured in ((1, 2.0), (2, 2.12))]
     lost = [Row("a", "nothing", float("nan"), 1.0, 0.05, 1, 400)]
@@ -41,11 +28,7 @@ def test_a_tolerance_is_on_each_row_or_on_their_mean(battery: ModuleType) -> Non
         verdicts([each[0], Row("a", "peak", 2.0, 2.0, 0.06, 3, 400)])
 
 
-def test_where_nothing_is_expected_a_tolerance_is_in_the_unit_and_a_stated_number_is_not_judged(
-    battery: ModuleType,
-) -> None:
-    from paths.rows import Row, table, verdicts
-
+def test_where_nothing_is_expected_a_tolerance_is_in_the_unit_and_a_stated_number_is_not_judged() -> None:
     left = [Row("a", "left", measured, 0.0, 0.05, seed, 400) for seed, measured in ((1, -0.06), (2, 0.04))]
     told = [Row("a", "pressure", float("nan"), 3.0, None, 1, 400), Row("a", "pressure", 1.5, 3.0, None, 2, 400)]
     found = verdicts([*left, *told])
@@ -61,7 +44,7 @@ def test_where_nothing_is_expected_a_tolerance_is_in_the_unit_and_a_stated_numbe
     assert "0 of 1 quantities met" in text
 
 
-def test_a_quick_run_does_one_packing_and_the_smallest_bodies(battery: ModuleType) -> None:
+def test_a_quick_run_does_one_packing_and_the_smallest_bodies() -> None:
     assert "many_cycles" not in battery.USUAL
     assert battery.tasks(["cross", "plain"], battery.SEEDS, (), quick=True) == [("cross", 1, 400), ("plain", 1, 200)]
     whole = battery.tasks(battery.USUAL, battery.SEEDS, (), quick=False)
@@ -70,24 +53,21 @@ def test_a_quick_run_does_one_packing_and_the_smallest_bodies(battery: ModuleTyp
     assert battery.tasks(["plain"], [3], [50], quick=False) == [("plain", 3, 50)]
 
 
-def test_results_are_summed_up_from_what_was_kept(battery: ModuleType, tmp_path: Path) -> None:
-    from paths.rows import Row
-
+def test_results_are_summed_up_from_what_was_kept(tmp_path: Path) -> None:
     row = Row("cross", "strength", 0.64, 1.0, 0.05, 1, 400)
-    (tmp_path / "origin.json").write_text(json.dumps({"command": "x"}))
+    record = Record(tmp_path / "loading_paths.json")
     kept = {"task": "cross", "seed": 1, "count": 400, "seconds": 1.0, "commit": "c", "rows": [row.as_json()]}
-    battery.file_of(tmp_path, ("cross", 1, 400)).write_text(json.dumps(kept))
-    battery.sum_up(tmp_path, tmp_path)
-    found = json.loads((tmp_path / "loading_paths.json").read_text())
+    record.keep(cases=[kept])
+    battery.measure(record, cases=("cross",), seeds=(1,))
+    found = json.loads(record.path.read_text())
+    assert found["cases"] == [kept]
     assert [one["verdict"] for one in found["verdicts"]] == ["missed"]
     text = (tmp_path / "loading_paths.md").read_text()
     assert "| cross | strength | 1 | 0.640 | 0.640 | 5 % | each | missed |" in text
     assert "0 of 1 quantities met" in text
 
 
-def test_a_path_goes_through_its_points_without_jumps_of_speed(battery: ModuleType) -> None:
-    from paths.driving import speeds, travel
-
+def test_a_path_goes_through_its_points_without_jumps_of_speed() -> None:
     times, values = travel([(0.0, 0.0), (8.0, -2.0), (8.0, -2.0), (7.9, 0.0)], speed=2.0, rise=0.5, begin=3.0)
     assert times[0] == 3.0
     assert (np.diff(times) > 0.0).all()

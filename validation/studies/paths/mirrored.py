@@ -8,7 +8,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 import bondem as bd
-from paths.driving import Floats
+from validation.studies.paths.driving import Floats
 
 # How far from the plane cells are mirrored, over their size; rounds in which cells move to their centroids.
 _BAND, _ROUNDS = 1.5, 6

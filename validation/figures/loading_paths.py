@@ -1,16 +1,12 @@
-"""Figure of cubes pulled beside a pressure or a tension along the crack, with the rule of cracks now and before.
-
-Run: python benchmarks/pressure_figure.py
-It reads loading_paths and loading_paths_before of benchmarks/results, and writes
-docs/figures/cracks_beside_pressure.png.
-"""
+"""Figure of cubes pulled beside a pressure or a tension along the crack, with the rule of cracks now and before."""
 
 import json
 from collections.abc import Iterator, Mapping
+from pathlib import Path
 from typing import Any
 
 from bondem.report.style import BLUE, GREY, ORANGE, sheet
-from kept import RESULTS, ROOT
+from validation.frame.record import RESULTS
 
 _HELD = "pressure {} f_t held by platens: "
 _PRESSURES = (0, 1, 3, 6, 10)
@@ -30,11 +26,11 @@ def points(record: str, quantity: str) -> Iterator[tuple[int, float]]:
                 yield pressure, row["measured"] / (row["expected"] or 1.0)
 
 
-def main() -> None:
+def draw_beside(path: Path) -> None:
     """Draw peak, energy, and the pressure that is left."""
     panels = (("peak", "peak over f_t [-]"), ("G_f", "energy over G_f and section [-]"),
               ("pressure at the end over f_t", "share of the pressure left [-]"))  # fmt: skip
-    with sheet(ROOT / "docs/figures/cracks_beside_pressure.png", 9.0, 3.2, 1, 3) as (figure, axes):
+    with sheet(path, 9.0, 3.2, 1, 3) as (figure, axes):
         for axis, (quantity, label) in zip(axes, panels, strict=True):
             for record, line in _LINES.items():
                 found = list(points(record, quantity))
@@ -48,7 +44,3 @@ def main() -> None:
         axes[1].set_yticks([], minor=True)
         axes[2].set_ylim(0.0, 1.1)
         figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
-
-
-if __name__ == "__main__":
-    main()

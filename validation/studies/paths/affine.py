@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import bondem as bd
-from paths.driving import LAW, RHO, RISE, TENSION, TRAVERSES, E, Floats, edges, speeds, travel
+from validation.studies.paths.driving import LAW, RHO, RISE, TENSION, TRAVERSES, E, Floats, edges, speeds, travel
 
 _EVERY = 50
 

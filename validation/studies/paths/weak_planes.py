@@ -7,9 +7,9 @@ import warnings
 import numpy as np
 
 import bondem as bd
-from paths.driving import NU, RHO, Course, E, Floats, course, torn, travel
-from paths.mirrored import Halves, halves
-from paths.rows import Row
+from validation.studies.paths.driving import NU, RHO, Course, E, Floats, course, torn, travel
+from validation.studies.paths.mirrored import Halves, halves
+from validation.studies.paths.rows import Row
 
 #: Of the planes [Pa, J/m²], and of what is beside them.
 F_W, G_W = 1e6, 4.0

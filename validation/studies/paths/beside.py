@@ -9,8 +9,20 @@ measured. Pressure alone is beside them: a Rankine material cannot crack in it.
 import numpy as np
 
 import bondem as bd
-from paths.driving import ENERGY, NU, RANKINE, SIDE, TENSION, TRAVERSES, Course, E, course, cube, torn
-from paths.rows import Row
+from validation.studies.paths.driving import (
+    ENERGY,
+    NU,
+    RANKINE,
+    SIDE,
+    TENSION,
+    TRAVERSES,
+    Course,
+    E,
+    course,
+    cube,
+    torn,
+)
+from validation.studies.paths.rows import Row
 
 #: Pressures of platens, and dead stresses on the sides (tension positive), over f_t.
 HELD = (0.0, 1.0, 3.0, 6.0, 10.0)
