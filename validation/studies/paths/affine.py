@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -29,7 +30,7 @@ class Sheared:
     @property
     def principal(self) -> Floats:
         """Largest principal stress of the mean stress [Pa], (s,)."""
-        return np.linalg.eigvalsh(self.stress)[:, 2]
+        return np.asarray(np.linalg.eigvalsh(self.stress)[:, 2], dtype=np.float64)
 
     @property
     def peak(self) -> float:
@@ -72,7 +73,7 @@ def sheared(
     times, values = travel(whole, TENSION / E / until, RISE * until, begin)
     # a later stage goes on from where facets are, which need not be exactly where they were at first
     how, ways = ("", values) if state is None else ("v", speeds(times, values))
-    boundary = []
+    boundary: list[bd.BoundaryCondition] = []
     assert body.cells is not None
     free = body.cells.free
     for name in ("x_min", "x_max", "y_min", "y_max"):
@@ -81,7 +82,8 @@ def sheared(
             own = facets[free.cell[facets] == cell]
             x, y, _ = np.average(free.centroid[own], axis=0, weights=free.area[own])
             way = ways[:, 0] * x + 0.5 * ways[:, 1] * y, ways[:, 2] * y + 0.5 * ways[:, 1] * x
-            moved = {f"{how}{axis}": bd.Table(times, one) for axis, one in zip("xy", way, strict=True)}
+            pairs = zip("xy", way, strict=True)
+            moved: dict[str, Any] = {f"{how}{axis}": bd.Table(times, one) for axis, one in pairs}
             boundary.append(bd.Drive(bd.Face(name) & bd.Index([int(cell)]), **moved))
     boundary.append(bd.Fix(bd.Face("z_min"), translation="z", rotation=""))
     model = bd.Model(body, LAW, RHO, failure=failure, boundary=boundary)

@@ -1,5 +1,7 @@
 """A free strip of two materials, one of which expands: it bends as Timoshenko (1925) has it."""
 
+from typing import Any
+
 import numpy as np
 
 import bondem as bd
@@ -20,7 +22,7 @@ def bimetal(seed: int, count: int) -> list[Row]:
     """Curvature of the middle half over that of theory, of cells mirrored about the interface."""
     found = halves(SIZE, (0.0, 1.0, 0.0), seed, count)
     soft, stiff = bd.CellBond(E=SOFT, nu=NU), bd.CellBond(E=STIFF, nu=NU)
-    laws = {bd.Everything(): soft, found.above: stiff}
+    laws: dict[Any, bd.CellBond] = {bd.Everything(): soft, found.above: stiff}
     model = bd.Model(found.body, laws, 2400.0, boundary=[bd.Eigenstrain(STRAIN, found.above)])
     moved = bd.solve_static(model).displacement
     x, y, _ = found.body.centre.T

@@ -5,6 +5,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -176,7 +177,8 @@ def course(
     for k, axis in enumerate(knots):
         near, far = bd.Face(f"{axis}_min"), bd.Face(f"{axis}_max")
         columns = {axis: k} | ({"y": -1} if slide and axis == "x" else {})
-        drive = bd.Drive(far, **{how + along: bd.Table(times, ways[:, at]) for along, at in columns.items()})
+        moved: dict[str, Any] = {how + along: bd.Table(times, ways[:, at]) for along, at in columns.items()}
+        drive = bd.Drive(far, **moved)
         boundary += [bd.Fix(near, translation="".join(columns), rotation=""), drive]
         gauges |= {f"{axis} near": bd.Gauge(near, "force"), f"{axis} far": bd.Gauge(far, "force")}
         section[axis] = float(np.prod(np.delete(size, AXES.index(axis))))

@@ -3,6 +3,7 @@
 import itertools
 import math
 from functools import cache
+from typing import Any
 
 import bondem as bd
 from validation.studies.paths.driving import LAW, RHO, RISE, TENSION, Course, E, course
@@ -122,7 +123,7 @@ def _torn(body: bd.Lattice, energy: float, curve: str) -> tuple[float, str]:
     boundary = [
         bd.Drive(pins[0], vy=bd.Ramp(0.0, speed, rise)), bd.Drive(pins[1], vy=bd.Ramp(0.0, -speed, rise)),
     ]  # fmt: skip
-    failure = {bd.Everything(): material, about[0]: strong, about[1]: strong}
+    failure: dict[Any, bd.Rankine] = {bd.Everything(): material, about[0]: strong, about[1]: strong}
     top = [0.0]
 
     def ended(_state: bd.State, record: bd.History) -> bool:

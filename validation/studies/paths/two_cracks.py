@@ -6,6 +6,8 @@ takes is known from a rigid block between two cohesive beds, which have the comp
 one a body follows: here two strips at opposite ends that are weaker, or one section that is.
 """
 
+from typing import Any
+
 import numpy as np
 
 import bondem as bd
@@ -100,7 +102,8 @@ def _slab(axis: int, begin: float, end: float) -> bd.Region:
 def _torn(seed: int, count: int, weak: bd.Region, share: float) -> Course:
     """Torn with a region whose strength is lower by a share, and whose G_f is the same."""
     strength = {bd.Everything(): TENSION, weak: (1.0 - share) * TENSION}
-    failure = {where: bd.Rankine(tension=one, fracture_energy=ENERGY) for where, one in strength.items()}
+    softened = {where: bd.Rankine(tension=one, fracture_energy=ENERGY) for where, one in strength.items()}
+    failure: dict[Any, bd.Rankine] = softened
     stretch = TENSION / E * SIDE
     free = NU * BESIDE * stretch
     knots = {"x": (0.0, free, free + torn()), "y": (0.0, -BESIDE * stretch, -BESIDE * stretch)}

@@ -3,6 +3,7 @@
 import itertools
 import math
 import warnings
+from typing import Any
 
 import numpy as np
 
@@ -40,7 +41,7 @@ def _pulled(found: Halves, weak: bd.Rankine, reach: float, lateral: float = 0.0)
         grows = bd.Ramp(0.0, 1.0, 2.0 * rise, begin=begin)
         return [bd.Pressure(bd.Face(name), -lateral, schedule=grows) for name in ("y_min", "y_max")]
 
-    failure = {bd.Everything(): STRONG, (found.above, found.below): weak}
+    failure: dict[Any, bd.Rankine] = {bd.Everything(): STRONG, (found.above, found.below): weak}
     return course(
         found.body, failure, {"x": (0.0, 0.0, reach)}, others=sides, strength=weak.tension, ending=0.01
     )  # fmt: skip
@@ -97,7 +98,7 @@ def beams(seed: int, count: int) -> list[Row]:
 
 def _beam(found: Halves, modulus: float, way: float | bd.Schedule, back: float | bd.Schedule) -> bd.Model:
     upper, lower = (bd.Face("x_min") & part for part in (found.above, found.below))
-    failure = {bd.Everything(): DCB_STRONG, (found.above, found.below): DCB_WEAK}
+    failure: dict[Any, bd.Rankine] = {bd.Everything(): DCB_STRONG, (found.above, found.below): DCB_WEAK}
     ends = [bd.Drive(upper, y=way), bd.Drive(lower, y=back), bd.Fix(bd.Face("x_max"), translation="xz", rotation="")]
     law = bd.CellBond(E=modulus, nu=NU)
     with warnings.catch_warnings():
