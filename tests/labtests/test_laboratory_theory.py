@@ -8,8 +8,8 @@ from scipy.integrate import quad
 
 import bondem as bd
 from bondem.labtests.beam_tests import CrossSection
-from bondem.labtests.punching import _Core
-from bondem.labtests.splitting import flattened, splitting_strength, stamped
+from bondem.labtests.failure.brazilian import flattened, splitting_strength, stamped
+from bondem.labtests.failure.shear import _Core
 from tests.specimens import cells
 
 LAW = bd.CellBond(E=40e9, nu=0.2)

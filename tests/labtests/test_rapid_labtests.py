@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.labtests.spalling import pulled_back
+from bondem.labtests.failure.spall import pulled_back
 from tests.specimens import ball, bar, spheres
 
 LAW = bd.CellBond(E=30e9, nu=0.2)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from bondem.errors import InputError
-from bondem.labtests.spalling import pulled_back
+from bondem.labtests.failure.spall import pulled_back
 from validation.cases.lac_du_bonnet import CLAIMS, CORE, DISC, Granite, bent, toughness
 from validation.frame.runner import run
 from validation.rows.branching import BranchingRun, branching, fastest

@@ -31,7 +31,7 @@ from bondem.geometry.elementary_shapes import Cylinder
 from bondem.geometry.shape import Shape
 from bondem.interactions.contact.contact_law import LinearContact
 from bondem.interactions.non_local.non_local_law import NonLocal
-from bondem.labtests.punching import punch_specimen
+from bondem.labtests.failure.shear import punch_specimen
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.packing import pack

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from bondem._types import Floats
-from bondem.labtests.compression import uniaxial_compression
+from bondem.labtests.failure.direct_tension import direct_tension
+from bondem.labtests.failure.uniaxial_compression import uniaxial_compression
 from bondem.labtests.loading import StrengthTest
-from bondem.labtests.tearing import direct_tension
 from bondem.model.state import State
 from bondem.packing import EVEN, pack
 from bondem.specimen.bonding import connect

@@ -9,7 +9,7 @@ from typing import Any
 from bondem.damage.criteria.rankine import Rankine
 from bondem.geometry.elementary_shapes import Cylinder
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.labtests.spalling import SpallTest, ThinBar, spall
+from bondem.labtests.failure.spall import SpallTest, ThinBar, spall
 from bondem.packing import EVEN, pack
 from bondem.specimen.bonding import connect
 from bondem.specimen.lattice import Lattice

@@ -8,9 +8,9 @@ from bondem.calibration.strength import StrengthCalibration, calibrate_strength
 from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondLaw
-from bondem.labtests.compression import uniaxial_compression
+from bondem.labtests.failure.direct_tension import direct_tension
+from bondem.labtests.failure.uniaxial_compression import uniaxial_compression
 from bondem.labtests.quasi_static_rig import StrengthTest
-from bondem.labtests.tearing import direct_tension
 from bondem.specimen.lattice import Lattice
 
 # Tolerances over the targets [-]: strengths of packings of some hundred spheres scatter by 5 to 10 %.

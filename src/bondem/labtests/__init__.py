@@ -9,22 +9,22 @@ from bondem._names import no_attribute
 from bondem.labtests.ball import BrokenBall, FragmentSizes
 from bondem.labtests.cantilever import clamped_tension, static_bending, static_torsion
 from bondem.labtests.celerity import impact
-from bondem.labtests.compression import uniaxial_compression
-from bondem.labtests.confined import TriaxialTest, triaxial
 from bondem.labtests.cracking import Cracking
-from bondem.labtests.crushing import SphereCrushing, sphere_crushing
 from bondem.labtests.dynamic import dynamic_bending, dynamic_tension, dynamic_torsion
-from bondem.labtests.flexure import BendingTest, three_point_bending
+from bondem.labtests.failure.brazilian import BrazilianTest, brazilian
+from bondem.labtests.failure.direct_tension import direct_tension
+from bondem.labtests.failure.shear import punch_specimen, shear
+from bondem.labtests.failure.spall import SpallTest, ThinBar, spall
+from bondem.labtests.failure.sphere_crushing import SphereCrushing, sphere_crushing
+from bondem.labtests.failure.sphere_impact import SphereImpact, sphere_impact
+from bondem.labtests.failure.three_point_bending import BendingTest, three_point_bending
+from bondem.labtests.failure.triaxial import TriaxialTest, triaxial
+from bondem.labtests.failure.uniaxial_compression import uniaxial_compression
 from bondem.labtests.isotropic import Isotropic
 from bondem.labtests.modal import NaturalFrequencies, natural_frequencies
 from bondem.labtests.outcome import Outcome
-from bondem.labtests.punching import punch_specimen, shear
 from bondem.labtests.quasi_static_rig import StrengthTest
-from bondem.labtests.spalling import SpallTest, ThinBar, spall
-from bondem.labtests.splitting import BrazilianTest, brazilian
-from bondem.labtests.tearing import direct_tension
 from bondem.labtests.tension import Tension, static_tension
-from bondem.labtests.throwing import SphereImpact, sphere_impact
 from bondem.labtests.uniform_traction import UniformStress, uniform_stress
 from bondem.labtests.vibration import FreeVibration, free_vibration
 

@@ -3,10 +3,10 @@
 import numpy as np
 
 from bondem._types import Floats
-from bondem.labtests.confined import TriaxialTest
-from bondem.labtests.flexure import BendingTest
+from bondem.labtests.failure.brazilian import BrazilianTest
+from bondem.labtests.failure.three_point_bending import BendingTest
+from bondem.labtests.failure.triaxial import TriaxialTest
 from bondem.labtests.quasi_static_rig import StrengthTest
-from bondem.labtests.splitting import BrazilianTest
 from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult
 
 AnyTest = StrengthTest | BrazilianTest | TriaxialTest | BendingTest

@@ -18,21 +18,21 @@ from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.ball import BrokenBall
 from bondem.labtests.bonded_platens import is_cells
-from bondem.labtests.compression import uniaxial_compression
-from bondem.labtests.confined import triaxial
 from bondem.labtests.cracking import Cracking, dissipated_in
-from bondem.labtests.crushing import SphereCrushing, sphere_crushing
 from bondem.labtests.energy_balance import AnyTest, energy_ledger
+from bondem.labtests.failure.brazilian import brazilian
+from bondem.labtests.failure.direct_tension import direct_tension
+from bondem.labtests.failure.shear import shear
+from bondem.labtests.failure.spall import SpallTest, spall
+from bondem.labtests.failure.sphere_crushing import SphereCrushing, sphere_crushing
+from bondem.labtests.failure.sphere_impact import SphereImpact, sphere_impact
+from bondem.labtests.failure.three_point_bending import BendingTest, three_point_bending
+from bondem.labtests.failure.triaxial import triaxial
+from bondem.labtests.failure.uniaxial_compression import uniaxial_compression
 from bondem.labtests.failure_record import Curve, FailureTest, TestFigure, TestOption
-from bondem.labtests.flexure import BendingTest, three_point_bending
 from bondem.labtests.outcome import Outcome
-from bondem.labtests.punching import shear
 from bondem.labtests.quasi_static_rig import StrengthTest, softening_of
-from bondem.labtests.spalling import SpallTest, spall
-from bondem.labtests.splitting import brazilian
 from bondem.labtests.suited import BALLS, BEAM, BORED, DISC
-from bondem.labtests.tearing import direct_tension
-from bondem.labtests.throwing import SphereImpact, sphere_impact
 from bondem.specimen.lattice import Lattice
 from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult
 

@@ -11,7 +11,7 @@ from bondem.errors import InputError, StudyError, UnitWarning
 from bondem.geometry.elementary_shapes import Ball, Box, Cell, Cylinder, Shape
 from bondem.geometry.surface import Surface
 from bondem.io.importing import read_particles
-from bondem.labtests.punching import punch_specimen
+from bondem.labtests.failure.shear import punch_specimen
 from bondem.packing import EVEN, METHOD, Method, pack
 from bondem.packing.sizes import SPREAD, Lognormal, Sieve, SizeLaw, Uniform
 from bondem.specimen.aggregates import Aggregates

@@ -11,8 +11,8 @@ from bondem.calibration.strength import StrengthCalibration, calibrate_strength
 from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
 from bondem.geometry.elementary_shapes import Cylinder
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.labtests.compression import uniaxial_compression
-from bondem.labtests.splitting import brazilian
+from bondem.labtests.failure.brazilian import brazilian
+from bondem.labtests.failure.uniaxial_compression import uniaxial_compression
 from bondem.packing import SEED, pack
 from bondem.specimen.bonding import connect
 from bondem.specimen.lattice import Lattice

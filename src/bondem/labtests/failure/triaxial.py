@@ -11,8 +11,8 @@ from bondem._types import Floats
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.law_catalogue import AnyLaw
-from bondem.labtests.compression import compressed
 from bondem.labtests.cracking import Cracking
+from bondem.labtests.failure.uniaxial_compression import compressed
 from bondem.labtests.quasi_static_rig import RunOptions, StrengthTest
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
