@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["StressCallback", "address_of", "function_at"]
+__all__ = ["StressCallback", "address_of"]
 
 _NOTHING = ctypes.c_char * 0
 
@@ -62,17 +62,3 @@ class StressCallback:
 def address_of(array: Any) -> int:  # NumPy does not declare the buffer protocol for Python 3.11
     """Return the address of the numbers of a contiguous array, in a third of the time of `array.ctypes.data`."""
     return ctypes.addressof(_NOTHING.from_buffer(array)) if array.flags.writeable else array.ctypes.data
-
-
-def function_at(address: int) -> Callable[..., Any]:
-    """Return the C function at an address as a function of stresses (k, 3, 3) [Pa] and of its parameters."""
-    called = _KIND(address)
-    pointer = ctypes.POINTER(ctypes.c_double)
-
-    def indices(stress: np.ndarray, *parameters: float) -> np.ndarray:
-        stress, given = np.ascontiguousarray(stress, dtype=float), np.array(parameters, dtype=float)
-        found = np.zeros(len(stress))
-        called(len(stress), *(one.ctypes.data_as(pointer) for one in (stress, given, found)))
-        return found
-
-    return indices

@@ -8,8 +8,9 @@ import pytest
 
 import bondem as bd
 from bondem._tables.columns import CrackStatus
+from bondem._tables.stress_onset_tables import LoadedFacets
 from bondem.damage.crack_columns import CRACK_COLUMNS, FACET, ONSET, STATUS, TOP
-from bondem.damage.opened_facets import Opened
+from bondem.damage.proportional_onset import softening_along
 from bondem.errors import InputError
 from bondem.io.older_states import judge_anew
 from tests.core.law_samples import left_in_bulk, left_on_plane, softened, softening
@@ -153,7 +154,7 @@ def test_the_curve_and_its_inverse_agree(kink: float, steep: float) -> None:
 
 
 def test_equilibria_and_runs_judge_alike() -> None:
-    """Load factors of `Opened` are those at which the functions of the kernels begin to change an integrity."""
+    """Load factors of equilibria are those at which the law of cracks begins to change an integrity."""
     rng = np.random.default_rng(3)
     body, left, right = blocks()
     model = bd.Model(body, LAW, density=RHO, failure={bd.Everything(): SOFT, (left, right): WEAK})
@@ -165,9 +166,13 @@ def test_equilibria_and_runs_judge_alike() -> None:
     traction, mean = 1e6 * rng.standard_normal((20, 3)), 1e6 * rng.standard_normal((20, 6))
     traction[(traction * normal).sum(axis=1) < 0.0] *= -1.0
     full = mean[:, [[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
-    opened = Opened.of(table, facets, normal, traction, np.zeros(20), full)
+    m, own = len(table.strength), np.arange(len(table.strength))  # each facet between two cells of its own stress
+    columns, stress = np.zeros((2, m, 3)), np.zeros((m, 6))
+    columns[:, facets], stress[facets] = (normal, traction), mean
+    loaded = LoadedFacets(own, own, *columns, np.zeros(m), stress)
     for s in (1.0,):  # a run keeps the directions of cracks, equilibria follow those of the stress
-        for e, factor in enumerate(opened.reached(np.full(20, s))):
+        opened = softening_along(loaded, table.strengths(), facets, traction, np.full(20, s))
+        for e, factor in enumerate(opened.factor.min(axis=1)):
             k, n = facets[e], tuple(normal[e])
             for near, falls in ((1.0 - 1e-6, False), (1.0 + 1e-6, True)):
                 now = softening(

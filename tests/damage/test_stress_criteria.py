@@ -9,7 +9,7 @@ import pytest
 
 import bondem as bd
 from bondem._tables.columns import PlasticColumn
-from bondem.damage.criteria.drucker_prager import cone_index
+from bondem.damage.cohesive_softening import StressIndex
 from bondem.errors import InputError, RunFileError
 from tests.bits import assert_same_fracture, most_threads, threads
 from tests.core.law_samples import stress_bounds
@@ -57,10 +57,11 @@ def test_the_cone_through_two_strengths_has_the_others_of_its_closed_form() -> N
     compression, biaxial = k / (1.0 / ROOT - slope), k / (1.0 / ROOT + 2.0 * slope)
     assert compression == pytest.approx(981.18e6, rel=1e-4)
     assert biaxial == pytest.approx(27.034e6, rel=1e-4)
+    cone = StressIndex(function="cone", values=(slope, k, 0.0))
     for stress in (40e6, 0, 0), (0, biaxial, biaxial), (27.8e6, 27.8e6, 27.8e6), (0, 0, -compression), (k, 0, -k):
-        assert cone_index(np.diag(stress)[None], slope, k, 0.0) == pytest.approx(1.0, rel=1e-12)
+        assert cone.indices(np.diag(stress)[None]) == pytest.approx(1.0, rel=1e-12)
     sheared = np.array([[0.0, k, 0.0], [k, 0.0, 0.0], [0.0, 0.0, 0.0]])
-    assert cone_index(sheared[None], slope, k, 0.0) == pytest.approx(1.0, rel=1e-12)
+    assert cone.indices(sheared[None]) == pytest.approx(1.0, rel=1e-12)
     for pair in (
         {"tension": 40e6, "compression": compression}, {"compression": compression, "hydrostatic": 27.8e6},
     ):  # fmt: skip
@@ -74,7 +75,8 @@ def test_the_cone_through_two_strengths_has_the_others_of_its_closed_form() -> N
     # on the cone under a pressure on the sides
     loaded = slip.compressive(7e6)
     stress = np.diag([-loaded, -7e6, -7e6])[None]
-    assert cone_index(stress, slip.slope, slip.strength, 0.0) == pytest.approx(1.0, rel=1e-12)
+    cone = StressIndex(function="cone", values=(slip.slope, slip.strength, 0.0))
+    assert cone.indices(stress) == pytest.approx(1.0, rel=1e-12)
 
 
 def strained(failure: bd.Criterion, stress: tuple[float, float, float], nu: float) -> list[tuple[float, int, int]]:

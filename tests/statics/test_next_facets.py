@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import bondem as bd
+from bondem.damage.proportional_onset import onset_factors
 from bondem.statics.linear import Elimination, Iteration, System
 from bondem.statics.quasistatic import quasistatic_run
 from bondem.statics.quasistatic.damaged_body import DamagedBody
@@ -64,7 +65,7 @@ def test_no_facet_is_passed_over(cut: float, close: float) -> None:
     body, _, onset = begun(300, cut)
     found = body.loaded(Elimination(body.system).solve(body.right)[0])
     whole = np.flatnonzero(body.integrity == 1.0)
-    every = onset._reached(found, whole)
+    every = onset_factors(body.facets(found), onset._strengths, whole)
     for below in (np.inf, 1.5 * float(every.min()), 0.5 * float(every.min())):
         least = min(below, float(every.min()) * (1.0 + close))
         facets, factor = onset.factors(found, whole, below, close)
@@ -79,14 +80,13 @@ def test_no_facet_is_passed_over(cut: float, close: float) -> None:
 @pytest.mark.parametrize("last", [2.0, 30.0])
 def test_all_steps_but_the_last_are_about_the_curve_itself(ripple: float, last: float) -> None:
     """Each ends `ripple` above it, or below the onset, and falls as far below; the last takes what is missing."""
-    line = SofteningLine(1.0, last)
-    teeth = Teeth.of(line, ripple)
+    teeth = Teeth.of(SofteningLine(1.0, last), ripple)
     T, s = teeth.limit, teeth.integrity
-    borne = np.array([line.borne(t) for t in T[:-1]])
+    borne = (1.0 - T[:-1] / last) / (1.0 - 1.0 / last)
     np.testing.assert_allclose(s[:-2] * T[:-1], np.minimum((1.0 + ripple) * borne, 0.999), rtol=1e-9)
     np.testing.assert_allclose(s[1:-1] * T[:-1], (1.0 - ripple) * borne, rtol=1e-9)
     taken = ripple / (1.0 - ripple) * s[0] + float((s[:-1] - s[1:]) @ T**2)
-    assert taken == pytest.approx(line.energy(1.0), rel=1e-9)
+    assert taken == pytest.approx(last, rel=1e-9)  # ∫ T² (-ds) of a straight line is onset × last
     assert T[-2] < T[-1] < 1.3 * last
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import bondem as bd
-from bondem.damage.opened_facets import Opened
+from bondem._tables.stress_onset_tables import SofteningSearch
 from bondem.statics.quasistatic import quasistatic_run
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.statics.quasistatic.limits import StressOnset
@@ -69,19 +69,21 @@ def _softened(body: DamagedBody, onset: StressOnset, found: Loaded, factor: floa
     """Take facets that have begun to their curves; by what share of it any integrity has fallen."""
     k = found.cracked
     before = body.integrity[k]
-    after = np.minimum(before, _left(onset._opened(found, k, found.opening), factor))
+    after = np.minimum(before, _left(onset.along(found, k, found.opening), onset._curve, factor))
     fallen = after < before
     body.weaken(k[fallen], after[fallen], body.closed[k[fallen]])
     return float(((before - after) / np.maximum(before, _SMALL)).max(initial=0.0))
 
 
-def _left(of: Opened, factor: float) -> np.ndarray:
+def _left(of: SofteningSearch, curve: tuple[float, float], factor: float) -> np.ndarray:
     """The least integrity that the curve leaves along any direction: s T is on one of its two lines."""
-    T = np.maximum(factor * of.traction, 1e-30)
-    slope = of.strength / (of.steep * of.last)
-    left = (of.strength / T - slope) / (1.0 - slope)
-    if of.kink > 0.0:
-        slope = of.kink * of.strength / (of.last * (1.0 - (1.0 - of.kink) * of.steep))
-        left = np.maximum(left, (slope * of.last / T - slope) / (1.0 - slope))
+    kink, steep = curve
+    traction, strength, last = np.moveaxis(of.line, 2, 0)
+    T = np.maximum(factor * traction, 1e-30)
+    slope = strength / (steep * last)
+    left = (strength / T - slope) / (1.0 - slope)
+    if kink > 0.0:
+        slope = kink * strength / (last * (1.0 - (1.0 - kink) * steep))
+        left = np.maximum(left, (slope * last / T - slope) / (1.0 - slope))
     least = np.clip(left, 0.0, 1.0).min(axis=1)
     return np.where(factor >= of.gone, 0.0, least)

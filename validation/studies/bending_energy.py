@@ -55,7 +55,8 @@ def shares(body: bd.Lattice, path: bd.QuasistaticResult, begun: list) -> np.ndar
         if k not in done:
             curve, now, teeth = begun[len(done)]
             own[k, 1], done[k] = unit[k] * curve.onset * curve.last, (teeth, 0, 1.0, now)
-            own[k, 2] = unit[k] * (now - curve.onset) * (now - curve.borne(now))
+            borne = curve.onset * max(curve.last - now, 0.0) / (curve.last - curve.onset)  # on its straight line
+            own[k, 2] = unit[k] * (now - curve.onset) * (now - borne)
         teeth, step, before, T = done[k]
         weight[n] = unit[k] * T**2 * (before - s)
         done[k] = teeth, step + 1, s, float(teeth.limit[step]) if step < len(teeth.limit) else 0.0

@@ -15,7 +15,8 @@ from bondem._tables.cell_tables import (
 )
 from bondem._tables.contact_tables import FoundPairs, FoundWalls, PairSources, Walls, WallSources
 from bondem._tables.crack_sample_tables import CrackSamples, SofteningSamples, StressBoundSamples, YieldSamples
-from bondem._tables.damage_tables import FailureIndices, Strengths, StressCandidates, StressFunction
+from bondem._tables.crack_tables import FacetStrengths
+from bondem._tables.damage_tables import FailureIndices, LoadedTractions, Strengths, StressCandidates, StressFunction
 from bondem._tables.incremental_tables import LoadsOfEach, StoredLoads
 from bondem._tables.non_local_tables import (
     ExtraForces,
@@ -39,8 +40,6 @@ from bondem._tables.quasistatic_tables import (
     ClumpCorrection,
     ConjugateGradients,
     FacetLoading,
-    LoadedFacets,
-    OnsetSearch,
     ScaledMatrix,
     SmallMotions,
     WeakenedFacets,
@@ -60,6 +59,7 @@ from bondem._tables.step_tables import (
     StepSpan,
 )
 from bondem._tables.stiffness_tables import BeamRows, BlockRows, DilatationRows, FacetRows
+from bondem._tables.stress_onset_tables import LoadedFacets, OnsetSearch, SofteningSearch, SofteningTeeth
 from bondem._tables.surface_tables import Nearest, TriangleTree
 from bondem._tables.tessellation_tables import (
     BalanceField,
@@ -117,6 +117,11 @@ def count_wall_contacts(poses: Poses, walls: Walls, wall_sources: WallSources) -
     return Call("count_wall_contacts", (poses, walls, wall_sources))
 
 
+def cut_teeth(softening_teeth: SofteningTeeth) -> Call:
+    """Cuts a softening curve into steps."""
+    return Call("cut_teeth", (softening_teeth,))
+
+
 def divide_solids(solids: Solids, dividing: Dividing, part: Pile, spare: Pile, pile: Pile) -> Call:
     """Divides solids among elements, each point to the one with the least power x² - R²."""
     return Call("divide_solids", (solids, dividing, part, spare, pile))
@@ -142,9 +147,21 @@ def evaluate_yielding(yield_samples: YieldSamples) -> Call:
     return Call("evaluate_yielding", (yield_samples,))
 
 
+def find_agreed_stresses(loaded_facets: LoadedFacets, stress_candidates: StressCandidates) -> Call:
+    """Finds σ* of facets, with what bending opens of them added to the traction that pulls."""
+    return Call("find_agreed_stresses", (loaded_facets, stress_candidates))
+
+
 def find_nearest_triangles(triangle_tree: TriangleTree, nearest: Nearest) -> Call:
     """Finds the nearest triangle of each point."""
     return Call("find_nearest_triangles", (triangle_tree, nearest))
+
+
+def find_onset_factors(
+    loaded_facets: LoadedFacets, facet_strengths: FacetStrengths, onset_search: OnsetSearch
+) -> Call:
+    """Finds the load factors at which whole facets begin to crack and to soften."""
+    return Call("find_onset_factors", (loaded_facets, facet_strengths, onset_search))
 
 
 def find_small_extra_forces(small_pairs: SmallPairs, extra_forces: ExtraForces) -> Call:
@@ -152,9 +169,11 @@ def find_small_extra_forces(small_pairs: SmallPairs, extra_forces: ExtraForces) 
     return Call("find_small_extra_forces", (small_pairs, extra_forces))
 
 
-def find_stress_factors(loaded_facets: LoadedFacets, onset_search: OnsetSearch) -> Call:
-    """Finds the load factors at which whole facets of the material begin to crack and to soften."""
-    return Call("find_stress_factors", (loaded_facets, onset_search))
+def find_softening_factors(
+    loaded_facets: LoadedFacets, facet_strengths: FacetStrengths, softening_search: SofteningSearch
+) -> Call:
+    """Finds the load factors at which facets lose integrity along each direction."""
+    return Call("find_softening_factors", (loaded_facets, facet_strengths, softening_search))
 
 
 def fly_and_grow(spheres: Spheres, packing_walls: PackingWalls, near: Near, growing: Growing, flight: Flight) -> Call:
@@ -215,6 +234,13 @@ def index_stresses_by_function(stress_candidates: StressCandidates, stress_funct
 def index_stresses_by_mean_stress(stress_candidates: StressCandidates, stress_function: StressFunction) -> Call:
     """Finds the index of each given stress; the counts of portions are not read."""
     return Call("index_stresses_by_mean_stress", (stress_candidates, stress_function))
+
+
+def index_tractions_by_mohr_coulomb(
+    loaded_tractions: LoadedTractions, strengths: Strengths, failure_indices: FailureIndices
+) -> Call:
+    """Finds the index of every facet by a criterion, under tractions."""
+    return Call("index_tractions_by_mohr_coulomb", (loaded_tractions, strengths, failure_indices))
 
 
 def list_neighbours(sphere_grid: SphereGrid, neighbour_lists: NeighbourLists) -> Call:
@@ -411,4 +437,8 @@ INDEX_STRESSES_BY = {
     "cone": index_stresses_by_cone,
     "function": index_stresses_by_function,
     "mean_stress": index_stresses_by_mean_stress,
+}
+#: Passes `index_tractions_by_…` by the name of their criterion.
+INDEX_TRACTIONS_BY = {
+    "mohr_coulomb": index_tractions_by_mohr_coulomb,
 }

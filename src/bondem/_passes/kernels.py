@@ -1245,12 +1245,12 @@ def set_stress(moving: Moving, cell_dilatation: CellDilatation) -> Kernel:
 
 
 def settle_face(face_pairs: FacePairs) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Pass of one index, defined in `core/gpu/begun_contacts.hpp`."""
     return Kernel("settle_face", (face_pairs,))
 
 
 def settle_faces_of_cell(face_pairs: FacePairs) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Pass of one index, defined in `core/gpu/begun_contacts.hpp`."""
     return Kernel("settle_faces_of_cell", (face_pairs,))
 
 
@@ -1408,7 +1408,7 @@ def sum_portion_of_beams(device_span: DeviceSpan, moving: Moving, beams: Beams, 
 def sum_portion_of_begun(
     device_span: DeviceSpan, contact_pairs: ContactPairs, face_pairs: FacePairs, begun_faces: BegunFaces
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Pass of one index, defined in `core/gpu/begun_contacts.hpp`."""
     return Kernel("sum_portion_of_begun", (device_span, contact_pairs, face_pairs, begun_faces))
 
 

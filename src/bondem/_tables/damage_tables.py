@@ -62,6 +62,14 @@ class FailureIndices(NamedTuple):
     index: Floats  #: 1 at failure, 0 of broken bonds [-], (m,)
 
 
+class LoadedTractions(NamedTuple):
+    """Facets under tractions."""
+
+    normal: Floats  #: [-], (m, 3)
+    traction: Floats  #: [Pa], (m, 3)
+    area: Floats  #: [m²], (m,)
+
+
 class StressCandidates(NamedTuple):
     """Bonds of which a criterion evaluates a stress."""
 

@@ -44,27 +44,6 @@ class FacetLoading(NamedTuple):
     moment: Floats  #: V σ of the cells, to which facets add, xx, yy, zz, xy, xz, yz [J], (n, 6)
 
 
-class LoadedFacets(NamedTuple):
-    """Facets and cells under a load factor of 1."""
-
-    i: Ints  #: (m,)
-    j: Ints  #: (m,)
-    normal: Floats  #: [-], (m, 3)
-    traction: Floats  #: [Pa], (m, 3)
-    bending: Floats  #: T_b [Pa], (m,)
-    tensor: Floats  #: σ of each cell [Pa], (n, 6)
-    strength: Floats  #: f_t [Pa], (m,)
-
-
-class OnsetSearch(NamedTuple):
-    """Whole facets, and the load factors at which they begin to crack."""
-
-    whole: Ints  #: (whole,)
-    below: float  #: largest factor of interest
-    spread: float  #: largest factor over the least of all
-    factor: Floats  #: inf of facets that are passed over, (whole,)
-
-
 class ScaledMatrix(NamedTuple):
     """Sᵀ K S = B + Fᵀ W F of n cells, in b blocks."""
 

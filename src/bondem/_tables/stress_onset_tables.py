@@ -19,3 +19,53 @@ class CandidateFacets(NamedTuple):
     found: Floats  #: (candidates,)
     number: Ints  #: (bond_portions,)
     total: Ints  #: (1,)
+
+
+class LoadedFacets(NamedTuple):
+    """Facets and cells under a load factor of 1."""
+
+    i: Ints  #: (m,)
+    j: Ints  #: (m,)
+    normal: Floats  #: [-], (m, 3)
+    traction: Floats  #: [Pa], (m, 3)
+    bending: Floats  #: T_b [Pa], (m,)
+    tensor: Floats  #: σ of each cell, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+
+
+class OnsetSearch(NamedTuple):
+    """Whole facets, and the load factors at which they begin to crack."""
+
+    whole: Ints  #: (whole,)
+    below: float  #: largest factor of interest
+    spread: float  #: largest factor over the least of all
+    factor: Floats  #: inf of facets that are passed over, or never begin, (whole,)
+
+
+class SofteningSearch(NamedTuple):
+    """Facets that have begun to crack, and the load factors at which they soften further."""
+
+    facet: Ints  #: (listed,)
+    traction: Floats  #: as if they were whole [Pa], (listed, 3)
+    integrity: Floats  #: [-], (listed,)
+    #: at which the integrity along each of three directions falls below that; inf for never, (listed, 3)
+    factor: Floats
+    #: traction along each as if the facet were whole, that where it begins to soften, and that where it has no
+    #: integrity, 0 of brittle ones [Pa], (listed, 3, 3)
+    line: Floats
+    direction: Floats  #: these directions, by rows; without meaning for material planes, (listed, 3, 3)
+    gone: Floats  #: load factors at which nothing is left in any direction, (listed,)
+
+
+class SofteningTeeth(NamedTuple):
+    """Steps of a softening curve within a band around it."""
+
+    onset: float  #: traction from which the facet softens [Pa]
+    last: float  #: T at zero integrity [Pa], 0 for a brittle facet
+    kink: float  #: of the curve
+    steep: float  #: of the curve
+    ripple: float  #: half-width of the band, as a share
+    now: float  #: T at the beginning, if it exceeds the onset [Pa]
+    left: Floats  #: integrity after each event but the last, which leaves none, (teeth,)
+    limit: Floats  #: T of the event behind it [Pa], (teeth,)
+    beyond: Floats  #: over T at which the curve itself softens the facet further [-], (teeth,)
+    number: Ints  #: number of steps, of which only as many are written as there is room, (1,)

@@ -80,6 +80,7 @@ BONDEM_TABLE(Postponed, F(held, "n"), F(element, "n"), F(row, "n"), F(first_row,
 BONDEM_TABLE(EventLog, F(event, "bonds 10"), F(written, "2"), F(released, "1"), F(crushed, "1"))
 BONDEM_TABLE(BeamIntegrity, F(integrity, "m"), F(hold, "*"))
 BONDEM_TABLE(FailureIndices, F(index, "m"))
+BONDEM_TABLE(LoadedTractions, F(normal, "m 3"), F(traction, "m 3"), F(area, "m"))
 BONDEM_TABLE(StressCandidates, F(bond, "candidates"), F(stress, "candidates 3 3"), F(found, "candidates"), F(number, "bond_portions"), F(total, "1"))
 BONDEM_TABLE(StressFunction, F(address, ""), F(parameter, "parameters"))
 BONDEM_TABLE(DeviceSpan, F(clock, "9"), F(postponed, "*"), F(halted, "1"), F(n, ""), F(m, ""))
@@ -120,8 +121,6 @@ BONDEM_TABLE(NeighbourLists, F(neighbour, "neighbours"))
 BONDEM_TABLE(WeakenedFacets, F(i, "m"), F(j, "m"), F(k, "m"), F(area, "m"), F(part, "m"), F(lever_i, "m 3"), F(lever_j, "m 3"), F(share_i, "m 3"), F(share_j, "m 3"), F(normal, "m 3"), F(H, "m 3 3"), F(integrity, "m"), F(closed, "m 2"))
 BONDEM_TABLE(SmallMotions, F(displacement, "n 3"), F(rotation, "n 3"), F(gap, "m 3"), F(swelling, "n"))
 BONDEM_TABLE(FacetLoading, F(stress, "n"), F(traction, "m 3"), F(bending, "m"), F(opening, "m 3"), F(opened, "m"), F(turned, "m 2"), F(moment, "n 6"))
-BONDEM_TABLE(LoadedFacets, F(i, "m"), F(j, "m"), F(normal, "m 3"), F(traction, "m 3"), F(bending, "m"), F(tensor, "n 6"), F(strength, "m"))
-BONDEM_TABLE(OnsetSearch, F(whole, "whole"), F(below, ""), F(spread, ""), F(factor, "whole"))
 BONDEM_TABLE(ScaledMatrix, F(start, "n+1"), F(column, "b"), F(diagonal, "n"), F(block, "b 6 6"), F(form, "b 6"), F(rounded_block, "b 6 6"), F(rounded_form, "b 6"), F(weight, "n"))
 BONDEM_TABLE(ClumpCorrection, F(place, "n"), F(order, "c"), F(basis, "n 6 6"), F(factor, "c w"), F(rigid, "r x"), F(coarse, "c"))
 BONDEM_TABLE(ConjugateGradients, F(limits, "2"), F(most, ""), F(residual, "x"), F(found, "x"), F(work, "4 x"), F(stress, "n"), F(rounds, "1"), F(first, "1"))
@@ -155,6 +154,10 @@ BONDEM_TABLE(FacetRows, F(i, "m"), F(j, "m"), F(k, "m"), F(lever_i, "m 3"), F(le
 BONDEM_TABLE(BlockRows, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "m"), F(indptr, "n+1"), F(indices, "blocks"), F(data, "blocks 6 6"))
 BONDEM_TABLE(DilatationRows, F(forms, "blocks 1 6"))
 BONDEM_TABLE(CandidateFacets, F(scale, "m"), F(area, "m"), F(tension, ""), F(least, ""), F(hot, ""), F(along, "m"), F(bond, "candidates"), F(stress, "candidates 3 3"), F(found, "candidates"), F(number, "bond_portions"), F(total, "1"))
+BONDEM_TABLE(LoadedFacets, F(i, "m"), F(j, "m"), F(normal, "m 3"), F(traction, "m 3"), F(bending, "m"), F(tensor, "n 6"))
+BONDEM_TABLE(OnsetSearch, F(whole, "whole"), F(below, ""), F(spread, ""), F(factor, "whole"))
+BONDEM_TABLE(SofteningSearch, F(facet, "listed"), F(traction, "listed 3"), F(integrity, "listed"), F(factor, "listed 3"), F(line, "listed 3 3"), F(direction, "listed 3 3"), F(gone, "listed"))
+BONDEM_TABLE(SofteningTeeth, F(onset, ""), F(last, ""), F(kink, ""), F(steep, ""), F(ripple, ""), F(now, ""), F(left, "teeth"), F(limit, "teeth"), F(beyond, "teeth"), F(number, "1"))
 BONDEM_TABLE(TriangleTree, F(lower, "boxes 3"), F(upper, "boxes 3"), F(owner, "pieces"), F(corner, "triangles 3 3"), F(side, "triangles 3 3"), F(normal, "triangles 3"))
 BONDEM_TABLE(Nearest, F(points, "points 3"), F(triangle, "points"))
 BONDEM_TABLE(Bins, F(position, "n 3"), F(radius, "n"), F(lower, "3"), F(upper, "3"), F(period, "3"), F(boxes, "3"), F(start, "boxes+1"), F(member, "n"), F(bound, "n"), F(first, "n"), F(reach, ""), F(tolerance, ""))
@@ -234,6 +237,7 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<EventLog>(), \
     described<BeamIntegrity>(), \
     described<FailureIndices>(), \
+    described<LoadedTractions>(), \
     described<StressCandidates>(), \
     described<StressFunction>(), \
     described<DeviceSpan>(), \
@@ -274,8 +278,6 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<WeakenedFacets>(), \
     described<SmallMotions>(), \
     described<FacetLoading>(), \
-    described<LoadedFacets>(), \
-    described<OnsetSearch>(), \
     described<ScaledMatrix>(), \
     described<ClumpCorrection>(), \
     described<ConjugateGradients>(), \
@@ -309,6 +311,10 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<BlockRows>(), \
     described<DilatationRows>(), \
     described<CandidateFacets>(), \
+    described<LoadedFacets>(), \
+    described<OnsetSearch>(), \
+    described<SofteningSearch>(), \
+    described<SofteningTeeth>(), \
     described<TriangleTree>(), \
     described<Nearest>(), \
     described<Bins>(), \

@@ -9,11 +9,11 @@ import numpy as np
 from scipy.special import ndtri
 
 from bondem._checks import instance, number
-from bondem._core_functions import function_at
 from bondem._plausibility import physical
 from bondem._types import Floats, Mask
 from bondem.damage.bilinear import Bilinear
 from bondem.damage.counter import uniform_by_counter
+from bondem.damage.stress_passes import StressPasses
 from bondem.errors import InputError
 
 # Least |n·e| by which the strength of a facet is reduced (`core/laws/softening.hpp`): one along a crack keeps this
@@ -71,19 +71,27 @@ class StressIndex:
     """A criterion that is a function of the stress tensor, reached where its index is 1.
 
     Attributes:
-        function: function of stresses (k, 3, 3) [Pa], tension positive, and of the values, that returns k indices; or
-            the address of a C function (`bd.StressCriterion`).
+        function: function of stresses (k, 3, 3) [Pa], tension positive, and of the values, that returns k indices;
+            the address of a C function (`bd.StressCriterion`); or the name of a criterion of the core.
         values: parameters of the criterion, in order.
     """
 
-    function: Callable[..., Any] | int
+    function: Callable[..., Any] | int | str
     values: tuple[float, ...]
 
     def indices(self, stress: Floats) -> Floats:
         """Return the indices of stresses (k, 3, 3) [Pa], (k,)."""
-        function = function_at(self.function) if isinstance(self.function, int) else self.function
+        if isinstance(self.function, int | str):
+            return self.passes.indices(stress)
         with np.errstate(all="ignore"):
-            return np.asarray(function(stress, *self.values), dtype=float)
+            return np.asarray(self.function(stress, *self.values), dtype=float)
+
+    @property
+    def passes(self) -> StressPasses:
+        """Passes of the core that evaluate it."""
+        if isinstance(self.function, str):
+            return StressPasses.of_core(self.function, self.values)
+        return StressPasses.of_function(self.function, self.values)
 
     def reached(self, directions: Floats) -> Floats:
         """Return the factors at which stresses (d, 3, 3) first reach the criterion, to a millionth, (d,).

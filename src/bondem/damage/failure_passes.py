@@ -8,9 +8,9 @@ import numpy as np
 from bondem._core import run_pass
 from bondem._passes import calls
 from bondem._tables.cell_tables import ElasticFacets
-from bondem._tables.damage_tables import FailureIndices, Strengths
+from bondem._tables.damage_tables import FailureIndices, LoadedTractions, Strengths
 from bondem._tables.step_tables import Beams, Poses
-from bondem._types import Floats, PerBond
+from bondem._types import Floats, PerBond, PerBond3
 from bondem.damage.criteria.criterion import BondCriterion
 from bondem.damage.criteria.criterion_catalogue import CRITERIA
 from bondem.damage.failure_table import FailureTable
@@ -43,3 +43,11 @@ def indices_of_facets(pose: Floats, facets: ElasticFacets, table: FailureTable) 
     found = np.zeros(len(facets.i))
     run_pass(calls.INDEX_FACETS_BY[table.kind](Poses(pose), facets, strengths_of(table), FailureIndices(found)))
     return found[: len(table.station)]
+
+
+def traction_indices(normal: PerBond3, traction: PerBond3, area: PerBond, table: FailureTable) -> PerBond:
+    """Return the index of every facet under a traction [Pa], of degree one in it [-], internal order, (m,)."""
+    found = np.zeros(len(area))
+    loaded = LoadedTractions(normal, traction, area)
+    run_pass(calls.INDEX_TRACTIONS_BY[table.kind](loaded, strengths_of(table), FailureIndices(found)))
+    return found

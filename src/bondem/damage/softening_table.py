@@ -1,9 +1,11 @@
 """Tables of softening facets and yielding cells, internal order."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._tables.crack_tables import FacetStrengths
 from bondem._types import Floats, Ints, Mask, PerBond, PerElement
 from bondem.damage.cohesive_softening import SNAP, Softening, StressIndex
 from bondem.damage.crack_columns import FACET, ONSET
@@ -133,6 +135,24 @@ class SofteningTable:
             cracks: rows of the facets (`bondem.damage.crack_columns`), (c, 14).
         """
         return np.where(cracks[:, ONSET] > 0.0, self.absorbed[cracks[:, FACET].astype(np.int64)], 0.0)
+
+    def strengths(
+        self, fastest: PerBond | None = None, filled: Callable[[PerBond], PerBond] = np.ascontiguousarray
+    ) -> FacetStrengths:
+        """Return the table as the core takes it.
+
+        Args:
+            fastest: largest loss of integrity of brittle facets in a step [-], (m,); 0 without steps.
+            filled: function that fills a column to the length that passes need.
+        """
+        with np.errstate(divide="ignore"):
+            brittleness, slip = 1.0 / self.last, 1.0 / self.last_slip
+        return FacetStrengths(
+            filled(self.area), filled(self.strength), filled(self.absorbed), filled(brittleness), filled(self.part),
+            filled(np.zeros(len(self.area)) if fastest is None else fastest), filled(self.friction),
+            filled(self.plane.astype(float)), filled(self.cohesion), filled(slip),
+            np.flatnonzero(self.plane).astype(np.int64), self.kink, self.steep, self.hot,
+        )  # fmt: skip
 
     @classmethod
     def of(

@@ -5,7 +5,7 @@ import numpy as np
 from bondem._cache_lines import lines
 from bondem._tables.cell_tables import ElasticFacets, FacetForces, WallConstraints
 from bondem._tables.columns import CrackStatus, PlasticColumn
-from bondem._tables.crack_tables import CohesiveCracks, CrackLists, FacetStrengths, YieldingCells
+from bondem._tables.crack_tables import CohesiveCracks, CrackLists, YieldingCells
 from bondem._types import Floats
 from bondem.damage.crack_columns import (
     AXES,
@@ -93,20 +93,6 @@ def new_crack_lists(n: int, m: int) -> CrackLists:
         np.zeros(n), lines(2 * halves).reshape(halves, 16), lines(n),
         np.zeros((n, 4)), np.zeros((portions, 2)),
     )  # fmt: skip
-
-
-def facet_strengths(table: SofteningTable, fastest: Floats) -> FacetStrengths:
-    """Return the strengths of facets; `fastest` is the largest loss of integrity in a step of brittle ones."""
-    with np.errstate(divide="ignore"):
-        brittleness, slip = 1.0 / table.last, 1.0 / table.last_slip
-    columns = (
-        table.area, table.strength, table.absorbed, brittleness, table.part, fastest, table.friction,
-        table.plane.astype(float), table.cohesion, slip,
-    )  # fmt: skip
-    names = FacetStrengths._fields[: len(columns)]
-    filled = dict(zip(names, map(np.ascontiguousarray, map(with_zeros, columns)), strict=True))
-    planes = np.flatnonzero(table.plane).astype(np.int64)
-    return FacetStrengths(**filled, planes=planes, kink=table.kink, steep=table.steep, hot=table.hot)
 
 
 def facet_forces(state: State, facets: ElasticFacets, area: Floats, rows: int) -> FacetForces:

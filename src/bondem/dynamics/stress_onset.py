@@ -1,7 +1,6 @@
 """Tables of facets that crack by a function of the stress, as `core/tables/stress_onset_tables.hpp` declares them."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -11,13 +10,10 @@ from bondem._tables.crack_tables import CrackOnset, FacetStrengths, StressesOfCe
 from bondem._tables.damage_tables import StressCandidates
 from bondem._tables.step_tables import Moving
 from bondem._tables.stress_onset_tables import CandidateFacets
-from bondem.damage.criteria.drucker_prager import cone_index
-from bondem.damage.criteria.hydrostatic import mean_index
 from bondem.damage.stress_passes import StressPasses, new_stress_candidates
 from bondem.interactions.beams.bond_table import with_twins
 from bondem.model.model import Model
 
-_OF_CORE: dict[Any, str] = {mean_index: "mean_stress", cone_index: "cone"}
 _JUDGE_CELLS = {"mean_stress": steps.judge_cells_by_mean_stress, "cone": steps.judge_cells_by_cone}
 
 
@@ -43,10 +39,7 @@ class OnsetByStress:
         table = model.softening
         if table is None or table.judge is None:
             return None
-        function, values = table.judge.function, table.judge.values
-        name = _OF_CORE.get(function)
-        passes = StressPasses.of_core(name, values) if name else StressPasses.of_function(function, values)
-        m = len(strengths.strength)
+        passes, m = table.judge.passes, len(strengths.strength)
         candidates = new_stress_candidates(m)._replace(number=np.zeros(portions, dtype=np.int64))
         scale = with_twins(np.where(table.plane, 0.0, table.tension / table.strength))
         along = strengths.strength.copy()

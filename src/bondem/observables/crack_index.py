@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from bondem._types import Ints, PerBond, PerBond3, PerElement
-from bondem.damage.opened_facets import Opened
+from bondem._tables.stress_onset_tables import LoadedFacets
+from bondem._types import PerBond, PerElement
+from bondem.damage.proportional_onset import agreed_stresses, onset_factors
 from bondem.damage.softening_table import SofteningTable
 from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.cells.cell_body import body_of
@@ -11,6 +12,9 @@ from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.observables.cell_forces import CellForces, SmallMotion
 from bondem.observables.cell_stress import mean_stress
+
+# Where xx, yy, zz, xy, xz and yz are in the rows of a tensor, one after the other.
+_COMPONENTS = [0, 4, 8, 1, 2, 5]
 
 
 def crack_index(model: Model, state: State, motion: SmallMotion | State) -> PerBond:
@@ -33,36 +37,24 @@ def crack_index(model: Model, state: State, motion: SmallMotion | State) -> PerB
     facets, _ = body_of(body)
     i, j = body.pairs.T
     forces = CellForces.of(model, motion)
-    stress = mean_stress(model, forces)
-    mean = 0.5 * (stress[i] + stress[j])
-    n, t = facets.normal, forces.force / facets.area[:, None]
+    n = facets.normal
     if isinstance(motion, State):
         n = turned_vectors(motion.orientation[i], n)
-    bending, order = _bending(model, state), model.layout.bond_order
-    place = np.empty_like(order)
-    place[order] = np.arange(len(order))
-    opened = Opened.of(table, place, n, t, bending, mean).reached(np.ones(len(order)))
-    slip = _slip_index(table, place, n, t)
-    across, bent = (t * n).sum(axis=1), np.maximum(bending - np.maximum(-np.linalg.eigvalsh(mean)[:, 0], 0.0), 0.0)
-    pulled = np.where(bent > 0.0, bent + np.maximum(across, 0.0), across)
-    t, across = t + (pulled - across)[:, None] * n, pulled
-    off = t - np.einsum("mab,mb->ma", mean, n)
-    both = off[:, :, None] * n[:, None, :]
-    along = (off * n).sum(axis=1)[:, None, None]
-    agreed = mean + both + np.swapaxes(both, 1, 2) - along * n[:, :, None] * n[:, None, :]
-    strength = np.empty(len(i))
-    strength[model.layout.bond_order] = table.strength
+    order, traction = model.layout.bond_order, forces.force / facets.area[:, None]
+    stress = mean_stress(model, forces).reshape(-1, 9)[:, _COMPONENTS]
+    # facets in the order of the strengths
+    loaded = LoadedFacets(
+        i[order], j[order], n[order], traction[order], _bending(model, state)[order], np.ascontiguousarray(stress)
+    )
     if table.judge is None:
-        index = np.linalg.eigvalsh(agreed)[:, 2]
-        alone = 0.5 * across + np.sqrt(np.maximum((t * t).sum(axis=1) - 0.75 * across**2, 0.0))
-        index = np.where(across > 0.0, index, np.minimum(index, alone)) / strength
-        index = np.minimum(index, 1.0 / opened)
+        found = 1.0 / onset_factors(loaded, table.strengths(), np.arange(len(order)))
     else:
-        scaled = agreed * (table.tension / strength)[:, None, None]
-        index = table.judge.indices(scaled)
-        index[across <= 0.0] = 0.0
-    index = np.maximum(index, 0.0)
-    index = np.where(table.plane[place], np.maximum(1.0 / opened, slip), index)
+        agreed = agreed_stresses(loaded)
+        found = table.judge.indices(agreed * (table.tension / table.strength)[:, None, None])
+        pulled = np.einsum("ma,mab,mb->m", loaded.normal, agreed, loaded.normal)
+        found = np.where(pulled > 0.0, np.maximum(found, 0.0), 0.0)
+    index = np.empty(len(order))
+    index[order] = found
     whole = state.bond_integrity
     return np.where(whole == 1.0, index, np.where(whole > 0.0, 1.0, 0.0))
 
@@ -96,13 +88,6 @@ def yield_index(model: Model, state: State) -> PerElement:
 def _table(model: Model) -> SofteningTable:
     assert model.softening is not None
     return model.softening
-
-
-def _slip_index(table: SofteningTable, place: Ints, n: PerBond3, t: PerBond3) -> PerBond:
-    """Return |t_s| + t_n tan φ over the cohesion for facets of planes, else 0; `place` in the table, (m,)."""
-    across = (t * n).sum(axis=1)
-    shear = np.sqrt(np.maximum((t * t).sum(axis=1) - across**2, 0.0)) + table.friction[place] * across
-    return np.maximum(shear, 0.0) / table.cohesion[place]
 
 
 def _bending(model: Model, state: State) -> PerBond:

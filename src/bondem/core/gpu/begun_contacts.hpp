@@ -1,9 +1,10 @@
-// Contacts on a device that begin where bonds have broken in a step: a thread begins one contact, then a thread adds
-// the contacts of one element.
+// Contacts on a device that begin where bonds have broken, or cracks have parted, in a step: a thread begins one contact,
+// then a thread adds the contacts of one element.
 #pragma once
 #include "../passes/contacts/handover.hpp"
 #include "breakage.hpp"
 #include "contacts.hpp"
+#include "cracks.hpp"
 
 namespace bondem {
 
@@ -44,6 +45,42 @@ inline void take_over_energies(Index, const ContactPairs &pairs, const NearPairs
         const Index k = pair_of_event(pairs, log, event);
         if (k >= 0) log.released(0) -= near.output(k, 3);
     }
+}
+
+// ---- cells whose crack has parted
+
+// Makes pairs of the cells whose faces have parted in this step.
+inline void touch_parted_face(Index k, const Moving &all, const ContactPairs &pairs, const CohesiveCracks &cracks,
+                              const CrackLists &lists, const PartedReach &reach) {
+    if (lists.flag(k) != crack::parts && lists.waking(k) != crack::parts) return;
+    shape_of(cracks, k).top = reach.apart(k) = open_pair(all, pairs, k, reach.apart(k));
+}
+// Marks the faces of facet k that part in this step, and their cells.
+inline void open_face(Index k, const ContactPairs &pairs, const FacePairs &faces, const CrackLists &lists) {
+    if (lists.flag(k) != crack::parts && lists.waking(k) != crack::parts) return;
+    mark_parting(pairs, faces, k, pairs.of_bond(k));
+}
+// Begins the contact of the faces of pair k that part in this step.
+inline void begin_faces_of_pair(Index k, const Moving &all, const ContactPairs &pairs, const FacePairs &faces) {
+    const bool begins = faces.faced(pairs.first(k)) == 2 || faces.faced(pairs.second(k)) == 2;
+    faces.gained(k) = begins ? begin_by_faces(all, pairs, faces, k) : 0.0;
+}
+inline void sum_portion_of_begun(Index b, const DeviceSpan &span, const ContactPairs &pairs, const FacePairs &faces,
+                                 const BegunFaces &begun) {
+    const Turn turn = portion_of(span, b, elements_of_portion, span.n);
+    double sum = 0.0;
+    for (Index k = pairs.start(turn.first); k < pairs.start(turn.last); k++) sum += faces.gained(k);
+    begun.gained(b) = sum;
+}
+inline void settle_face(Index k, const FacePairs &faces) {
+    if (faces.open(k) == 2) faces.open(k) = 1;
+}
+inline void settle_faces_of_cell(Index p, const FacePairs &faces) {
+    if (faces.faced(p) == 2) faces.faced(p) = 1;
+}
+// Subtracts the energy that faces store as they begin to touch from the released energy.
+inline void take_over_from_cracks(Index, const BegunFaces &begun, const EventLog &log) {
+    for (Index b = 0; b < begun.gained.size(); b++) log.released(0) -= begun.gained(b);
 }
 
 }  // namespace bondem

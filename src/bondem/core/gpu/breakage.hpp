@@ -62,10 +62,6 @@ BONDEM_INLINE void judge_one(Index k, const DeviceSpan &span, const Moving &all,
     if (marks.mark(k) == 0 || clock_of(span).first || !(beams.integrity(k) > 0.0)) return;
     if (list_failing(k, verdict_of<Criterion>(all.pose.data, beams, strengths, k), marks, candidates)) on_failure();
 }
-BONDEM_INLINE void hold_ends(const Postponed &postponed, const Beams &beams, Index k) {
-    hold(postponed, beams.i(k));
-    hold(postponed, beams.j(k));
-}
 #define BONDEM_JUDGE(_, name, Criterion)                                                                                 \
     inline void judge_beam_by_##name(Index k, const DeviceSpan &span, const Moving &all, const Beams &beams,             \
                                      const Strengths &strengths, const BondMarks &marks, const Candidates &candidates,   \

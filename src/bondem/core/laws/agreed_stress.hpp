@@ -4,8 +4,8 @@
 //
 // so that σ* n = t, with n the normal of the facet. Tension positive.
 #pragma once
+#include "../select.hpp"
 #include "../symmetric3.hpp"
-#include "../lanes.hpp"
 
 namespace bondem {
 
@@ -15,6 +15,16 @@ template <class T> BONDEM_INLINE Symmetric3<T> agreed_stress(const Symmetric3<T>
     return {s.xx + 2.0 * r.x * n.x - along * n.x * n.x, s.yy + 2.0 * r.y * n.y - along * n.y * n.y,
             s.zz + 2.0 * r.z * n.z - along * n.z * n.z, s.xy + r.x * n.y + r.y * n.x - along * n.x * n.y,
             s.xz + r.x * n.z + r.z * n.x - along * n.x * n.z, s.yz + r.y * n.z + r.z * n.y - along * n.y * n.z};
+}
+// A traction with the opening traction of bending added to its pulling part, and its part along the normal [Pa].
+template <class T> struct PulledTraction {
+    Vector3<T> t;
+    T along;
+};
+template <class T> BONDEM_INLINE PulledTraction<T> pulled_traction(Vector3<T> t, Vector3<T> n, T bent) {
+    const T across = dot(t, n), zero = {}, pulled = positive(across) + bent;
+    const Mask<T> opens = bent > zero;
+    return {select<T>(opens, plus(t, T(pulled - across), n), t), select(opens, pulled, across)};
 }
 // A stress with the additional traction of bending along n.
 template <class T> BONDEM_INLINE Symmetric3<T> bent_stress(const Symmetric3<T> &s, Vector3<T> n, T bent) {

@@ -77,6 +77,14 @@ template <class T> BONDEM_INLINE T softens_at(T s, T onset, T brittleness, const
     return select(brittleness < all<T>(infinity), found, select(s == one, onset, T{}));
 }
 
+// ∫ T² (-ds) along the curve from a traction on [Pa²]: a / (1 - b) times the length of each line.
+inline double absorbed_from(double traction, double onset, double last, const CurveShape &curve) {
+    const double end = curve.steep * last, first = onset / (1.0 - onset / end);
+    if (!(curve.kink > 0.0)) return first * positive(last - traction);
+    const double corner = curve.kink * onset + (1.0 - curve.kink) * end, g = second_line(onset, curve);
+    return first * positive(corner - traction) + g / (1.0 - g / last) * positive(last - most(traction, corner));
+}
+
 // The force or traction f less its part along the normal where that presses: F⁺ opens or shears a crack.
 template <class T> BONDEM_INLINE Vector3<T> opening_part(Vector3<T> f, Vector3<T> normal, T along) {
     return minus(f, least(along, T{}), normal);
@@ -96,12 +104,16 @@ template <class T> BONDEM_INLINE LoadAlong<T> load_along(T pull, T bending, T sl
     const T both = pull + bending, traction = root(pull * pull + bending * bending), zero = {};
     return {traction, select(both > zero, traction / both, all<T>(1.0)), most(slope, all<T>(least_slope))};
 }
+// Strength and brittleness of a facet along that direction.
+template <class T> BONDEM_INLINE Softening<T> strength_along(const Softening<T> &facet, const LoadAlong<T> &load) {
+    return {facet.strength * load.slope * load.share, facet.brittleness * load.share};
+}
 // The integrity along a direction of a crack, at most s.
 template <class T>
 BONDEM_INLINE T left_along(T s, const LoadAlong<T> &load, const Softening<T> &facet, const CurveShape &curve) {
-    const T zero = {}, onset = facet.strength * load.slope * load.share;
-    const T left = select(load.traction > zero,
-                          softened(s, load.traction, onset, facet.brittleness * load.share, curve), s);
+    const T zero = {};
+    const Softening<T> own = strength_along(facet, load);
+    const T left = select(load.traction > zero, softened(s, load.traction, own.strength, own.brittleness, curve), s);
     // brittle failure continues once begun
     return select((facet.brittleness == all<T>(infinity)) & (s < all<T>(1.0)), zero, left);
 }
@@ -118,19 +130,29 @@ template <class T> struct PlaneStrength {
     T brittleness;  // 1 / T_l of the slip that exhausts the cohesion [1/Pa], 0 for a constant cohesion
     T friction;  // tan φ
 };
-// A facet of a material plane; `bent` is T_b [Pa], of which pressure on the facet closes a part.
+// What opens a facet of a plane, 1 / T_l along that opening, and what slides it [Pa, 1/Pa, Pa]; `bent` is T_b [Pa], of
+// which pressure on the facet closes a part.
+template <class T> struct PlaneLoad {
+    T traction, brittleness, slides;
+};
+template <class T>
+BONDEM_INLINE PlaneLoad<T> load_on_plane(Vector3<T> t, Vector3<T> n, T bent, const Softening<T> &facet, T friction,
+                                         double steep) {
+    const T across = dot(t, n), square = positive(dot(t, t) - across * across), zero = {};
+    const T bending = positive(bent + least(across, zero)), pull = positive(across);
+    const T opened = pull * pull + bending * bending;
+    // G_f is for the whole opening, of which √`opened` is a part
+    const T ends = least(facet.brittleness * (opened + square) / opened, (steep / snap) / facet.strength);
+    return {root(opened), select(facet.brittleness < all<T>(infinity), ends, facet.brittleness),
+            root(square) + friction * across};
+}
 template <class T>
 BONDEM_INLINE T left_on_plane(T s, Vector3<T> t, Vector3<T> n, T bent, const Softening<T> &facet,
                               const PlaneStrength<T> &plane, const CurveShape &curve) {
-    const T across = dot(t, n), square = positive(dot(t, t) - across * across), zero = {};
-    const T bending = positive(bent + least(across, zero)), pull = positive(across);
-    const T opened = pull * pull + bending * bending, traction = root(opened);
-    // G_f is for the whole opening, of which `traction` is a part
-    const T ends = least(facet.brittleness * (opened + square) / opened, (curve.steep / snap) / facet.strength);
-    const T brittleness = select(facet.brittleness < all<T>(infinity), ends, facet.brittleness);
-    s = select(traction > facet.strength, softened(s, traction, facet.strength, brittleness, curve), s);
-    const T slides = root(square) + plane.friction * across;
-    const T slid = softened(s, slides, plane.cohesion, plane.brittleness, CurveShape{0.0, 1.0});
+    const PlaneLoad<T> load = load_on_plane(t, n, bent, facet, plane.friction, curve.steep);
+    const T left = softened(s, load.traction, facet.strength, load.brittleness, curve);
+    s = select(load.traction > facet.strength, left, s);
+    const T slid = softened(s, load.slides, plane.cohesion, plane.brittleness, CurveShape{0.0, 1.0});
     return select(plane.cohesion < all<T>(infinity), slid, s);
 }
 

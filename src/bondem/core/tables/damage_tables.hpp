@@ -50,6 +50,12 @@ struct BeamIntegrity {
 struct FailureIndices {
     Array<double, 1> index;  // 1 at failure, 0 of broken bonds [-], (m,)
 };
+// Facets under tractions.
+struct LoadedTractions {
+    Array<const double, 2> normal;  // [-], (m, 3)
+    Array<const double, 2> traction;  // [Pa], (m, 3)
+    Array<const double, 1> area;  // [m²], (m,)
+};
 // Bonds of which a criterion evaluates a stress.
 struct StressCandidates {
     Array<Index, 1> bond;  // those of a portion of bonds from its first bond on, (candidates,)

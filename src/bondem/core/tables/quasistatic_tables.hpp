@@ -1,4 +1,4 @@
-// Tables of quasi-static loading: facets of any integrity in small motions, and the search for those that fail next.
+// Tables of quasi-static loading: facets of any integrity in small motions, and their equilibrium.
 #pragma once
 #include "../array.hpp"
 
@@ -37,23 +37,6 @@ struct FacetLoading {
     Array<double, 1> opened;  // |F⁺| / A of these [Pa], (m,)
     Array<Byte, 2> turned;  // 1 for halves of these that close or open, (m, 2)
     Array<double, 2> moment;  // V σ of the cells, to which facets add, xx, yy, zz, xy, xz, yz [J], (n, 6)
-};
-// Facets and cells under a load factor of 1.
-struct LoadedFacets {
-    Array<const Index, 1> i;  // (m,)
-    Array<const Index, 1> j;  // (m,)
-    Array<const double, 2> normal;  // [-], (m, 3)
-    Array<const double, 2> traction;  // [Pa], (m, 3)
-    Array<const double, 1> bending;  // T_b [Pa], (m,)
-    Array<const double, 2> tensor;  // σ of each cell [Pa], (n, 6)
-    Array<const double, 1> strength;  // f_t [Pa], (m,)
-};
-// Whole facets, and the load factors at which they begin to crack.
-struct OnsetSearch {
-    Array<const Index, 1> whole;  // (whole,)
-    double below;  // largest factor of interest
-    double spread;  // largest factor over the least of all
-    Array<double, 1> factor;  // inf of facets that are passed over, (whole,)
 };
 // Sᵀ K S = B + Fᵀ W F of n cells, in b blocks.
 struct ScaledMatrix {

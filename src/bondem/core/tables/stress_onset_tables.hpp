@@ -1,5 +1,7 @@
-// Tables of the passes over facets that crack by a function of the stress.
+// Tables of the passes over facets that begin to crack: by a function of the stress in a step, and where all loads are
+// proportional to a factor.
 #pragma once
+#include "crack_tables.hpp"
 #include "damage_tables.hpp"
 
 namespace bondem {
@@ -17,6 +19,48 @@ struct CandidateFacets {
     Array<const double, 1> found;  // (candidates,)
     Array<Index, 1> number;  // (bond_portions,)
     Array<const Index, 1> total;  // (1,)
+};
+// Facets and cells under a load factor of 1.
+struct LoadedFacets {
+    Array<const Index, 1> i;  // (m,)
+    Array<const Index, 1> j;  // (m,)
+    Array<const double, 2> normal;  // [-], (m, 3)
+    Array<const double, 2> traction;  // [Pa], (m, 3)
+    Array<const double, 1> bending;  // T_b [Pa], (m,)
+    Array<const double, 2> tensor;  // σ of each cell, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+};
+// Whole facets, and the load factors at which they begin to crack.
+struct OnsetSearch {
+    Array<const Index, 1> whole;  // (whole,)
+    double below;  // largest factor of interest
+    double spread;  // largest factor over the least of all
+    Array<double, 1> factor;  // inf of facets that are passed over, or never begin, (whole,)
+};
+// Facets that have begun to crack, and the load factors at which they soften further.
+struct SofteningSearch {
+    Array<const Index, 1> facet;  // (listed,)
+    Array<const double, 2> traction;  // as if they were whole [Pa], (listed, 3)
+    Array<const double, 1> integrity;  // [-], (listed,)
+    // at which the integrity along each of three directions falls below that; inf for never, (listed, 3)
+    Array<double, 2> factor;
+    // traction along each as if the facet were whole, that where it begins to soften, and that where it has no
+    // integrity, 0 of brittle ones [Pa], (listed, 3, 3)
+    Array<double, 3> line;
+    Array<double, 3> direction;  // these directions, by rows; without meaning for material planes, (listed, 3, 3)
+    Array<double, 1> gone;  // load factors at which nothing is left in any direction, (listed,)
+};
+// Steps of a softening curve within a band around it.
+struct SofteningTeeth {
+    double onset;  // traction from which the facet softens [Pa]
+    double last;  // T at zero integrity [Pa], 0 for a brittle facet
+    double kink;  // of the curve
+    double steep;  // of the curve
+    double ripple;  // half-width of the band, as a share
+    double now;  // T at the beginning, if it exceeds the onset [Pa]
+    Array<double, 1> left;  // integrity after each event but the last, which leaves none, (teeth,)
+    Array<double, 1> limit;  // T of the event behind it [Pa], (teeth,)
+    Array<double, 1> beyond;  // over T at which the curve itself softens the facet further [-], (teeth,)
+    Array<Index, 1> number;  // number of steps, of which only as many are written as there is room, (1,)
 };
 
 }  // namespace bondem

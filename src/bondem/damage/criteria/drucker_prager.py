@@ -3,11 +3,8 @@
 import math
 from dataclasses import dataclass
 
-import numpy as np
-
 from bondem._checks import number
 from bondem._plausibility import physical
-from bondem._types import Floats
 from bondem.damage.bilinear import Bilinear
 from bondem.damage.cohesive_softening import Slip, Softening, StressIndex, check_crack, check_slip
 from bondem.damage.criteria.criterion import Criterion
@@ -125,16 +122,6 @@ class DruckerPrager(Criterion):
             )  # fmt: skip
         return Softening(
             tension=k / (1.0 / _ROOT + slope), fracture_energy=energy or 0.0, friction=self.friction, slip=slip,
-            surface=StressIndex(function=cone_index, values=(slope, k, 0.0 if slip is None else 1.0)),
+            surface=StressIndex(function="cone", values=(slope, k, 0.0 if slip is None else 1.0)),
             curve=self.curve,
         )  # fmt: skip
-
-
-def cone_index(stress: Floats, slope: float, strength: float, pulled: float) -> Floats:
-    """Return (√J2 + α I1) / k of stresses (k, 3, 3), (k,); 0 under pressure if `pulled` is not 0."""
-    trace = stress[:, 0, 0] + stress[:, 1, 1] + stress[:, 2, 2]
-    p = trace / 3.0
-    a, b, c = stress[:, 0, 0] - p, stress[:, 1, 1] - p, stress[:, 2, 2] - p
-    shear = stress[:, 0, 1] ** 2 + stress[:, 0, 2] ** 2 + stress[:, 1, 2] ** 2
-    index = (np.sqrt(0.5 * (a * a + b * b + c * c) + shear) + slope * trace) / strength
-    return np.where(trace <= 0.0, 0.0, index) if pulled != 0.0 else index

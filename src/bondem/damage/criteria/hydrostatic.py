@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 
 from bondem._plausibility import physical
-from bondem._types import Floats
 from bondem.damage.bilinear import Bilinear
 from bondem.damage.cohesive_softening import Softening, StressIndex, check_crack
 from bondem.damage.criteria.criterion import Criterion
@@ -42,11 +41,6 @@ class Hydrostatic(Criterion):
     def softening(self) -> Softening:
         return Softening(
             tension=3.0 * self.tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction,
-            slip=None, surface=StressIndex(function=mean_index, values=(self.tension,)),
+            slip=None, surface=StressIndex(function="mean_stress", values=(self.tension,)),
             curve=self.curve,
         )  # fmt: skip
-
-
-def mean_index(stress: Floats, tension: float) -> Floats:
-    """Return the mean of stresses (k, 3, 3) over the strength, (k,)."""
-    return (stress[:, 0, 0] + stress[:, 1, 1] + stress[:, 2, 2]) / (3.0 * tension)

@@ -18,7 +18,6 @@ from bondem._tables.step_tables import Dashpots, HistoryRows
 from bondem.damage.crack_columns import FACET
 from bondem.dynamics.cohesive_tables import (
     facet_forces,
-    facet_strengths,
     keep_cracks,
     new_cohesive_cracks,
     new_crack_lists,
@@ -52,7 +51,7 @@ class CrackingBody:
         self.body = body = BodyOfCells.of(model, state, shared)
         self.kept = facet_forces(state, body.facets, table.area, len(shared.cut.sums))
         swing = np.sqrt(constants.k * (state.motion[layout.i, 3] + state.motion[layout.j, 3]))
-        self.strengths = facet_strengths(table, LOSS * np.minimum(dt * swing, 1.0))
+        self.strengths = table.strengths(LOSS * np.minimum(dt * swing, 1.0), with_zeros)
         listed = np.zeros(len(body.facets.k), dtype=np.uint8)
         listed[m:] = 1  # no facets: they fill a group of lanes
         self.by_stress = OnsetByStress.of(model, self.strengths, len(shared.portions.bonds))

@@ -11,9 +11,9 @@ from typing import NamedTuple
 import numpy as np
 
 from bondem._tables.quasistatic_tables import WeakenedFacets
+from bondem._tables.stress_onset_tables import LoadedFacets
 from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement3
-from bondem.damage.opened_facets import Opened
-from bondem.damage.softening_table import SofteningTable
+from bondem.damage.proportional_onset import softening_along
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.interactions.cells.cell_tables import STRESS
@@ -25,7 +25,6 @@ from bondem.statics.linear import System
 from bondem.statics.quasistatic.facet_matrix import FacetMatrix, facet_stiffness
 from bondem.statics.quasistatic.facet_passes import OpenedFacets
 from bondem.statics.quasistatic.taken_cracks import CrackedHalves, taken_cracks
-from bondem.statics.quasistatic.tensors import full_tensor
 
 # Integrity that stands for none: what is cut off all around goes with its neighbours, and the matrix has an inverse.
 _NONE = 1e-7
@@ -178,15 +177,15 @@ class DamagedBody:
         state.pose[:, STRESS] = factor * found.stress
         if table is not None:
             state.facet_force[:] = factor * (self.area[:, None] * found.traction).T
-            opened = self.opened(found, found.cracked, found.opening, table)
+            k = found.cracked
+            opened = softening_along(self.facets(found), table.strengths(), k, found.opening, self.left[k])
             state.cracks = taken_cracks(table, self._halves(found, factor), opened)
         state.stale = not balanced
         return state
 
-    def opened(self, found: Loaded, facets: Ints, traction: Floats, table: SofteningTable) -> Opened:
-        """Return the openings of some facets by a traction [Pa], (c, 3), along the directions of their criterion."""
-        mean = full_tensor(self.mean(found.tensor, facets))
-        return Opened.of(table, facets, self.constants.normal[facets], traction, found.bending[facets], mean)
+    def facets(self, found: Loaded) -> LoadedFacets:
+        """Return the loads of facets and cells as the criteria take them."""
+        return LoadedFacets(self.i, self.j, self.constants.normal, found.traction, found.bending, found.tensor)
 
     def _halves(self, found: Loaded, factor: float) -> CrackedHalves:
         """Return the halves of cracked facets at a load factor, after `found` was evaluated."""
@@ -267,15 +266,6 @@ class DamagedBody:
             loading.traction, loading.bending, tensor, cracked, loading.opening[cracked], loading.opened[cracked],
             loading.turned[cracked].astype(bool), wall, stress,
         )  # fmt: skip
-
-    def mean(self, tensor: Floats, facets: Ints) -> Floats:
-        """Return the mean of the stresses (n, 6) of the two cells of some facets [Pa], (c, 6)."""
-        return 0.5 * (tensor[self.i[facets]] + tensor[self.j[facets]])
-
-    def bent(self, tensor: Floats, bending: Floats, facets: Ints) -> Floats:
-        """Return T_b (m,) of some facets less the largest pressure of the mean stress of their cells, or 0, (c,)."""
-        pressure = -np.linalg.eigvalsh(full_tensor(self.mean(tensor, facets)))[:, 0]
-        return np.maximum(bending[facets] - np.maximum(pressure, 0.0), 0.0)
 
 
 def _add_moments(moment: Floats, owner: Ints, arm: Floats, force: Floats) -> None:

@@ -1,14 +1,14 @@
-"""Facets of any integrity in small motions, and the search for those that fail next, by the core.
+"""Facets of any integrity in small motions, by the core.
 
 `core/tables/quasistatic_tables.hpp` declares types and shapes.
 """
 
 import numpy as np
 
-from bondem._core import bound_pass, run_pass
+from bondem._core import bound_pass
 from bondem._passes import calls
-from bondem._tables.quasistatic_tables import FacetLoading, LoadedFacets, OnsetSearch, SmallMotions, WeakenedFacets
-from bondem._types import Floats, Ints
+from bondem._tables.quasistatic_tables import FacetLoading, SmallMotions, WeakenedFacets
+from bondem._types import Floats
 
 
 class OpenedFacets:
@@ -44,17 +44,3 @@ class OpenedFacets:
         self.loading.stress[:], self.loading.moment[:] = stress, moment
         self._load()
         return FacetLoading._make(part.copy() for part in self.loading)
-
-
-def factors_by_stress(loaded: LoadedFacets, whole: Ints, below: float, spread: float) -> Floats:
-    """Return the load factors at which whole facets begin to crack, inf for those that are passed over, (c,).
-
-    Args:
-        loaded: loads of facets and cells at a factor of 1.
-        whole: whole facets, (c,).
-        below: largest factor of interest.
-        spread: largest factor over the least of all.
-    """
-    search = OnsetSearch(np.ascontiguousarray(whole, dtype=np.int64), below, spread, np.empty(len(whole)))
-    run_pass(calls.find_stress_factors(loaded, search))
-    return search.factor

@@ -269,7 +269,9 @@ def _next(
 
     `following` is the factor beyond its curve of the next event of each softening facet [-], inf for none.
     """
-    limit = following[found.cracked] * onset.again(found)
+    limit, going = np.full(len(found.cracked), np.inf), np.isfinite(following[found.cracked])
+    softening = found.cracked[going]
+    limit[going] = following[softening] * onset.again(found, softening, found.opening[going])
     alike = max(close, _TIE)
     least = float(limit.min(initial=np.inf)) * (1.0 + alike)
     whole, factor = onset.factors(found, np.flatnonzero(body.integrity == 1.0), least, alike)

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bondem._tables.stress_onset_tables import SofteningSearch
 from bondem._types import Floats, Ints, PerBond
 from bondem.damage.crack_columns import RATE
 from bondem.damage.crack_rows import alike_left, axes_along, crack_rows
-from bondem.damage.opened_facets import Opened
 from bondem.damage.softening_table import SofteningTable
 
 
@@ -32,7 +32,7 @@ class CrackedHalves:
     force: Floats
 
 
-def taken_cracks(table: SofteningTable, halves: CrackedHalves, opened: Opened) -> Floats:
+def taken_cracks(table: SofteningTable, halves: CrackedHalves, opened: SofteningSearch) -> Floats:
     """Return the rows of cracks (`bondem.damage.crack_columns`), which carry the same forces in a run.
 
     A crack keeps one integrity s for all directions: s_1 = γ = s, and s_2 = s_3 = 1. Its first direction is that by
@@ -45,7 +45,7 @@ def taken_cracks(table: SofteningTable, halves: CrackedHalves, opened: Opened) -
         opened: openings of these along the principal directions of stress.
     """
     force, left = halves.force, halves.left
-    first = opened.softens_along(left)
+    first = opened.direction[np.arange(len(left)), opened.factor.argmin(axis=1)]
     sign = np.sign((force.sum(axis=0) * first).sum(axis=1))
     first = sign[:, None] * first
     pulled = ((force * first).sum(axis=2) > 0.0).all(axis=0) & ((force * halves.normal).sum(axis=2) > 0.0).all(axis=0)

@@ -48,6 +48,16 @@ Index index_facets(Index, const Poses &all, const ElasticFacets &facets, const S
     return 0;
 }
 
+// Finds the index of every facet by a criterion, under tractions.
+template <class Criterion>
+Index index_tractions(Index, const LoadedTractions &loaded, const Strengths &strengths, const FailureIndices &found) {
+    for (Index k = 0; k < strengths.station.size(); k++) {
+        const Vector n = loaded.normal.row<const Vector>(k), t = loaded.traction.row<const Vector>(k);
+        found.index(k) = verdict_of<Criterion>(-loaded.area(k) * t, n, strengths, k).index;
+    }
+    return 0;
+}
+
 void weigh(const ElasticFacets &facets, const FacetRelease &release, Index p) {
     release.weight(p) = weight_left(release, p, [&](Index k) { return facets.integrity(k); });
 }
@@ -108,7 +118,8 @@ Removal break_facet(const Moving &all, const ElasticFacets &facets, const WallCo
 
 #define BONDEM_CRITERION(_, name, Criterion)                                     \
     BONDEM_PASS_AS(judge_facets_by_##name, serial, judge_facets<Criterion>)     \
-    BONDEM_CALL_AS(index_facets_by_##name, "", index_facets<Criterion>)
+    BONDEM_CALL_AS(index_facets_by_##name, "", index_facets<Criterion>)         \
+    BONDEM_CALL_AS(index_tractions_by_##name, "", index_tractions<Criterion>)
 BONDEM_FACET_CRITERIA(BONDEM_CRITERION, )
 #undef BONDEM_CRITERION
 

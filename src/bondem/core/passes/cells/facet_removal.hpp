@@ -42,14 +42,13 @@ inline Dilated dilated(const Moving &all, const ElasticFacets &facets, const Wal
 // The removal of facet k, without the released energy of dilatation.
 inline Removal removal_of_facet(const Moving &all, const ElasticFacets &facets, Index k) {
     const FacetColumns columns(facets);
-    const Index i = facets.i(k);
     const Ends<double> ends = ends_of(all.pose.data, facets, k);
     const FacetShape<double> shape = columns.shape<double>(k);
     const OpenFacet<double> open = opened(ends, shape);
-    const Vector normal = normal_of(facets, k), centre = {all.pose(i, 0), all.pose(i, 1), all.pose(i, 2)};
+    const Vector normal = normal_of(facets, k);
     const FacetEnergy<double> parts = facet_energy(ends, shape, normal, columns.stiffness(k, 1.0));
     const double energy = facets.integrity(k) * (parts.normal + parts.shear + parts.bending + parts.twisting);
-    return {energy, dot(open.gap, present_normal(ends, normal)), centre + open.arm_i};
+    return {energy, dot(open.gap, present_normal(ends, normal)), centre(all.pose.data, facets.i(k)) + open.arm_i};
 }
 
 }  // namespace bondem

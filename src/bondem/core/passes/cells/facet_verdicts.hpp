@@ -14,14 +14,15 @@ inline FacetLoads<double> loads_of(const double *pose, const ElasticFacets &face
                        stresses_of(i, j, s));
 }
 
-// A criterion sees the normal and the shear force of a facet.
+// A criterion sees the normal and the shear force of a facet; `f` is the force on cell j.
+template <class Criterion> inline Verdict<double> verdict_of(Vector f, Vector n, const Strengths &strengths, Index k) {
+    const double along = -dot(f, n), across = length(plus(f, along, n));
+    return Criterion::verdict(BondLoads<double>{along, across, 0.0, 0.0, 0.0, 0.0}, coefficients_of(strengths, k));
+}
 template <class Criterion>
 inline Verdict<double> verdict_of(const double *pose, const ElasticFacets &facets, const Strengths &strengths, Index k) {
-    const Vector f = loads_of(pose, facets, k).force, n = present_normal(ends_of(pose, facets, k), normal_of(facets, k));
-    const double along = -dot(f, n), *const c = &strengths.coefficient(k, 0);
-    const double across = length(plus(f, along, n));
-    return Criterion::verdict(BondLoads<double>{along, across, 0.0, 0.0, 0.0, 0.0},
-                              Coefficients<double>{c[0], c[1], c[2], c[3]});
+    const Vector n = present_normal(ends_of(pose, facets, k), normal_of(facets, k));
+    return verdict_of<Criterion>(loads_of(pose, facets, k).force, n, strengths, k);
 }
 
 }  // namespace bondem

@@ -1,10 +1,27 @@
 #include "handover.hpp"
 
 #include "../../registered.hpp"
+#include "../cracks/crack_rows.hpp"
 #include "../damage/pipeline.hpp"
+#include "face_contacts.hpp"
 
 namespace bondem {
 
+BegunContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k) {
+    for (Index x = 0; x < 8; x++) pairs.memory(k, x) = 0.0;
+    pairs.touch(k) = separate;
+    if (!(length(branch_of(all.pose.data, pairs, k)) < pairs.reach(k))) return {false, {}, {}};
+    const PairLoads<double> loads = present_loads(all, c, pairs, k, {});
+    const ContactMemory<double> &memory = loads.contact.memory;
+    pairs.memory.row<Vector>(k) = memory.stretch;
+    (&pairs.memory.row<Vector>(k))[1] = memory.viscous;
+    pairs.touch(k) = touching;
+    return {true, loads.contact.force, loads.torque};
+}
+
+namespace {
+
+// Examines pair k in every step from now on; it keeps its place in the order of the pairs.
 void examine(const ContactPairs &pairs, const NearPairs &near, Index k) {
     const Index portion = pairs.second(k) / elements_of_portion, begin = pairs.start(portion * elements_of_portion);
     Index e = begin + near.counts(portion, 0);
@@ -16,24 +33,8 @@ void examine(const ContactPairs &pairs, const NearPairs &near, Index k) {
     near.counts(portion, 0)++;
 }
 
-BegunContact begin_pair(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k) {
-    for (Index x = 0; x < 8; x++) pairs.memory(k, x) = 0.0;
-    pairs.touch(k) = separate;
-    const Vector d = branch_of(all.pose.data, pairs, k);
-    if (!(length(d) < pairs.reach(k))) return {false, {}, {}};
-    const Short a = pairs.first(k), b = pairs.second(k);
-    const Motion<double> of_a(gather(all.motion.data, a)), of_b(gather(all.motion.data, b));
-    const Spheres2<double> pair(c.radius(a), c.radius(b), pairs.reach(k), d, of_a, of_b);
-    PairLoads<double> loads;
-    const ContactRow &of = c.of(a, b);
-    with_law(c, of, [&](auto law) { loads = pair_loads(law, of, pair, pairs.own(k), ContactMemory<double>{}, 0.0); });
-    const ContactMemory<double> &memory = loads.contact.memory;
-    pairs.memory.row<Vector>(k) = memory.stretch;
-    (&pairs.memory.row<Vector>(k))[1] = memory.viscous;
-    pairs.touch(k) = touching;
-    return {true, loads.contact.force, loads.torque};
-}
-
+// Begins the contact of the pair of a bond, and adds its force to rows of sums of elements; returns the energy that moves
+// to the contact [J].
 double hand_over(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index bond,
                  double *sums) {
     const Index k = pairs.of_bond(bond);
@@ -47,11 +48,13 @@ double hand_over(const Moving &all, const ContactConstants &c, const ContactPair
     return pair_energy(all.pose.data, c, pairs, k);
 }
 
-double let_touch(const Moving &all, const ContactPairs &pairs, const NearPairs &near, Index facet, double apart) {
-    const double reach = open_pair(all, pairs, facet, apart);
-    examine(pairs, near, pairs.of_bond(facet));
-    return reach;
+// Calls on(pair) for the listed pairs of cell p.
+template <class On> void over_pairs_of(const ContactPairs &pairs, const FacePairs &faces, Short p, On on) {
+    for (Index k = pairs.start(p); k < pairs.start(p + 1); k++) on(k);
+    for (Index e = faces.earlier_start(p); e < faces.earlier_start(p + 1); e++) on(Index(faces.earlier(e)));
 }
+
+}  // namespace
 
 // Begins contact where beams have broken in this step, on the sums that are kept for their ends.
 void begin_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
@@ -72,5 +75,51 @@ void begin_softened_contacts(const Turn &, const Moving &all, const ContactConst
     for_each_event(log, [&](Index bond, Index) { hand_over(all, c, pairs, near, bond, to.sums.data); });
 }
 BONDEM_PASS(begin_softened_contacts, serial)
+
+// Makes pairs of the cells whose faces have parted in this step.
+void touch_parted_faces(const Turn &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
+                        const CohesiveCracks &cracks, const CrackLists &lists, const PartedReach &reach) {
+    for (Index e = 0; e < lists.size(3); e++) {
+        const Index k = lists.parted(e);
+        shape_of(cracks, k).top = reach.apart(k) = open_pair(all, pairs, k, reach.apart(k));
+        examine(pairs, near, pairs.of_bond(k));
+    }
+}
+BONDEM_PASS(touch_parted_faces, serial)
+
+// Begins the contact of faces that part in this step.
+void begin_face_contacts(const Turn &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
+                         const FacePairs &faces, const CrackLists &lists, const EventLog &log) {
+    const Index count = lists.size(3);
+    if (count == 0) return;
+    const auto over_parted = [&](auto on) {
+        for (Index e = 0; e < count; e++) {
+            const Index k = lists.parted(e), pair = pairs.of_bond(k);
+            on(k, pairs.first(pair), pairs.second(pair), pair);
+        }
+    };
+    const auto over_all_pairs = [&](auto on) {
+        over_parted([&](Index k, Short a, Short b, Index) {
+            if (!has_faces(faces, k)) return;
+            over_pairs_of(pairs, faces, a, on);
+            over_pairs_of(pairs, faces, b, on);
+        });
+    };
+    over_parted([&](Index k, Short, Short, Index pair) { mark_parting(pairs, faces, k, pair); });
+    constexpr double unknown = infinity;
+    over_all_pairs([&](Index k) { faces.gained(k) = unknown; });
+    double gained = 0.0;
+    over_all_pairs([&](Index k) {
+        if (faces.gained(k) != unknown) return;
+        faces.gained(k) = begin_by_faces(all, pairs, faces, k);
+        gained += faces.gained(k);
+        if (!bonded(pairs, k)) examine(pairs, near, k);
+    });
+    log.released(0) -= gained;
+    over_parted([&](Index k, Short a, Short b, Index) {
+        if (has_faces(faces, k)) faces.open(k) = faces.faced(a) = faces.faced(b) = 1;
+    });
+}
+BONDEM_PASS(begin_face_contacts, serial)
 
 }  // namespace bondem

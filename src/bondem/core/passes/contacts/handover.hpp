@@ -1,16 +1,14 @@
 // Contact of two elements whose bond or facet has failed: the pair was listed, but not evaluated before.
 //
 // The pressure between the two acts at once, with the tangential spring at rest, at the end of the step in which the
-// bond fails. The energy stored by the contact is subtracted from that of the event.
+// bond fails. The energy stored by the contact is subtracted from that of the event. Cells whose crack has parted touch
+// from their present distance on, without a force; cells with faces on a plane touch by these faces.
 #pragma once
 #include "../../steps.hpp"
 #include "../../tables/beam_softening_tables.hpp"
 #include "pairs.hpp"
 
 namespace bondem {
-
-// Examines pair k in every step from now on; it keeps its place in the order of the pairs.
-void examine(const ContactPairs &pairs, const NearPairs &near, Index k);
 
 // Initial contact of a pair: whether its two elements touch, and their forces.
 struct BegunContact {
@@ -29,11 +27,6 @@ inline void add_begun(double *row, bool is_later, double radius, const BegunCont
     }
 }
 
-// Begins the contact of the pair of a bond, and adds its force to rows of sums of elements (first_row + element);
-// returns the energy that moves to the contact [J].
-double hand_over(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near, Index bond,
-                 double *sums);
-
 // Contact of a broken facet begins at its rest length `apart`, or at the present distance if that is less, without
 // force and energy. Returns that distance [m].
 inline double open_pair(const Moving &all, const ContactPairs &pairs, Index facet, double apart) {
@@ -43,8 +36,6 @@ inline double open_pair(const Moving &all, const ContactPairs &pairs, Index face
     pairs.reach(k) = reach;
     return reach;
 }
-// Begins the contact of a broken facet, and examines the pair in every step from now on.
-double let_touch(const Moving &all, const ContactPairs &pairs, const NearPairs &near, Index facet, double apart);
 
 // Ends the pressure on softening beams that have broken at the beginning of this step.
 void release_pressure(const Turn &turn, const EventLog &log, const SofteningBounds &bounds);

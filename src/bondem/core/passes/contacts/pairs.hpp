@@ -61,14 +61,21 @@ BONDEM_INLINE PairLoads<T> pair_loads(const Law &law, const Numbers &of, const S
     return {overlap, loads, -(distance / (pair.ra + pair.rb)) * cross(now.normal, loads.force)};
 }
 
-inline Vector centre(const double *pose, Short p) { return {pose[8 * uint64_t(p)], pose[8 * uint64_t(p) + 1], pose[8 * uint64_t(p) + 2]}; }
-
 // Branch of pair k over the nearest periodic image [m].
 inline Vector branch_of(const double *pose, const ContactPairs &pairs, Index k) {
-    const Vector d = centre(pose, pairs.second(k)) - centre(pose, pairs.first(k));
-    const double *const period = pairs.period.data;
-    return {over_nearest_image(d.x, period[0], period[3]), over_nearest_image(d.y, period[1], period[4]),
-            over_nearest_image(d.z, period[2], period[5])};
+    return over_nearest_image(centre(pose, pairs.second(k)) - centre(pose, pairs.first(k)), pairs.period.data);
+}
+// Loads of pair k as it is now, with what it remembers.
+inline PairLoads<double> present_loads(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k,
+                                       const ContactMemory<double> &memory) {
+    const Short a = pairs.first(k), b = pairs.second(k);
+    const Motion<double> of_a(gather(all.motion.data, a)), of_b(gather(all.motion.data, b));
+    const Vector d = branch_of(all.pose.data, pairs, k);
+    const Spheres2<double> pair(c.radius(a), c.radius(b), pairs.reach(k), d, of_a, of_b);
+    PairLoads<double> loads;
+    const ContactRow &of = c.of(a, b);
+    with_law(c, of, [&](auto law) { loads = pair_loads(law, of, pair, pairs.own(k), memory, 0.0); });
+    return loads;
 }
 // True if a bond joins pair k.
 inline bool bonded(const ContactPairs &pairs, Index k) { return pairs.bond(k) >= 0 && pairs.joined(pairs.bond(k)) > 0.0; }

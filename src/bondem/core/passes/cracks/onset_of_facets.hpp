@@ -1,10 +1,8 @@
 // Condition for facets to begin to crack: they are pulled or sheared, and the largest principal stress of σ* reaches
 // their strength.
 //
-// σ* is the mean stress σ of both cells made to agree with the traction t of the facet, with the opening part of
-// bending (`laws/softening.hpp`) added to its normal traction:
-//
-//     σ* = σ + r⊗n + n⊗r - (r·n) n⊗n        r = t - σ n
+// σ* is the mean stress σ of both cells made to agree with the traction t of the facet (`laws/agreed_stress.hpp`), with the
+// opening part of bending (`laws/softening.hpp`) added to its normal traction.
 //
 // Most facets carry far less: σ1(σ*) is at most (1 + √2) |σ| + √2 (|t| + T_b).
 #pragma once
@@ -23,13 +21,11 @@ template <class T> struct FacetInBody {
 // True if a facet of traction t begins to crack; `bent` is the opening traction of bending.
 template <class T>
 BONDEM_INLINE Mask<T> reaches_strength(Vector3<T> t, Vector3<T> n, const Symmetric3<T> &mean, T bent, T strength) {
-    const T across = dot(t, n), zero = {}, pulled = positive(across) + bent;
-    const Mask<T> opens = bent > zero;
-    const Vector3<T> pull = select<T>(opens, plus(t, T(pulled - across), n), t);
-    const T along = select(opens, pulled, across);
+    const PulledTraction<T> pull = pulled_traction(t, n, bent);
+    const T along = pull.along, zero = {};
     // the traction of a pressed facet has a principal stress beyond the strength by itself
-    const Mask<T> sheared = dot(pull, pull) - along * along >= strength * (strength - along);
-    return ((along > zero) | sheared) & opposite(is_below(agreed_stress(mean, n, pull), strength));
+    const Mask<T> sheared = dot(pull.t, pull.t) - along * along >= strength * (strength - along);
+    return ((along > zero) | sheared) & opposite(is_below(agreed_stress(mean, n, pull.t), strength));
 }
 // True if a facet begins to crack, by a bound first: `size` is the sum of |σ| of both cells, `bends` the lesser of
 // their T_b² in the last step. place() returns the facet, and is called only if the bound is reached.

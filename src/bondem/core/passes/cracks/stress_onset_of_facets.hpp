@@ -14,15 +14,12 @@
 #include "../cells/facets.hpp"
 #include "../damage/stress_criteria.hpp"
 #include "crack_rows.hpp"
+#include "stress_state.hpp"
 
 namespace bondem {
 
 // ---- cells
 
-inline Stress<double> stress_of(const StressesOfCells &stresses, Index p) {
-    const double *s = &stresses.tensor(p, 0);
-    return {s[0], s[1], s[2], s[3], s[4], s[5]};
-}
 // Tension from all sides that facets of a cell may have beyond its stress [Pa].
 inline double more_tension(const StressesOfCells &stresses, Index p, const Stress<double> &s) {
     constexpr double beyond = 0.2;  // how far σ* of a facet may be beyond the stresses of its cells, over their size
@@ -39,7 +36,7 @@ inline void judge_cell_by(const StressesOfCells &stresses, const StressFunction 
         if (scale * root(square_of(s)) < onset.least) return false;
         return !(Criterion::index(scale * s, by.parameter.data) < 1.0);
     };
-    const Stress<double> s = stress_of(stresses, p);
+    const Stress<double> s = tensor_of(stresses, p);
     const double more = more_tension(stresses, p, s);
     cracks.judged(p) = cracks.cracked(p) != 0 || reaches(s) ||
                        reaches({s.xx + more, s.yy + more, s.zz + more, s.xy, s.xz, s.yz});
@@ -47,7 +44,7 @@ inline void judge_cell_by(const StressesOfCells &stresses, const StressFunction 
 inline void judge_cell_of_user(const StressesOfCells &stresses, const CandidateFacets &onset, const CrackOnset &cracks,
                                Index p) {
     constexpr double root_three = 1.7320508075688772;
-    const Stress<double> s = stress_of(stresses, p);
+    const Stress<double> s = tensor_of(stresses, p);
     const double size = root(square_of(s)) + root_three * more_tension(stresses, p, s);
     cracks.judged(p) = cracks.cracked(p) != 0 || onset.tension / onset.hot * size >= onset.least;
 }
@@ -64,7 +61,7 @@ struct JudgedFacet {
                 Index k) {
         const Ends<double> ends = ends_of(all.pose.data, facets, k);
         normal = present_normal(ends, normal_of(facets, k));
-        mean = mean_of(stress_of(stresses, facets.i(k)), stress_of(stresses, facets.j(k)));
+        mean = mean_of(tensor_of(stresses, facets.i(k)), tensor_of(stresses, facets.j(k)));
         const double bent = bending_traction(ends, kept.bends(k), FacetColumns(facets).stiffness(k, 1.0).H);
         // σ3 is at most the least of the diagonal
         const bool opens = bent + least(least(least(mean.xx, mean.yy), mean.zz), 0.0) > 0.0;
@@ -90,10 +87,9 @@ inline void with_candidate(const Moving &all, const ElasticFacets &facets, const
     const Vector t = {one * kept.force(0, k), one * kept.force(1, k), one * kept.force(2, k)};
     if (is_far_below(stresses, onset, facets.i(k), facets.j(k), k, t)) return;
     const JudgedFacet facet(all, facets, kept, stresses, k);
-    const double across = dot(t, facet.normal), bent = facet.opened;
-    const double pulled = bent > 0.0 ? positive(across) + bent : across;
-    if (pulled <= 0.0) return;
-    const Stress<double> s = agreed_stress(facet.mean, facet.normal, plus(t, pulled - across, facet.normal));
+    const PulledTraction<double> pull = pulled_traction(t, facet.normal, facet.opened);
+    if (pull.along <= 0.0) return;
+    const Stress<double> s = agreed_stress(facet.mean, facet.normal, pull.t);
     if (onset.scale(k) * root(square_of(s)) < onset.least) return;
     on(onset.scale(k) * s);
 }

@@ -13,10 +13,7 @@ void judge_beams(const Turn &turn, const Moving &all, const Beams &beams, const 
     judge(
         turn, candidates, [&](Index k) { return beams.integrity(k) > 0.0; },
         [&](Index k) { return verdict_of<Criterion>(all.pose.data, beams, strengths, k); },
-        [&](Index k) {
-            hold(postponed, beams.i(k));
-            hold(postponed, beams.j(k));
-        });
+        [&](Index k) { hold_ends(postponed, beams, k); });
 }
 
 #if defined(BONDEM_LANES)

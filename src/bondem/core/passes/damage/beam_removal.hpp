@@ -12,16 +12,14 @@ struct FailedBeam {
     Removal removal;
 };
 inline FailedBeam failed_beam(const double *pose, const Beams &beams, const BeamIntegrity &state, Index k) {
-    const Short i = beams.i(k);
     const Ends<double> ends = ends_of(pose, beams, k);
     const BeamShape<double> shape = shape_of<double>(beams, k);
     const double s = state.integrity(k);
     const BeamLoads<double> loads = beam_loads(ends, shape, stiffness_of(beams, k, s));
     const BeamEnergy<double> energy = beam_energy(ends, shape, stiffness_of(beams, k, 1.0), beams.ks(k), beams.lever(k));
-    const Vector centre = {pose[8 * i], pose[8 * i + 1], pose[8 * i + 2]};
     return {loads,
             {s * (energy.normal + energy.shear + energy.bending + energy.twisting), length(ends.branch) - shape.length,
-             plus(centre, beams.lever(k) / shape.length, ends.branch)}};
+             plus(centre(pose, beams.i(k)), beams.lever(k) / shape.length, ends.branch)}};
 }
 inline BeamLoads<double> loads_of_dashpot(const Moving &all, const Beams &beams, const Dashpots &dashpots, Index k) {
     const Index m = dashpots.c.shape[1];

@@ -35,9 +35,9 @@ void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams,
             const double *row = &soft.row(soft.listed(q * bonds_of_portion + soft.number(q) + e), 0);
             const Index k = Index(row[soft_column::bond]);
             const Vector d = ends_of(all.pose.data, beams, k).branch;
-            const double *x = &all.pose(beams.i(k), 0), share = beams.lever(k) / beams.length(k);
+            const double share = beams.lever(k) / beams.length(k);
             log_event(turn.clock, log, k, Index(row[soft_column::mode]),
-                      {row[soft_column::spent], length(d) - beams.length(k), plus(Vector{x[0], x[1], x[2]}, share, d),
+                      {row[soft_column::spent], length(d) - beams.length(k), plus(centre(all.pose.data, beams.i(k)), share, d),
                        double(turn.clock.step) - row[soft_column::began]});
         }
         soft.parted(q) = 0;

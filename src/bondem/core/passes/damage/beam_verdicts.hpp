@@ -36,9 +36,7 @@ template <class Criterion, class Strong>
 inline Verdict<double> verdict_at(const Ends<double> &ends, const Beams &beams, const Strong &strengths, Index k) {
     const BeamShape<double> shape = shape_of<double>(beams, k);
     const BeamLoads<double> loads = beam_loads(ends, shape, stiffness_of(beams, k, beams.integrity(k)));
-    const double *c = &strengths.coefficient(k, 0);
-    return Criterion::verdict(seen_loads<Criterion>(ends, shape, loads, strengths.station(k)),
-                              Coefficients<double>{c[0], c[1], c[2], c[3]});
+    return Criterion::verdict(seen_loads<Criterion>(ends, shape, loads, strengths.station(k)), coefficients_of(strengths, k));
 }
 template <class Criterion>
 inline Verdict<double> verdict_of(const double *pose, const Beams &beams, const Strengths &strengths, Index k) {

@@ -105,11 +105,19 @@ class Marks {
 inline void hold(const Postponed &postponed, Index element, Byte as = 1) {
     put_shared(postponed.held(element), as);
 }
+inline void hold_ends(const Postponed &postponed, const Beams &beams, Index k) {
+    hold(postponed, beams.i(k));
+    hold(postponed, beams.j(k));
+}
 inline bool is_held(const Postponed &postponed, Index element) {
     return get_shared(postponed.held(element)) != 0;
 }
 inline bool any_fails(const Candidates &candidates) { return get_shared(candidates.any(0)) != 0; }
 
+template <class Strong> inline Coefficients<double> coefficients_of(const Strong &strengths, Index k) {
+    const double *c = &strengths.coefficient(k, 0);
+    return {c[0], c[1], c[2], c[3]};
+}
 // Keeps the marked bonds of a block that fail. No bond fails at a time that no step has reached.
 //
 //     may_fail(k)    whether the bond is unbroken

@@ -24,10 +24,5 @@ inline Index write_candidate(const Candidates &candidates, Index place, Index bo
     for (Index c = 0; c < 9; c++) candidates.stress.data[9 * place + c] = all[c];
     return place + 1;
 }
-// Calls on(bond) for the candidates that fail, in the order of the bonds.
-template <class On> inline void for_each_failing(const StressCandidates &candidates, On on) {
-    for (Index c = 0; c < candidates.total(0); c++)
-        if (!(candidates.found(c) < 1.0)) on(candidates.bond(c));
-}
 
 }  // namespace bondem

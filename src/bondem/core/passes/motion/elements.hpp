@@ -20,6 +20,7 @@ BONDEM_INLINE Row<double> &row_at(double *table, Short place) {
 BONDEM_INLINE Row<double> gather(const double *table, const Short &place) {
     return *reinterpret_cast<const Row<double> *>(table + 8 * uint64_t(place));
 }
+inline Vector centre(const double *pose, Short p) { return {pose[8 * uint64_t(p)], pose[8 * uint64_t(p) + 1], pose[8 * uint64_t(p) + 2]}; }
 BONDEM_INLINE void scatter(double *table, const Short &place, const Row<double> &row) { row_at(table, place) = row; }
 BONDEM_INLINE void clear(double *table, const Short &place) { row_at(table, place) = {}; }
 // Numbers of a column of a table, one per element.

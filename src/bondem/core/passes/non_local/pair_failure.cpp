@@ -44,10 +44,7 @@ void judge_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &str
     judge(
         turn, candidates, [&](Index k) { return beams.integrity(k) > 0.0; },
         [&](Index k) { return verdict_of_pair(beams, stresses, strengths, k); },
-        [&](Index k) {
-            hold(postponed, beams.i(k));
-            hold(postponed, beams.j(k));
-        });
+        [&](Index k) { hold_ends(postponed, beams, k); });
 }
 BONDEM_PASS(judge_pairs, bonds_of_blocks)
 

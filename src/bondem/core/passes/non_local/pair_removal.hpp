@@ -13,12 +13,10 @@ inline void take_off_pair(double *row, bool is_i, const NonLocalBonds &bonds, In
 }
 inline Removal removal_of_pair(const Moving &all, const Beams &beams, const NonLocalBonds &bonds, Index k) {
     const double *const pose = all.pose.data;
-    const Short i = beams.i(k);
     const PairPose<double> now = pair_pose(pose, beams, bonds, k);
     const SpringEnergy<double> energy = spring_energy(now, pair_stiffness<double>(bonds, k));
-    const Vector centre = {pose[8 * i], pose[8 * i + 1], pose[8 * i + 2]};
     return {beams.integrity(k) * (energy.normal + energy.shear), dot(now.gap, now.normal),
-            plus(centre + now.lever_i, 0.5, now.gap)};
+            plus(centre(pose, beams.i(k)) + now.lever_i, 0.5, now.gap)};
 }
 // Subtracts the moment of the force of a bond from the stress of an element, in the frame of the element.
 inline void relieve(const Moving &all, const LaggedStresses &stresses, Short p, bool is_i, const NonLocalBonds &bonds,

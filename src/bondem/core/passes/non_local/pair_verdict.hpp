@@ -2,7 +2,7 @@
 #pragma once
 #include "../../laws/criteria/principal_stress.hpp"
 #include "../../laws/principal.hpp"
-#include "../../tables/damage_tables.hpp"
+#include "../damage/pipeline.hpp"
 #include "bond_columns.hpp"
 
 namespace bondem {
@@ -18,15 +18,11 @@ BONDEM_INLINE T bound_of_index(const Row<T> &i, const Row<T> &j, const Coefficie
     const T lowest = 0.5 * (i.column[least_column] + j.column[least_column]);
     return PrincipalStressCriterion::verdict(largest, lowest, own).index;
 }
-inline Coefficients<double> coefficients_of_pair(const Strengths &strengths, Index k) {
-    const double *c = &strengths.coefficient(k, 0);
-    return {c[0], c[1], c[2], c[3]};
-}
 inline Verdict<double> verdict_of_pair(const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,
                                        Index k) {
     const auto stress = [&](Short p) { return stresses.space.row<const Stress<double>>(p); };
     const PrincipalStress<double> found = principal(mean_of(stress(beams.i(k)), stress(beams.j(k))));
-    return PrincipalStressCriterion::verdict(largest_of(found), least_of(found), coefficients_of_pair(strengths, k));
+    return PrincipalStressCriterion::verdict(largest_of(found), least_of(found), coefficients_of(strengths, k));
 }
 
 }  // namespace bondem

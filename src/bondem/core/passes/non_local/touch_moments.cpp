@@ -20,17 +20,8 @@ void add_to_stress(const double *pose, const LaggedStresses &stresses, Short p, 
 
 // Force of a pair on its later element, with its present memory [N].
 Vector present_force(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k) {
-    const Short a = pairs.first(k), b = pairs.second(k);
-    const Motion<double> of_a(gather(all.motion.data, a)), of_b(gather(all.motion.data, b));
-    const Vector d = branch_of(all.pose.data, pairs, k);
-    const Spheres2<double> pair(c.radius(a), c.radius(b), pairs.reach(k), d, of_a, of_b);
     const Vector *const kept = &pairs.memory.row<Vector>(k);
-    const ContactRow &of = c.of(a, b);
-    Vector force;
-    with_law(c, of, [&](auto law) {
-        force = pair_loads(law, of, pair, pairs.own(k), ContactMemory<double>{kept[0], kept[1]}, 0.0).contact.force;
-    });
-    return force;
+    return present_loads(all, c, pairs, k, {kept[0], kept[1]}).contact.force;
 }
 
 }  // namespace

@@ -1,0 +1,176 @@
+// When facets begin to crack, and soften further, where everything is proportional to a load factor.
+//
+// A facet of the material begins where σ1(σ*) reaches its strength f (`laws/agreed_stress.hpp`), where it is in tension or
+// shear, and where its opening along a principal direction of the mean stress σ of its cells is enough for softening
+// (`laws/softening.hpp`). With r = t - σ n and what bends added to r, σ1(σ*) is at most |σ| + √2 |r|: facets that are far
+// from it are passed over. A facet of a material plane begins by its own traction.
+#include "../../laws/agreed_stress.hpp"
+#include "../../laws/softening.hpp"
+#include "../../registered.hpp"
+#include "../../tables/stress_onset_tables.hpp"
+#include "stress_criteria.hpp"
+
+namespace bondem {
+namespace {
+
+struct FacetBetween {
+    Vector normal;
+    Symmetric3<double> mean;  // of both cells [Pa]
+    double bending;  // T_b [Pa]
+
+    FacetBetween(const LoadedFacets &loaded, Index k)
+        : normal(loaded.normal.row<const Vector>(k)),
+          mean(mean_of(loaded.tensor.row<const Symmetric3<double>>(loaded.i(k)),
+                       loaded.tensor.row<const Symmetric3<double>>(loaded.j(k)))),
+          bending(loaded.bending(k)) {}
+    double opened(const PrincipalStress<double> &principal_mean) const {
+        return positive(bending - largest_pressure(principal_mean));
+    }
+};
+
+// What opens a facet along a direction, and its strength and last opening there.
+struct OpenedAlong {
+    double traction;  // [Pa]
+    Softening<double> by;
+    Vector direction;
+
+    double factor(double s, const CurveShape &curve) const {
+        const bool broken = s < 1.0 && by.brittleness == infinity;  // nothing is left to lose
+        return traction > 0.0 && !broken ? softens_at(s, by.strength, by.brittleness, curve) / traction : infinity;
+    }
+};
+// Finds that along the principal directions of the mean stress, from σ3 to σ1, under a traction t; of a plane there is one.
+// Returns what slides a facet of a plane [Pa].
+double open_along(const FacetBetween &facet, Vector t, const PrincipalStress<double> &mean, const FacetStrengths &strengths,
+                  Index k, OpenedAlong *found) {
+    const Softening<double> own = {strengths.strength(k), strengths.brittleness(k)};
+    double largest = 0.0, bent = facet.opened(mean);
+    for (const Vector &e : mean.direction) largest = most(largest, absolute(dot(facet.normal, e)));
+    for (int d = 0; d < 3; d++) {
+        const Vector e = mean.direction[d];
+        const double slope = dot(facet.normal, e), size = absolute(slope);
+        int place = 0;
+        for (int o = 0; o < 3; o++) place += mean.stress[o] < mean.stress[d] || (mean.stress[o] == mean.stress[d] && o < d);
+        const LoadAlong<double> load = load_along(pulled_along(t, e, slope, mean.stress[d]), bent * size / largest, size);
+        found[place] = {load.traction, strength_along(own, load), e};
+    }
+    if (strengths.plane(k) == 0.0) return 0.0;
+    const PlaneLoad<double> load = load_on_plane(t, facet.normal, facet.bending, own, strengths.friction(k), strengths.steep);
+    found[0].traction = load.traction;
+    found[0].by = {own.strength, load.brittleness};
+    found[1].traction = found[2].traction = 0.0;
+    return load.slides;
+}
+
+// The load factor at which σ1(σ*) of a facet reaches a strength, where the facet is in tension or shear.
+double reaches(const FacetBetween &facet, Vector t, double bent, double strength) {
+    const PulledTraction<double> pull = pulled_traction(t, facet.normal, bent);
+    const double high = largest_of(principal(agreed_stress(facet.mean, facet.normal, pull.t)));
+    if (high <= 0.0) return infinity;
+    if (pull.along > 0.0) return strength / high;
+    // σ1 of a compressive traction is f where t_s² = f (f - t_n)
+    const double across = dot(t, facet.normal), shear = dot(t, t) - across * across;
+    if (shear <= 0.0) return infinity;
+    const double alone = strength * (root(pull.along * pull.along + 4.0 * shear) - pull.along) / (2.0 * shear);
+    return most(strength / high, alone);
+}
+// The load factor at which facet k begins, or inf where it never does.
+double begins(const FacetBetween &facet, Vector t, const FacetStrengths &strengths, Index k) {
+    const CurveShape curve = {strengths.kink, strengths.steep};
+    const PrincipalStress<double> mean = principal(facet.mean);
+    OpenedAlong along[3];
+    const double slides = open_along(facet, t, mean, strengths, k, along);
+    double softens = infinity;
+    for (const OpenedAlong &one : along) softens = least(softens, one.factor(1.0, curve));
+    if (strengths.plane(k) != 0.0) return least(softens, slides > 0.0 ? strengths.cohesion(k) / slides : infinity);
+    return most(reaches(facet, t, facet.opened(mean), strengths.strength(k)), softens);
+}
+
+}  // namespace
+
+// Finds the load factors at which whole facets begin to crack and to soften.
+Index find_onset_factors(Index, const LoadedFacets &loaded, const FacetStrengths &strengths, const OnsetSearch &search) {
+    double below = search.below;
+    for (Index e = 0; e < search.whole.size(); e++) {
+        const Index k = search.whole(e);
+        const FacetBetween facet(loaded, k);
+        const Vector t = loaded.traction.row<const Vector>(k);
+        const double lacks = root(2.0) * (length(t - facet.mean * facet.normal) + facet.bending);
+        const double reach = search.spread * below * (root(square_of(facet.mean)) + lacks);
+        const bool far = strengths.plane(k) == 0.0 && strengths.strength(k) >= reach;
+        search.factor(e) = far ? infinity : begins(facet, t, strengths, k);
+        below = least(below, search.factor(e));
+    }
+    return 0;
+}
+BONDEM_CALL(find_onset_factors, "")
+
+// Finds the load factors at which facets lose integrity along each direction.
+Index find_softening_factors(Index, const LoadedFacets &loaded, const FacetStrengths &strengths,
+                             const SofteningSearch &search) {
+    const CurveShape curve = {strengths.kink, strengths.steep};
+    for (Index e = 0; e < search.facet.size(); e++) {
+        const Index k = search.facet(e);
+        const FacetBetween facet(loaded, k);
+        const Vector t = search.traction.row<const Vector>(e);
+        OpenedAlong along[3];
+        open_along(facet, t, principal(facet.mean), strengths, k, along);
+        for (Index d = 0; d < 3; d++) {
+            const OpenedAlong &one = along[d];
+            search.factor(e, d) = one.factor(search.integrity(e), curve);
+            const double line[3] = {one.traction, one.by.strength, 1.0 / one.by.brittleness};
+            for (Index c = 0; c < 3; c++) search.line(e, d, c) = line[c], search.direction(e, d, c) = one.direction[c];
+        }
+        // nothing is left where the whole opening reaches the last one
+        const double size = length(opening_part(t, facet.normal, dot(t, facet.normal))), end = 1.0 / strengths.brittleness(k);
+        search.gone(e) = strengths.plane(k) == 0.0 && size > 0.0 && end > 0.0 ? end / size : infinity;
+    }
+    return 0;
+}
+BONDEM_CALL(find_softening_factors, "")
+
+// Finds σ* of facets, with what bending opens of them added to the traction that pulls.
+Index find_agreed_stresses(Index, const LoadedFacets &loaded, const StressCandidates &facets) {
+    for (Index e = 0; e < facets.bond.size(); e++) {
+        const Index k = facets.bond(e);
+        const FacetBetween facet(loaded, k);
+        const Vector t = loaded.traction.row<const Vector>(k);
+        const PulledTraction<double> pull = pulled_traction(t, facet.normal, facet.opened(principal(facet.mean)));
+        write_candidate(facets, e, k, agreed_stress(facet.mean, facet.normal, pull.t));
+    }
+    return 0;
+}
+BONDEM_CALL(find_agreed_stresses, "")
+
+// Cuts a softening curve into steps.
+//
+// A step ends where the traction is `ripple` above the curve, as a share of it, and at most a little below that of the
+// onset. It leaves the traction as much below the curve. The last step is where all of them together have dissipated the
+// energy under the curve.
+Index cut_teeth(Index, const SofteningTeeth &teeth) {
+    // a facet whose strength has fallen to a share of that at its onset breaks next; one that softens is a little weaker
+    // than one that has not begun, yet above what the last step has left: it softens further, and others do not begin
+    const double rest = 0.12, below = teeth.ripple > 1e-3 ? 0.999 : 1.0 - 0.5 * teeth.ripple;
+    const CurveShape curve = {teeth.kink, teeth.steep};
+    const double onset = teeth.onset, brittleness = 1.0 / teeth.last, band = teeth.ripple, now = most(teeth.now, onset);
+    const auto bears = [&](double T) { return T * softened(1.0, T, onset, brittleness, curve); };
+    Index count = 0;
+    double T = now, carried = bears(T), left = (1.0 - band) * carried / T, taken = band / (1.0 - band) * left * T * T;
+    for (; teeth.last > now && carried > rest * onset; count++) {
+        const double before = T, s = left;
+        T = least(softens_at(s / (1.0 + band), onset, brittleness, curve), below * onset / s);
+        carried = bears(T);
+        left = carried > rest * onset ? (1.0 - band) * carried / T : 0.0;
+        if (left == 0.0) T = most(before, root(positive(absorbed_from(now, onset, teeth.last, curve) - taken) / s));
+        taken += (s - left) * T * T;
+        if (count >= teeth.limit.size()) continue;
+        teeth.left(count) = s;
+        teeth.limit(count) = T;
+        teeth.beyond(count) = T / softens_at(s, onset, brittleness, curve);
+    }
+    teeth.number(0) = count + 1;
+    return 0;
+}
+BONDEM_CALL(cut_teeth, "")
+
+}  // namespace bondem
