@@ -1795,7 +1795,7 @@ def touch_parted_faces(
     moving: Moving, contact_pairs: ContactPairs, near_pairs: NearPairs, cohesive_cracks: CohesiveCracks,
     crack_lists: CrackLists, parted_reach: PartedReach
 ) -> StepEntry:
-    """Lets the cells touch like others whose faces have parted in this step.
+    """Makes pairs of the cells whose faces have parted in this step.
 
     Over once.
     """

@@ -25,6 +25,7 @@
 // Linear softening: Hillerborg, Modéer and Petersson (1976). Linear rule of mixed mode: Wu and Reuter (1965), as in
 // Camanho and Dávila (2002).
 #pragma once
+#include "../select.hpp"
 #include "beam.hpp"
 
 namespace bondem {
@@ -33,14 +34,10 @@ namespace bondem {
 template <class T> struct OpeningEnergy {
     T opening, sliding;
 };
-template <class T> BONDEM_INLINE T at_least_zero(T a) {
-    const T zero = {};
-    return a > zero ? a : zero;
-}
 // `extension` is ℓ - L [m].
 template <class T> BONDEM_INLINE OpeningEnergy<T> opening_energy(const BeamEnergy<T> &whole, T extension) {
     const T zero = {}, pulled = extension > zero ? whole.normal : zero;
-    return {at_least_zero(whole.bending + pulled), at_least_zero(whole.shear + whole.twisting)};
+    return {positive(T(whole.bending + pulled)), positive(T(whole.shear + whole.twisting))};
 }
 
 // λf over λ0 of a beam that stores at least its fracture energy G A at onset.
@@ -77,20 +74,20 @@ struct SofteningLine {
 // before and a step after, so that it is that of the line as d tends to zero. A whole beam that was pressed has
 // `before` below zero: its pressure, which acts for half a step longer than it is pressed, is made up for.
 inline double softened(double s, const SofteningLine &line, double spent, double before, double opening) {
-    const double step = opening - before, opened = at_least_zero(before);
+    const double step = opening - before, opened = positive(before);
     if (s * opening <= line.at(opening)) return s;
     if (!(step > 0.0)) return line.at(opening) / opening;
     const double next = opening + step, force_next = line.at(next);
     const double absorbed = spent + s * opened * opened, left = line.first * line.last - absorbed - line.beyond(next);
     const double wanted = 0.5 * (left / step - s * opened - force_next);
     const double force = within(wanted, force_next, least(s * opening, line.at(most(opened, line.first))));
-    return least(s, force / opening + 0.5 * at_least_zero(-before) / step);
+    return least(s, force / opening + 0.5 * positive(-before) / step);
 }
 
 // The pressure that the softened part of a beam carries, as force on j over `press` = (1 - s) kn [m], along the branch.
 template <class T> BONDEM_INLINE Vector3<T> pressure_on(Vector3<T> branch, T rest_length) {
     const T present = length(branch);
-    return (at_least_zero(rest_length - present) / present) * branch;
+    return (positive(T(rest_length - present)) / present) * branch;
 }
 
 }  // namespace bondem

@@ -27,11 +27,7 @@ void sum_energies(Index first, Index last, const double *pose, const Beams &beam
     for (Index k = first; k < last; k++) {
         const BeamEnergy<double> energy = beam_energy(ends_of(pose, beams, k), shape_of<double>(beams, k),
                                                       stiffness_of(beams, k, 1.0), beams.ks(k), beams.lever(k));
-        const double s = beams.integrity(k);
-        sum[0] += s * energy.normal;
-        sum[1] += s * energy.shear;
-        sum[2] += s * energy.bending;
-        sum[3] += s * energy.twisting;
+        add_energy(sum, beams.integrity(k), energy);
     }
 }
 

@@ -10,11 +10,7 @@ inline void sum_energies(Index first, Index last, const double *pose, const Elas
     for (Index k = first; k < last; k++) {
         const FacetEnergy<double> energy = facet_energy(ends_of(pose, facets, k), columns.shape<double>(k),
                                                         normal_of(facets, k), columns.stiffness(k, 1.0));
-        const double s = facets.integrity(k);
-        sum[0] += s * energy.normal;
-        sum[1] += s * energy.shear;
-        sum[2] += s * energy.bending;
-        sum[3] += s * energy.twisting;
+        add_energy(sum, facets.integrity(k), energy);
     }
 }
 

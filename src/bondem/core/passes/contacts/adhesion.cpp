@@ -33,15 +33,8 @@ BONDEM_PASS(adhere_pairs, of_elements)
 // Adds adhesion to the elements of a range.
 void add_adhesion_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const AdheringPairs &of,
                         const ContactSums &to) {
-    const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };
-    for (Index q = turn.first / elements_of_portion; q < near.counts.size(); q++) {
-        const Index begin = pairs.start(elements_of_portion * q), end = begin + near.counts(q, 0);
-        for (Index e = begin; e < end; e++) {
-            const Short k = near.near(e), a = pairs.first(k), b = pairs.second(k);
-            if (mine(a)) add_adhesion(of, k, false, &to.sums(a, 0));
-            if (mine(b)) add_adhesion(of, k, true, &to.sums(b, 0));
-        }
-    }
+    over_listed_pairs(turn, pairs, near.near, [&](Index q) { return near.counts(q, 0); },
+                      [&](Short k, Short p, bool later) { add_adhesion(of, k, later, &to.sums(p, 0)); });
 }
 BONDEM_PASS(add_adhesion_loads, of_ranges)
 

@@ -77,7 +77,22 @@ inline PairLoads<double> present_loads(const Moving &all, const ContactConstants
     with_law(c, of, [&](auto law) { loads = pair_loads(law, of, pair, pairs.own(k), memory, 0.0); });
     return loads;
 }
-// True if a bond joins pair k.
+// Calls on(pair, element, true for the later one of the pair) for the elements of a range in the listed pairs of each
+// portion, in the order of the pairs; `count(q)` is the number of pairs of portion q.
+template <class Count, class On>
+BONDEM_INLINE void over_listed_pairs(const Turn &turn, const ContactPairs &pairs, const Array<Short, 1> &list, Count count,
+                                     On on) {
+    const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };
+    for (Index q = turn.first / elements_of_portion; q * elements_of_portion < pairs.start.size() - 1; q++) {
+        const Index begin = pairs.start(elements_of_portion * q), end = begin + count(q);
+        for (Index e = begin; e < end; e++) {
+            const Short k = list(e), a = pairs.first(k), b = pairs.second(k);
+            if (mine(a)) on(k, a, false);
+            if (mine(b)) on(k, b, true);
+        }
+    }
+}
+// Whether a bond joins pair k.
 inline bool bonded(const ContactPairs &pairs, Index k) { return pairs.bond(k) >= 0 && pairs.joined(pairs.bond(k)) > 0.0; }
 
 // Elastic energy of a pair that touches [J].

@@ -16,15 +16,8 @@ BONDEM_PASS(roll_pairs, of_elements)
 // Adds moments of resistance to rolling to the elements of a range.
 void add_rolling_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const RolledPairs &of,
                        const ContactSums &to) {
-    const auto mine = [&](Short p) { return turn.first <= p && p < turn.last; };
-    for (Index q = turn.first / elements_of_portion; q < near.counts.size(); q++) {
-        const Index begin = pairs.start(elements_of_portion * q), end = begin + near.counts(q, 1);
-        for (Index e = begin; e < end; e++) {
-            const Short k = near.close(e), a = pairs.first(k), b = pairs.second(k);
-            if (mine(a)) add_rolling(of, k, false, &to.sums(a, 0));
-            if (mine(b)) add_rolling(of, k, true, &to.sums(b, 0));
-        }
-    }
+    over_listed_pairs(turn, pairs, near.close, [&](Index q) { return near.counts(q, 1); },
+                      [&](Short k, Short p, bool later) { add_rolling(of, k, later, &to.sums(p, 0)); });
 }
 BONDEM_PASS(add_rolling_loads, of_ranges)
 

@@ -13,7 +13,7 @@
 #include "../../tables/stress_onset_tables.hpp"
 #include "../cells/facets.hpp"
 #include "../damage/stress_criteria.hpp"
-#include "crack_rows.hpp"
+#include "crack_places.hpp"
 #include "stress_state.hpp"
 
 namespace bondem {
@@ -63,9 +63,7 @@ struct JudgedFacet {
         normal = present_normal(ends, normal_of(facets, k));
         mean = mean_of(tensor_of(stresses, facets.i(k)), tensor_of(stresses, facets.j(k)));
         const double bent = bending_traction(ends, kept.bends(k), FacetColumns(facets).stiffness(k, 1.0).H);
-        // σ3 is at most the least of the diagonal
-        const bool opens = bent + least(least(least(mean.xx, mean.yy), mean.zz), 0.0) > 0.0;
-        opened = opens ? positive(bent - largest_pressure(principal(mean))) : 0.0;
+        opened = opened_at_most(bent, mean) > 0.0 ? positive(bent - largest_pressure(principal(mean))) : 0.0;
     }
 };
 
@@ -83,8 +81,7 @@ inline bool is_far_below(const StressesOfCells &stresses, const CandidateFacets 
 template <class On>
 inline void with_candidate(const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
                            const StressesOfCells &stresses, const CandidateFacets &onset, Index k, On on) {
-    const double one = 1.0 / onset.area(k);
-    const Vector t = {one * kept.force(0, k), one * kept.force(1, k), one * kept.force(2, k)};
+    const Vector t = (1.0 / onset.area(k)) * Vector{kept.force(0, k), kept.force(1, k), kept.force(2, k)};
     if (is_far_below(stresses, onset, facets.i(k), facets.j(k), k, t)) return;
     const JudgedFacet facet(all, facets, kept, stresses, k);
     const PulledTraction<double> pull = pulled_traction(t, facet.normal, facet.opened);

@@ -67,7 +67,7 @@ void sum_pressed_energies(const Turn &turn, const Moving &all, const Beams &beam
     double sum = 0.0;
     for (Index k = turn.first; k < turn.last; k++) {
         if (bounds.press(k) == 0.0) continue;
-        const double pressed = at_least_zero(beams.length(k) - length(ends_of(all.pose.data, beams, k).branch));
+        const double pressed = positive(beams.length(k) - length(ends_of(all.pose.data, beams, k).branch));
         sum += 0.5 * bounds.press(k) * pressed * pressed;
     }
     portions.bonds(turn.block, 0) += sum;

@@ -7,8 +7,6 @@
 
 namespace bondem {
 
-template <class T> BONDEM_INLINE T larger(T a, T b) { return a > b ? a : b; }
-
 // Angle between the axis e of a beam and that of an end [rad].
 template <class T> BONDEM_INLINE T angle_at(Quaternion<T> end, Vector3<T> direction, Vector3<T> e) {
     const Vector3<T> own = rotate(end, direction);
@@ -22,11 +20,11 @@ BONDEM_INLINE BondLoads<T> seen_loads(const Ends<T> &ends, const BeamShape<T> &s
     const Vector3<T> e = ends.branch / l;
     // the moment at the contact point is that on i, and that of the force on j with the lever there
     const Vector3<T> at_contact = plus(loads.on_i, station * l, cross(e, loads.force));
-    const T at_ends = larger(length(cross(loads.on_i, e)), length(cross(loads.on_j, e)));
+    const T at_ends = most(length(cross(loads.on_i, e)), length(cross(loads.on_j, e)));
     const T bending = station < zero ? at_ends : length(cross(at_contact, e));
     T angle = {};
     if constexpr (Criterion::sees_angles)
-        angle = larger(angle_at(ends.i, shape.direction, e), angle_at(ends.j, shape.direction, e));
+        angle = most(angle_at(ends.i, shape.direction, e), angle_at(ends.j, shape.direction, e));
     return {-dot(loads.force, e), length(cross(loads.force, e)), bending,
             absolute(dot(loads.on_i, e)), l / shape.length - 1.0, angle};
 }

@@ -35,6 +35,7 @@
 // No bit depends on threads, on blocks or on pauses: failure is decided bond by bond, from the poses alone.
 #pragma once
 #include "../../laws/criteria/loads.hpp"
+#include "../../select.hpp"
 #include "../../steps.hpp"
 #include "../../tables/damage_tables.hpp"
 #include "../../vector3.hpp"
@@ -57,17 +58,6 @@ BONDEM_INLINE Lanes limits_of(const float *limit) {
     typedef float Floats __attribute__((vector_size(lanes * 4), aligned(4)));
     return __builtin_convertvector(*reinterpret_cast<const Floats *>(limit), Lanes);
 }
-BONDEM_INLINE bool any_reaches(Lanes size, Lanes limit) {
-    const auto reached = size >= limit;
-#if defined(__clang__)
-    return __builtin_reduce_or(reached) != 0;
-#else
-    bool any = false;
-    for (int n = 0; n < lanes; n++) any |= reached[n] != 0;
-    return any;
-#endif
-}
-
 // Marks of a block, to which a pass over its bonds writes those that reach their bounds.
 class Marks {
   public:
@@ -80,7 +70,7 @@ class Marks {
     template <class On>
     BONDEM_INLINE void for_each_near(Index k, int known, Lanes force_squared, Lanes moment_squared, On on) const {
         const Lanes size = of_force * force_squared + of_moment * moment_squared, bound = limits_of(limit + k);
-        if (__builtin_expect(any_reaches(size, bound), 0))
+        if (__builtin_expect(any(size >= bound), 0))
             for (int n = known; n < lanes; n++)
                 if (size[n] >= bound[n]) on(n);
     }

@@ -18,15 +18,12 @@ struct FacetBetween {
     Symmetric3<double> mean;  // of both cells [Pa]
     double bending;  // T_b [Pa]
 
-    FacetBetween(const LoadedFacets &loaded, Index k)
-        : normal(loaded.normal.row<const Vector>(k)),
-          mean(mean_of(loaded.tensor.row<const Symmetric3<double>>(loaded.i(k)),
-                       loaded.tensor.row<const Symmetric3<double>>(loaded.j(k)))),
-          bending(loaded.bending(k)) {}
-    double opened(const PrincipalStress<double> &principal_mean) const {
-        return positive(bending - largest_pressure(principal_mean));
-    }
+    double opened(const PrincipalStress<double> &of_mean) const { return positive(bending - largest_pressure(of_mean)); }
 };
+FacetBetween facet_at(const LoadedFacets &loaded, Index k) {
+    const auto stress = [&](Index p) { return loaded.tensor.row<const Symmetric3<double>>(p); };
+    return {loaded.normal.row<const Vector>(k), mean_of(stress(loaded.i(k)), stress(loaded.j(k))), loaded.bending(k)};
+}
 
 // What opens a facet along a direction, and its strength and last opening there.
 struct OpenedAlong {
@@ -93,7 +90,7 @@ Index find_onset_factors(Index, const LoadedFacets &loaded, const FacetStrengths
     double below = search.below;
     for (Index e = 0; e < search.whole.size(); e++) {
         const Index k = search.whole(e);
-        const FacetBetween facet(loaded, k);
+        const FacetBetween facet = facet_at(loaded, k);
         const Vector t = loaded.traction.row<const Vector>(k);
         const double lacks = root(2.0) * (length(t - facet.mean * facet.normal) + facet.bending);
         const double reach = search.spread * below * (root(square_of(facet.mean)) + lacks);
@@ -111,7 +108,7 @@ Index find_softening_factors(Index, const LoadedFacets &loaded, const FacetStren
     const CurveShape curve = {strengths.kink, strengths.steep};
     for (Index e = 0; e < search.facet.size(); e++) {
         const Index k = search.facet(e);
-        const FacetBetween facet(loaded, k);
+        const FacetBetween facet = facet_at(loaded, k);
         const Vector t = search.traction.row<const Vector>(e);
         OpenedAlong along[3];
         open_along(facet, t, principal(facet.mean), strengths, k, along);
@@ -133,7 +130,7 @@ BONDEM_CALL(find_softening_factors, "")
 Index find_agreed_stresses(Index, const LoadedFacets &loaded, const StressCandidates &facets) {
     for (Index e = 0; e < facets.bond.size(); e++) {
         const Index k = facets.bond(e);
-        const FacetBetween facet(loaded, k);
+        const FacetBetween facet = facet_at(loaded, k);
         const Vector t = loaded.traction.row<const Vector>(k);
         const PulledTraction<double> pull = pulled_traction(t, facet.normal, facet.opened(principal(facet.mean)));
         write_candidate(facets, e, k, agreed_stress(facet.mean, facet.normal, pull.t));

@@ -100,7 +100,7 @@ inline Verdict<double> begin_beam(const Moving &all, const Beams &beams, const S
     const Verdict<double> verdict = verdict_apart<Criterion>(now, beams, bounds, k);
     if (!(verdict.index >= 1.0)) return verdict;
     const Ends<double> then = ends_of(row_before(all, beams.i(k), dt), row_before(all, beams.j(k), dt), beams);
-    const double index = at_least_zero(verdict_apart<Criterion>(then, beams, bounds, k).index);
+    const double index = positive(verdict_apart<Criterion>(then, beams, bounds, k).index);
     const double share = index < 1.0 ? (1.0 - index) / (verdict.index - index) : 0.0;
     const OpeningEnergy<double> before = opening_energy_of(then, beams, k), after = opening_energy_of(now, beams, k);
     const auto between = [&](double a, double b) {

@@ -53,11 +53,7 @@ void sum_stored_energies(const Turn &turn, const Moving &all, const Beams &beams
         const Vector apart = branch_of(all.pose.data, beams, k);
         const BeamEnergy<double> energy =
             stored_energy(history(k), apart / length(apart), stored_stiffness<double>(beams, stored, k));
-        const double s = beams.integrity(k);
-        sum[0] += s * energy.normal;
-        sum[1] += s * energy.shear;
-        sum[2] += s * energy.bending;
-        sum[3] += s * energy.twisting;
+        add_energy(sum, beams.integrity(k), energy);
     }
 }
 BONDEM_PASS(sum_stored_energies, of_bonds)

@@ -28,7 +28,7 @@ void mark_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stre
         const Coefficients<Lanes> own = {coefficient(0), coefficient(1), coefficient(2), coefficient(3)};
         const Lanes index = bound_of_index(i, j, own);
         const Lanes s = load(beams.integrity.data + k), zero = {}, one = zero + 1.0;
-        if (__builtin_expect(any_reaches(s > zero ? index : zero, one), 0))
+        if (__builtin_expect(any((s > zero ? index : zero) >= one), 0))
             for (int n = group.known; n < lanes; n++)
                 if (s[n] > 0.0 && index[n] >= 1.0) candidates.marked(next++) = k + n;
     });
