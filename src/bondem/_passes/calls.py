@@ -148,7 +148,7 @@ def evaluate_yielding(yield_samples: YieldSamples) -> Call:
 
 
 def find_agreed_stresses(loaded_facets: LoadedFacets, stress_candidates: StressCandidates) -> Call:
-    """Finds σ* of facets, with what bending opens of them added to the traction that pulls."""
+    """Finds σ* of facets, with the opening traction of bending added to their traction."""
     return Call("find_agreed_stresses", (loaded_facets, stress_candidates))
 
 

@@ -38,7 +38,7 @@ class OnsetSearch(NamedTuple):
     whole: Ints  #: (whole,)
     below: float  #: largest factor of interest
     spread: float  #: largest factor over the least of all
-    factor: Floats  #: inf of facets that are passed over, or never begin, (whole,)
+    factor: Floats  #: inf of facets that are not evaluated, or never begin, (whole,)
 
 
 class SofteningSearch(NamedTuple):
@@ -53,7 +53,7 @@ class SofteningSearch(NamedTuple):
     #: integrity, 0 of brittle ones [Pa], (listed, 3, 3)
     line: Floats
     direction: Floats  #: these directions, by rows; without meaning for material planes, (listed, 3, 3)
-    gone: Floats  #: load factors at which nothing is left in any direction, (listed,)
+    gone: Floats  #: load factors at which the integrity is zero in all directions, (listed,)
 
 
 class SofteningTeeth(NamedTuple):
@@ -65,7 +65,7 @@ class SofteningTeeth(NamedTuple):
     steep: float  #: of the curve
     ripple: float  #: half-width of the band, as a share
     now: float  #: T at the beginning, if it exceeds the onset [Pa]
-    left: Floats  #: integrity after each event but the last, which leaves none, (teeth,)
+    left: Floats  #: integrity after each event but the last, after which it is zero, (teeth,)
     limit: Floats  #: T of the event behind it [Pa], (teeth,)
     beyond: Floats  #: over T at which the curve itself softens the facet further [-], (teeth,)
-    number: Ints  #: number of steps, of which only as many are written as there is room, (1,)
+    number: Ints  #: number of steps; only as many are written as there is room, (1,)

@@ -18,7 +18,7 @@ from bondem.damage.stress_passes import new_stress_candidates
 def onset_factors(
     loaded: LoadedFacets, strengths: FacetStrengths, whole: Ints, below: float = math.inf, spread: float = math.inf
 ) -> PerBond:
-    """Return the load factors at which whole facets begin to crack, inf for those that are passed over, (c,).
+    """Return the load factors at which whole facets begin to crack, inf for those that are not evaluated, (c,).
 
     Args:
         loaded: loads of facets and cells at a factor of 1.

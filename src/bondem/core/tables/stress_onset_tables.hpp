@@ -34,7 +34,7 @@ struct OnsetSearch {
     Array<const Index, 1> whole;  // (whole,)
     double below;  // largest factor of interest
     double spread;  // largest factor over the least of all
-    Array<double, 1> factor;  // inf of facets that are passed over, or never begin, (whole,)
+    Array<double, 1> factor;  // inf of facets that are not evaluated, or never begin, (whole,)
 };
 // Facets that have begun to crack, and the load factors at which they soften further.
 struct SofteningSearch {
@@ -47,7 +47,7 @@ struct SofteningSearch {
     // integrity, 0 of brittle ones [Pa], (listed, 3, 3)
     Array<double, 3> line;
     Array<double, 3> direction;  // these directions, by rows; without meaning for material planes, (listed, 3, 3)
-    Array<double, 1> gone;  // load factors at which nothing is left in any direction, (listed,)
+    Array<double, 1> gone;  // load factors at which the integrity is zero in all directions, (listed,)
 };
 // Steps of a softening curve within a band around it.
 struct SofteningTeeth {
@@ -57,10 +57,10 @@ struct SofteningTeeth {
     double steep;  // of the curve
     double ripple;  // half-width of the band, as a share
     double now;  // T at the beginning, if it exceeds the onset [Pa]
-    Array<double, 1> left;  // integrity after each event but the last, which leaves none, (teeth,)
+    Array<double, 1> left;  // integrity after each event but the last, after which it is zero, (teeth,)
     Array<double, 1> limit;  // T of the event behind it [Pa], (teeth,)
     Array<double, 1> beyond;  // over T at which the curve itself softens the facet further [-], (teeth,)
-    Array<Index, 1> number;  // number of steps, of which only as many are written as there is room, (1,)
+    Array<Index, 1> number;  // number of steps; only as many are written as there is room, (1,)
 };
 
 }  // namespace bondem

@@ -92,7 +92,7 @@ BONDEM_INLINE void over_listed_pairs(const Turn &turn, const ContactPairs &pairs
         }
     }
 }
-// Whether a bond joins pair k.
+// True if a bond joins pair k.
 inline bool bonded(const ContactPairs &pairs, Index k) { return pairs.bond(k) >= 0 && pairs.joined(pairs.bond(k)) > 0.0; }
 
 // Elastic energy of a pair that touches [J].

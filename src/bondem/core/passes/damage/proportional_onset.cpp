@@ -1,9 +1,9 @@
-// When facets begin to crack, and soften further, where everything is proportional to a load factor.
+// Onset and softening of facets in a body whose loads are all proportional to a load factor.
 //
-// A facet of the material begins where σ1(σ*) reaches its strength f (`laws/agreed_stress.hpp`), where it is in tension or
-// shear, and where its opening along a principal direction of the mean stress σ of its cells is enough for softening
-// (`laws/softening.hpp`). With r = t - σ n and what bends added to r, σ1(σ*) is at most |σ| + √2 |r|: facets that are far
-// from it are passed over. A facet of a material plane begins by its own traction.
+// A facet of the material begins to crack if σ1(σ*) reaches its strength f (`laws/agreed_stress.hpp`), if it is in tension
+// or shear, and if its opening along a principal direction of the mean stress σ of its cells is enough for softening
+// (`laws/softening.hpp`). With r = t - σ n and the traction of bending added to r, σ1(σ*) is at most |σ| + √2 |r|:
+// facets far below that bound are not evaluated. A facet of a material plane begins by its own traction.
 #include "../../laws/agreed_stress.hpp"
 #include "../../laws/softening.hpp"
 #include "../../registered.hpp"
@@ -25,7 +25,7 @@ FacetBetween facet_at(const LoadedFacets &loaded, Index k) {
     return {loaded.normal.row<const Vector>(k), mean_of(stress(loaded.i(k)), stress(loaded.j(k))), loaded.bending(k)};
 }
 
-// What opens a facet along a direction, and its strength and last opening there.
+// Traction that opens a facet along a direction, with its strength and last opening there.
 struct OpenedAlong {
     double traction;  // [Pa]
     Softening<double> by;
@@ -36,8 +36,8 @@ struct OpenedAlong {
         return traction > 0.0 && !broken ? softens_at(s, by.strength, by.brittleness, curve) / traction : infinity;
     }
 };
-// Finds that along the principal directions of the mean stress, from σ3 to σ1, under a traction t; of a plane there is one.
-// Returns what slides a facet of a plane [Pa].
+// Finds the openings along the principal directions of the mean stress, from σ3 to σ1, under a traction t; that of a plane
+// is one. Returns the traction that slides a facet of a plane [Pa].
 double open_along(const FacetBetween &facet, Vector t, const PrincipalStress<double> &mean, const FacetStrengths &strengths,
                   Index k, OpenedAlong *found) {
     const Softening<double> own = {strengths.strength(k), strengths.brittleness(k)};
@@ -59,7 +59,7 @@ double open_along(const FacetBetween &facet, Vector t, const PrincipalStress<dou
     return load.slides;
 }
 
-// The load factor at which σ1(σ*) of a facet reaches a strength, where the facet is in tension or shear.
+// Load factor at which σ1(σ*) of a facet in tension or shear reaches a strength, or inf.
 double reaches(const FacetBetween &facet, Vector t, double bent, double strength) {
     const PulledTraction<double> pull = pulled_traction(t, facet.normal, bent);
     const double high = largest_of(principal(agreed_stress(facet.mean, facet.normal, pull.t)));
@@ -71,7 +71,7 @@ double reaches(const FacetBetween &facet, Vector t, double bent, double strength
     const double alone = strength * (root(pull.along * pull.along + 4.0 * shear) - pull.along) / (2.0 * shear);
     return most(strength / high, alone);
 }
-// The load factor at which facet k begins, or inf where it never does.
+// Load factor at which facet k begins to crack, or inf.
 double begins(const FacetBetween &facet, Vector t, const FacetStrengths &strengths, Index k) {
     const CurveShape curve = {strengths.kink, strengths.steep};
     const PrincipalStress<double> mean = principal(facet.mean);
@@ -118,7 +118,7 @@ Index find_softening_factors(Index, const LoadedFacets &loaded, const FacetStren
             const double line[3] = {one.traction, one.by.strength, 1.0 / one.by.brittleness};
             for (Index c = 0; c < 3; c++) search.line(e, d, c) = line[c], search.direction(e, d, c) = one.direction[c];
         }
-        // nothing is left where the whole opening reaches the last one
+        // the integrity is zero where the whole opening reaches the last one
         const double size = length(opening_part(t, facet.normal, dot(t, facet.normal))), end = 1.0 / strengths.brittleness(k);
         search.gone(e) = strengths.plane(k) == 0.0 && size > 0.0 && end > 0.0 ? end / size : infinity;
     }
@@ -126,7 +126,7 @@ Index find_softening_factors(Index, const LoadedFacets &loaded, const FacetStren
 }
 BONDEM_CALL(find_softening_factors, "")
 
-// Finds σ* of facets, with what bending opens of them added to the traction that pulls.
+// Finds σ* of facets, with the opening traction of bending added to their traction.
 Index find_agreed_stresses(Index, const LoadedFacets &loaded, const StressCandidates &facets) {
     for (Index e = 0; e < facets.bond.size(); e++) {
         const Index k = facets.bond(e);
@@ -142,11 +142,11 @@ BONDEM_CALL(find_agreed_stresses, "")
 // Cuts a softening curve into steps.
 //
 // A step ends where the traction is `ripple` above the curve, as a share of it, and at most a little below that of the
-// onset. It leaves the traction as much below the curve. The last step is where all of them together have dissipated the
-// energy under the curve.
+// onset. After it the traction is as much below the curve. At the last step all steps together have dissipated the energy
+// under the curve.
 Index cut_teeth(Index, const SofteningTeeth &teeth) {
-    // a facet whose strength has fallen to a share of that at its onset breaks next; one that softens is a little weaker
-    // than one that has not begun, yet above what the last step has left: it softens further, and others do not begin
+    // a facet whose strength has fallen to the share `rest` of that at its onset breaks next; the limit `below` of a facet
+    // that softens is less than the onset, so that it softens further before others begin, and above the last traction
     const double rest = 0.12, below = teeth.ripple > 1e-3 ? 0.999 : 1.0 - 0.5 * teeth.ripple;
     const CurveShape curve = {teeth.kink, teeth.steep};
     const double onset = teeth.onset, brittleness = 1.0 / teeth.last, band = teeth.ripple, now = most(teeth.now, onset);

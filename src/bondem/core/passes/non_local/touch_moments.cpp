@@ -18,12 +18,6 @@ void add_to_stress(const double *pose, const LaggedStresses &stresses, Short p, 
     for (Index c = 0; c < 6; c++) stresses.stress(p, c) += all[c];
 }
 
-// Force of a pair on its later element, with its present memory [N].
-Vector present_force(const Moving &all, const ContactConstants &c, const ContactPairs &pairs, Index k) {
-    const Vector *const kept = &pairs.memory.row<Vector>(k);
-    return present_loads(all, c, pairs, k, {kept[0], kept[1]}).contact.force;
-}
-
 }  // namespace
 
 void add_begun_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
@@ -33,7 +27,8 @@ void add_begun_contacts(const Turn &, const Moving &all, const ContactConstants 
         const Index k = pairs.of_bond(bond);
         if (k < 0 || pairs.touch(k) != touching) return;
         const TouchLevers lever(c, pairs, k, branch_of(pose, pairs, k));
-        const Vector force = present_force(all, c, pairs, k);
+        const Vector *const kept = &pairs.memory.row<Vector>(k);
+        const Vector force = present_loads(all, c, pairs, k, {kept[0], kept[1]}).contact.force;
         add_to_stress(pose, stresses, pairs.first(k), lever.of_first, -force);
         add_to_stress(pose, stresses, pairs.second(k), lever.of_second, force);
     });
