@@ -21,7 +21,7 @@ from bondem.labtests.outcome import Outcome
 from bondem.report.breakage_figures import draw_energies, draw_pieces
 from bondem.report.captions import CAPTIONS, OF_CELLS
 from bondem.report.cell_figures import draw_bent, draw_body
-from bondem.report.criterion_told import told
+from bondem.report.criterion_text import parameter_texts
 from bondem.report.dynamic_figures import draw_modes, draw_vibration, draw_wave
 from bondem.report.fabric_figures import draw_distribution, draw_layering
 from bondem.report.findings import Findings
@@ -216,7 +216,7 @@ def page(findings: Findings, pictures: dict[str, Picture], undrawn: Mapping[str,
         ),
         quality=quality_rows(findings.specimens),
         shape=measures(findings.specimens[0].lattice.particles.envelope),
-        failures=[(part, type(one).__name__, told(one)) for part, one in findings.failures.items()],
+        failures=[(part, type(one).__name__, parameter_texts(one)) for part, one in findings.failures.items()],
         undrawn=undrawn,
     )
 

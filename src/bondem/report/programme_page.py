@@ -8,7 +8,7 @@ from typing import Any
 from bondem.damage.criteria.criterion import Criterion
 from bondem.io.atomic import make_folder, write_text
 from bondem.report.captions import CAPTIONS
-from bondem.report.criterion_told import told
+from bondem.report.criterion_text import parameter_texts
 from bondem.report.page import PHONE, Picture, templates
 from bondem.report.programme_figure import draw_targets
 from bondem.report.style import narrow
@@ -77,7 +77,7 @@ def write_programme(
     page = templates().get_template("programme.html").render(
         title=title,
         material=material,
-        failures=[(part, type(one).__name__, told(one)) for part, one in failures.items()],
+        failures=[(part, type(one).__name__, parameter_texts(one)) for part, one in failures.items()],
         rows=rows,
         chapters=chapters,
         summary=summary,

@@ -11,7 +11,7 @@ _STRESSES = ("tension", "compression", "cohesion", "hydrostatic")
 _ANGLES = ("friction_angle",)
 
 
-def told(criterion: Criterion) -> list[tuple[str, str]]:
+def parameter_texts(criterion: Criterion) -> list[tuple[str, str]]:
     """Names and values of a criterion, without zero and default parameters; angles in degrees."""
     found: list[tuple[str, str]] = []
     for item in fields(criterion):
