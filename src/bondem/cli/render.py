@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from bondem.cli.seeing import SHOWN, seeing
+from bondem.cli.pictures import SHOWN, pictures
 
 
 @click.command("render")
@@ -32,7 +32,7 @@ def command(
 
     The optional extra is required: pip install -e ".[view]" in a clone.
     """
-    place = seeing().render_run(
+    place = pictures().render_run(
         run_file, out or run_file.with_suffix(".png"), field=field, show=show, snapshot=snapshot, section=section,
         warp=warp, size=size, camera=camera, walls=walls, axes=axes,
     )  # fmt: skip

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from bondem.cli.seeing import SHOWN, seeing
+from bondem.cli.pictures import SHOWN, pictures
 
 
 @click.command("view")
@@ -22,4 +22,4 @@ def command(run_file: Path, field: str | None, show: str, snapshot: int, warp: f
     A display and the optional extra are required: pip install -e ".[view]" in a clone. Without a display the exit
     status is 2.
     """
-    seeing().view_run(run_file, field=field, show=show, snapshot=snapshot, warp=warp, camera=camera)
+    pictures().view_run(run_file, field=field, show=show, snapshot=snapshot, warp=warp, camera=camera)

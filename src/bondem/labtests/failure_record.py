@@ -10,7 +10,7 @@ import numpy as np
 from bondem._types import Floats
 from bondem.damage.cohesive_softening import Softening
 from bondem.labtests.cracking import Cracking
-from bondem.labtests.suited import Suited
+from bondem.labtests.requirements import Requirements
 from bondem.specimen.lattice import Lattice
 
 # SI unit of a display unit.
@@ -110,7 +110,7 @@ class FailureTest:
         perform: runs the test; called with body, law, failure and, by keyword, density, progress and the options.
         figure: style of its figures.
         options: options in studies, by name.
-        suited: specimens that the test needs; None for a bar along x.
+        requirements: specimens that the test needs; None for a bar along x.
         yields: True if the cells of the material have to yield.
         uniform: True if one law and one criterion are needed.
         bonded: True if the test accepts bonded spheres.
@@ -129,7 +129,7 @@ class FailureTest:
     perform: Callable[..., Any]
     figure: TestFigure
     options: Mapping[str, TestOption] = field(default_factory=dict)
-    suited: Suited | None = None
+    requirements: Requirements | None = None
     yields: bool = False
     uniform: bool = False
     bonded: bool = True

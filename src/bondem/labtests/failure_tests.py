@@ -32,7 +32,7 @@ from bondem.labtests.failure.uniaxial_compression import uniaxial_compression
 from bondem.labtests.failure_record import Curve, FailureTest, TestFigure, TestOption
 from bondem.labtests.outcome import Outcome
 from bondem.labtests.quasi_static_rig import StrengthTest, softening_of
-from bondem.labtests.suited import BALLS, BEAM, BORED, DISC
+from bondem.labtests.requirements import BALLS, BEAM, BORED, DISC
 from bondem.specimen.lattice import Lattice
 from bondem.statics.quasistatic.quasistatic_run import QuasistaticResult
 
@@ -142,7 +142,7 @@ _RECORDS = (
         energy=energy_ledger, figure=TestFigure("Uniaxial compression", slips=True, quantity="compressive strength"),
     ),
     FailureTest(
-        name="brazilian", perform=brazilian, suited=DISC, options={"half_angle": TestOption("rad"), **_PLATENS},
+        name="brazilian", perform=brazilian, requirements=DISC, options={"half_angle": TestOption("rad"), **_PLATENS},
         theory=_tensile, more=_worked, energy=energy_ledger,
         figure=TestFigure(
             "Brazilian test", strain="closing / D", stress="2 P / (π D t)", azimuth=math.radians(62.0),
@@ -157,7 +157,7 @@ _RECORDS = (
         ),
     ),
     FailureTest(
-        name="three_point_bending", perform=_bend, suited=BEAM,
+        name="three_point_bending", perform=_bend, requirements=BEAM,
         options={"span": TestOption("m"), "until": TestOption("-")}, more=_bending, energy=energy_ledger,
         integrity=_bent_integrity, curve=_load_curve, told=_bent,
         figure=TestFigure(
@@ -167,14 +167,14 @@ _RECORDS = (
         ),
     ),
     FailureTest(
-        name="shear", perform=shear, suited=BORED, more=_worked, energy=energy_ledger,
+        name="shear", perform=shear, requirements=BORED, more=_worked, energy=energy_ledger,
         figure=TestFigure(
             "Shear test", strain="piston / ligament", stress="mean shear stress", halved=True,
             quantity="mean shear stress at failure",
         ),
     ),
     FailureTest(
-        name="sphere_crushing", perform=sphere_crushing, suited=BALLS, options={"friction": TestOption("-")},
+        name="sphere_crushing", perform=sphere_crushing, requirements=BALLS, options={"friction": TestOption("-")},
         told=_crushed, cracking=_parted,
         figure=TestFigure(
             "Crushing of a ball", strain="closing / D", stress="2.8 F / (π D²)",
@@ -182,7 +182,7 @@ _RECORDS = (
         ),
     ),
     FailureTest(
-        name="sphere_impact", perform=sphere_impact, suited=BALLS,
+        name="sphere_impact", perform=sphere_impact, requirements=BALLS,
         options={"velocity": TestOption("m/s", needed=True), "friction": TestOption("-")},
         measured=lambda test: test.damage, unit="-", curve=lambda test: (test.time, test.force), told=_thrown,
         cracking=_parted,
@@ -204,7 +204,7 @@ _RECORDS = (
 #: Tests to failure by their names in studies, in the order of figures.
 FAILURE_TESTS: Mapping[str, FailureTest] = {one.name: one for one in _RECORDS}
 #: Tests of a ball.
-OF_BALLS = tuple(one.name for one in _RECORDS if one.suited is BALLS)
+OF_BALLS = tuple(one.name for one in _RECORDS if one.requirements is BALLS)
 
 
 def failure_outcome(

@@ -25,7 +25,7 @@ from bondem.io.vtk import write_vtkhdf
 from bondem.labtests.elastic_tests import ELASTIC_TESTS, ElasticBar
 from bondem.labtests.failure_tests import FAILURE_TESTS, failure_outcome
 from bondem.labtests.outcome import Outcome
-from bondem.labtests.suited import broken_only
+from bondem.labtests.requirements import broken_only
 from bondem.labtests.tension import static_tension, tension_model
 from bondem.model.model import Model
 from bondem.model.state import State

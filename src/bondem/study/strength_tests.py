@@ -3,7 +3,7 @@
 from bondem.errors import StudyError
 from bondem.geometry.shape import Shape
 from bondem.labtests.failure_tests import FAILURE_TESTS, OF_BALLS
-from bondem.labtests.suited import BALL, broken_only, cut_as
+from bondem.labtests.requirements import BALL, broken_only, cut_as
 from bondem.study.toml_table import TomlTable
 
 
@@ -41,10 +41,10 @@ def require_specimen(tests: tuple[str, ...], shape: Shape) -> None:
     """
     cut, reason = cut_as(shape), broken_only(shape)
     for name in tests:
-        suited = FAILURE_TESTS[name].suited if name in FAILURE_TESTS else None
-        if suited is not None and not suited.fits(shape):
-            raise StudyError(f"'tests' contains {name}, which does not suit this specimen; use {suited.advice}")
-        if cut is not None and suited is None:
+        required = FAILURE_TESTS[name].requirements if name in FAILURE_TESTS else None
+        if required is not None and not required.fits(shape):
+            raise StudyError(f"'tests' contains {name}, which does not suit this specimen; use {required.advice}")
+        if cut is not None and required is None:
             raise StudyError(
                 f"'tests' contains {name}, but the specimen has a {cut}; write a study for each"
             )

@@ -18,7 +18,7 @@ from bondem.interactions.law_catalogue import CALIBRATED, CELL_LAWS
 from bondem.io.text_file import read_text
 from bondem.labtests.elastic_tests import ELASTIC_TESTS
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.labtests.suited import broken_only
+from bondem.labtests.requirements import broken_only
 from bondem.packing import EVEN, SEED
 from bondem.specimen import materials
 from bondem.specimen.material import Material

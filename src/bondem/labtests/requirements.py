@@ -11,7 +11,7 @@ NOTCH, BORING, BALL = "notch", "boring", "ball"
 
 
 @dataclass(frozen=True)
-class Suited:
+class Requirements:
     """Specimens that a test needs.
 
     Attributes:
@@ -33,10 +33,10 @@ def cut_as(shape: Shape) -> str | None:
     return shape.name if isinstance(shape, Cut) and shape.name in (NOTCH, BORING) else None
 
 
-DISC = Suited(lambda shape: isinstance(shape, Cylinder), 'a specimen.shape of "cylinder"')
-BEAM = Suited(
+DISC = Requirements(lambda shape: isinstance(shape, Cylinder), 'a specimen.shape of "cylinder"')
+BEAM = Requirements(
     lambda shape: isinstance(shape, Box | BoundingBox) or cut_as(shape) == NOTCH,
     'a specimen.shape of "box", notched or not',
 )
-BORED = Suited(lambda shape: cut_as(shape) == BORING, 'specimen.shape = "punch"')
-BALLS = Suited(lambda shape: isinstance(shape, Ball), 'specimen.shape = "ball"')
+BORED = Requirements(lambda shape: cut_as(shape) == BORING, 'specimen.shape = "punch"')
+BALLS = Requirements(lambda shape: isinstance(shape, Ball), 'specimen.shape = "ball"')

@@ -10,7 +10,7 @@ from bondem.errors import InputError
 SHOWN = ("auto", "elements", "cells", "cracks", "bonds")
 
 
-def seeing() -> Any:
+def pictures() -> Any:
     """Import the module that draws run files.
 
     Raises:
