@@ -1,6 +1,6 @@
 """Coverage-guided fuzzing of the readers of studies and of run files, by libFuzzer (`pip install atheris`).
 
-A study is mutated as text, from all examples and beginnings; a run file as bytes, from two small runs. Each input has
+A study is mutated as text, from all examples and templates; a run file as bytes, from two small runs. Each input has
 to be refused in one line, or taken: a study then holds finite numbers only, and a run file the state, the records and
 the masses that were written. Whatever else happens, a traceback, a hang of ten seconds, a crash of the process, ends
 the fuzzing and leaves the input in the folder.

@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from bondem.cli.streams import in_ascii
-from bondem.study.beginnings import template
+from bondem.study.template_files import template
 from tests.clean_install import STUDY
 
 

@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import bondem as bd
-from bondem.specimen.geode import geode
+from bondem.specimen.direction_sphere import direction_sphere
 from tests.specimens import crystal
 
 # Crystals and handfuls of spheres stick out of the boxes they are measured in.
@@ -28,7 +28,7 @@ def chain(direction):
 
 
 def test_geode_is_a_sphere_of_320_faces():
-    sphere = geode()
+    sphere = direction_sphere()
     assert sphere.vertices.shape == (162, 3)
     assert sphere.faces.shape == (320, 3)
     np.testing.assert_allclose(np.linalg.norm(sphere.vertices, axis=1), 1.0, rtol=1e-14)
@@ -41,14 +41,14 @@ def test_geode_is_a_sphere_of_320_faces():
 
 
 def test_opposite_faces_are_mirror_images_through_the_centre():
-    sphere = geode()
+    sphere = direction_sphere()
     centre = sphere.vertices[sphere.faces].mean(axis=1)
     np.testing.assert_allclose(centre[sphere.opposite], -centre, atol=1e-12)
     np.testing.assert_allclose(sphere.solid_angle[sphere.opposite], sphere.solid_angle, rtol=1e-12)
 
 
 def test_directions_fall_into_the_face_they_cross():
-    sphere = geode()
+    sphere = direction_sphere()
     n = directions(5000)
     corner = sphere.vertices[sphere.faces[sphere.face_of(n)]]
     for k in range(3):
@@ -57,7 +57,7 @@ def test_directions_fall_into_the_face_they_cross():
 
 
 def test_faces_catch_their_solid_angle():
-    sphere = geode()
+    sphere = direction_sphere()
     count = np.bincount(sphere.face_of(directions(400_000)), minlength=320)
     expected = 400_000 * sphere.solid_angle / (4.0 * math.pi)
     assert ((count - expected) ** 2 / expected).sum() / 319 == pytest.approx(1.0, abs=4.0 * math.sqrt(2.0 / 319))
@@ -65,7 +65,7 @@ def test_faces_catch_their_solid_angle():
 
 def test_eq_11_against_the_sum_written_out():
     n = directions(700)
-    sphere = geode()
+    sphere = direction_sphere()
     e = 0.0
     both = np.concatenate([sphere.face_of(n), sphere.face_of(-n)])
     for face in range(320):
@@ -85,7 +85,7 @@ def test_eq_11_of_a_straight_chain_shows_that_the_printed_limit_excludes_nothing
 
 def test_chi2_counts_each_bond_once_in_160_classes():
     n = directions(3000, seed=4)
-    sphere = geode()
+    sphere = direction_sphere()
     first = np.flatnonzero(np.arange(320) < sphere.opposite)
     face = sphere.face_of(n)
     observed = np.array([np.count_nonzero((face == f) | (face == sphere.opposite[f])) for f in first])

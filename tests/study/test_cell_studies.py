@@ -17,10 +17,10 @@ from bondem.labtests.tension import tension_model
 from bondem.observables.cell_forces import CellForces
 from bondem.observables.cell_stress import dilatation
 from bondem.report.cell_pictures import section_through
-from bondem.study.beginnings import TEMPLATES, template
 from bondem.study.pipeline import run_study
 from bondem.study.programme import Programme, read
 from bondem.study.study_file import TESTS, parse_study, read_study
+from bondem.study.template_files import TEMPLATES, template
 from tests.drawings import only
 from tests.specimens import cells
 

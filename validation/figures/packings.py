@@ -12,8 +12,8 @@ from matplotlib.colors import Normalize
 from bondem._types import Floats, Ints
 from bondem.report.spheres import View, render, tubes
 from bondem.report.style import DIVERGING, SEQUENTIAL, sheet
+from bondem.specimen.direction_sphere import direction_sphere
 from bondem.specimen.fabric import fabric
-from bondem.specimen.geode import geode
 from bondem.specimen.interior import region
 from bondem.specimen.lattice import Lattice
 from validation.figures.solids import render_triangles
@@ -108,7 +108,7 @@ def draw_histograms(path: Path, lattices: Sequence[Lattice], titles: Sequence[st
 
 def _density_inside(lattice: Lattice) -> Floats:
     """Bond directions away from the walls on each face, over what an isotropic fabric would have, (320,)."""
-    sphere, particles = geode(), lattice.particles
+    sphere, particles = direction_sphere(), lattice.particles
     far = region(particles).depth(particles.position) >= _CORE_DEPTH * particles.mean_radius
     chosen = far[lattice.pairs].all(axis=1)
     direction = lattice.branch[chosen] / lattice.length[chosen, None]
@@ -123,7 +123,7 @@ def _raised(density: Floats) -> tuple[Floats, Ints]:
     Returns:
         Corners (k, 3, 3) and the face of each.
     """
-    sphere = geode()
+    sphere = direction_sphere()
     top = sphere.vertices[sphere.faces] * density[:, None, None]
     centre = np.zeros_like(top[:, 0])
     walls = [np.stack([centre, top[:, k], top[:, (k + 1) % 3]], axis=1) for k in range(3)]

@@ -16,8 +16,8 @@ from bondem.geometry.elementary_shapes import Box, Cell, Cylinder, Shape
 from bondem.io.particles_file import load_bonded, save_particles
 from bondem.packing import Method, pack
 from bondem.specimen.bonding import connect
+from bondem.specimen.direction_sphere import direction_sphere
 from bondem.specimen.fabric import fabric
-from bondem.specimen.geode import geode
 from bondem.specimen.interior import region
 from bondem.specimen.lattice import Lattice
 from validation.frame.request import Request
@@ -166,6 +166,6 @@ def random_isotropy_error(bonds: int) -> float:
     A bond counts on a face and on the opposite one, so that the frequency f of both is half that of a binomial draw.
     What is left for infinitely many bonds is due to the faces, which are not equal.
     """
-    share = geode().solid_angle / (4.0 * np.pi)
+    share = direction_sphere().solid_angle / (4.0 * np.pi)
     chance = 2.0 * share * (1.0 - 2.0 * share) / (4.0 * bonds)
     return float(np.mean(chance + (share - 1.0 / len(share)) ** 2))

@@ -7,7 +7,7 @@ import click
 
 from bondem.errors import InputError
 from bondem.io.atomic import require_writable, write_text
-from bondem.study.beginnings import TEMPLATES, template
+from bondem.study.template_files import TEMPLATES, template
 
 
 @click.command("new")

@@ -12,7 +12,7 @@ from rich.table import Table
 
 from bondem._progress import stages
 from bondem._threads import most_threads, threads
-from bondem.dynamics.pulse import Pulse, listening
+from bondem.dynamics.progress import RunProgress, listening
 from bondem.errors import InputError
 from bondem.interactions.law_catalogue import LAWS
 from bondem.report.numbers import many, percent, signed_percent, with_unit
@@ -69,9 +69,9 @@ class _Log:
             self._write(f"{stage} {5 * step:3d} %{self._latest}")
             self._latest = ""
 
-    def store(self, pulse: Pulse) -> None:
+    def store(self, progress: RunProgress) -> None:
         """Store the progress of the run for the next line."""
-        self._latest = f": {pulse.words}"
+        self._latest = f": {progress.words}"
 
     def close(self) -> None:
         """Write the last line and close the file."""

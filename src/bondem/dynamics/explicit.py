@@ -12,7 +12,7 @@ from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.energy_check import EnergyCheck
 from bondem.dynamics.history import GrowingHistory, History
 from bondem.dynamics.plan import FINE, NOT_FINITE, RUNAWAY, Callback, ExplicitResult, Loop, Plan, Status, settled
-from bondem.dynamics.pulse import Pulse, heard, tell
+from bondem.dynamics.progress import RunProgress, has_listener, send
 from bondem.dynamics.quasistatic_check import measured
 from bondem.dynamics.sink import Sink
 from bondem.dynamics.strain_gauges import StrainGauges
@@ -92,7 +92,7 @@ def integrate(
         sink.checkpoint(state, written.so_far)  # a file that can be seen can be gone on from
         sink.snapshot(state)
     before = written.so_far.records
-    pulse, first = None, (before if len(before) else begun)[:1]
+    sent, first = None, (before if len(before) else begun)[:1]
     check = None
     if plan.imbalance is not None and plan.scheme.conserves:
         check = EnergyCheck(model, state, dt, plan.imbalance, first)
@@ -133,10 +133,10 @@ def integrate(
                 break
         if progress is not None:
             progress(state.step / total)
-        if heard():
+        if has_listener():
             since = History(np.vstack([first, records]), names)
-            pulse = _pulse(pulse, state, total, steps / max(taken, 1e-9), since)
-            tell(pulse)
+            sent = _progress(sent, state, total, steps / max(taken, 1e-9), since)
+            send(sent)
         if plan.snapshot_every and state.step % plan.snapshot_every == 0 and sink is not None:
             # before the checkpoint: a run that goes on from there does not take it again
             sink.snapshot(state)
@@ -179,7 +179,7 @@ def _fractured(state: State) -> str:
     return ratios and f"; broken area dissipated {ratios} G_f"
 
 
-def _pulse(before: Pulse | None, state: State, total: int, rate: float, since: History) -> Pulse:
+def _progress(before: RunProgress | None, state: State, total: int, rate: float, since: History) -> RunProgress:
     """Return the progress at the present step, with a smoothed rate and the worst error of the energy balance.
 
     `since` begins with the first record.
@@ -192,7 +192,7 @@ def _pulse(before: Pulse | None, state: State, total: int, rate: float, since: H
         ledger = since.energy
         error = max(error, float(np.abs(ledger.pop("balance")).max()))
         energy = max(energy, *(float(np.abs(values).max()) for values in ledger.values()))
-    return Pulse(state.step, total, state.time, rate, len(state.broken), error, energy)
+    return RunProgress(state.step, total, state.time, rate, len(state.broken), error, energy)
 
 
 _BEAMS = "the bond energy is no longer that of a beam: use shorter bonds or lower loads"

@@ -19,7 +19,7 @@ from bondem.boundary.wall_motions import Driven, Servo
 from bondem.boundary.wall_rows import wall_rows
 from bondem.boundary.wall_sides import doubts
 from bondem.dynamics.plan import Plan
-from bondem.dynamics.taken_walls import goes_on, taken_walls
+from bondem.dynamics.stage_walls import goes_on, stage_walls
 from bondem.errors import ContactWarning, InputError, StageWarning
 from bondem.geometry.rotations import rotation_vector
 from bondem.model.model import Model
@@ -53,7 +53,7 @@ def begin(model: Model, state: State | None) -> State:
     before = None if state is None or state.time == 0.0 else state.model
     if state is not None:
         own.begin(model)
-        own.grips = taken_walls(model, state)
+        own.grips = stage_walls(model, state)
     _refuse_jumps(model, own, () if before is None else (*before.boundary, *before.walls))
     at_rest = state is None or (before is None and not moved and goes_on(model, state))
     _refuse_wall_jumps(model.interaction.grips, own, at_rest=at_rest)

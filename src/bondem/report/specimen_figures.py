@@ -12,8 +12,8 @@ from matplotlib.colors import Normalize, to_rgb
 
 from bondem.report.spheres import View, render, tubes
 from bondem.report.style import BLUE, DIVERGING, GREEN, INK, ORANGE, SEQUENTIAL, sheet
+from bondem.specimen.direction_sphere import direction_sphere
 from bondem.specimen.fabric import Fabric
-from bondem.specimen.geode import geode
 from bondem.specimen.lattice import Lattice
 
 _VIEW = View(azimuth=math.radians(28.0), elevation=math.radians(24.0))
@@ -72,7 +72,7 @@ def draw_contacts(path: Path, lattice: Lattice) -> None:
 
 def draw_geode(path: Path, quality: Fabric) -> None:
     """Draw bond directions on the faces of the geode, from the side and along the axis, and their histogram."""
-    sphere = geode()
+    sphere = direction_sphere()
     density = quality.face_density
     spread = max(0.05, float(np.abs(density - 1.0).max()))
     norm = Normalize(1.0 - spread, 1.0 + spread)

@@ -8,8 +8,8 @@ from bondem._checks import instance
 from bondem._types import Floats, Ints, Mask, PerBond3, Vector
 from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Shape
+from bondem.specimen.direction_sphere import direction_sphere
 from bondem.specimen.filling import unfilled
-from bondem.specimen.geode import geode
 from bondem.specimen.interior import core_solid, region, solid_fraction
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.particles import freeze
@@ -65,7 +65,7 @@ class Fabric:
             [-]. It is 1 ± 0.11 for a random isotropic fabric, and grows with the sample for any other.
         rms_excess: √((χ² - dof) / bonds) [-]: relative rms deviation of the directional density from isotropy,
             beyond chance; it does not depend on the size of the sample.
-        face_counts: number of bond directions, both ways, on each face of `geode()`, shape (320,).
+        face_counts: number of bond directions, both ways, on each face of `direction_sphere()`, shape (320,).
         face_density: `face_counts` over the counts of an isotropic fabric, shape (320,) [-].
         core_rms_excess: `rms_excess` of the core bonds: those of elements whose centres lie two mean radii or more
             from every wall [-]; NaN without such bonds.
@@ -197,7 +197,7 @@ class _Isotropy:
 
 
 def _isotropy(direction: PerBond3) -> _Isotropy:
-    sphere, m = geode(), len(direction)
+    sphere, m = direction_sphere(), len(direction)
     one_way = np.bincount(sphere.face_of(direction), minlength=len(sphere.faces))
     counts = one_way + one_way[sphere.opposite]
     expected = 2.0 * max(m, 1) * sphere.solid_angle / (4.0 * np.pi)

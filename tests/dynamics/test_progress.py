@@ -4,16 +4,16 @@ import pytest
 
 import bondem as bd
 from bondem.cli.terminal import progress_bars
-from bondem.dynamics.pulse import Pulse, heard, listening
+from bondem.dynamics.progress import RunProgress, has_listener, listening
 from tests.models import torn_row
 
 
 def test_a_run_tells_how_far_it_is_and_what_broke() -> None:
-    told: list[Pulse] = []
+    told: list[RunProgress] = []
     with listening(told.append):
-        assert heard()
+        assert has_listener()
         run = bd.solve_explicit(torn_row(), duration=2e-4, every=20, save_every=0, imbalance=None)
-    assert not heard()
+    assert not has_listener()
     last = told[-1]
     assert (last.step, last.steps, last.time) == (run.iterations, run.iterations, run.state.time)
     assert last.broken == len(run.events) > 0
@@ -39,6 +39,6 @@ def test_the_log_has_the_run_beside_the_stage(tmp_path) -> None:
 
 
 def test_words_of_a_pulse() -> None:
-    pulse = Pulse(1200, 5000, 1.2e-3, 400.0, 7, 1e-6, 1e-2)
+    progress = RunProgress(1200, 5000, 1.2e-3, 400.0, 7, 1e-6, 1e-2)
     wanted = "step 1200 of 5000, t = 0.0012 s, 400 steps/s, at most 9.5 s left, 7 broken, energy error 1e-04"
-    assert pulse.words == wanted
+    assert progress.words == wanted

@@ -13,7 +13,7 @@ from bondem import _progress
 
 
 @dataclass(frozen=True)
-class Pulse:
+class RunProgress:
     """Progress of a run at one moment.
 
     Attributes:
@@ -58,11 +58,11 @@ class Pulse:
         return ", ".join(words)
 
 
-_listener: ContextVar[Callable[[Pulse], None] | None] = ContextVar("listener", default=None)
+_listener: ContextVar[Callable[[RunProgress], None] | None] = ContextVar("listener", default=None)
 
 
 @contextmanager
-def listening(listener: Callable[[Pulse], None]) -> Iterator[None]:
+def listening(listener: Callable[[RunProgress], None]) -> Iterator[None]:
     """Send the progress of the runs of this context to `listener`."""
     token = _listener.set(listener)
     try:
@@ -71,14 +71,14 @@ def listening(listener: Callable[[Pulse], None]) -> Iterator[None]:
         _listener.reset(token)
 
 
-def heard() -> bool:
+def has_listener() -> bool:
     """Return True if there is a listener."""
     return _listener.get() is not None or _progress.noted()
 
 
-def tell(pulse: Pulse) -> None:
+def send(progress: RunProgress) -> None:
     """Send progress to the listener."""
-    _progress.note(pulse.words if pulse.step < pulse.steps else "")
+    _progress.note(progress.words if progress.step < progress.steps else "")
     listener = _listener.get()
     if listener is not None:
-        listener(pulse)
+        listener(progress)

@@ -19,7 +19,7 @@ def goes_on(model: Model, state: State) -> bool:
     return model.interaction.grips.holds.same(state.model.interaction.grips.holds)
 
 
-def taken_walls(model: Model, state: State) -> Floats:
+def stage_walls(model: Model, state: State) -> Floats:
     """Return the initial places of walls that hold facets of cells (`State.grips`), shape (g, 7).
 
     A wall that held a facet along an axis continues from its place, even if another condition moves it now. A wall

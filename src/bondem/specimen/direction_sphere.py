@@ -16,7 +16,7 @@ _LEVELS = 2
 
 
 @dataclass(frozen=True, eq=False)
-class Geode:
+class DirectionSphere:
     """A sphere of 320 triangles.
 
     Attributes:
@@ -77,7 +77,7 @@ def _icosahedron() -> Floats:
 
 
 @cache
-def geode() -> Geode:
+def direction_sphere() -> DirectionSphere:
     """Return the geode, which is built once."""
     corner = _corners(_LEVELS)
     rounded = np.round(corner.reshape(-1, 3), 9) + 0.0
@@ -87,7 +87,7 @@ def geode() -> Geode:
     dot = np.einsum("fc,fc->f", a, b) + np.einsum("fc,fc->f", b, c) + np.einsum("fc,fc->f", c, a)
     solid_angle = 2.0 * np.arctan2(np.linalg.det(corner), 1.0 + dot)
     centre = _unit(corner.sum(axis=1))
-    return Geode(
+    return DirectionSphere(
         vertices=freeze(corner.reshape(-1, 3)[first]),
         faces=freeze(number.reshape(-1, 3).astype(np.int64)),
         solid_angle=freeze(solid_angle),
