@@ -57,6 +57,41 @@ class DeviceColumn(IntEnum):
     COUNT = 19
 
 
+class StepCount(IntEnum):
+    """Counts of what a call of the core has done."""
+
+    STEPS = 0
+    RECORDS = 1
+    WIDE = 2
+    LOST = 3
+
+
+class GuardNumber(IntEnum):
+    """Numbers that the guard finds: bonds turned wide and lost, how the call ends, and whether lists are out of
+    date.
+    """
+
+    WIDE = 0
+    LOST = 1
+    ENDING = 2
+    OUT_OF_DATE = 3
+
+
+class GuardEnergy(IntEnum):
+    """Energies of the guard: at the start, the most that was supplied since, and the supply of walls."""
+
+    START = 0
+    SUPPLIED = 1
+    WALLS = 2
+
+
+class LogCount(IntEnum):
+    """Counts of a log of events: of all, and of those before the present step."""
+
+    EVENTS = 0
+    BEFORE = 1
+
+
 class EventColumn(IntEnum):
     """Columns of the failure of a bond."""
 
@@ -102,6 +137,45 @@ class PlasticColumn(IntEnum):
     INCREMENT = 10  #: last increment of strain in space: xx, yy, zz, xy, xz, yz
     HEAT = 16  #: energy dissipated [J]
     COUNT = 17
+
+
+class TensorColumn(IntEnum):
+    """Columns of the stress of a cell: xx … yz, Σ T_b² of the bending of facets, and the size of the stress."""
+
+    BENDING = 6
+    SIZE = 7
+
+
+class LoadColumn(IntEnum):
+    """Columns of the sums of an element: force, energy damped, torque, energy rubbed."""
+
+    FORCE = 0
+    DAMPED = 3
+    TORQUE = 4
+    RUBBED = 7
+
+
+class StrainDue(IntEnum):
+    """Bytes of strains that change: whether ∂U/∂factor is needed, and whether levers have changed."""
+
+    POWER = 0
+    LEVERS = 1
+
+
+class ListCount(IntEnum):
+    """Counts of lists of cracks: treated one by one, resting, cells of the first, and parted in this step."""
+
+    TREATED = 0
+    RESTING = 1
+    CELLS = 2
+    PARTED = 3
+
+
+class CrackNumber(IntEnum):
+    """Numbers of cohesive cracks: how many there are, and 1 where lists are out of date."""
+
+    CRACKS = 0
+    OUT_OF_DATE = 1
 
 
 class CrackKind(IntEnum):

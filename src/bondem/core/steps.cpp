@@ -168,7 +168,7 @@ Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, co
     const Walk walk(threads, cut, span);
     const List present(passes.present), opening(passes.opening), travel(passes.travel), forces(passes.forces),
         resume(passes.resume), reopening(passes.reopening), guard(passes.guard), record(passes.record);
-    for (Index k = 0; k < 4; k++) span.done(k) = 0;
+    for (Index k = 0; k < span.done.size(); k++) span.done(k) = 0;
     Clock clock = clock_at(scheme, span.step);
     clock.first = 1;
     if (!span.moved) walk.through(present, clock);
@@ -179,15 +179,16 @@ Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, co
             walk.through(forces, still);
         }
         walk.through(record, clock);
-        span.done(1) = 1;
+        span.done(step_count::records) = 1;
         return 0;
     }
-    Index &done = span.done(0), &written = span.done(1), &wide = span.done(2);
+    Index &done = span.done(step_count::steps), &written = span.done(step_count::records);
+    Index &wide = span.done(step_count::wide);
     for (bool paused = true, moved = span.moved; done < span.steps; moved = false) {
         if (!moved) {
             if (paused) walk.through(opening, clock);
             walk.through(travel, clock);
-            if (portions.found(3) != 0) return out_of_date;
+            if (portions.found(guard_number::out_of_date) != 0) return out_of_date;
         }
         done++;
         clock = clock_at(scheme, span.step + done);
@@ -201,9 +202,10 @@ Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, co
         walk.resume(resume, reopening, clock);
         if (guarded) {
             walk.through(guard, clock);
-            wide = most(wide, portions.found(0));
-            span.done(3) = portions.found(1);
-            if (span.done(3) > 0 || portions.found(2) != 0) return portions.found(2);
+            wide = most(wide, portions.found(guard_number::wide));
+            span.done(step_count::lost) = portions.found(guard_number::lost);
+            const Index ending = portions.found(guard_number::ending);
+            if (span.done(step_count::lost) > 0 || ending != 0) return ending;
         }
         if (recorded) {
             walk.through(record, clock);

@@ -4,7 +4,7 @@ import numpy as np
 
 from bondem._cache_lines import lines
 from bondem._tables.cell_tables import ElasticFacets, FacetForces, WallConstraints
-from bondem._tables.columns import CrackStatus, PlasticColumn
+from bondem._tables.columns import CrackNumber, CrackStatus, PlasticColumn
 from bondem._tables.crack_tables import CohesiveCracks, CrackLists, YieldingCells
 from bondem._types import Floats
 from bondem.damage.crack_columns import (
@@ -67,7 +67,7 @@ def _columns_of_cracks(cracks: CohesiveCracks) -> list[tuple[int | slice, Floats
 
 def keep_cracks(cracks: CohesiveCracks, kept: FacetForces, state: State) -> None:
     """Write the cracks and the forces of facets into a state."""
-    facet = cracks.order[: cracks.size[0]]
+    facet = cracks.order[: cracks.size[CrackNumber.CRACKS]]
     state.cracks = np.empty((len(facet), CRACK_COLUMNS))
     state.cracks[:, FACET] = facet
     for column, table, of_row in _columns_of_cracks(cracks):

@@ -12,7 +12,7 @@ import numpy as np
 
 from bondem._device import Device, DeviceTables, Enqueue, HostCall, Launch, passes_of
 from bondem._passes import kernels
-from bondem._tables.columns import DeviceColumn, HistoryColumn
+from bondem._tables.columns import DeviceColumn, HistoryColumn, LogCount
 from bondem._tables.device_tables import Tick
 from bondem._tables.step_tables import HistoryRows, StepScheme
 from bondem.boundary.wall_rows import wall_rows
@@ -250,7 +250,7 @@ class DeviceLoop:
         """Copy all arrays that passes have written, and with them the state, from the device."""
         self._tables.fetch_written()
         for log in self._run.logs:
-            self._tables.fetch(log.event[: log.written[0]])
+            self._tables.fetch(log.event[: log.written[LogCount.EVENTS]])
         for arranged in self._run.before_keeping:
             arranged()
         for part in self._parts:

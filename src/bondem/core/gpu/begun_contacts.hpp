@@ -16,8 +16,8 @@ BONDEM_INLINE Index pair_of_event(const ContactPairs &pairs, const EventLog &log
 // the event to the contact, the torque, and whether the two touch.
 inline void begin_contact_of_event(Index e, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                                    const NearPairs &near, const EventLog &log) {
-    const Index event = log.written(1) + e;
-    if (event >= log.written(0)) return;
+    const Index event = log.written(log_count::before) + e;
+    if (event >= log.written(log_count::events)) return;
     const Index k = pair_of_event(pairs, log, event);
     if (k < 0) return;
     const BegunContact begun = begin_pair(all, c, pairs, k);
@@ -29,7 +29,7 @@ inline void begin_contact_of_event(Index e, const Moving &all, const ContactCons
 inline void add_begun_contacts_of_element(Index p, const BondsOfElements &bonds, const BondMarks &marks,
                                           const ContactConstants &c, const ContactPairs &pairs, const NearPairs &near,
                                           const EventLog &log, const Postponed &postponed) {
-    if (log.written(1) == log.written(0) || !is_held(postponed, p)) return;
+    if (log.written(log_count::before) == log.written(log_count::events) || !is_held(postponed, p)) return;
     for_each_failing_of(p, bonds, marks, [&](Index bond, bool) {
         const Index k = pairs.of_bond(bond);
         if (k < 0) return;
@@ -41,7 +41,7 @@ inline void add_begun_contacts_of_element(Index p, const BondsOfElements &bonds,
 }
 // Subtracts the energies that contacts store from the energy released in the run, in the order of the events.
 inline void take_over_energies(Index, const ContactPairs &pairs, const NearPairs &near, const EventLog &log) {
-    for (Index event = log.written(1); event < log.written(0); event++) {
+    for (Index event = log.written(log_count::before); event < log.written(log_count::events); event++) {
         const Index k = pair_of_event(pairs, log, event);
         if (k >= 0) log.released(0) -= near.output(k, 3);
     }

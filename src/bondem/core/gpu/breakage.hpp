@@ -97,15 +97,16 @@ BONDEM_INLINE void for_each_failing_of(Index p, const BondsOfElements &bonds, co
 // Writes the event of bond number e of those that fail.
 BONDEM_INLINE void write_failure(Index e, const DeviceSpan &span, const Candidates &candidates, const EventLog &log,
                                  const Removal &removal) {
-    write_event(clock_of(span), log, log.written(0) + e, candidates.marked(e), candidates.mode(e), removal);
+    write_event(clock_of(span), log, log.written(log_count::events) + e, candidates.marked(e), candidates.mode(e), removal);
 }
 // Counts the events of a step, and adds up their released energies.
 inline void count_failures(Index, const Candidates &candidates, const EventLog &log) {
-    log.written(1) = log.written(0);
+    log.written(log_count::before) = log.written(log_count::events);
     if (!any_fails(candidates)) return;
-    log.written(0) += candidates.count(0);
+    log.written(log_count::events) += candidates.count(0);
     double released = log.released(0);
-    for (Index event = log.written(1); event < log.written(0); event++) released += log.event(event, event_column::energy);
+    const Index before = log.written(log_count::before), last = log.written(log_count::events);
+    for (Index event = before; event < last; event++) released += log.event(event, event_column::energy);
     log.released(0) = released;
 }
 

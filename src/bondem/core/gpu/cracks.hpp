@@ -37,7 +37,7 @@ template <class Facets, class On> BONDEM_INLINE void for_each_facet_of(const Fac
 
 inline void begin_all_levers(Index, const ElasticFacets &facets, const CohesiveCracks &cracks) {
     for (Index d = 0; d < 3; d++) cracks.pitch(d) = facets.pitch(d);
-    cracks.size(1) = 1;
+    cracks.size(crack_number::out_of_date) = 1;
 }
 inline void restore_crack(Index k, const ElasticFacets &facets, const FacetForces &kept, const FacetStrengths &strengths,
                           const CohesiveCracks &cracks) {
@@ -53,7 +53,7 @@ inline void carry_cell(Index p, const StressesOfCells &stresses, const CohesiveC
 }
 // Copies the levers of a facet that strains of cells have changed.
 inline void follow_lever(Index k, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks) {
-    if (strains.due(1) && cracks.listed(k) != 0) write_levers(facets, cracks, k);
+    if (strains.due(strain_due::levers) && cracks.listed(k) != 0) write_levers(facets, cracks, k);
 }
 
 // ---- the halves of each cell, from the last facet to the first
@@ -71,7 +71,7 @@ BONDEM_INLINE void link_cell(Index p, const CohesiveCracks &cracks, const CrackL
     lists.head(p) = first;
 }
 inline void link_halves(Index p, const CohesiveCracks &cracks, const CrackLists &lists, const BondsOfElements &of) {
-    if (get_shared(cracks.size(1)) != 0) link_cell(p, cracks, lists, of);
+    if (get_shared(cracks.size(crack_number::out_of_date)) != 0) link_cell(p, cracks, lists, of);
 }
 
 // ---- opening
@@ -83,7 +83,7 @@ inline void begin_base(Index p, const DeviceSpan &span, const Moving &all, const
 inline void measure_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                           const CellSlack &slack, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                           const CrackLists &lists, const LossesOfCracks &losses) {
-    if (k == 0) cracks.size(1) = 0;  // all halves are linked
+    if (k == 0) cracks.size(crack_number::out_of_date) = 0;  // all halves are linked
     lists.flag(k) = lists.waking(k) = crack::unchanged;
     losses.lost(k) = 0.0;
     if (!is_treated(cracks, k)) return;
@@ -226,7 +226,7 @@ inline void log_all_cracks(Index, const DeviceSpan &span, const Moving &all, con
     double sum = 0.0;
     for (Index g = 0; g < losses.group.size(); g++) sum += losses.group(g);
     log.released(0) += sum;
-    log.written(1) = log.written(0);
+    log.written(log_count::before) = log.written(log_count::events);
     const auto key = [&](Index e) { return losses.fallen(e); };
     sort_by_heap(losses.number(0), key, [&](Index a, Index b) { exchange(losses.fallen(a), losses.fallen(b)); });
     for (Index e = 0; e < losses.number(0); e++)

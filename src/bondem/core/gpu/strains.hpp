@@ -51,13 +51,13 @@ inline void add_work_of_strains(Index, const DeviceSpan &span, const Strain &str
 // ---- of cells
 
 inline void follow_cell_factors(Index, const DeviceSpan &span, const Timeline &timeline, const CellStrains &strains) {
-    strains.due(1) = follow_factors(clock_of(span), timeline, strains);
+    strains.due(strain_due::levers) = follow_factors(clock_of(span), timeline, strains);
 }
 inline void stretch_facet_of_step(Index k, const CellStrains &strains, const ElasticFacets &facets) {
-    if (strains.due(1)) stretch_facet(strains, facets, k);
+    if (strains.due(strain_due::levers)) stretch_facet(strains, facets, k);
 }
 inline void stretch_wall_of_step(Index w, const CellStrains &strains, const WallConstraints &walls) {
-    if (strains.due(1)) stretch_wall(strains, walls, w);
+    if (strains.due(strain_due::levers)) stretch_wall(strains, walls, w);
 }
 inline void sum_strain_portion(Index b, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
                                const ElasticFacets &facets) {

@@ -50,7 +50,7 @@ inline void stretch_crack_of_cells(Index k, const DeviceSpan &span, const Elasti
 }
 // Keeps the levers without plastic strain where strains have set them anew.
 inline void keep_base_levers(Index k, const CellStrains &strains, const ElasticFacets &facets, const YieldingCells &cells) {
-    if (!strains.due(1)) return;
+    if (!strains.due(strain_due::levers)) return;
     for (Index d = 0; d < 3; d++) {
         cells.base_i(d, k) = facets.lever_i(d, k);
         cells.base_j(d, k) = facets.lever_j(d, k);
@@ -58,10 +58,10 @@ inline void keep_base_levers(Index k, const CellStrains &strains, const ElasticF
 }
 inline void stretch_cell_anew(Index p, const CellStrains &strains, const ElasticFacets &facets,
                               const FacetsOfCells &of_cells, const YieldingCells &cells) {
-    if (strains.due(1)) stretch_yielded_cell(p, facets, of_cells, cells);
+    if (strains.due(strain_due::levers)) stretch_yielded_cell(p, facets, of_cells, cells);
 }
 inline void stretch_wall_anew(Index g, const CellStrains &strains, const WallConstraints &walls, const YieldingCells &cells) {
-    if (strains.due(1)) stretch_from_present(walls, cells, g);
+    if (strains.due(strain_due::levers)) stretch_from_present(walls, cells, g);
 }
 
 // ---- work of strains at cracks
@@ -78,7 +78,7 @@ BONDEM_INLINE void sum_crack_powers_of(Index b, const DeviceSpan &span, const Mo
 inline void sum_portion_of_crack_powers(Index b, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
                                         const ElasticFacets &facets, const CohesiveCracks &cracks,
                                         const StrainPortions &portions) {
-    if (strains.due(0)) sum_crack_powers_of(b, span, all, strains, facets, cracks, portions);
+    if (strains.due(strain_due::power)) sum_crack_powers_of(b, span, all, strains, facets, cracks, portions);
 }
 inline void begin_portion_of_crack_powers(Index b, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
                                           const ElasticFacets &facets, const CohesiveCracks &cracks,

@@ -59,6 +59,22 @@ enum : Index {
     count
 };
 }
+// Counts of what a call of the core has done.
+namespace step_count {
+enum : Index { steps, records, wide, lost };
+}
+// Numbers that the guard finds: bonds turned wide and lost, how the call ends, and whether lists are out of date.
+namespace guard_number {
+enum : Index { wide, lost, ending, out_of_date };
+}
+// Energies of the guard: at the start, the most that was supplied since, and the supply of walls.
+namespace guard_energy {
+enum : Index { start, supplied, walls };
+}
+// Counts of a log of events: of all, and of those before the present step.
+namespace log_count {
+enum : Index { events, before };
+}
 // Columns of the failure of a bond.
 namespace event_column {
 enum : Index {
@@ -99,6 +115,26 @@ enum : Index {
     heat = 16,  // energy dissipated [J]
     count
 };
+}
+// Columns of the stress of a cell: xx … yz, Σ T_b² of the bending of facets, and the size of the stress.
+namespace tensor_column {
+enum : Index { bending = 6, size };
+}
+// Columns of the sums of an element: force, energy damped, torque, energy rubbed.
+namespace load_column {
+enum : Index { force, damped = 3, torque, rubbed = 7 };
+}
+// Bytes of strains that change: whether ∂U/∂factor is needed, and whether levers have changed.
+namespace strain_due {
+enum : Index { power, levers };
+}
+// Counts of lists of cracks: treated one by one, resting, cells of the first, and parted in this step.
+namespace list_count {
+enum : Index { treated, resting, cells, parted };
+}
+// Numbers of cohesive cracks: how many there are, and 1 where lists are out of date.
+namespace crack_number {
+enum : Index { cracks, out_of_date };
 }
 namespace crack {
 // Kinds of cracks: of the material; with one integrity for all directions, of a material plane or a cell without

@@ -5,7 +5,7 @@ import numpy as np
 from bondem._device import Launch
 from bondem._passes import kernels
 from bondem._tables.cell_tables import CellDilatation, ElasticFacets, FacetForces
-from bondem._tables.columns import CRACKS_OF_PORTION, PORTIONS_OF_LOSSES
+from bondem._tables.columns import CRACKS_OF_PORTION, PORTIONS_OF_LOSSES, CrackNumber
 from bondem._tables.contact_tables import ContactPairs, NearPairs
 from bondem._tables.crack_tables import (
     CellSlack,
@@ -47,7 +47,7 @@ def _link(
     lists: CrackLists,
 ) -> list[Launch]:  # fmt: skip
     """Give the cracks of the state the numbers of their facets, also as places of the lists."""
-    count, m = int(cracks.size[0]), run.span.m
+    count, m = int(cracks.size[CrackNumber.CRACKS]), run.span.m
     facet = cracks.order[:count]
     cracks.listed[facet] = 1 + cracks.history[facet, 0].astype(np.uint8)
     cracks.history[facet, BEGAN] = np.arange(-count, 0)
@@ -60,7 +60,7 @@ def _link(
         """Write the order in which cracks began."""
         facet = np.flatnonzero(cracks.listed[:m])
         cracks.order[: len(facet)] = facet[np.argsort(cracks.history[facet, BEGAN], kind="stable")]
-        cracks.size[0] = len(facet)
+        cracks.size[CrackNumber.CRACKS] = len(facet)
 
     run.before_keeping.append(order)
     return [

@@ -8,6 +8,7 @@ from bondem._tables.cell_tables import (
     FacetsOfCells,
     FacetTractions,
 )
+from bondem._tables.columns import LogCount
 from bondem._tables.crack_tables import (
     CellSlack,
     CrackEnergies,
@@ -202,7 +203,7 @@ class CrackingBody:
         if self.by_stress is not None:
             self.by_stress.passes.check()
         keep_cracks(self.cracks, self.kept, self.state)
-        count = int(self.log.written[0])
+        count = int(self.log.written[LogCount.EVENTS])
         if count:
             self.state.broken = np.concatenate([self.state.broken, self.log.event[:count]])
             self.log.written[:] = 0

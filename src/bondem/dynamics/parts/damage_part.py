@@ -8,7 +8,7 @@ import numpy as np
 from bondem._passes import steps
 from bondem._tables.beam_softening_tables import SofteningBounds
 from bondem._tables.cell_tables import ElasticFacets, FacetsOfCells
-from bondem._tables.columns import SoftColumn
+from bondem._tables.columns import LogCount, SoftColumn
 from bondem._tables.crack_tables import CohesiveCracks, CrackLists, FacetStrengths
 from bondem._tables.damage_tables import Candidates, EventLog, FailureBounds, Postponed, Strengths
 from bondem._tables.non_local_tables import LaggedStresses
@@ -100,7 +100,7 @@ class DamageTables:
 
     def keep(self, integrity: np.ndarray, state: State) -> None:
         """Write bonds that have failed since the last call into a state."""
-        count = int(self.log.written[0])
+        count = int(self.log.written[LogCount.EVENTS])
         if count:
             state.broken = np.concatenate([state.broken, self.log.event[:count]])
             state.integrity[:] = integrity[: len(state.integrity)]

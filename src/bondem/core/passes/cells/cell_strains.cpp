@@ -29,12 +29,13 @@ void follow_cell_strains(const Turn &turn, const Timeline &timeline, const CellS
                          const ElasticFacets &facets, const WallConstraints &walls) {
     const bool changed = follow_factors(turn.clock, timeline, strains);
     if (changed) stretch(strains, facets, walls);
-    strains.due(1) = changed;
+    strains.due(strain_due::levers) = changed;
 }
 BONDEM_PASS(follow_cell_strains, serial)
 
 void sum_strain_powers(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets) {
-    if (strains.due(0)) sum_powers(turn.first, turn.last, all.pose.data, strains, facets, &strains.power(turn.block, 0));
+    if (strains.due(strain_due::power))
+        sum_powers(turn.first, turn.last, all.pose.data, strains, facets, &strains.power(turn.block, 0));
 }
 BONDEM_PASS(sum_strain_powers, of_bonds)
 
@@ -53,7 +54,7 @@ BONDEM_PASS(begin_strain_work, serial)
 
 void add_strain_work(const Turn &, const Moving &all, const CellStrains &strains, const WallConstraints &walls,
                      const Rows &rows) {
-    if (!strains.due(0)) return;
+    if (!strains.due(strain_due::power)) return;
     const auto &factor = strains.factor;
     sum_all_powers(all, strains, walls);
     for (Index g = 0; g < strains.schedule.size(); g++) {
@@ -61,7 +62,7 @@ void add_strain_work(const Turn &, const Moving &all, const CellStrains &strains
         factor(before, g) = factor(after, g);
         factor(came, g) = 0.0;
     }
-    strains.due(0) = 0;
+    strains.due(strain_due::power) = 0;
 }
 BONDEM_PASS(add_strain_work, serial)
 

@@ -19,7 +19,7 @@ inline bool follow_factors(const Clock &clock, const Timeline &timeline, const C
         changed |= step != 0.0;
         needed |= value_at(timeline, strains.schedule(g), clock.time + clock.dt) != present;
     }
-    strains.due(0) = changed || needed;
+    strains.due(strain_due::power) = changed || needed;
     return changed;
 }
 

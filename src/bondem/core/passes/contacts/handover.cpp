@@ -79,7 +79,7 @@ BONDEM_PASS(begin_softened_contacts, serial)
 // Makes pairs of the cells whose faces have parted in this step.
 void touch_parted_faces(const Turn &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
                         const CohesiveCracks &cracks, const CrackLists &lists, const PartedReach &reach) {
-    for (Index e = 0; e < lists.size(3); e++) {
+    for (Index e = 0; e < lists.size(list_count::parted); e++) {
         const Index k = lists.parted(e);
         shape_of(cracks, k).top = reach.apart(k) = open_pair(all, pairs, k, reach.apart(k));
         examine(pairs, near, pairs.of_bond(k));
@@ -90,7 +90,7 @@ BONDEM_PASS(touch_parted_faces, serial)
 // Begins the contact of faces that part in this step.
 void begin_face_contacts(const Turn &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
                          const FacePairs &faces, const CrackLists &lists, const EventLog &log) {
-    const Index count = lists.size(3);
+    const Index count = lists.size(list_count::parted);
     if (count == 0) return;
     const auto over_parted = [&](auto on) {
         for (Index e = 0; e < count; e++) {

@@ -145,8 +145,8 @@ void press_wall(const Moving &all, const ContactConstants &c, const WallContacts
         to.sums(p, x) += f[x];
         to.sums(p, 4 + x) += torque[x];
     }
-    to.sums(p, 3) += loads.damped;
-    to.sums(p, 7) += loads.rubbed;
+    to.sums(p, load_column::damped) += loads.damped;
+    to.sums(p, load_column::rubbed) += loads.rubbed;
 }
 
 }  // namespace
@@ -248,7 +248,7 @@ BONDEM_PASS(sum_wall_energies, of_elements)
 void count_wall_work(const Turn &, const Walls &walls, const Portions &portions) {
     double supplied = 0.0;
     for (Index w = 0; w < walls.body.size(); w++) supplied += absolute(walls.body.row<const WallRow>(w).work);
-    portions.budget(2) = supplied;
+    portions.budget(guard_energy::walls) = supplied;
 }
 BONDEM_PASS(count_wall_work, serial)
 

@@ -43,7 +43,7 @@ void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &
         rolled = loads.rolled;
         output.torque = output.torque - loads.moment;
         for (Index k = 0; k < 3; k++) to.sums(p, 4 + k) += loads.moment[k];
-        to.sums(p, 7) += loads.rubbed;
+        to.sums(p, load_column::rubbed) += loads.rubbed;
     }
 }
 BONDEM_PASS(roll_at_walls, of_elements)

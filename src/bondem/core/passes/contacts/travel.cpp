@@ -40,7 +40,7 @@ void check_travel(const Turn &, const Travel &travel, const Walls &walls, const 
     for (Index q = 0; q < travel.portion.size(); q++) farthest = most(farthest, travel.portion(q, 0));
     travel.far(0) = root(farthest);
     const bool holds = travel.far(0) + most(travel.far(1), 0.0) < travel.reach && wall_travel(walls, travel.reach) < travel.reach;
-    portions.found(3) = !holds;
+    portions.found(guard_number::out_of_date) = !holds;
     if (travel.far(1) < 0.0) travel.far(0) = infinity;  // distances have not been measured yet
 }
 BONDEM_PASS(check_travel, serial)

@@ -265,7 +265,7 @@ template <class On> inline void over_places(const Turn &turn, Index count, On on
 // Calls on(group, portion) for the groups of a list of so many cracks; `before(first, last, portion)` comes before.
 template <class Before, class On>
 inline void over_treated(const Turn &turn, const CrackLists &lists, Before before, On on) {
-    const Index count = lists.size(0);
+    const Index count = lists.size(list_count::treated);
     over_places(turn, count, [&](Index first, Index last, Index portion) {
         before(first, last, portion);
         for (Index e = first; e < last; e += lanes)

@@ -38,18 +38,18 @@ template <class On> inline void for_each_listed(const CohesiveCracks &cracks, On
 }  // namespace
 
 void fill_treated(const CrackLists &lists) {
-    fill(lists.treated, lists.treated_i, lists.treated_j, lists.size(0));
-    const Index cells = lists.size(2);
+    fill(lists.treated, lists.treated_i, lists.treated_j, lists.size(list_count::treated));
+    const Index cells = lists.size(list_count::cells);
     if (cells > 0)
         for (Index q = cells; q < cells + lanes; q++) lists.cell(q) = lists.cell(cells - 1);
 }
 
 // Renews lists of cracks that are out of date.
 void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists) {
-    lists.size(3) = 0;
-    if (cracks.size(1) == 0) return;
-    cracks.size(1) = 0;
-    for (Index q = 0; q < lists.size(2); q++) lists.head(lists.cell(q)) = 0;
+    lists.size(list_count::parted) = 0;
+    if (cracks.size(crack_number::out_of_date) == 0) return;
+    cracks.size(crack_number::out_of_date) = 0;
+    for (Index q = 0; q < lists.size(list_count::cells); q++) lists.head(lists.cell(q)) = 0;
     // broken cracks stand behind the others, so that groups of lanes have one or the other
     Index treated[2] = {}, resting[2] = {}, cells = 0;
     const auto count = [&](Short p) {
@@ -91,7 +91,9 @@ void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks
             put(lists.resting, lists.resting_i, lists.resting_j, resting[broken]++, k);
         }
     });
-    lists.size(0) = treated[1], lists.size(1) = resting[1], lists.size(2) = cells;
+    lists.size(list_count::treated) = treated[1];
+    lists.size(list_count::resting) = resting[1];
+    lists.size(list_count::cells) = cells;
     fill_treated(lists);
     fill(lists.resting, lists.resting_i, lists.resting_j, resting[1]);
 }
@@ -102,29 +104,29 @@ void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForce
                  const FacetStrengths &strengths,
                  const CohesiveCracks &cracks, const CrackLists &lists) {
     for (Index d = 0; d < 3; d++) cracks.pitch(d) = facets.pitch(d);
-    for (Index c = 0; c < cracks.size(0); c++) {
+    for (Index c = 0; c < cracks.size(crack_number::cracks); c++) {
         const Index k = cracks.order(c);
         write_constants(facets, kept, strengths, cracks, k);
         treat(facets, cracks, k, int(history_of(cracks, k).status));
     }
     clear_half(lists, 0);
-    cracks.size(1) = 1;
+    cracks.size(crack_number::out_of_date) = 1;
     list_cracks(turn, facets, cracks, lists);
-    put_levers(cracks, lists, 0, lists.size(0));
+    put_levers(cracks, lists, 0, lists.size(list_count::treated));
 }
 BONDEM_PASS(link_cracks, serial)
 
 // Copies levers of facets that strains of cells have changed.
 void follow_levers(const Turn &, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks) {
-    if (!strains.due(1)) return;
-    for (Index c = 0; c < cracks.size(0); c++) write_levers(facets, cracks, cracks.order(c));
+    if (!strains.due(strain_due::levers)) return;
+    for (Index c = 0; c < cracks.size(crack_number::cracks); c++) write_levers(facets, cracks, cracks.order(c));
 }
 BONDEM_PASS(follow_levers, serial)
 
 // Computes the weights of the cells of all cracks at the start of a run.
 void weigh_cracked_cells(const Turn &, const ElasticFacets &facets, const CellDilatation &cells,
                          const CellSlack &slack, const CohesiveCracks &cracks) {
-    for (Index c = 0; c < cracks.size(0); c++) {
+    for (Index c = 0; c < cracks.size(crack_number::cracks); c++) {
         weigh_cracked(cells, slack, cracks, facets.i(cracks.order(c)));
         weigh_cracked(cells, slack, cracks, facets.j(cracks.order(c)));
     }
@@ -134,7 +136,7 @@ BONDEM_PASS(weigh_cracked_cells, serial)
 // Sums b⊗f of the cracks of each cell from their forces of the last step.
 void carry_cracks(const Turn &, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                   const CrackLists &lists) {
-    for (Index q = 0; q < lists.size(2); q++) carry_cracks_of(stresses, cracks, lists, lists.cell(q));
+    for (Index q = 0; q < lists.size(list_count::cells); q++) carry_cracks_of(stresses, cracks, lists, lists.cell(q));
 }
 BONDEM_PASS(carry_cracks, serial)
 

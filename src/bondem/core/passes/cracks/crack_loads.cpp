@@ -28,9 +28,9 @@ BONDEM_PASS(load_cracks, serial)
 void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                 const CrackLists &lists, const EventLog &log) {
     if (!(turn.clock.dt > 0.0)) return;
-    const Index count = lists.size(0);
+    const Index count = lists.size(list_count::treated);
     double lost = 0.0;
-    log.written(1) = log.written(0);
+    log.written(log_count::before) = log.written(log_count::events);
     for (Index q = 0; q < portions(count, crack::of_portion); q++) {
         lost += lists.lost(q, 0) + lists.lost(q, 1);
         if (lists.flagged(q) != 2) continue;
@@ -83,7 +83,7 @@ BONDEM_PASS(sum_heat, of_elements)
 void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
                         const CrackEnergies &found) {
     Vector sum = {};
-    for (Index c = 0; c < cracks.size(0); c++) {
+    for (Index c = 0; c < cracks.size(crack_number::cracks); c++) {
         const Index k = cracks.order(c);
         if (history_of(cracks, k).status == crack::active) add_energies_of_crack(all, facets, cracks, k, sum);
     }
@@ -116,7 +116,7 @@ BONDEM_PASS(write_heat, serial)
 void write_crushing_of_facets(const Turn &turn, const FacetStrengths &strengths, const CohesiveCracks &cracks,
                               const EventLog &log, const HistoryRows &history) {
     double sum = 0.0;
-    for (Index c = 0; c < cracks.size(0); c++) sum += crushed_by_facet(strengths, cracks, cracks.order(c));
+    for (Index c = 0; c < cracks.size(crack_number::cracks); c++) sum += crushed_by_facet(strengths, cracks, cracks.order(c));
     history.record(turn.clock.record, history_column::crushing) = sum - log.crushed(0);
 }
 BONDEM_PASS(write_crushing_of_facets, serial)

@@ -31,7 +31,7 @@ void hand_over(const SingleCrack &one, const ElasticFacets &facets, const CellDi
 
 // Puts half `number` on the list of its cell, where its order belongs.
 void insert_half(const CrackLists &lists, Short p, Index number, Index side, const int32_t *lever) {
-    if (lists.head(p) == 0) lists.cell(lists.size(2)++) = p;
+    if (lists.head(p) == 0) lists.cell(lists.size(list_count::cells)++) = p;
     Index before = 0, next = lists.head(p);
     while (next > 0 && lists.side(next) > side) {
         before = next;
@@ -65,7 +65,7 @@ struct HalvesAhead {
 // the next one.
 void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists,
           Index k) {
-    const Index e = lists.size(0)++;
+    const Index e = lists.size(list_count::treated)++;
     lists.treated(e) = k;
     lists.treated_i(e) = facets.i(k);
     lists.treated_j(e) = facets.j(k);
@@ -82,7 +82,7 @@ void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCra
 void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets,
                           const FacetStrengths &strengths, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
-    const Index count = lists.size(1);
+    const Index count = lists.size(list_count::resting);
     over_places(turn, count, [&](Index first, Index last, Index portion) {
         lists.woken(portion) = 0;
         for (Index e = first; e < last; e++) lists.waking(e) = crack::unchanged;
@@ -97,7 +97,7 @@ BONDEM_PASS(watch_resting_cracks, serial)
 void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                  const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
-    const Index count = lists.size(1), before = lists.size(0);
+    const Index count = lists.size(list_count::resting), before = lists.size(list_count::treated);
     for (Index q = 0; q < portions(count, crack::of_portion); q++) {
         if (lists.woken(q) == 0) continue;
         for (Index e = q * crack::of_portion; e < least(count, (q + 1) * crack::of_portion); e++) {
@@ -106,14 +106,14 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
             const SingleCrack one(all.pose, facets, cracks, k);
             if (one.is_gone() && turned_away(one.now, one.area, slide_of(cracks, k))) {
                 part_resting(facets, cracks, k);
-                lists.parted(lists.size(3)++) = k;
+                lists.parted(lists.size(list_count::parted)++) = k;
                 continue;
             }
             wake(one, facets, cracks, lists, k);
             hand_over(one, facets, cells, slack, cracks, lists, k, -1.0);
         }
     }
-    if (lists.size(0) > before) fill_treated(lists);
+    if (lists.size(list_count::treated) > before) fill_treated(lists);
 }
 BONDEM_PASS(wake_cracks, serial)
 
@@ -121,7 +121,7 @@ BONDEM_PASS(wake_cracks, serial)
 void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
                    const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
-    const Index count = lists.size(0);
+    const Index count = lists.size(list_count::treated);
     over_places(turn, count, [&](Index first, Index last, Index portion) {
         for (Index e = first; e < last; e += lanes)
             soften_each(CrackGroup{lists.treated, lists.treated_i, lists.treated_j, e, count}, all, facets, strengths,
@@ -133,13 +133,13 @@ BONDEM_PASS(soften_cracks, serial)
 // Sums the forces of the cracks of each cell, and lets their faces slip by them.
 void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const StressesOfCells &stresses,
                   const CohesiveCracks &cracks, const CrackLists &lists) {
-    over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
+    over_places(turn, lists.size(list_count::cells), [&](Index first, Index last, Index) {
         HalvesAhead ahead(lists, first, last);
         for (Index q = first; q < last; q++)
             sum_cracks_of(stresses, cracks, lists, lists.cell(q), [&]() __attribute__((always_inline)) { ahead.ask(); });
     });
     if (!(turn.clock.dt > 0.0)) return;
-    over_places(turn, lists.size(0), [&](Index first, Index last, Index) {
+    over_places(turn, lists.size(list_count::treated), [&](Index first, Index last, Index) {
         constexpr Index ahead = 16;
         for (Index e = first; e < last; e++) {
             prefetch(&state_of(cracks, lists.treated(least(e + ahead, last - 1))));
@@ -153,7 +153,7 @@ BONDEM_PASS(slide_cracks, serial)
 void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
                   const CellSlack &slack, const CohesiveCracks &cracks, const CrackLists &lists) {
     if (!(turn.clock.dt > 0.0)) return;
-    const Index count = lists.size(0);
+    const Index count = lists.size(list_count::treated);
     for (Index q = 0; q < portions(count, crack::of_portion); q++) {
         lists.lost(q, 1) = 0.0;
         if (lists.flagged(q) == 0) continue;
@@ -174,7 +174,7 @@ void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
                 lists.lost(q, 1) += lost;
                 history_of(cracks, k).spent += lost;
                 end_treating(facets, cracks, lists, k, e, crack::parted);
-                lists.parted(lists.size(3)++) = k;
+                lists.parted(lists.size(list_count::parted)++) = k;
             } else {
                 end_treating(facets, cracks, lists, k, e, crack::resting);
             }

@@ -10,7 +10,7 @@ namespace {
 void sum_powers(const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                 const CohesiveCracks &cracks) {
     for (Index g = 0; g < strains.schedule.size(); g++) strains.cracked(g) = 0.0;
-    for (Index c = 0; c < cracks.size(0); c++) {
+    for (Index c = 0; c < cracks.size(crack_number::cracks); c++) {
         const Index k = cracks.order(c);
         if (history_of(cracks, k).status == crack::active)
             add_power_of_crack(all, strains, facets, cracks, k, strains.cracked.data);
@@ -22,7 +22,7 @@ void sum_powers(const Moving &all, const CellStrains &strains, const ElasticFace
 // Sets ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
 void sum_crack_powers(const Turn &, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
                       const CohesiveCracks &cracks) {
-    if (strains.due(0)) sum_powers(all, strains, facets, cracks);
+    if (strains.due(strain_due::power)) sum_powers(all, strains, facets, cracks);
 }
 BONDEM_PASS(sum_crack_powers, serial)
 

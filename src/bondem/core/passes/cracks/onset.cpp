@@ -98,7 +98,7 @@ void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForc
     if (!(turn.clock.dt > 0.0)) return;
     const Index portions = onset.found.size() - 1;
     const auto begin = [&](Index k) {
-        cracks.order(cracks.size(0)++) = k;
+        cracks.order(cracks.size(crack_number::cracks)++) = k;
         begin_crack(facets, kept, strengths, onset, cracks, k, turn.clock.step);
     };
     const bool on_planes = onset.found(portions) > 0;

@@ -50,7 +50,7 @@ BONDEM_PASS(measure_cracks, serial)
 
 // Finds the stresses of all cells with cracks that are treated one by one.
 void relax_cracked_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
-    over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
+    over_places(turn, lists.size(list_count::cells), [&](Index first, Index last, Index) {
         for (Index q = first; q < last; q += lanes) {
             const Short *const cell = lists.cell.data + q;
             for (int n = 0; n < lanes; n++) ask_for_halves(lists, cell[2 * lanes + n]);
@@ -62,7 +62,7 @@ BONDEM_PASS(relax_cracked_cells, serial)
 
 // Finds the stresses of cells with cracks that are out of date.
 void relax_stale_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
-    over_places(turn, lists.size(2), [&](Index first, Index last, Index) {
+    over_places(turn, lists.size(list_count::cells), [&](Index first, Index last, Index) {
         Short stale[crack::of_portion + lanes];
         Index count = 0;
         for (Index q = first; q < last; q++) {

@@ -75,7 +75,7 @@ inline void treat(const ElasticFacets &facets, const CohesiveCracks &cracks, Ind
     history_of(cracks, k).status = status;
     cracks.listed(k) = Byte(1 + status);
     put_integrity(facets, k, status == crack::active ? 0.0 : cracks.integrity(k));
-    put_shared(cracks.size(1), Index(1));
+    put_shared(cracks.size(crack_number::out_of_date), Index(1));
 }
 
 // λ / V of a cell: the lost parts of cracks that are not treated one by one act as free facets. `counts` names these
@@ -108,7 +108,7 @@ inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &crac
         of.lever_i[d] = facets.lever_i(d, k);
         of.lever_j[d] = facets.lever_j(d, k);
     }
-    put_shared(cracks.size(1), Index(1));  // lists have levers too
+    put_shared(cracks.size(crack_number::out_of_date), Index(1));  // lists have levers too
 }
 
 // True if a crack with a given dissipation may slip: it absorbs one fracture energy by opening and one by slip.

@@ -23,7 +23,7 @@ namespace bondem {
 // Tension from all sides that facets of a cell may have beyond its stress [Pa].
 inline double more_tension(const StressesOfCells &stresses, Index p, const Stress<double> &s) {
     constexpr double beyond = 0.2;  // how far σ* of a facet may be beyond the stresses of its cells, over their size
-    const double bent = root(positive(stresses.tensor(p, 6))) + least(trace(s) / 3.0, 0.0);
+    const double bent = root(positive(stresses.tensor(p, tensor_column::bending))) + least(trace(s) / 3.0, 0.0);
     return beyond * root(square_of(s)) + positive(bent);
 }
 
@@ -71,8 +71,8 @@ struct JudgedFacet {
 inline bool is_far_below(const StressesOfCells &stresses, const CandidateFacets &onset, Index i, Index j, Index k, Vector t) {
     constexpr double root_two = 1.4142135623730951;
     constexpr double near_bound = 0.8;  // share of the bound that stresses have to reach; T_b in it is that of the last step
-    const double size = 0.5 * (stresses.tensor(i, 7) + stresses.tensor(j, 7));
-    const double bends = least(stresses.tensor(i, 6), stresses.tensor(j, 6));
+    const double size = 0.5 * (stresses.tensor(i, tensor_column::size) + stresses.tensor(j, tensor_column::size));
+    const double bends = least(stresses.tensor(i, tensor_column::bending), stresses.tensor(j, tensor_column::bending));
     const double bound = (1.0 + root_two) * size + root_two * (length(t) + root(positive(bends)));
     return onset.scale(k) * bound < near_bound * onset.least;
 }

@@ -71,7 +71,7 @@ void judge_cells(const Turn &turn, const FacetStrengths &strengths, const Stress
     if (!(turn.clock.dt > 0.0)) return;
     for (Index p = turn.first; p < turn.last; p++) {
         const StressInvariants<double> s = invariants(tensor_of(stresses, p));
-        const double bent = root(positive(stresses.tensor(p, 6)));
+        const double bent = root(positive(stresses.tensor(p, tensor_column::bending)));
         const bool hot = largest_at_most(s) + positive(bent + least(s.mean, 0.0)) > strengths.hot;
         onset.judged(p) = onset.cracked(p) != 0 || hot;
     }

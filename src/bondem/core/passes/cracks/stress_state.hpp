@@ -12,7 +12,7 @@ inline Symmetric3<double> tensor_of(const StressesOfCells &stresses, Index p) {
     return {s[0], s[1], s[2], s[3], s[4], s[5]};
 }
 inline void put_size(const StressesOfCells &stresses, Index p) {
-    stresses.tensor(p, 7) = root(square_of(tensor_of(stresses, p)));
+    stresses.tensor(p, tensor_column::size) = root(square_of(tensor_of(stresses, p)));
 }
 // Adds contributions of load l on free facets and of wall g to the stress of cell p.
 inline void add_traction_stress(const FacetTractions &tractions, const StressesOfCells &stresses, Index l, Index p) {

@@ -85,7 +85,7 @@ BONDEM_PASS(stretch_walls_and_cracks, serial)
 void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets &facets,
                   const FacetsOfCells &of_cells,
                   const WallConstraints &walls, const YieldingCells &cells) {
-    if (!strains.due(1)) return;
+    if (!strains.due(strain_due::levers)) return;
     for (Index e = 0; e < cells.base_i.all(); e++) {
         cells.base_i.data[e] = facets.lever_i.data[e];
         cells.base_j.data[e] = facets.lever_j.data[e];

@@ -28,7 +28,7 @@ BONDEM_PASS(soften_beams, of_bonds)
 
 void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBeams &soft,
                         const EventLog &log) {
-    log.written(1) = log.written(0);
+    log.written(log_count::before) = log.written(log_count::events);
     for (Index q = 0; q < soft.number.size(); q++) {
         log.released(0) += soft.lost(q);
         for (Index e = 0; e < soft.parted(q); e++) {

@@ -143,7 +143,8 @@ template <class On> inline void for_each_failing(const Candidates &candidates, O
 }
 // Calls on(k, event) for those that have failed in this step; event is the number of a row of the log.
 template <class On> inline void for_each_event(const EventLog &log, On on) {
-    for (Index event = log.written(1); event < log.written(0); event++) on(Index(log.event(event, event_column::bond)), event);
+    for (Index event = log.written(log_count::before); event < log.written(log_count::events); event++)
+        on(Index(log.event(event, event_column::bond)), event);
 }
 
 inline void write_event(const Clock &clock, const EventLog &log, Index event, Index k, Index mode, const Removal &removal) {
@@ -154,13 +155,13 @@ inline void write_event(const Clock &clock, const EventLog &log, Index event, In
     for (Index c = 0; c < event_column::count; c++) row[c] = all[c];
 }
 inline void log_event(const Clock &clock, const EventLog &log, Index k, Index mode, const Removal &removal) {
-    write_event(clock, log, log.written(0)++, k, mode, removal);
+    write_event(clock, log, log.written(log_count::events)++, k, mode, removal);
 }
 
 // Removes the bonds that fail in this step: apply(k) → Removal.
 template <class Apply>
 inline void remove(const Turn &turn, const Candidates &candidates, const EventLog &log, Apply apply) {
-    log.written(1) = log.written(0);
+    log.written(log_count::before) = log.written(log_count::events);
     for_each_failing(candidates, [&](Index k, Index mode) {
         const Removal removal = apply(k);
         log_event(turn.clock, log, k, mode, removal);

@@ -45,15 +45,16 @@ void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
         lost += portions.turned(q, 1);
         not_finite |= portions.turned(q, 2);
     }
-    double kinetic = 0.0, supplied = portions.budget(2);
+    double kinetic = 0.0, supplied = portions.budget(guard_energy::walls);
     for (Index q = 0; q < portions.elements.size(); q++) kinetic += portions.elements(q, 0) + portions.elements(q, 1);
     for (Index r = 0; r < rows.work.size(); r++) supplied += absolute(rows.work(r));
-    portions.found(0) = wide;
-    portions.found(1) = lost;
-    portions.found(2) = 1;
+    portions.found(guard_number::wide) = wide;
+    portions.found(guard_number::lost) = lost;
+    portions.found(guard_number::ending) = 1;
     if (not_finite || !(kinetic < infinity && supplied < infinity)) return;
-    portions.budget(1) = most(portions.budget(1), supplied);
-    portions.found(2) = kinetic > beyond * (portions.budget(0) + portions.budget(1)) ? 2 : 0;
+    portions.budget(guard_energy::supplied) = most(portions.budget(guard_energy::supplied), supplied);
+    const double known = portions.budget(guard_energy::start) + portions.budget(guard_energy::supplied);
+    portions.found(guard_number::ending) = kinetic > beyond * known ? 2 : 0;
 }
 BONDEM_PASS(judge_energy, serial)
 
