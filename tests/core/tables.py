@@ -29,7 +29,7 @@ SHAPE = re.compile(r"\((?P<axes>[^()]*)\)$")
 # A constant, and an enumeration, alone or in a namespace that names it; its members.
 CONSTANT = re.compile(r"^constexpr Index (\w+) = (\d+);  // (.+)$", re.MULTILINE)
 ENUM = re.compile(
-    r"((?:^//[^\n]*\n)+)(?:namespace (\w+) \{\n)?enum (\w* ?): \w+ \{(.*?)\};(?:\n\})?", re.DOTALL | re.MULTILINE
+    r"((?:^//[^\n]*\n)+)(?:namespace (\w+) \{\s+)?enum (\w* ?): \w+ \{(.*?)\};", re.DOTALL | re.MULTILINE
 )
 MEMBER = re.compile(r"(\w+)(?: = (\d+))?\s*(?:,|$)")
 COUNT = re.compile(r"(\w+)::count")

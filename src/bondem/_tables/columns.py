@@ -33,27 +33,30 @@ class HistoryColumn(IntEnum):
 
 
 class DeviceColumn(IntEnum):
-    """Columns of a record on a device before those of gauges: sums over portions, then what is written by itself."""
+    """Columns of a record on a device before those of gauges. The first are sums over portions: energies of elements
+    and of bonds [J], numbers of bonds turned wide and lost and of portions with a number that is not finite,
+    works [J]. Energies as in the history and the work of walls follow [J].
+    """
 
-    TRANSLATION = 0  #: kinetic energy [J]
-    ROTATION = 1  #: kinetic energy [J]
-    DAMPED = 2  #: loss to damping [J]
-    RUBBED = 3  #: loss to friction [J]
-    NORMAL = 4  #: elastic energy of bonds [J]
-    SHEAR = 5  #: elastic energy of bonds [J]
-    BENDING = 6  #: elastic energy of bonds [J]
-    TWISTING = 7  #: elastic energy of bonds [J]
-    WIDE = 8  #: number of bonds turned wide
-    LOST = 9  #: number of bonds lost
-    NOT_FINITE = 10  #: number of portions with a number that is not finite
-    WORK = 11  #: work of loads and drives [J]
-    SUPPLIED = 12  #: sum of its absolute values [J]
-    CONTACT = 13  #: elastic energy of contacts [J]
-    NON_LOCAL = 14  #: work of the extra forces of the non-local law [J]
-    RELEASED = 15  #: energy that bonds have released [J]
-    PLASTIC = 16  #: energy that cells have dissipated by yielding [J]
-    CRUSHING = 17  #: part of the released energy beyond the fracture energy [J]
-    WALLS = 18  #: work of walls [J]
+    TRANSLATION = 0
+    ROTATION = 1
+    DAMPED = 2
+    RUBBED = 3
+    NORMAL = 4
+    SHEAR = 5
+    BENDING = 6
+    TWISTING = 7
+    WIDE = 8
+    LOST = 9
+    NOT_FINITE = 10
+    WORK = 11
+    SUPPLIED = 12
+    CONTACT = 13
+    NON_LOCAL = 14
+    RELEASED = 15
+    PLASTIC = 16
+    CRUSHING = 17
+    WALLS = 18
     COUNT = 19
 
 

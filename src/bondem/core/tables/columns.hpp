@@ -34,47 +34,23 @@ enum : Index {
     count
 };
 }
-// Columns of a record on a device before those of gauges: sums over portions, then what is written by itself.
+// Columns of a record on a device before those of gauges. The first are sums over portions: energies of elements and of
+// bonds [J], numbers of bonds turned wide and lost and of portions with a number that is not finite, works [J]. Energies
+// as in the history and the work of walls follow [J].
 namespace device_column {
 enum : Index {
-    translation,  // kinetic energy [J]
-    rotation,  // kinetic energy [J]
-    damped,  // loss to damping [J]
-    rubbed,  // loss to friction [J]
-    normal,  // elastic energy of bonds [J]
-    shear,  // elastic energy of bonds [J]
-    bending,  // elastic energy of bonds [J]
-    twisting,  // elastic energy of bonds [J]
-    wide,  // number of bonds turned wide
-    lost,  // number of bonds lost
-    not_finite,  // number of portions with a number that is not finite
-    work,  // work of loads and drives [J]
-    supplied,  // sum of its absolute values [J]
-    contact,  // elastic energy of contacts [J]
-    non_local,  // work of the extra forces of the non-local law [J]
-    released,  // energy that bonds have released [J]
-    plastic,  // energy that cells have dissipated by yielding [J]
-    crushing,  // part of the released energy beyond the fracture energy [J]
-    walls,  // work of walls [J]
-    count
+    translation, rotation, damped, rubbed, normal, shear, bending, twisting, wide, lost, not_finite, work, supplied,
+    contact, non_local, released, plastic, crushing, walls, count
 };
 }
 // Counts of what a call of the core has done.
-namespace step_count {
-enum : Index { steps, records, wide, lost };
-}
+namespace step_count { enum : Index { steps, records, wide, lost }; }
 // Numbers that the guard finds: bonds turned wide and lost, how the call ends, and whether lists are out of date.
-namespace guard_number {
-enum : Index { wide, lost, ending, out_of_date };
-}
+namespace guard_number { enum : Index { wide, lost, ending, out_of_date }; }
 // Energies of the guard: at the start, the most that was supplied since, and the supply of walls.
-namespace guard_energy {
-enum : Index { start, supplied, walls };
-}
+namespace guard_energy { enum : Index { start, supplied, walls }; }
 // Counts of a log of events: of all, and of those before the present step.
-namespace log_count {
-enum : Index { events, before };
-}
+namespace log_count { enum : Index { events, before }; }
 // Columns of the failure of a bond.
 namespace event_column {
 enum : Index {
@@ -90,9 +66,7 @@ enum : Index {
 };
 }
 // Modes of failure by the largest part of the index; states and run files store the number.
-namespace failure_mode {
-enum : Index { intact, tension, shear, bending, twisting };
-}
+namespace failure_mode { enum : Index { intact, tension, shear, bending, twisting }; }
 // Columns of a beam that has begun to soften.
 namespace soft_column {
 enum : Index {
@@ -117,25 +91,15 @@ enum : Index {
 };
 }
 // Columns of the stress of a cell: xx … yz, Σ T_b² of the bending of facets, and the size of the stress.
-namespace tensor_column {
-enum : Index { bending = 6, size };
-}
+namespace tensor_column { enum : Index { bending = 6, size }; }
 // Columns of the sums of an element: force, energy damped, torque, energy rubbed.
-namespace load_column {
-enum : Index { force, damped = 3, torque, rubbed = 7 };
-}
+namespace load_column { enum : Index { force, damped = 3, torque, rubbed = 7 }; }
 // Bytes of strains that change: whether ∂U/∂factor is needed, and whether levers have changed.
-namespace strain_due {
-enum : Index { power, levers };
-}
+namespace strain_due { enum : Index { power, levers }; }
 // Counts of lists of cracks: treated one by one, resting, cells of the first, and parted in this step.
-namespace list_count {
-enum : Index { treated, resting, cells, parted };
-}
+namespace list_count { enum : Index { treated, resting, cells, parted }; }
 // Numbers of cohesive cracks: how many there are, and 1 where lists are out of date.
-namespace crack_number {
-enum : Index { cracks, out_of_date };
-}
+namespace crack_number { enum : Index { cracks, out_of_date }; }
 namespace crack {
 // Kinds of cracks: of the material; with one integrity for all directions, of a material plane or a cell without
 // cohesion; and of the material that no longer transmits shear along it, with a spring of friction.
@@ -153,18 +117,12 @@ enum TouchState : Byte { separate, touching, parted, facing, late };
 enum WallKind : Index { plane_wall, cylinder_around, cylinder_among, sphere_around, sphere_among, disc_wall };
 
 // Quantities of elements that gauges record.
-namespace gauge_quantity {
-enum : Index { displacement, velocity, rotation, angular_velocity, force, of_walls };
-}
+namespace gauge_quantity { enum : Index { displacement, velocity, rotation, angular_velocity, force, of_walls }; }
 // Quantities of a wall that gauges record, behind those of elements. Power is that of the wall on the elements: by its
 // velocity and its growth, by its spin, and their sum.
-namespace wall_quantity {
-enum : Index { displacement = 5, force, growth, velocity, torque, rotation, angular_velocity, power };
-}
+namespace wall_quantity { enum : Index { displacement = 5, force, growth, velocity, torque, rotation, angular_velocity, power }; }
 // Reductions by which a gauge makes one number of many.
-namespace gauge_reduction {
-enum : Index { mean, sum, max_abs };
-}
+namespace gauge_reduction { enum : Index { mean, sum, max_abs }; }
 // Columns of the report of a relaxation.
 namespace relaxation_report {
 enum : Index {
