@@ -197,7 +197,7 @@ CAPS = (
     Cap("questions to a model about its law", lambda: _questions()["model"], 43),
     Cap("questions to a lattice about its shape", lambda: _questions()["lattice"], 20),
     Cap("questions to a study about its law", lambda: _questions()["study"], 11),
-    Cap("tests of a part for None", _tests_for_none, 192),
+    Cap("tests of a part for None", _tests_for_none, 189),
     Cap("files of Python that name the non-local law", _files_of_the_non_local_law, 11),
     Cap("places of the core that lower integrity", _lowered, 1),
     Cap("lines of Python", lambda: _lines(".py"), 59500, step=500),

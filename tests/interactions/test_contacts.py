@@ -9,8 +9,8 @@ import pytest
 
 import bondem as bd
 from bondem.dynamics import neighbour_list as lists
-from bondem.dynamics.crack_joints import joints
 from bondem.dynamics.explicit import integrate
+from bondem.dynamics.parts.shared_tables import apart
 from tests.bits import assert_same_bits, assert_same_run, need_two_threads, threads
 from tests.models import cloud, grains, momenta, moving, time_step, walls_of_box
 from tests.specimens import spheres, two_spheres
@@ -168,7 +168,7 @@ def test_the_bits_depend_on_neither_threads_nor_lists(monkeypatch: pytest.Monkey
         monkeypatch.setattr(lists, "_SKIN_LEAST", skin)
         model, state = cloud(edge, law, walls=walls)
         rest = model.state()
-        found = lists.ContactSearch(model, model.contacts, rest, joints(model, rest, rest.integrity)).find(0)
+        found = lists.ContactSearch(model, model.contacts, rest, (rest.integrity, apart(model, rest))).find(0)
         assert found is not None
         assert len(found.pairs.first) > 1000
         with threads(count):

@@ -66,7 +66,7 @@ class ContactSearch:
             model: model of the elements.
             contacts: contacts of the model.
             state: state with the pose of the elements.
-            joints: result of `bondem.dynamics.crack_joints.joints`; passes write both arrays.
+            joints: `Joints.integrity` and `Joints.apart` of the damage room; passes write both arrays.
             outer: distance within which two cells may touch by faces, as a sum of both [m], (n,); None without.
         """
         self._size = contacts.radius if outer is None else np.maximum(contacts.radius, outer)

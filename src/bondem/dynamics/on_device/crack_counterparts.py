@@ -18,7 +18,7 @@ from bondem._tables.crack_tables import (
 from bondem._tables.damage_tables import EventLog
 from bondem._tables.device_tables import LossesOfCracks
 from bondem._tables.step_tables import Moving
-from bondem.dynamics.cohesive_tables import BEGAN
+from bondem.damage.cohesive_tables import BEGAN
 from bondem.dynamics.on_device.translation import Counterpart, Translation, bonds, elements, over
 
 

@@ -5,10 +5,10 @@ import numpy as np
 
 from bondem._passes import StepEntry, steps
 from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, StepCut, Strain
-from bondem.dynamics.parts.breakage_part import breakage
-from bondem.dynamics.parts.damage_part import BondParts, DamageTables, Joints, damage_of
-from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.parts.softening_part import SofteningTables, softening
+from bondem.damage.breakage_part import breakage
+from bondem.damage.damage_part import BondParts, DamageTables, Joints, damage_of
+from bondem.damage.softening_part import SofteningTables, softening
+from bondem.dynamics.parts.shared_tables import SharedTables, apart
 from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
@@ -23,7 +23,7 @@ def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots |
     if strain is not None:  # lengths change during the run
         bonds = bonds.separate()
     table, alike = beam_tables(bonds, model.layout, model.period, state.integrity, may_share=strain is None)
-    damage = damage_of(model, state, cut, len(table.i))
+    damage = damage_of(model.breaking, state, cut, len(table.i))
     soft, failure = None, []
     if damage is not None and model.beam_softening is not None:
         soft = SofteningTables.of(model.beam_softening, damage, state, table, alike, handed=model.hands_over)
@@ -39,7 +39,7 @@ def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots |
         record=lambda _: [steps.sum_beam_energies(moving, table, portions)],
     )
     pressed = None if soft is None else soft.bounds
-    return BondParts([forces, *failure], Joints.of(model, state, table.integrity, damage, pressed))
+    return BondParts([forces, *failure], Joints(table.integrity, apart(model, state), damage, pressed))
 
 
 def _changing_strain(model: Model, state: State) -> Strain | None:

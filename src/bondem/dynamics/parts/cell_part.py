@@ -18,7 +18,7 @@ from bondem._tables.cell_tables import (
 )
 from bondem._tables.step_tables import Beams, Dashpots, Portions, StepCut
 from bondem._types import Ints
-from bondem.dynamics.parts.damage_part import DamageTables
+from bondem.damage.damage_part import DamageTables
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.cells.cell_constants import CellConstants

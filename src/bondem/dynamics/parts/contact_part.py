@@ -22,10 +22,10 @@ from bondem._tables.non_local_tables import LaggedStresses
 from bondem._tables.step_tables import Gauges, HistoryRows
 from bondem._types import Floats
 from bondem.boundary.wall_rows import named_rows, no_rows, wall_rows
+from bondem.damage.cracked_faces import CrackedFaces
+from bondem.damage.damage_part import Joints
 from bondem.dynamics.contact_check import ContactCheck, ListedContacts
-from bondem.dynamics.cracked_faces import CrackedFaces
 from bondem.dynamics.neighbour_list import ContactSearch, FoundContacts
-from bondem.dynamics.parts.damage_part import Joints
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.contact.contact_model import ContactModel
 from bondem.interactions.contact.contact_search import keep_wall_places, walls_at

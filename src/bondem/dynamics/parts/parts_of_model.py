@@ -4,19 +4,17 @@ from dataclasses import replace
 
 from bondem._tables.step_tables import Dashpots, Gauges, StepCut
 from bondem._types import PerBond
-from bondem.dynamics.crack_joints import joints
+from bondem.damage.damage_part import BondParts, Joints, damage_of
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.gauge_tables import gauge_tables
 from bondem.dynamics.parts.beam_part import beams
 from bondem.dynamics.parts.body_force_part import body_forces
 from bondem.dynamics.parts.boundary_part import boundary
+from bondem.dynamics.parts.cell_body_part import body_of_cells
 from bondem.dynamics.parts.contact_part import ContactTables
-from bondem.dynamics.parts.crack_part import CrackingBody
-from bondem.dynamics.parts.damage_part import BondParts, Joints, damage_of
-from bondem.dynamics.parts.facet_breakage_part import body_of_cells
 from bondem.dynamics.parts.history_part import history
 from bondem.dynamics.parts.motion_part import dashpots_of, motion, resistance_of
-from bondem.dynamics.parts.shared_tables import SharedTables
+from bondem.dynamics.parts.shared_tables import SharedTables, apart
 from bondem.dynamics.plan import Plan
 from bondem.interactions.beams.beam_interaction import StoredBeamInteraction
 from bondem.interactions.beams.bond_table import with_twins
@@ -66,12 +64,8 @@ def _bonds(
     model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
 ) -> BondParts:
     """Return the parts of the bonds."""
-    if model.softening is not None:
-        body = CrackingBody(model, state, shared, dt)
-        joined, apart = joints(model, state, state.integrity)
-        return BondParts(body.parts(model, dashpots), Joints(joined, apart, None, cracks=body.joints))
     if model.cells is not None:
-        return body_of_cells(model, state, shared, dashpots)
+        return body_of_cells(model, state, shared, dashpots, dt)
     if isinstance(model.interaction, LaggedInteraction | StoredBeamInteraction):
         return _of_law(model, model.interaction, state, shared, dashpots)
     return beams(model, state, shared, dashpots)
@@ -82,7 +76,7 @@ def _of_law(
     dashpots: Dashpots | None,
 ) -> BondParts:  # fmt: skip
     """Return the parts that a law gives itself."""
-    damage = damage_of(model, state, shared.cut, len(with_twins(model.layout.i)))
+    damage = damage_of(model.breaking, state, shared.cut, len(with_twins(model.layout.i)))
 
     def failing(judge: Passes, remove: Passes, integrity: PerBond) -> Part:
         assert damage is not None
@@ -93,4 +87,4 @@ def _of_law(
     found = law.parts(
         Run(shared.moving, shared.cut, shared.portions, state.of_law, dashpots, damage, failing, touches)
     )
-    return BondParts(found.parts, Joints.of(model, state, found.integrity, damage), found.stresses)
+    return BondParts(found.parts, Joints(found.integrity, apart(model, state), damage), found.stresses)

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from bondem._tables.step_tables import Moving, Portions, Rows, StepCut, Timeline
+from bondem._types import PerBond
 from bondem.dynamics.step_tables import new_portions
 from bondem.model.constraints import Schedules
 from bondem.model.model import Model
@@ -45,3 +46,8 @@ class SharedTables:
             timeline=Timeline(times.times, times.values, times.start),
             owned=len(held.element) > 0,
         )
+
+
+def apart(model: Model, state: State) -> PerBond:
+    """Return the distances of the centres at which the elements of bonds touch without these [m], (m,)."""
+    return model.bonds.stretched(state.rest_strain).length.copy()

@@ -9,11 +9,10 @@ from bondem._tables.beam_softening_tables import SofteningBeams, SofteningBounds
 from bondem._tables.columns import BONDS_OF_PORTION, SoftColumn
 from bondem._tables.step_tables import AlikeBeams, Beams
 from bondem.damage.beam_softening import BeamSoftening
+from bondem.damage.damage_part import DamageTables
+from bondem.damage.failing_state import FailingState, StepTables
 from bondem.damage.failure_passes import strengths_of
-from bondem.dynamics.parts.damage_part import DamageTables
-from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.step_part import Part
-from bondem.model.state import State
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,8 +29,8 @@ class SofteningTables:
 
     @classmethod
     def of(
-        cls, energies: BeamSoftening, damage: DamageTables, state: State, beams: Beams, alike: AlikeBeams | None,
-        *, handed: bool,
+        cls, energies: BeamSoftening, damage: DamageTables, state: FailingState, beams: Beams,
+        alike: AlikeBeams | None, *, handed: bool,
     ) -> "SofteningTables":  # fmt: skip
         """Return the tables of a run from a state with the beams that have begun to soften.
 
@@ -64,7 +63,7 @@ class SofteningTables:
 
 
 def softening(
-    tables: SofteningTables, damage: DamageTables, state: State, shared: SharedTables, beams: Beams
+    tables: SofteningTables, damage: DamageTables, state: FailingState, shared: StepTables, beams: Beams
 ) -> Part:
     """Return the part of beams that soften."""
     moving, bounds, soft, candidates = shared.moving, tables.bounds, tables.soft, damage.candidates

@@ -1,12 +1,18 @@
 """Cracks of bodies of cells that soften, and cells that yield (`core/passes/cracks/`)."""
 
+from typing import Protocol
+
 import numpy as np
 
 from bondem._cache_lines import lines
 from bondem._passes import steps
 from bondem._tables.cell_tables import (
+    CellDilatation,
+    CellStrains,
+    ElasticFacets,
     FacetsOfCells,
     FacetTractions,
+    WallConstraints,
 )
 from bondem._tables.columns import LogCount
 from bondem._tables.crack_tables import (
@@ -15,62 +21,90 @@ from bondem._tables.crack_tables import (
     CrackOnset,
     StressesOfCells,
 )
-from bondem._tables.step_tables import Dashpots, HistoryRows
-from bondem.damage.crack_columns import FACET
-from bondem.dynamics.cohesive_tables import (
+from bondem._tables.step_tables import HistoryRows
+from bondem._types import Floats
+from bondem.damage.cohesive_tables import (
     facet_forces,
     keep_cracks,
     new_cohesive_cracks,
     new_crack_lists,
     yielding_of,
 )
-from bondem.dynamics.crack_joints import LOSS, pressed_moments
-from bondem.dynamics.damage_tables import new_event_log
-from bondem.dynamics.parts.cell_part import BodyOfCells, cells, constants_of
-from bondem.dynamics.parts.damage_part import CrackJoints
-from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.dynamics.stress_onset import OnsetByStress
+from bondem.damage.crack_columns import FACET
+from bondem.damage.damage_part import CrackJoints, new_event_log
+from bondem.damage.failing_state import FailingState, StepTables
+from bondem.damage.softening_table import SofteningTable
+from bondem.damage.stress_onset import OnsetByStress
 from bondem.interactions.beams.bond_table import with_zeros
+from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.step_part import Part, Passes
-from bondem.model.model import Model
-from bondem.model.state import State
+from bondem.specimen.ordering import Layout
 
+# What breaks at once loses this share of its integrity, at most, in the time 1/ω in which the facet between its two
+# cells swings by itself, and in a step: the energy balance closes, better with a shorter step.
+_LOSS = 0.1
 # Slip over √A from which faces of a material plane no longer face each other: where no contact follows, when they are
 # beside each other; where it does, when a face is as near to the next one as to its own.
 _SLIDE, _SLIDE_TO_NEXT = 1.0, 0.5
 
 
-class CrackingBody:
-    """Tables of a body of cells whose facets soften and whose cells may yield."""
+class ElasticBody(Protocol):
+    """Tables of the facets, cells and walls of a run."""
 
-    def __init__(self, model: Model, state: State, shared: SharedTables, dt: float) -> None:
-        table = model.softening
-        assert table is not None
-        n, m = len(state.pose), len(state.integrity)
-        constants, adjacency, layout = constants_of(model, state), model.layout.adjacency, model.layout
-        self.shared, self.state = shared, state
-        self.body = body = BodyOfCells.of(model, state, shared)
+    @property
+    def facets(self) -> ElasticFacets: ...
+    @property
+    def cells(self) -> CellDilatation: ...
+    @property
+    def walls(self) -> WallConstraints: ...
+    @property
+    def tractions(self) -> FacetTractions | None: ...
+    @property
+    def strains(self) -> CellStrains | None: ...
+
+
+class CrackingBody:
+    """Tables of a body of cells whose facets soften and whose cells may yield.
+
+    Args:
+        table: strengths of facets and cells.
+        body: tables of the elastic body.
+        constants: constants of the cells, internal order.
+        layout: internal order of cells and facets.
+        state: state of the run; its arrays are shared.
+        shared: tables of all parts.
+        dt: time step [s].
+        touches: whether cells touch after their facets have parted.
+        pressed: contributions of loads on free facets to V σ at full load [J], (l, n, 6).
+    """
+
+    def __init__(
+        self, table: SofteningTable, body: ElasticBody, constants: CellConstants, layout: Layout,
+        state: FailingState, shared: StepTables, dt: float, *, touches: bool, pressed: Floats,
+    ) -> None:  # fmt: skip
+        n, m, adjacency = len(state.pose), len(state.integrity), layout.adjacency
+        self.shared, self.state, self.body = shared, state, body
         self.kept = facet_forces(state, body.facets, table.area, len(shared.cut.sums))
         swing = np.sqrt(constants.k * (state.motion[layout.i, 3] + state.motion[layout.j, 3]))
-        self.strengths = table.strengths(LOSS * np.minimum(dt * swing, 1.0), with_zeros)
+        self.strengths = table.strengths(_LOSS * np.minimum(dt * swing, 1.0), with_zeros)
         listed = np.zeros(len(body.facets.k), dtype=np.uint8)
         listed[m:] = 1  # no facets: they fill a group of lanes
-        self.by_stress = OnsetByStress.of(model, self.strengths, len(shared.portions.bonds))
-        self.cracks = new_cohesive_cracks(state, listed, _SLIDE if model.contacts is None else _SLIDE_TO_NEXT)
+        self.by_stress = OnsetByStress.of(table, self.strengths, len(shared.portions.bonds))
+        self.cracks = new_cohesive_cracks(state, listed, _SLIDE_TO_NEXT if touches else _SLIDE)
         cracked, facet = np.zeros(n, dtype=np.uint8), state.cracks[:, FACET].astype(np.int64)
         cracked[layout.i[facet]] = cracked[layout.j[facet]] = 1
         self.onset = CrackOnset(
             cracked, np.zeros(n, dtype=np.uint8), np.zeros(len(listed), dtype=np.uint8), listed,
             np.zeros(len(shared.portions.bonds) + 1, dtype=np.int64),
         )  # fmt: skip
-        self.stresses = StressesOfCells(constants.volume, lines(n), np.zeros((n, 12)), pressed_moments(model))
+        self.stresses = StressesOfCells(constants.volume, lines(n), np.zeros((n, 12)), pressed)
         self.slack = CellSlack(
             adjacency.in_start, adjacency.out_start, adjacency.out_bond, with_zeros(constants.slack_i),
             with_zeros(constants.slack_j), constants.weight,
         )  # fmt: skip
         self.of_cells = FacetsOfCells(*adjacency)
         self.lists = new_crack_lists(n, m)
-        self.yielding = yielding_of(model, state, table, body.facets, body.walls, constants)
+        self.yielding = yielding_of(state, table, body.facets, body.walls, constants)
         portions = len(shared.portions.elements)
         self.energies = CrackEnergies(np.zeros(portions), np.zeros(portions), np.zeros(3))
         self.log = new_event_log(state)
@@ -84,15 +118,11 @@ class CrackingBody:
             self.cracks, self.lists, self.body.facets, self.of_cells, self.strengths, self.log
         )  # fmt: skip
 
-    def parts(self, model: Model, dashpots: Dashpots | None) -> list[Part]:
+    def parts(self, elastic: Part) -> list[Part]:
         """Return the parts of the body: yielding and initiation by its stresses, the elastic body, and its cracks."""
-        stretch, begin, behind = self._straining()
-        elastic = cells(
-            self.shared, model, self.state, self.body, dashpots, self.kept, stretch=stretch, powers=begin
-        )  # fmt: skip
-        return [Part({"prepare": self._onset()}), elastic, self._cracks(behind)]
+        return [Part({"prepare": self._onset()}), elastic, self._cracks(self.straining()[2])]
 
-    def _straining(self) -> tuple[Passes, Passes, Passes]:
+    def straining(self) -> tuple[Passes, Passes, Passes]:
         """Return passes of strains that change: of levers, and of powers at cracks as a run begins and in a step."""
         strains, body = self.body.strains, self.body
         if strains is None:

@@ -10,9 +10,9 @@ from bondem._tables.crack_tables import CrackOnset, FacetStrengths, StressesOfCe
 from bondem._tables.damage_tables import StressCandidates
 from bondem._tables.step_tables import Moving
 from bondem._tables.stress_onset_tables import CandidateFacets
+from bondem.damage.softening_table import SofteningTable
 from bondem.damage.stress_passes import StressPasses, new_stress_candidates
 from bondem.interactions.beams.bond_table import with_twins
-from bondem.model.model import Model
 
 _JUDGE_CELLS = {"mean_stress": steps.judge_cells_by_mean_stress, "cone": steps.judge_cells_by_cone}
 
@@ -34,10 +34,9 @@ class OnsetByStress:
     strengths: FacetStrengths
 
     @classmethod
-    def of(cls, model: Model, strengths: FacetStrengths, portions: int) -> "OnsetByStress | None":
-        """Return the passes of a model, or None if the largest principal stress is its criterion."""
-        table = model.softening
-        if table is None or table.judge is None:
+    def of(cls, table: SofteningTable, strengths: FacetStrengths, portions: int) -> "OnsetByStress | None":
+        """Return the passes of a body, or None if the largest principal stress is its criterion."""
+        if table.judge is None:
             return None
         passes, m = table.judge.passes, len(strengths.strength)
         candidates = new_stress_candidates(m)._replace(number=np.zeros(portions, dtype=np.int64))

@@ -8,20 +8,17 @@ import numpy as np
 from bondem._passes import steps
 from bondem._tables.beam_softening_tables import SofteningBounds
 from bondem._tables.cell_tables import ElasticFacets, FacetsOfCells
-from bondem._tables.columns import LogCount, SoftColumn
+from bondem._tables.columns import CrackStatus, EventColumn, LogCount, SoftColumn
 from bondem._tables.crack_tables import CohesiveCracks, CrackLists, FacetStrengths
 from bondem._tables.damage_tables import Candidates, EventLog, FailureBounds, Postponed, Strengths
 from bondem._tables.non_local_tables import LaggedStresses
 from bondem._tables.step_tables import Dashpots, StepCut
 from bondem._types import PerBond
+from bondem.damage.crack_columns import FACET, STATUS, TOP
+from bondem.damage.failing_state import FailingState, StepTables
 from bondem.damage.failure_passes import strengths_of
 from bondem.damage.failure_table import FailureTable
-from bondem.dynamics.crack_joints import joints
-from bondem.dynamics.damage_tables import new_event_log
-from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.step_part import Part, Passes
-from bondem.model.model import Model
-from bondem.model.state import State
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +40,7 @@ class DamageTables:
     log: EventLog
 
     @classmethod
-    def of(cls, table: FailureTable, state: State, cut: StepCut, filled: int) -> "DamageTables":
+    def of(cls, table: FailureTable, state: FailingState, cut: StepCut, filled: int) -> "DamageTables":
         """Return the tables of a run from a state.
 
         Args:
@@ -76,7 +73,7 @@ class DamageTables:
         """Coefficients of the criteria as the core takes them."""
         return strengths_of(self.table)
 
-    def part(self, shared: SharedTables, judge: Passes, remove: Passes, dashpots: Dashpots | None) -> Part:
+    def part(self, shared: StepTables, judge: Passes, remove: Passes, dashpots: Dashpots | None) -> Part:
         """Return the part of the pipeline that does not depend on the kind of bonds.
 
         Args:
@@ -98,7 +95,7 @@ class DamageTables:
             record=lambda history: [steps.write_released(self.log, history)],
         )
 
-    def keep(self, integrity: np.ndarray, state: State) -> None:
+    def keep(self, integrity: np.ndarray, state: FailingState) -> None:
         """Write bonds that have failed since the last call into a state."""
         count = int(self.log.written[LogCount.EVENTS])
         if count:
@@ -137,12 +134,19 @@ class Joints:
     cracks: CrackJoints | None = None
 
     @classmethod
-    def of(
-        cls, model: Model, state: State, integrity: PerBond, damage: DamageTables | None,
-        pressed: SofteningBounds | None = None,
-    ) -> "Joints":  # fmt: skip
-        """Return the parts of a run, given the integrity in the form of the loop over the bonds."""
-        return cls(*joints(model, state, integrity), damage, pressed)
+    def of_cracks(cls, apart: PerBond, state: FailingState, cracks: CrackJoints) -> "Joints":
+        """Return the cracked facets of a run, which join two cells as long as their faces face each other.
+
+        Args:
+            apart: distances at which cells touch without a facet [m], (m,).
+            state: state with the present cracks.
+            cracks: cracked facets of the run.
+        """
+        joined, apart = (state.integrity > 0.0).astype(float), apart.copy()
+        facet, parted = state.cracks[:, FACET].astype(np.int64), state.cracks[:, STATUS] == CrackStatus.PARTED
+        joined[facet] = np.where(parted, 0.0, 1.0)
+        apart[facet[parted]] = np.minimum(apart[facet[parted]], state.cracks[parted, TOP])
+        return cls(joined, apart, None, cracks=cracks)
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,6 +164,12 @@ class BondParts:
     stresses: LaggedStresses | None = None
 
 
-def damage_of(model: Model, state: State, cut: StepCut, filled: int) -> DamageTables | None:
+def new_event_log(state: FailingState) -> EventLog:
+    """Return an empty log of a run from a state."""
+    room = np.empty((len(state.integrity), EventColumn.COUNT))
+    return EventLog(room, np.zeros(2, dtype=np.int64), state.released, state.crushed)
+
+
+def damage_of(table: FailureTable | None, state: FailingState, cut: StepCut, filled: int) -> DamageTables | None:
     """Return the tables of the damage pipeline of a run, or None if its bonds do not fail."""
-    return None if model.breaking is None else DamageTables.of(model.breaking, state, cut, filled)
+    return None if table is None else DamageTables.of(table, state, cut, filled)

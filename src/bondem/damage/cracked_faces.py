@@ -6,8 +6,8 @@ from bondem._tables.columns import CrackStatus
 from bondem._tables.contact_tables import ContactPairs, FacePairs
 from bondem._types import Floats, PerElement
 from bondem.damage.crack_columns import FACET, STATUS
-from bondem.dynamics.parts.damage_part import CrackJoints
-from bondem.model.state import State
+from bondem.damage.damage_part import CrackJoints
+from bondem.damage.failing_state import FailingState
 
 
 class CrackedFaces:
@@ -21,7 +21,7 @@ class CrackedFaces:
         outer: distance within which two cells may touch by faces, as a sum of both [m], (n,).
     """
 
-    def __init__(self, joints: CrackJoints, state: State) -> None:
+    def __init__(self, joints: CrackJoints, state: FailingState) -> None:
         facets, n = joints.facets, len(state.pose)
         planes = joints.strengths.planes
         self._joints = joints

@@ -24,11 +24,10 @@ from bondem.damage.crack_columns import (
     STATUS,
     TOP,
 )
+from bondem.damage.failing_state import FailingState
 from bondem.damage.softening_table import SofteningTable
 from bondem.interactions.beams.bond_table import with_zeros
 from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.model.model import Model
-from bondem.model.state import State
 
 # Places of a portion of a list, as in the core, and places behind a list that lanes and prefetching read.
 _PORTION, _BEHIND = 256, 64
@@ -36,7 +35,7 @@ _PORTION, _BEHIND = 256, 64
 BEGAN = 5
 
 
-def new_cohesive_cracks(state: State, listed: np.ndarray, slide: float) -> CohesiveCracks:
+def new_cohesive_cracks(state: FailingState, listed: np.ndarray, slide: float) -> CohesiveCracks:
     """Return the cracks of a state; memory is taken as facets crack."""
     m, count = len(state.integrity), len(state.cracks)
     cracks = CohesiveCracks(
@@ -65,7 +64,7 @@ def _columns_of_cracks(cracks: CohesiveCracks) -> list[tuple[int | slice, Floats
     ]  # fmt: skip
 
 
-def keep_cracks(cracks: CohesiveCracks, kept: FacetForces, state: State) -> None:
+def keep_cracks(cracks: CohesiveCracks, kept: FacetForces, state: FailingState) -> None:
     """Write the cracks and the forces of facets into a state."""
     facet = cracks.order[: cracks.size[CrackNumber.CRACKS]]
     state.cracks = np.empty((len(facet), CRACK_COLUMNS))
@@ -95,7 +94,7 @@ def new_crack_lists(n: int, m: int) -> CrackLists:
     )  # fmt: skip
 
 
-def facet_forces(state: State, facets: ElasticFacets, area: Floats, rows: int) -> FacetForces:
+def facet_forces(state: FailingState, facets: ElasticFacets, area: Floats, rows: int) -> FacetForces:
     """Return the forces of facets that a run keeps, initially those of a state without its active cracks."""
     force = with_zeros(state.facet_force).copy()
     active = state.cracks[:, STATUS] == CrackStatus.ACTIVE
@@ -105,7 +104,7 @@ def facet_forces(state: State, facets: ElasticFacets, area: Floats, rows: int) -
 
 
 def yielding_of(
-    model: Model, state: State, table: SofteningTable, facets: ElasticFacets, walls: WallConstraints,
+    state: FailingState, table: SofteningTable, facets: ElasticFacets, walls: WallConstraints,
     constants: CellConstants,
 ) -> YieldingCells | None:  # fmt: skip
     """Return the cells that yield, or None if none can."""

@@ -1,0 +1,63 @@
+"""Breakage of beams and of facets of cells that fail at once."""
+
+import numpy as np
+
+from bondem._passes import steps
+from bondem._tables.cell_tables import ElasticFacets, FacetRelease, WallConstraints
+from bondem._tables.damage_tables import BeamIntegrity
+from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots
+from bondem.damage.damage_part import DamageTables
+from bondem.damage.failing_state import FailingState, StepTables
+from bondem.damage.failure_passes import strengths_of
+from bondem.interactions.step_part import Part, Passes
+
+
+def breakage(
+    damage: DamageTables,
+    state: FailingState,
+    shared: StepTables,
+    beams: Beams,
+    alike: AlikeBeams | None,
+    dashpots: Dashpots | None,
+) -> Part:
+    """Return the part of beams that break."""
+    moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
+    hold = np.zeros(0) if alike is None else alike.hold
+    integrity = BeamIntegrity(beams.integrity, hold)
+    strengths = strengths_of(damage.table)
+    judge = [steps.JUDGE_BEAMS_BY[damage.table.kind](moving, beams, strengths, candidates, postponed)]
+    remove: Passes = []
+    if dashpots is not None:
+        remove.append(steps.withdraw_dashpots(moving, beams, dashpots, candidates, postponed))
+    remove.append(steps.break_beams(moving, beams, integrity, candidates, postponed, damage.log))
+    part = damage.part(shared, judge, remove, dashpots)
+    return Part(part.stages, part.record, lambda: damage.keep(beams.integrity, state))
+
+
+def facet_breakage(
+    damage: DamageTables,
+    state: FailingState,
+    shared: StepTables,
+    facets: ElasticFacets,
+    walls: WallConstraints,
+    release: FacetRelease,
+    dashed: tuple[Dashpots, Beams] | None,
+) -> Part:
+    """Return the part of facets that break; `dashed` are dashpots and the beams that they act on."""
+    moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
+    strengths = strengths_of(damage.table)
+    judge = steps.JUDGE_FACETS_BY[damage.table.kind](moving, facets, release, strengths, candidates, postponed)
+    exchanged = moving, facets, walls, release, candidates
+    remove: Passes = []
+    if dashed is not None:
+        remove.append(steps.withdraw_dashpots(moving, dashed[1], dashed[0], candidates, postponed))
+    remove += [
+        steps.withdraw_facets(*exchanged, postponed),
+        steps.break_facets(*exchanged, damage.log),
+        steps.restore_facets(*exchanged, postponed),
+    ]
+    if len(walls.cell):
+        remove.append(steps.renew_wall_rows(walls, shared.rows, candidates))
+    part = damage.part(shared, [], remove, None if dashed is None else dashed[0])
+    stages = {**part.stages, "constrain": [judge]}  # before any cell moves, as stresses change those of neighbours
+    return Part(stages, part.record, lambda: damage.keep(facets.integrity, state))

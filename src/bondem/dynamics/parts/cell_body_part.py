@@ -1,0 +1,60 @@
+"""Bodies of cells: elastic ones, and those whose facets break at once or crack."""
+
+import numpy as np
+
+from bondem._tables.step_tables import Dashpots
+from bondem._types import Floats
+from bondem.boundary.conditions import Load
+from bondem.boundary.loads import Pressure, is_face
+from bondem.damage.breakage_part import facet_breakage
+from bondem.damage.crack_part import CrackingBody
+from bondem.damage.damage_part import BondParts, Joints, damage_of
+from bondem.dynamics.parts.cell_part import BodyOfCells, cells, constants_of
+from bondem.dynamics.parts.mass_part import mass_of_waves
+from bondem.dynamics.parts.shared_tables import SharedTables, apart
+from bondem.interactions.cells.cell_body import body_of
+from bondem.interactions.cells.cell_tables import facet_release
+from bondem.model.model import Model
+from bondem.model.state import State
+
+
+def body_of_cells(
+    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
+) -> BondParts:
+    """Return the parts of a body of cells; `dt` is the time step [s]."""
+    assert model.cells is not None
+    body, table = BodyOfCells.of(model, state, shared), model.softening
+    if table is not None:
+        cracking = CrackingBody(
+            table, body, constants_of(model, state), model.layout, state, shared, dt,
+            touches=model.contacts is not None, pressed=_pressed_moments(model),
+        )  # fmt: skip
+        stretch, powers, _ = cracking.straining()
+        elastic = cells(shared, model, state, body, dashpots, cracking.kept, stretch=stretch, powers=powers)
+        return BondParts(
+            cracking.parts(elastic), Joints.of_cracks(apart(model, state), state, cracking.joints)
+        )
+    damage = damage_of(model.breaking, state, shared.cut, len(body.facets.i))
+    forces = cells(shared, model, state, body, dashpots, damage=damage)
+    parts = [forces, *mass_of_waves(model, shared, body)]
+    if damage is not None:
+        release = facet_release(model.cells, model.layout, body.facets, body.cells, body.walls)
+        dashed = None if dashpots is None else (dashpots, body.beams)
+        parts.append(facet_breakage(damage, state, shared, body.facets, body.walls, release, dashed))
+    return BondParts(parts, Joints(body.facets.integrity, apart(model, state), damage))
+
+
+def _pressed_moments(model: Model) -> Floats:
+    """Return b⊗F of loads on free facets, xx, yy, zz, xy, xz, yz, in internal order [J], (l, n, 6)."""
+    _, cells = body_of(model.lattice)
+    free, found = cells.free, []
+    for condition in model.boundary:
+        if isinstance(condition, Load | Pressure) and is_face(condition.region):
+            numbers, force = condition.on_facets(model.lattice)
+            cell, moment = free.cell[numbers], np.zeros((len(cells.volume), 6))
+            arm = free.centroid[numbers] - cells.centroid[cell]
+            for column, (a, b) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))):
+                part = 0.5 * (arm[:, a] * force[:, b] + arm[:, b] * force[:, a])
+                moment[:, column] = np.bincount(cell, part, len(moment))
+            found.append(moment[model.layout.order])
+    return np.array(found).reshape(len(found), len(cells.volume), 6)
