@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
+from bondem.errors import InputError
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.report.strength_figures import draw_failed
 from bondem.report.style import BLUE, INK, ORANGE, sheet
@@ -30,6 +31,8 @@ def draw_all(
         out: folder for `concrete_KIND.png`.
         specimen: makes the body of a kind, number of cells and seed.
     """
+    if not any(file.exists() for file, _ in rows):
+        raise InputError(f"{rows[0][0].parent} has no curves; measure them first")
     for name, kind, pressure in PANELS:
         asked = {"kind": kind, "pressure": pressure}
         found = [(file, row) for file, row in rows if file.exists() and asked.items() <= row.items()]

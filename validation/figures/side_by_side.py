@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.collections import PatchCollection
 from matplotlib.patches import Circle
 
+from bondem.errors import InputError
 from bondem.report.style import INK, sheet
 
 #: Tests in rows: seen across the load, or along the axis in splitting; and by how much motion is magnified.
@@ -28,6 +29,8 @@ def draw_broken(path: Path, kept: Path, names: Sequence[tuple[str, str]], count:
     """
     there = [one for one in names if (kept / f"{one[0]}-{count}-seed1-brazilian.npz").exists()]
     path.parent.mkdir(parents=True, exist_ok=True)
+    if not there:
+        raise InputError(f"{kept} has no curves of {count} elements; measure them first")
     ratios = [4.4, 4.4, 2.4]
     with sheet(path, 1.2 * len(there), 5.8, 3, len(there), squeeze=False, height_ratios=ratios) as (figure, boxes):
         found = None
@@ -42,6 +45,7 @@ def draw_broken(path: Path, kept: Path, names: Sequence[tuple[str, str]], count:
                     ax.set_title(words.replace(", ", ",\n"), fontsize=6.5, loc="center", color=INK)
             line[0].text(-0.12, 0.5, title, transform=line[0].transAxes, rotation=90, va="center", ha="center",
                          color=INK)  # fmt: skip
+        assert found is not None
         bar = figure.colorbar(found, ax=boxes, orientation="horizontal", shrink=0.4, aspect=40, pad=0.01)
         bar.set_label("share of the bonds or facets of an element that is broken [-]")
 

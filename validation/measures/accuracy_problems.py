@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import partial
 from itertools import product
 from time import process_time
+from typing import Any
 
 import numpy as np
 from scipy.sparse import csc_matrix
@@ -230,10 +231,11 @@ def displacement_of(x: np.ndarray) -> np.ndarray:
     return total * (x % LENGTH / LENGTH - 0.5 * erf(images(x)).sum(axis=0))
 
 
-def pulse_of_cells(mass: str, safety: float, count: int, seed: int) -> Found:
+def pulse_of_cells(mass: Any, safety: float, count: int, seed: int) -> Found:
     """Error of means of sections."""
     body = cells_of(bd.Cell((LENGTH, WIDTH, WIDTH)), count, seed)
     model = bd.Model(body, MEDIUM, 1.0, mass_matrix=mass)
+    assert body.cells is not None
     x, volume = body.centre[:, 0], body.cells.volume
     state = model.state()
     state.set_motion(velocity=velocity_of(x)[:, None] * [1.0, 0.0, 0.0])

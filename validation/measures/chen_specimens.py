@@ -4,6 +4,7 @@ E_b = 200 GPa, ν_b = 0.3, F = 100 kN. The density is not printed in the paper; 
 """
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -35,7 +36,8 @@ CASES: dict[str, dict[float, tuple[bd.Lattice, float, float | None]]] = {
 
 
 def bond(law: str, radius: float, kappa: float | None = None) -> BondLaw:
-    return LAWS[law](E=E, nu=NU, radius=radius, **({"kappa": kappa} if law == "PBM" else {}))
+    own: dict[str, Any] = {"kappa": kappa} if law == "PBM" else {}
+    return LAWS[law](E=E, nu=NU, radius=radius, **own)
 
 
 def cantilever(lattice: bd.Lattice, law: BondLaw, force: float, ramp: float | None = None) -> bd.Model:

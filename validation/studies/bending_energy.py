@@ -47,6 +47,8 @@ def shares(body: bd.Lattice, path: bd.QuasistaticResult, begun: list) -> np.ndar
     taken above the line as it began [J], and over all: energy of events over that of their steps [-], (m, 4).
     """
     model = bd.Model(body, LAW, 1.0, failure=bd.Rankine(tension=TENSION, fracture_energy=ENERGY))
+    assert model.softening is not None
+    assert body.facets is not None
     reach = np.empty(len(body.pairs))
     reach[model.layout.bond_order] = model.softening.last
     unit = ENERGY * body.facets.area / (TENSION * reach)  # A / 2k: G_f A is onset · last of it where onset is f_t
@@ -68,7 +70,10 @@ def shares(body: bd.Lattice, path: bd.QuasistaticResult, begun: list) -> np.ndar
 
 def account(body: bd.Lattice, test: bd.labtests.BendingTest, lines: list) -> dict:
     """What facets took, over G_f times the ligament or times a band of it."""
+    assert body.facets is not None
+    assert body.cells is not None
     path, place = test.path, body.facets.centroid
+    assert isinstance(path, bd.QuasistaticResult)
     (spent, under, late, over), left = shares(body, path, lines).T, path.bond_integrity
     plane = BEAM[2] * test.ligament
     area = body.facets.area * np.abs(body.facets.normal[:, 0])
@@ -111,10 +116,12 @@ def measured(body: bd.Lattice, ripple: float, together: float) -> dict:
     with begun_facets() as lines:
         test = bd.labtests.three_point_bending(body, LAW, concrete(), ripple=ripple, together=together)
     seconds, busy = time.perf_counter() - began, time.process_time() - busy
+    path = test.path
+    assert isinstance(path, bd.QuasistaticResult)
     return {
-        "facets": len(body.pairs), "peak": test.peak / TENSION, "load": test.path.peak,
-        "work": test.work / ENERGY, "events": len(test.path.load), "failures": len(test.path.bond),
-        "solutions": test.path.solutions, "iterations": test.path.iterations, "end": test.path.end,
+        "facets": len(body.pairs), "peak": test.peak / TENSION, "load": path.peak,
+        "work": test.work / ENERGY, "events": len(path.load), "failures": len(path.bond),
+        "solutions": path.solutions, "iterations": path.iterations, "end": path.end,
         "seconds": seconds, "processor seconds": busy, **account(body, test, lines),
     }  # fmt: skip
 

@@ -85,7 +85,8 @@ def pressed(body: bd.Lattice, failure: bd.Criterion | None) -> bd.ExplicitResult
 def elastic(body: bd.Lattice) -> dict[str, float]:
     """Stress across the loaded diameter in the cells near the axis, and the largest principal one, over theory."""
     run = pressed(body, None)
-    stress = bd.cell_stress(run.state.model, run.state)
+    state: Any = run.state
+    stress = bd.cell_stress(state.model, state)
     place, middle = body.particles.position, np.mean(body.particles.envelope.bounds, axis=0)
     near = np.hypot(place[:, 1] - middle[1], place[:, 2] - middle[2]) < 0.1 * DIAMETER
     assert body.cells is not None

@@ -41,6 +41,8 @@ def bar_test(body: bd.Lattice, nu: float, law: bd.CellBond | None = None) -> dic
         body, model.cell_constants, static.displacement, static.rotation, wall=model.cell_constants.grips.motion
     )
     force = found.forces(body, model.cell_constants)
+    assert body.facets is not None
+    assert body.cells is not None
     area, normal = body.facets.area, body.facets.normal
     both = inside[body.pairs].all(axis=1)
     off = force / area[:, None] - stress * normal[:, :1] * np.array([1.0, 0.0, 0.0])

@@ -24,6 +24,7 @@ import numpy as np
 from scipy.special import erf
 
 import bondem as bd
+from bondem.model.model import MassMatrix
 from validation.frame.record import Record, spread
 
 #: In widths of the pulse: length of the bar, centre of the pulse at the start, place of the slab, standard deviation
@@ -34,7 +35,7 @@ HALF = 1.0
 SPEED = 1e-6
 #: Energy of an unstable run over that at its start, or more.
 GROWN = 1.05
-MASSES = "lumped", "dispersion-corrected"
+MASSES: tuple[MassMatrix, ...] = "lumped", "dispersion-corrected"
 ENDS = "free", "absorbing"
 #: Sides of the bar, and along which axis they are held.
 SIDES = {"P": {"y": "y", "z": "z"}, "S": {"y": "x", "z": "z"}}
@@ -90,7 +91,7 @@ def passage(
         model, duration=WAY * width / c, every=1, safety=safety, state=begun, callback=look, imbalance=None
     )
     energy = run.history.energy
-    stored = sum(energy[part] for part in ("translation", "rotation", "normal", "shear", "bending", "twisting"))
+    stored: Any = sum(energy[part] for part in ("translation", "rotation", "normal", "shear", "bending", "twisting"))
     if run.status != bd.Status.COMPLETED or np.max(stored) > GROWN * stored[0]:
         return None
     t, v = np.array(time), np.array(seen)

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 import bondem as bd
+from bondem.model.model import MassMatrix
 from validation.frame.record import Record
 
 LENGTH = 8.0
@@ -20,7 +21,9 @@ NUMBERS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)
 
 
 #: Mass matrices, and shares of the usual time step.
-KINDS = (("lumped", 1.0), ("dispersion-corrected", 1.0), ("dispersion-corrected", 0.5))
+KINDS: tuple[tuple[MassMatrix, float], ...] = (
+    ("lumped", 1.0), ("dispersion-corrected", 1.0), ("dispersion-corrected", 0.5)
+)  # fmt: skip
 
 
 def celerity(model: bd.Model, number: int, axis: int, guess: float, *, share: float = 1.0) -> float:

@@ -56,6 +56,7 @@ def beam(count: int, seed: int, width: float) -> bd.Lattice:
 
 def strip_of(body: bd.Lattice) -> float:
     """Usual width of the loaded strips of the test [m]."""
+    assert body.cells is not None
     return max(0.1 * DEPTH, 1.5 * float(np.cbrt(body.cells.volume.mean())))
 
 
@@ -64,6 +65,9 @@ def measured(count: int, seed: int, width: float) -> list[dict]:
     body = beam(count, seed, 1e-3 * width)
     failure = bd.Rankine(tension=4e6, fracture_energy=100.0)
     test = bd.labtests.three_point_bending(body, bd.CellBond(E=E, nu=NU), failure, span=SPAN, most=1)
+    assert body.cells is not None
+    assert body.cells.free is not None
+    assert test.cmod is not None
     free, middle = body.cells.free, 0.5 * (SPAN + 2.0 * BEYOND)
     side = (free.face == list(body.particles.envelope.faces).index("notch")) & (np.abs(free.normal[:, 0]) > 0.5)
     side &= free.centroid[:, 1] < strip_of(body)

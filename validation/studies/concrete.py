@@ -99,7 +99,7 @@ def tested(case: Case, body: bd.Lattice) -> tuple[Any, dict[str, float]]:
             test = labtests.direct_tension(body, LAW, failure)
         case "bending" | "notched":
             test = labtests.three_point_bending(body, LAW, failure, together=0.01)
-            path = test.path
+            path: Any = test.path
             return test, {"events": len(path.factor), "load": path.peak, "ligament": test.ligament, "span": test.span}
         case "shear":
             test = labtests.shear(body, LAW, failure)

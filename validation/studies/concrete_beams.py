@@ -53,10 +53,11 @@ def measured(depth: float, count: int, seed: int) -> dict[str, Any]:
     body = bd.connect(bd.pack(shape, count=count, method="even", seed=seed), method="laguerre")
     begun = time.perf_counter()
     test = bd.labtests.three_point_bending(body, LAW, concrete(), span=SPAN * depth, together=0.01)
-    load = test.path.peak
+    path: Any = test.path
+    load = path.peak
     return {
         "depth": depth, "count": count, "seed": seed, "load": load, "nominal": float(nominal(load, depth)),
-        "work": test.work, "events": len(test.path.factor), "seconds": time.perf_counter() - begun,
+        "work": test.work, "events": len(path.factor), "seconds": time.perf_counter() - begun,
     }  # fmt: skip
 
 

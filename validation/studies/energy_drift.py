@@ -9,6 +9,7 @@ and is given with its standard error: a drift is a slope of several errors.
 import json
 import math
 import time
+from typing import Any
 
 import numpy as np
 
@@ -42,7 +43,7 @@ def error(model: bd.Model, start: State, dt: float, steps: int, every: int) -> t
     if run.steps != steps:
         raise SystemExit(run.message)
     energy = run.history.energy
-    total = sum(energy[name] for name in ("translation", "rotation", "normal", "shear", "bending", "twisting"))
+    total: Any = sum(energy[name] for name in ("translation", "rotation", "normal", "shear", "bending", "twisting"))
     return run.history.time / dt, total / total[0] - 1.0
 
 

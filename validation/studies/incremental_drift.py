@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -25,7 +26,7 @@ STEEL, RADIUS = bd.materials.steel, 0.2
 AREA, SECOND = math.pi * RADIUS**2, math.pi * RADIUS**4 / 4.0
 
 
-def law(form: str, radius: float = RADIUS) -> bd.EulerBernoulli:
+def law(form: Any, radius: float = RADIUS) -> bd.EulerBernoulli:
     return bd.EulerBernoulli(E=STEEL.E, nu=STEEL.nu, radius=radius, formulation=form)
 
 
@@ -165,7 +166,7 @@ def spinning(shares: tuple[float, ...]) -> list[dict]:
                     model, duration=TURNS * turn, dt=settled.dt, every=every, gauges=gauges, state=state
                 )
                 ledger = run.history.energy
-                total = sum(ledger[name] for name in ("translation", "rotation", *ELASTIC))
+                total: Any = sum(ledger[name] for name in ("translation", "rotation", *ELASTIC))
                 span = run.history["right"] - run.history["left"] + [2.0 * half, 0.0, 0.0]
                 rows.append(
                     {"body": body, "form": form, "share_of_critical": share, "steps_a_turn": float(turn / run.dt),
@@ -228,7 +229,7 @@ def cycled(form: str, angle: float, cycles: int, steps: int) -> tuple[float, lis
 
 def cycles(angles: tuple[float, ...]) -> list[dict]:
     """What is left of the force after one closed cycle, and its growth over ten."""
-    rows = []
+    rows: list[dict] = []
     for form in FORMS:
         for angle in angles:
             for steps in (500, 2000, 8000):

@@ -34,6 +34,7 @@ def slipped(way: str, contact: str, seed: int, count: int) -> dict:
     i, j = body.pairs.T
     upper = np.zeros(len(body.centre), dtype=bool)
     upper[up.select(body)] = True
+    assert body.facets is not None
     edge = float(np.sqrt(np.median(body.facets.area[upper[i] != upper[j]])))
     strong = bd.MohrCoulomb(tension=80e6, cohesion=300e6, friction_angle=PHI, fracture_energy=5e4)
     joint = bd.MohrCoulomb(

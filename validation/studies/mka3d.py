@@ -31,7 +31,7 @@ from validation.studies.cell_moduli import bar_test
 from validation.studies.cell_waves import LENGTH, celerity
 
 #: Variants: whether shares are balanced, and how facets resist a relative rotation.
-VARIANTS = {
+VARIANTS: dict[str, tuple[bool, Any]] = {
     "bondem": (True, "bending"),
     "bondem, facets with twist": (True, "full"),
     "balanced shares with facets of Mka3D": (True, "Mka3D"),
@@ -53,10 +53,10 @@ def variant(name: str, nu: float) -> Iterator[bd.CellBond]:
     balanced, rotation = VARIANTS[name]
     ways, resistance = cell_constants.ways, cell_constants.resistance
 
-    def of_mka3d(S: np.ndarray, normal: np.ndarray, stiffness: np.ndarray, kind: str) -> np.ndarray:
+    def of_mka3d(S: np.ndarray, normal: np.ndarray, stiffness: np.ndarray, rotation: str) -> np.ndarray:
         """E I/L about the axes in the plane, G I_p/L about the normal; `stiffness` is 2 G / L."""
         bending = (1.0 + nu) * resistance(S, normal, stiffness, "bending")
-        polar = 0.5 * stiffness * np.einsum("mii->m", S) * (kind == "full")
+        polar = 0.5 * stiffness * np.einsum("mii->m", S) * (rotation == "full")
         return bending + polar[:, None, None] * normal[:, :, None] * normal[:, None, :]
 
     try:
@@ -104,6 +104,7 @@ def frequencies(shape: str, count: int, seed: int, nu: float) -> list[dict[str, 
     for name in VARIANTS:
         with variant(name, nu) as law:
             found = bd.solve_modes(bd.Model(part, law, 1.0), count=len(theory.frequency) + 3)
+        assert part.cells is not None
         pairs = matched(found, part.cells.volume, theory, expected)
         rows.append({"variant": name, "errors": [p.measured / p.reference - 1.0 for p in pairs for _ in p.modes][:6]})
     return rows
@@ -163,6 +164,7 @@ def sheet(thick: int, seed: int | None, nu: float) -> list[dict[str, Any]]:
     for name in VARIANTS:
         with variant(name, nu) as law:
             found = bd.solve_modes(bd.Model(body, law, 1.0), count=8)
+        assert body.cells is not None
         pairs = matched(found, body.cells.volume, exact, expected)
         rows.append({"variant": name, "errors": [p.measured / p.reference - 1.0 for p in pairs for _ in p.modes][:3]})
     return rows

@@ -1,12 +1,14 @@
 """The non-local law beside the cell law: what comes back of E = 40 GPa and ν, and when its lag diverges."""
 
 import warnings
+from typing import Any
 
 import numpy as np
 
 import bondem as bd
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.plan import Plan
+from bondem.interactions.lagged_interaction import LaggedInteraction
 from bondem.model.highest_frequency import highest_frequency
 from bondem.model.state import State
 from bondem.statics.lagged_statics import LaggedStatics
@@ -23,7 +25,7 @@ DAMPING = {
 }  # fmt: skip
 
 
-def moduli(lattice: bd.Lattice, law: object) -> dict:
+def moduli(lattice: bd.Lattice, law: Any) -> dict:
     """E [GPa] and ν, or what went wrong."""
     try:
         found = bd.bulk_moduli(lattice, law)
@@ -64,12 +66,14 @@ def by_steps(body: bd.Lattice) -> list[dict]:
     rows = []
     slip = np.zeros_like(body.branch)
     slip[:, 0] = body.branch[:, 0]
+    assert body.particles.period is not None
     volume = float(body.particles.period.prod())
     for name, lattice, law in (
         ("facets", body, bd.NonLocal(E=E, nu=0.2)),
         ("line of centres, unlimited", body, bd.NonLocal(E=E, nu=0.2, lever="contact", limited=False)),
     ):
         model = bd.Model(lattice, law, 1.0)
+        assert isinstance(model.interaction, LaggedInteraction)
         statics = LaggedStatics(model.interaction, System.of(model))
         for steps in (1, 10, 40):
             found = statics.settle(np.zeros((len(lattice.particles), 6)), slip=slip, steps=steps)

@@ -68,6 +68,8 @@ def ball(count: int, seed: int, speed: float) -> tuple[bd.Model, bd.State, float
     failure = bd.Rankine(tension=20e6, fracture_energy=100.0)
     model = bd.Model(body, bd.CellBond(E=50e9, nu=0.2), density=2500.0, failure=failure)
     turning = np.array([0.0, 0.0, speed / BALL])
+    assert body.cells is not None
+    assert body.facets is not None
     centre = body.cells.volume @ body.centre / body.cells.volume.sum()
     state = model.state()
     state.set_motion(

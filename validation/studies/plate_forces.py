@@ -23,6 +23,11 @@ FARTHEST = {"compression": 0.8e-3, "splitting": 0.25e-3}
 _START = 2e-4
 
 
+def _driven(along: str, schedule: bd.Ramp) -> bd.Driven:
+    given: dict[str, Any] = {along: schedule}
+    return bd.Driven(**given)
+
+
 def measured(test: str, count: int, seed: int, damping: float, both: bool) -> dict[str, Any]:
     """Forces of both plates of one run."""
     asked = CeliguetaRun(test, "Rankine", "weighted", count or COUNT[test], seed)
@@ -32,7 +37,7 @@ def measured(test: str, count: int, seed: int, damping: float, both: bool) -> di
     if both:
         name = "v" + "xyz"[axis]
         walls = [
-            replace(wall, motion=bd.Driven(**{name: bd.Ramp(0.0, 0.5 * sign * speed, _START)}))
+            replace(wall, motion=_driven(name, bd.Ramp(0.0, 0.5 * sign * speed, _START)))
             for wall, sign in zip(walls, (1.0, -1.0), strict=True)
         ]
     model = bd.Model(

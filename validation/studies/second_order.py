@@ -147,7 +147,8 @@ def law_of(name: str) -> Iterator[None]:
     try:
         if name == "before":
             cell_constants.twist_at_walls = _twist_in_layers
-            GradientConstants.of = staticmethod(lambda *_: GradientConstants.none())
+            none: Any = staticmethod(lambda *_: GradientConstants.none())
+            GradientConstants.of = none
         yield
     finally:
         cell_constants.twist_at_walls, GradientConstants.of = twist, of
@@ -180,9 +181,9 @@ def cut(name: str, kind: str, count: int, seed: int | None) -> bd.Lattice:
             centre += np.random.default_rng(seed).uniform(-JITTER, JITTER, centre.shape)
         particles = bd.Particles(centre, 0.25, shape=body.shape)
     elif kind == "even":
-        particles = bd.pack(body.shape, count=count, method="even", seed=seed)
+        particles = bd.pack(body.shape, count=count, method="even", seed=seed or 0)
     else:
-        particles = bd.pack(body.shape, count=count, spread=0.25, seed=seed)
+        particles = bd.pack(body.shape, count=count, spread=0.25, seed=seed or 0)
     return bd.connect(particles, method="laguerre")
 
 
@@ -205,6 +206,7 @@ def modes(name: str, kind: str, count: int, seed: int | None, nu: float, law: st
     with law_of(law):
         model = bd.Model(shared(body, law, boundary), bd.CellBond(E=1.0, nu=nu), 1.0, boundary=boundary)
         found = bd.solve_modes(model, count=MODES + 3)
+    assert body.cells is not None
     volume, middle = body.cells.volume, body.centre.mean(axis=0)
     around = WITHIN if kind in GRID["kinds"] else np.zeros((1, 3))
     place = (body.centre[:, None] + around).reshape(-1, 3)
@@ -248,7 +250,7 @@ def _about_x(shape: np.ndarray, place: np.ndarray) -> np.ndarray:
 def thick_tube(count: int, seed: int) -> bd.Lattice:
     bore = bd.Cylinder(radius=INNER, length=3.0 * LENGTH).moved((-LENGTH, 0.0, 0.0))
     shape = bd.Cylinder(radius=OUTER, length=LENGTH).cut(bore, name="bore")
-    return bd.connect(bd.pack(shape, count=count, method="even", seed=seed), method="laguerre")
+    return bd.connect(bd.pack(shape, count=count, method="even", seed=seed or 0), method="laguerre")
 
 
 def lame(count: int, seed: int, nu: float, law: str) -> dict[str, float]:
@@ -264,6 +266,7 @@ def lame(count: int, seed: int, nu: float, law: str) -> dict[str, float]:
     r = np.hypot(*body.centre[:, 1:].T)
     radial = np.column_stack([np.zeros(len(r)), body.centre[:, 1:] / r[:, None]])
     around = np.cross([1.0, 0.0, 0.0], radial)
+    assert body.cells is not None
     volume, moved = body.cells.volume, (result.displacement * radial).sum(axis=1) / pressure
     mean = INNER**2 / (OUTER**2 - INNER**2)
     deviator = mean * OUTER**2

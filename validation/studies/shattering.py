@@ -24,7 +24,7 @@ def draw(_: Record, folder: Path) -> None:
         contact=bd.LinearContact(E=70e9, friction=0.3), walls=[plate],
     )  # fmt: skip
     state = model.state()
-    state.set_motion(velocity=[(0.0, 0.0, -SPEED)] * COUNT)
+    state.velocity = (0.0, 0.0, -SPEED)
     run = bd.solve_explicit(
         model, duration=DURATION, every=20, state=state, out=folder / "ball.h5", snapshot_every=400
     )

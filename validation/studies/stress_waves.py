@@ -53,7 +53,7 @@ def struck(count: int) -> tuple[float, bd.Lattice, list[tuple[np.ndarray, np.nda
             crests.append((t, crest(distance[below], pressure[below], CP * t)))
         if t in SEEN:
             pictures.append((pressure, 2.0 * np.arctan2(q[:, 3], q[:, 0])))
-    speed = float(np.polyfit(*np.array(crests).T, 1)[0])
+    speed = float(np.polyfit([t for t, _ in crests], [place for _, place in crests], 1)[0])
     print(f"pressure runs at {speed:.0f} m/s, cP = {CP:.0f} m/s; cS = {CS:.0f} m/s")
     return speed, plate, pictures
 

@@ -113,6 +113,7 @@ def loaded(stress: np.ndarray) -> Callable[[bd.Lattice], Conditions]:
     """Tractions σ·n of a stress [Pa], (3, 3), on every face of a box."""
 
     def conditions(body: bd.Lattice) -> Conditions:
+        assert body.cells is not None
         free = body.cells.free
         area = free.area[:, None] * free.normal
         forces = {face: area[body.on_face(face)].sum(axis=0) @ stress for face in body.particles.envelope.faces}
@@ -152,6 +153,7 @@ PERIODIC = "periodic"
 def bodies_of(body: bd.Lattice, conditions: Conditions) -> dict[str, bd.Lattice]:
     """Return the body with each set of shares."""
     facets = body.facets
+    assert facets is not None
     vector = facets.area[:, None] * facets.normal
     shares = {f"share_{side}": (getattr(facets, f"depth_{side}") / facets.span)[:, None] * vector for side in "ij"}
     plain = bd.Lattice(body.particles, body.pairs, facets=replace(facets, **shares), cells=body.cells)
@@ -174,6 +176,7 @@ def errors(model: bd.Model, motion: Any, case: Case, law: bd.CellBond) -> dict[s
     Tractions (weighted by area) and components of stress each have a root mean square and a largest error.
     """
     body, stress = model.lattice, case.stress(law)
+    assert body.facets is not None
     scale, area = np.abs(stress).max(), body.facets.area
     forces = CellForces.of(model, motion)
     traction = np.linalg.norm(forces.force / area[:, None] - body.facets.normal @ stress, axis=1) / scale
@@ -197,6 +200,7 @@ def moduli_error(
         case "nu":
             return float(-0.5 * (strain[1, 1] + strain[2, 2]) / strain[0, 0] - law.nu)
         case "volume":
+            assert body.cells is not None
             free = body.cells.free
             traction = forces.load / free.area[:, None]
             moved = surface_displacement(model, motion.displacement, motion.rotation, traction=traction)
@@ -222,6 +226,7 @@ def periodic_errors(body: bd.Lattice, law: bd.CellBond) -> dict[str, float]:
     """
     found, model = bd.bulk_moduli(body, law), bd.Model(body, law, 1.0)
     exact = law.lame * np.pad(np.ones((3, 3)), (0, 3)) + law.G * np.diag([2.0, 2.0, 2.0, 1.0, 1.0, 1.0])
+    assert body.facets is not None
     axis, motion, area = np.array([1.0, 0.0, 0.0]), found.motions[0], body.facets.area
     slip, constants = body.branch[:, :1] * axis, model.cell_constants
     strain = CellStrain.of(body, constants, motion[:, :3], motion[:, 3:], slip=slip)
@@ -237,12 +242,13 @@ def periodic_errors(body: bd.Lattice, law: bd.CellBond) -> dict[str, float]:
 
 def rows_of(name: str, count: int, seed: int) -> list[dict[str, Any]]:
     """Return the errors of one packing, one row per ν, or its failure."""
-    case, begun = CASES.get(name), {"body": name, "seed": seed}
+    case, begun = CASES.get(name), dict[str, Any](body=name, seed=seed)
     shape = bd.Cell((1.0, 1.0, 1.0)) if case is None else case.shape
     rows = []
     try:
         body = bd.connect(bd.pack(shape, count=count, spread=0.25, seed=seed), method="laguerre")
         conditions = [] if case is None else case.conditions(body)
+        assert body.cells is not None
         begun["remainder"] = float(body.cells.remainder.max())
         for nu in NU:
             law, row = bd.CellBond(E=1.0, nu=nu), begun | {"nu": nu}
