@@ -24,6 +24,7 @@ from validation.frame.sources import commit
 from validation.studies.paths import (
     beside,
     bimetal,
+    compact,
     compressive_strength,
     curving,
     discs,
@@ -60,7 +61,7 @@ CASES: dict[str, tuple[CaseFunction, tuple[int, ...]]] = {
     "bimetal": (bimetal.bimetal, (400, 1000)),
     "plain": (softening_energy.plain, (200, 400, 1000)),
     "notched": (softening_energy.notched, (200, 400, 1000)),
-    "compact": (softening_energy.compact_tension, (400, 800, 1600)),
+    "compact": (compact.compact_tension, (400, 800, 1600)),
     "solvers": (softening_energy.solvers, (200,)),
     "compression": (compressive_strength.compression, (400,)),
     "splitting": (compressive_strength.splitting, (3000,)),

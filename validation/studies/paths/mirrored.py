@@ -62,7 +62,7 @@ def halves(edges: tuple[float, float, float], normal: tuple[float, float, float]
     pairs = len(one)
     place = np.concatenate([one, mirrored(one), place[~near]])
     for _ in range(_ROUNDS):
-        cells = _cut(place, box, cell).cells
+        cells = cut(place, box, cell).cells
         assert cells is not None
         centroid = cells.centroid
         one = 0.5 * (centroid[:pairs] + mirrored(centroid[pairs : 2 * pairs]))
@@ -73,7 +73,7 @@ def halves(edges: tuple[float, float, float], normal: tuple[float, float, float]
         off = np.maximum(_BAND * cell - np.abs(height), 0.0) * np.sign(height)
         rest = np.clip(rest + off[:, None] * n, margin, size - margin)  # away from the plane, which they would tilt
         place = np.concatenate([one, mirrored(one), rest])
-    body = _cut(place, box, cell)
+    body = cut(place, box, cell)
     above = (place - middle) @ n > 0.0
     i, j = body.pairs.T
     across = np.flatnonzero(above[i] != above[j])
@@ -85,9 +85,10 @@ def halves(edges: tuple[float, float, float], normal: tuple[float, float, float]
     return Halves(body, bd.Index(np.flatnonzero(above)), bd.Index(np.flatnonzero(~above)), float(area.sum()), across)
 
 
-def _cut(place: Floats, box: bd.Box, cell: float) -> bd.Lattice:
+def cut(place: Floats, shape: bd.Shape, cell: float) -> bd.Lattice:
+    """Cells about points in a shape; of spheres of one size, which are as large as the nearest two points allow."""
     apart = KDTree(place).query(place, k=2)[0][:, 1].min()
     radius = np.full(len(place), min(0.5 * cell, 0.5 * apart))  # of equal ones nothing depends on it
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", bd.errors.FillingWarning)  # spheres are small where pairs are close
-        return bd.connect(bd.Particles(place, radius, shape=box), method="laguerre")
+        return bd.connect(bd.Particles(place, radius, shape=shape), method="laguerre")
