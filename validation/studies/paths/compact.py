@@ -88,7 +88,9 @@ def _torn(found: Compact, energy: float, curve: str) -> tuple[float, str]:
     boundary = [
         bd.Drive(pin, vy=bd.Ramp(0.0, side * speed, rise)) for pin, side in zip(found.pins, (1.0, -1.0), strict=True)
     ]
-    failure = {bd.Everything(): material(energy, curve), about[0]: strong, about[1]: strong}
+    failure: bd.FailureAssignment = {
+        bd.Everything(): material(energy, curve), about[0]: strong, about[1]: strong,
+    }  # fmt: skip
     run = bd.solve_explicit(
         bd.Model(found.body, LAW, RHO, failure=failure, boundary=boundary), duration=duration, every=50,
         damping=bd.MassDamping(alpha=0.02 * math.pi * sound / long),  # halves turn
