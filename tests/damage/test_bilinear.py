@@ -5,7 +5,7 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError, StudyError
-from bondem.statics.quasistatic.sawtooth_softening import SofteningLine, Teeth
+from bondem.statics.quasistatic.sawtooth import SofteningLine, Teeth
 from bondem.study.failure import read_failure
 from bondem.study.keys import FAILURE
 from bondem.study.toml_table import TomlTable

@@ -7,7 +7,7 @@ import pytest
 
 import bondem as bd
 from bondem.damage.correlated import normal_field
-from bondem.damage.counter import uniform_by_counter
+from bondem.damage.counter_random import uniform_by_counter
 from bondem.damage.flaws import weakest_flaw
 from bondem.errors import InputError
 from tests.specimens import bar, spheres

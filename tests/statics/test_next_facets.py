@@ -11,8 +11,8 @@ from bondem.statics.linear import Elimination, Iteration, System
 from bondem.statics.quasistatic import quasistatic_run
 from bondem.statics.quasistatic.damaged_body import DamagedBody
 from bondem.statics.quasistatic.equilibrium import Iterated
-from bondem.statics.quasistatic.limits import StressOnset
-from bondem.statics.quasistatic.sawtooth_softening import SofteningLine, Teeth
+from bondem.statics.quasistatic.onset import StressOnset
+from bondem.statics.quasistatic.sawtooth import SofteningLine, Teeth
 from tests.models import pulled
 from tests.specimens import uneven_bar
 

@@ -11,7 +11,7 @@ from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.statics.linear import Elimination, Iteration, System
 from bondem.statics.quasistatic.damaged_body import DamagedBody
 from bondem.statics.quasistatic.equilibrium import Iterated
-from bondem.statics.quasistatic.sawtooth_softening import SofteningLine, Teeth
+from bondem.statics.quasistatic.sawtooth import SofteningLine, Teeth
 from tests.models import follow, pulled
 from tests.specimens import cells, cubes, spheres, two_cubes, uneven_bar
 

@@ -14,8 +14,8 @@ import bondem as bd
 from bondem._tables.stress_onset_tables import SofteningSearch
 from bondem.statics.quasistatic import quasistatic_run
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
-from bondem.statics.quasistatic.limits import StressOnset
 from bondem.statics.quasistatic.load_response import Reading
+from bondem.statics.quasistatic.onset import StressOnset
 
 # Largest change of an integrity, as a share of it, that counts as none; and rounds until a step is given up.
 _STILL, _ROUNDS = 1e-3, 300

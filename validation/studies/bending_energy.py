@@ -19,7 +19,7 @@ from unittest.mock import patch
 import numpy as np
 
 import bondem as bd
-from bondem.statics.quasistatic.sawtooth_softening import SofteningLine, Teeth
+from bondem.statics.quasistatic.sawtooth import SofteningLine, Teeth
 from validation.frame.record import Record
 from validation.studies.concrete import BEAM, ENERGY, LAW, NOTCH, TENSION, concrete, specimen
 

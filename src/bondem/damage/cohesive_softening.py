@@ -12,7 +12,7 @@ from bondem._checks import instance, number
 from bondem._plausibility import physical
 from bondem._types import Floats, Mask
 from bondem.damage.bilinear import Bilinear
-from bondem.damage.counter import uniform_by_counter
+from bondem.damage.counter_random import uniform_by_counter
 from bondem.damage.stress_passes import StressPasses
 from bondem.errors import InputError
 

@@ -15,7 +15,7 @@ import numpy as np
 from scipy.special import ndtri
 
 from bondem._types import Floats, PerBond, PerBond3
-from bondem.damage.counter import uniform_by_counter
+from bondem.damage.counter_random import uniform_by_counter
 
 _WAVES = 1000
 # Places of one portion of work.

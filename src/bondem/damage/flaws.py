@@ -18,7 +18,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from bondem._types import Floats, PerBond, PerBond3
-from bondem.damage.counter import uniform_by_cube
+from bondem.damage.counter_random import uniform_by_cube
 
 # Edges of a cube in l, and flaws of one portion of work.
 _PER_LENGTH, _PORTION = 2.0, 2000

@@ -13,7 +13,7 @@ from scipy.special import ndtr, ndtri
 from bondem._checks import count, number
 from bondem._types import Floats, PerBond, PerBond3
 from bondem.damage.correlated import normal_field
-from bondem.damage.counter import uniform_by_counter
+from bondem.damage.counter_random import uniform_by_counter
 from bondem.damage.flaws import weakest_flaw
 from bondem.errors import InputError
 

@@ -20,9 +20,9 @@ from bondem.specimen.regions import Region
 from bondem.statics.linear import Iteration, System, prefers_elimination
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
 from bondem.statics.quasistatic.equilibrium import Eliminated, Equilibrium, Iterated
-from bondem.statics.quasistatic.limits import FacetOnset, StressOnset, TractionOnset
 from bondem.statics.quasistatic.load_response import PointGauges, Reading
-from bondem.statics.quasistatic.sawtooth_softening import Teeth
+from bondem.statics.quasistatic.onset import FacetOnset, StressOnset, TractionOnset
+from bondem.statics.quasistatic.sawtooth import Teeth
 
 # Facets whose factors differ by less than this share come in the user's order.
 _TIE = 1e-9

@@ -11,7 +11,7 @@ from bondem.damage.failure_table import FailureTable
 from bondem.damage.proportional_onset import onset_factors, softening_along
 from bondem.damage.softening_table import SofteningTable
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
-from bondem.statics.quasistatic.sawtooth_softening import SofteningLine, Teeth
+from bondem.statics.quasistatic.sawtooth import SofteningLine, Teeth
 
 
 class FacetOnset(Protocol):
