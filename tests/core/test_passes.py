@@ -20,7 +20,7 @@ from bondem.specimen.tessellation.laguerre import (
     roomier_request,
     usual_reach,
 )
-from bondem.specimen.tessellation.polygon_buffer import new_pile, pile_corners, pile_size, roomier_pile
+from bondem.specimen.tessellation.polygon_buffer import buffer_corners, new_buffer, polygon_count, roomier_buffer
 from bondem.specimen.tessellation.solids import bulk, solid_count
 
 BOX = bd.Box(size=(1.0, 1.0, 1.0))
@@ -61,15 +61,16 @@ def test_full_piles_and_lists_change_nothing():
     half = np.full(len(chosen), 2.0)
     made = []
     for polygons, corners, room in ((2000, 20000, 256), (8, 30, 1)):
-        request, pile, seen = new_cell_request(chosen, half), new_pile(polygons, corners), set()
+        request, pile, seen = new_cell_request(chosen, half), new_buffer(polygons, corners), set()
         request = request._replace(
             found=np.empty(room, np.int64), offset=np.empty((room, 4)), order=np.empty(room, np.int64)
         )
         while (ended := make_cells(centres, request, new_cell_room(), pile)) != "cells_made":
             seen.add(ended)
             full = ended == "lists_full"
-            request, pile = (roomier_request(request), pile) if full else (request, roomier_pile(pile))
-        made.append((request.end, pile.what[: pile_size(pile)], pile.plane[: pile_size(pile)], pile_corners(pile)))
+            request, pile = (roomier_request(request), pile) if full else (request, roomier_buffer(pile))
+        count = polygon_count(pile)
+        made.append((request.end, pile.what[:count], pile.plane[:count], buffer_corners(pile)))
         assert seen == (set() if room == 256 else {"lists_full", "pile_full"})
     for ample, scarce in zip(*made, strict=True):
         np.testing.assert_array_equal(ample, scarce)
@@ -81,7 +82,7 @@ def test_a_swallowed_cell_is_named():
         position=np.array([[0.5, 0.5, 0.5], [0.55, 0.5, 0.5]]), radius=np.array([0.4, 0.01]), bound=np.full(2, 0.4)
     )
     request = new_cell_request(np.arange(2), np.full(2, 2.0))
-    assert make_cells(centres, request, new_cell_room(), new_pile(100, 1000)) == "swallowed"
+    assert make_cells(centres, request, new_cell_room(), new_buffer(100, 1000)) == "swallowed"
     assert request.done.tolist() == [1, 1]
 
 

@@ -70,7 +70,7 @@ from bondem._tables.tessellation_tables import (
     CellRoom,
     Dividing,
     FaceGroups,
-    Pile,
+    PolygonBuffer,
     PolygonMeasures,
     Solids,
     Splitting,
@@ -122,7 +122,9 @@ def cut_teeth(softening_teeth: SofteningTeeth) -> Call:
     return Call("cut_teeth", (softening_teeth,))
 
 
-def divide_solids(solids: Solids, dividing: Dividing, part: Pile, spare: Pile, pile: Pile) -> Call:
+def divide_solids(
+    solids: Solids, dividing: Dividing, part: PolygonBuffer, spare: PolygonBuffer, pile: PolygonBuffer
+) -> Call:
     """Divides solids among elements, each point to the one with the least power x² - R²."""
     return Call("divide_solids", (solids, dividing, part, spare, pile))
 
@@ -302,14 +304,16 @@ def load_weakened_facets(
     return Call("load_weakened_facets", (weakened_facets, small_motions, facet_loading))
 
 
-def make_cells(bins: Bins, cell_request: CellRequest, cell_room: CellRoom, pile: Pile) -> Call:
+def make_cells(bins: Bins, cell_request: CellRequest, cell_room: CellRoom, polygon_buffer: PolygonBuffer) -> Call:
     """Cuts the cells of the chosen elements out of boxes about their centres: faces go to the pile, with the
     element behind each face as its tag.
     """
-    return Call("make_cells", (bins, cell_request, cell_room, pile))
+    return Call("make_cells", (bins, cell_request, cell_room, polygon_buffer))
 
 
-def match_faces(solids: Solids, groups: FaceGroups, rest: Pile, left: Pile, pile: Pile) -> Call:
+def match_faces(
+    solids: Solids, groups: FaceGroups, rest: PolygonBuffer, left: PolygonBuffer, pile: PolygonBuffer
+) -> Call:
     """Lays the faces of each group over each other: patches go to the pile, with their face as kind and the face
     on the other side, or -1, as tag.
     """
@@ -386,7 +390,8 @@ def sort_into_cells(sphere_grid: SphereGrid) -> Call:
 
 
 def split_by_walls(
-    solids: Solids, walls: WallTree, splitting: Splitting, stack: Pile, piece: Pile, pile: Pile
+    solids: Solids, walls: WallTree, splitting: Splitting, stack: PolygonBuffer, piece: PolygonBuffer, pile:
+    PolygonBuffer
 ) -> Call:
     """Splits cells by walls: the faces of their pieces go to the pile."""
     return Call("split_by_walls", (solids, walls, splitting, stack, piece, pile))

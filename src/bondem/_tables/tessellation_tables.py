@@ -49,7 +49,7 @@ class Solids(NamedTuple):
     vertex: Floats  #: corners, from the centre of the element [m], (corners, 3)
 
 
-class Pile(NamedTuple):
+class PolygonBuffer(NamedTuple):
     """A list of polygons with room for more.
 
     A pass that fills the list ends, and continues from there when there is more room.

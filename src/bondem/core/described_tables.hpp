@@ -162,7 +162,7 @@ BONDEM_TABLE(TriangleTree, F(lower, "boxes 3"), F(upper, "boxes 3"), F(owner, "p
 BONDEM_TABLE(Nearest, F(points, "points 3"), F(triangle, "points"))
 BONDEM_TABLE(Bins, F(position, "n 3"), F(radius, "n"), F(lower, "3"), F(upper, "3"), F(period, "3"), F(boxes, "3"), F(start, "boxes+1"), F(member, "n"), F(bound, "n"), F(first, "n"), F(reach, ""), F(tolerance, ""))
 BONDEM_TABLE(Solids, F(cell, "solids"), F(face, "solids+1"), F(tag, "faces"), F(plane, "faces 4"), F(corner, "faces+1"), F(vertex, "corners 3"))
-BONDEM_TABLE(Pile, F(what, "* 4"), F(plane, "* 4"), F(vertex, "* 3"), F(used, "3"))
+BONDEM_TABLE(PolygonBuffer, F(what, "* 4"), F(plane, "* 4"), F(vertex, "* 3"), F(used, "3"))
 BONDEM_TABLE(CellRequest, F(chosen, "cells"), F(half, "cells"), F(found, "room"), F(offset, "room 4"), F(order, "room"), F(end, "cells+1"), F(done, "2"))
 BONDEM_TABLE(CellRoom, F(plane, "402 4"), F(tag, "402"), F(size, "402"), F(vertex, "205824 3"), F(work, "512 3"), F(other, "512 3"))
 BONDEM_TABLE(WallTree, F(corner, "triangles 3 3"), F(plane, "triangles 4"), F(lower, "boxes 3"), F(upper, "boxes 3"), F(owner, "leaves"))
@@ -319,7 +319,7 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<Nearest>(), \
     described<Bins>(), \
     described<Solids>(), \
-    described<Pile>(), \
+    described<PolygonBuffer>(), \
     described<CellRequest>(), \
     described<CellRoom>(), \
     described<WallTree>(), \

@@ -56,7 +56,7 @@ struct Solids {
 // A list of polygons with room for more.
 //
 // A pass that fills the list ends, and continues from there when there is more room.
-struct Pile {
+struct PolygonBuffer {
     Array<Index, 2> what;  // kind, tag, first corner, number of corners, shape, (*, 4)
     Array<double, 2> plane;  // shape, (*, 4)
     Array<double, 2> vertex;  // shape, (*, 3)

@@ -12,12 +12,12 @@ from bondem._tables.tessellation_tables import Solids, Splitting, WallTree
 from bondem._types import PerElement3
 from bondem.specimen.tessellation.polygon_buffer import (
     TAG,
-    new_pile,
-    pile_corner,
-    pile_corners,
-    pile_size,
+    buffer_corners,
+    first_corners,
+    new_buffer,
     polygon_buffer,
-    roomier_pile,
+    polygon_count,
+    roomier_buffer,
 )
 
 
@@ -52,14 +52,14 @@ def trimmed(solids: Solids, position: PerElement3, walls: WallTree, tolerance: f
         tolerance: depth of a wall in a cell below which it does not split the cell [m].
     """
     splitting = new_splitting(position, tolerance)
-    stack, piece, pile = new_pile(256, 2048), new_pile(256, 2048), new_pile(1024, 8192)
+    stack, piece, pile = new_buffer(256, 2048), new_buffer(256, 2048), new_buffer(1024, 8192)
     while (ended := run_pass(calls.split_by_walls(solids, walls, splitting, stack, piece, pile))) != "all_split":
         if ended == "pieces_full":
-            splitting, pile = with_more_pieces(splitting), roomier_pile(pile)
+            splitting, pile = with_more_pieces(splitting), roomier_buffer(pile)
         else:
-            splitting, stack, piece = with_more_scratch(splitting), roomier_pile(stack), roomier_pile(piece)
-    faces, pieces = pile_size(pile), int(splitting.done[1])
+            splitting, stack, piece = with_more_scratch(splitting), roomier_buffer(stack), roomier_buffer(piece)
+    faces, pieces = polygon_count(pile), int(splitting.done[1])
     return Solids(
         splitting.cell[:pieces], np.append(0, splitting.end[:pieces]), pile.what[:faces, TAG].copy(),
-        pile.plane[:faces], pile_corner(pile), pile_corners(pile),
+        pile.plane[:faces], first_corners(pile), buffer_corners(pile),
     )  # fmt: skip

@@ -8,12 +8,12 @@ from bondem._tables.tessellation_tables import Dividing, Solids
 from bondem._types import Floats, Ints
 from bondem.specimen.tessellation.polygon_buffer import (
     TAG,
-    new_pile,
-    pile_corner,
-    pile_corners,
-    pile_size,
+    buffer_corners,
+    first_corners,
+    new_buffer,
     polygon_buffer,
-    roomier_pile,
+    polygon_count,
+    roomier_buffer,
 )
 
 
@@ -41,15 +41,15 @@ def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: 
     cell, owner, end = (np.empty(64, np.int64) for _ in range(3))
     lid, work = polygon_buffer(), polygon_buffer()
     dividing = Dividing(sphere, near, start, tolerance, lid, work, cell, owner, end, np.zeros(2, np.int64))
-    part, spare, pile = new_pile(256, 2048), new_pile(256, 2048), new_pile(1024, 8192)
+    part, spare, pile = new_buffer(256, 2048), new_buffer(256, 2048), new_buffer(1024, 8192)
     while (ended := run_pass(calls.divide_solids(solids, dividing, part, spare, pile))) != "all_divided":
         if ended == "parts_full":
-            dividing, pile = with_more_parts(dividing), roomier_pile(pile)
+            dividing, pile = with_more_parts(dividing), roomier_buffer(pile)
         else:
-            part, spare = roomier_pile(part), roomier_pile(spare)
-    faces, parts = pile_size(pile), int(dividing.done[1])
+            part, spare = roomier_buffer(part), roomier_buffer(spare)
+    faces, parts = polygon_count(pile), int(dividing.done[1])
     made = Solids(
         dividing.cell[:parts], np.append(0, dividing.end[:parts]), pile.what[:faces, TAG].copy(), pile.plane[:faces],
-        pile_corner(pile), pile_corners(pile),
+        first_corners(pile), buffer_corners(pile),
     )  # fmt: skip
     return made, dividing.owner[:parts]

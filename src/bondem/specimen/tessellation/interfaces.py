@@ -15,12 +15,12 @@ from bondem._types import Floats, Ints, PerElement3
 from bondem.specimen.tessellation.polygon_buffer import (
     KIND,
     TAG,
-    new_pile,
-    pile_corner,
-    pile_corners,
-    pile_size,
+    buffer_corners,
+    first_corners,
+    new_buffer,
     polygon_buffer,
-    roomier_pile,
+    polygon_count,
+    roomier_buffer,
 )
 from bondem.specimen.tessellation.solids import SPLIT, polygon_measures, ranges, solid_of_face
 
@@ -56,14 +56,14 @@ class Patches(NamedTuple):
 
 def _match(solids: Solids, groups: FaceGroups) -> tuple[Ints, Ints, Ints, Floats]:
     """Patches of all groups: the face, that on the other side or -1, where corners begin, and corners."""
-    rest, left, pile = new_pile(64, 512), new_pile(64, 512), new_pile(1024, 8192)
+    rest, left, pile = new_buffer(64, 512), new_buffer(64, 512), new_buffer(1024, 8192)
     while (ended := run_pass(calls.match_faces(solids, groups, rest, left, pile))) != "all_matched":
         if ended == "patches_full":
-            pile = roomier_pile(pile)
+            pile = roomier_buffer(pile)
         else:
-            rest, left = roomier_pile(rest), roomier_pile(left)
-    count = pile_size(pile)
-    return pile.what[:count, KIND].copy(), pile.what[:count, TAG].copy(), pile_corner(pile), pile_corners(pile)
+            rest, left = roomier_buffer(rest), roomier_buffer(left)
+    count = polygon_count(pile)
+    return pile.what[:count, KIND].copy(), pile.what[:count, TAG].copy(), first_corners(pile), buffer_corners(pile)
 
 
 def _grouped(

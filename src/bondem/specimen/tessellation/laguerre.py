@@ -21,12 +21,12 @@ from bondem.specimen.particles import Particles
 from bondem.specimen.tessellation.polygon_buffer import (
     MOST_CORNERS,
     TAG,
-    new_pile,
-    pile_corner,
-    pile_corners,
-    pile_size,
+    buffer_corners,
+    first_corners,
+    new_buffer,
     polygon_buffer,
-    roomier_pile,
+    polygon_count,
+    roomier_buffer,
 )
 
 # Most faces of one cell.
@@ -137,12 +137,12 @@ def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
         InputError: A cell has no volume, or reaches half a period.
     """
     request, room = new_cell_request(chosen, half), new_cell_room()
-    pile = new_pile(20 * len(chosen) + 20, 100 * len(chosen) + 100)
+    pile = new_buffer(20 * len(chosen) + 20, 100 * len(chosen) + 100)
     while (ended := run_pass(calls.make_cells(centres, request, room, pile))) in ("lists_full", "pile_full"):
         if ended == "lists_full":
             request = roomier_request(request)
         else:
-            pile = roomier_pile(pile)
+            pile = roomier_buffer(pile)
     where = request.done[1]
     if ended == "swallowed":
         raise InputError(
@@ -156,7 +156,8 @@ def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
         )
     if ended == "crowded":
         raise InputError(f"the cell of element {where} has more than {_FACES} faces; make radii more alike")
-    faces = pile_size(pile)
+    faces = polygon_count(pile)
     return Solids(
-        chosen, request.end, pile.what[:faces, TAG].copy(), pile.plane[:faces], pile_corner(pile), pile_corners(pile)
+        chosen, request.end, pile.what[:faces, TAG].copy(), pile.plane[:faces], first_corners(pile),
+        buffer_corners(pile),
     )

@@ -3,7 +3,7 @@
 import numpy as np
 
 from bondem._core import room_for
-from bondem._tables.tessellation_tables import Pile
+from bondem._tables.tessellation_tables import PolygonBuffer
 from bondem._types import Floats, Ints
 
 #: Columns of the integers of a polygon.
@@ -12,32 +12,32 @@ KIND, TAG, START, SIZE = 0, 1, 2, 3
 MOST_CORNERS = 512
 
 
-def pile_size(pile: Pile) -> int:
+def polygon_count(pile: PolygonBuffer) -> int:
     """Number of polygons."""
     return int(pile.used[0])
 
 
-def pile_corner(pile: Pile) -> Ints:
+def first_corners(pile: PolygonBuffer) -> Ints:
     """First corner of each polygon, and the end of the last one, shape (size + 1,)."""
-    return np.append(pile.what[: pile_size(pile), START], pile.used[1])
+    return np.append(pile.what[: polygon_count(pile), START], pile.used[1])
 
 
-def pile_corners(pile: Pile) -> Floats:
+def buffer_corners(pile: PolygonBuffer) -> Floats:
     """Corners of all polygons [m], shape (v, 3)."""
     return pile.vertex[: pile.used[1]]
 
 
-def roomier_pile(pile: Pile) -> Pile:
+def roomier_buffer(pile: PolygonBuffer) -> PolygonBuffer:
     """Return a copy with twice the room."""
     used = np.array([*pile.used[:2], 0])
     what, plane, vertex = (room_for(values, 2 * len(values)) for values in pile[:3])
-    return Pile(what, plane, vertex, used)
+    return PolygonBuffer(what, plane, vertex, used)
 
 
-def new_pile(polygons: int, corners: int) -> Pile:
+def new_buffer(polygons: int, corners: int) -> PolygonBuffer:
     """An empty pile with room for some polygons and corners."""
     what, used = np.empty((polygons, 4), np.int64), np.zeros(3, np.int64)
-    return Pile(what, np.empty((polygons, 4)), np.empty((corners, 3)), used)
+    return PolygonBuffer(what, np.empty((polygons, 4)), np.empty((corners, 3)), used)
 
 
 def polygon_buffer() -> Floats:

@@ -151,8 +151,8 @@ struct Splitter {
 
 // Splits cells by walls: the faces of their pieces go to the pile. After `pieces_full` (the pile, cell, end) or
 // `scratch_full` (stack, piece, found, below) make room and call again: it continues with solid done[0].
-Index split_by_walls(Index, const Solids &solids, const WallTree &walls, const Splitting &splitting, const Pile &stack,
-                     const Pile &piece, const Pile &pile) {
+Index split_by_walls(Index, const Solids &solids, const WallTree &walls, const Splitting &splitting, const PolygonBuffer &stack,
+                     const PolygonBuffer &piece, const PolygonBuffer &pile) {
     const Splitter splitter{solids, walls, splitting, {stack}, {piece}, {pile}};
     for (Index &s = splitting.done(0); s < solids.cell.size(); s++) {
         const Index faces = splitter.done.size(), corners = splitter.done.first_corner(faces);

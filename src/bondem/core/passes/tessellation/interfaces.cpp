@@ -56,7 +56,7 @@ struct Matcher {
 
     // Intersects the faces of one side of group g with those of the other; side `plus` also writes the shared
     // patches.
-    bool lay(Index g, bool plus, const Pile &one, const Pile &two) const {
+    bool lay(Index g, bool plus, const PolygonBuffer &one, const PolygonBuffer &two) const {
         const Array<const Index, 1> &mine = plus ? groups.plus : groups.minus;
         const Array<const Index, 1> &theirs = plus ? groups.minus : groups.plus;
         const Array<const Index, 1> &first = plus ? groups.first : groups.second;
@@ -65,7 +65,7 @@ struct Matcher {
         const Vector shift = sign * groups.shift.row<const Vector>(g);
         for (Index k = first(g); k < first(g + 1); k++) {
             const Index f = mine(k);
-            const Pile *rest = &one, *left = &two;
+            const PolygonBuffer *rest = &one, *left = &two;
             Stack{*rest}.clear();
             Stack{*rest}.put(0, 0, no_plane, face_polygon(solids, f));
             for (Index h = second(g); h < second(g + 1); h++) {
@@ -86,8 +86,8 @@ struct Matcher {
 // Lays the faces of each group over each other: patches go to the pile, with their face as kind and the face on the
 // other side, or -1, as tag. After `patches_full` (the pile) or `rest_full` (rest, left) make room and call again: it
 // continues with group done[0].
-Index match_faces(Index, const Solids &solids, const FaceGroups &groups, const Pile &rest, const Pile &left,
-                  const Pile &pile) {
+Index match_faces(Index, const Solids &solids, const FaceGroups &groups, const PolygonBuffer &rest, const PolygonBuffer &left,
+                  const PolygonBuffer &pile) {
     const Matcher matcher{solids, groups, {pile}};
     for (Index &g = groups.done(0); g < groups.shift.size(); g++) {
         const Index size = matcher.done.size(), corners = matcher.done.first_corner(size);

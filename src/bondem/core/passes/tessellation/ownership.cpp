@@ -31,8 +31,8 @@ Heights heights_over(const Stack &part, const Plane &plane) {
 
 // Returns the pile of the part of solid s that is nearer to `own` than to the other elements among which it is
 // divided.
-const Pile &share_of(const Solids &solids, Index s, Index own, const Dividing &dividing, const Pile &first,
-                     const Pile &second) {
+const PolygonBuffer &share_of(const Solids &solids, Index s, Index own, const Dividing &dividing, const PolygonBuffer &first,
+                     const PolygonBuffer &second) {
     const Vector x = dividing.sphere.row<const Vector>(solids.cell(s));
     const Index n = dividing.sphere.size();
     Buffer lid(dividing.lid), work(dividing.work);
@@ -40,7 +40,7 @@ const Pile &share_of(const Solids &solids, Index s, Index own, const Dividing &d
     part.clear();
     for (Index f = solids.face(s); f < solids.face(s + 1); f++)
         part.put(face_kind, solids.tag(f), face_plane(solids, f), face_polygon(solids, f));
-    const Pile *now = &first, *next = &second;
+    const PolygonBuffer *now = &first, *next = &second;
     for (Index k = dividing.start(s); k < dividing.start(s + 1); k++) {
         const Index other = dividing.near(k);
         if (other == own) continue;
@@ -68,8 +68,8 @@ const Pile &share_of(const Solids &solids, Index s, Index own, const Dividing &d
 
 // Divides solids among elements, each point to the one with the least power x² - R². After `parts_full` (the pile, cell,
 // owner, end) or `room_full` (part, spare) make room and call again: it continues with solid done[0].
-Index divide_solids(Index, const Solids &solids, const Dividing &dividing, const Pile &part, const Pile &spare,
-                    const Pile &pile) {
+Index divide_solids(Index, const Solids &solids, const Dividing &dividing, const PolygonBuffer &part, const PolygonBuffer &spare,
+                    const PolygonBuffer &pile) {
     const Stack done{pile};
     for (Index &s = dividing.done(0); s < solids.cell.size(); s++) {
         const Index faces = done.size(), corners = done.first_corner(faces);

@@ -1,4 +1,4 @@
-// A pile of polygons that grows as one after another is put on it (`Pile`).
+// A pile of polygons that grows as one after another is put on it (`PolygonBuffer`).
 #pragma once
 #include "../../tables/tessellation_tables.hpp"
 #include "polygon.hpp"
@@ -12,7 +12,7 @@ struct Piled {
 };
 
 struct Stack {
-    const Pile &pile;
+    const PolygonBuffer &pile;
 
     enum { polygons, corners, full };
 
