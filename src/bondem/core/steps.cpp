@@ -82,9 +82,9 @@ bool begins_anew(const Entry *entry, Index p) {
     return entry[p].kind == bonds_of_blocks && entry[p - 1].kind != bonds_of_blocks;
 }
 
-class Walk {
+class StepDriver {
   public:
-    Walk(Index threads, const StepCut &cut, const StepSpan &span) : threads(threads), cut(cut), span(span) {}
+    StepDriver(Index threads, const StepCut &cut, const StepSpan &span) : threads(threads), cut(cut), span(span) {}
 
     // Calls the passes of a list in their order.
     void through(const List &list, const Clock &clock) const {
@@ -165,20 +165,20 @@ Clock clock_at(const StepScheme &scheme, Index step) {
 // steps, the end of one and the start of the next are one pass over the elements.
 Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, const StepScheme &scheme, const StepSpan &span,
                  const Portions &portions) {
-    const Walk walk(threads, cut, span);
+    const StepDriver driver(threads, cut, span);
     const List present(passes.present), opening(passes.opening), travel(passes.travel), forces(passes.forces),
         resume(passes.resume), reopening(passes.reopening), guard(passes.guard), record(passes.record);
     for (Index k = 0; k < span.done.size(); k++) span.done(k) = 0;
     Clock clock = clock_at(scheme, span.step);
     clock.first = 1;
-    if (!span.moved) walk.through(present, clock);
+    if (!span.moved) driver.through(present, clock);
     if (span.looks) {
         if (span.stale) {
             Clock still = clock;
             still.dt = still.finish = still.begin = still.extra = 0.0;
-            walk.through(forces, still);
+            driver.through(forces, still);
         }
-        walk.through(record, clock);
+        driver.through(record, clock);
         span.done(step_count::records) = 1;
         return 0;
     }
@@ -186,8 +186,8 @@ Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, co
     Index &wide = span.done(step_count::wide);
     for (bool paused = true, moved = span.moved; done < span.steps; moved = false) {
         if (!moved) {
-            if (paused) walk.through(opening, clock);
-            walk.through(travel, clock);
+            if (paused) driver.through(opening, clock);
+            driver.through(travel, clock);
             if (portions.found(guard_number::out_of_date) != 0) return out_of_date;
         }
         done++;
@@ -197,18 +197,18 @@ Index take_steps(Index threads, const StepPasses &passes, const StepCut &cut, co
         paused = recorded || guarded;
         clock.goes_on = !paused;
         clock.record = written;
-        walk.through(present, clock);
-        walk.through(forces, clock);
-        walk.resume(resume, reopening, clock);
+        driver.through(present, clock);
+        driver.through(forces, clock);
+        driver.resume(resume, reopening, clock);
         if (guarded) {
-            walk.through(guard, clock);
+            driver.through(guard, clock);
             wide = most(wide, portions.found(guard_number::wide));
             span.done(step_count::lost) = portions.found(guard_number::lost);
             const Index ending = portions.found(guard_number::ending);
             if (span.done(step_count::lost) > 0 || ending != 0) return ending;
         }
         if (recorded) {
-            walk.through(record, clock);
+            driver.through(record, clock);
             written++;
         }
     }
