@@ -19,6 +19,8 @@ ENDINGS = "py|md|json|toml|hpp|cpp|html|png|svg|stl"
 #: A path with a folder, and the name of a source in a line of code of its own.
 PATH = re.compile(rf"(?<![\w./<~}}-])((?:[\w-]+/)+[\w-]+\.(?:{ENDINGS}))(?![\w/]|\.\w)")
 SOURCE = re.compile(r"`(\w+\.(?:py|hpp|cpp))`")
+#: A command with options in a line of text.
+INLINE = re.compile(r"`python -m validation (?!NAME)\w+ [^`…[\\\n]+`")
 STUDY = re.compile(r"python -m validation (\w+)")
 #: Folders in which paths begin, beside the repository and the folder of the text.
 FROM = ("src/", "src/bondem/", "src/bondem/core/", "benchmarks/", "validation/", "docs/")
@@ -87,12 +89,14 @@ def test_a_link_that_leads_nowhere_is_found() -> None:
 
 
 def commands() -> dict[str, str]:
-    """Commands of studies that the book and records name, and where."""
+    """Commands of studies that the book, records and pages name, and where."""
     named = {one.command: one.name for one in MEASUREMENTS}
     for path in RESULTS.glob("*.json"):
         found = json.loads(path.read_text(encoding="utf-8"))
         if isinstance(found, dict) and isinstance(found.get("command"), str):
             named.setdefault(found["command"], path.stem)
+    for place, text in texts().items():
+        named |= {one.strip("`"): place for one in INLINE.findall(text)} if place.endswith(".md") else {}
     parts = {part: where for command, where in named.items() for part in command.split(" && ")}
     return {part: where for part, where in parts.items() if part.startswith("python -m validation ")}
 
