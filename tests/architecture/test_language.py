@@ -15,9 +15,6 @@ from tests.architecture.sample import header_comments
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "src/bondem"
 
-# Files and folders that were not revised yet. Remove an entry once its text is revised; never add one.
-PENDING: list[str] = []
-
 # Names under which tests record numbers; results of earlier measurements contain them.
 RECORDED = {"energy that comes back, plane wave", "energy that comes back, thin bar"}
 
@@ -72,11 +69,6 @@ BARE_ENTRY = re.compile(
     r"(?:of|what|who|whose|where|how|which|when|the same|likewise|told|called|it|its|they|their|over|by|to|from|in|on"
     r"|at|that|those|as)\b"
 )
-
-
-def pending(path: Path, entries: list[str]) -> bool:
-    name = path.relative_to(ROOT).as_posix()
-    return any(name == entry or (entry.endswith("/") and name.startswith(entry)) for entry in entries)
 
 
 def named(tree: ast.AST, prefix: str = "") -> Iterator[tuple[str, ast.AST]]:
@@ -150,14 +142,13 @@ def bare_entries(text: str) -> list[str]:
 
 
 def sources() -> list[Path]:
-    return [path for path in sorted(PACKAGE.rglob("*.py")) if not pending(path, PENDING)]
+    return sorted(PACKAGE.rglob("*.py"))
 
 
 def pages() -> list[Path]:
     names = ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "SECURITY.md", "paper.md")
     found = [ROOT / name for name in names]
-    found += sorted((ROOT / "docs").rglob("*.md"))
-    return [path for path in found if not pending(path, PENDING)]
+    return [*found, *sorted((ROOT / "docs").rglob("*.md"))]
 
 
 def commands(command: click.Command, name: str = "bondem") -> Iterator[tuple[str, click.Command]]:
@@ -178,10 +169,6 @@ def helps() -> Iterator[tuple[str, str]]:
             text = getattr(parameter, "help", None)
             if text:
                 yield f"{name} {parameter.name}", text
-
-
-def test_what_is_pending_exists():
-    assert not [entry for entry in PENDING if not (ROOT / entry).exists()]
 
 
 def test_pages_have_no_banned_phrase():

@@ -105,8 +105,8 @@ def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
     elif model.cells is None:
         beams, _ = beam_tables(constants, layout, model.period, state.integrity, may_share=False)
         found = beam_indices(state.pose, beams, table)
-        begun = state.softened[:, SoftColumn.BOND].astype(np.int64)
-        found[begun] = state.integrity[begun] > 0.0
+        softened = state.softened[:, SoftColumn.BOND].astype(np.int64)
+        found[softened] = state.integrity[softened] > 0.0
     else:
         pose = state.pose.copy()
         pose[:, STRESS] = CellForces.of(model, motion).stress[layout.order]

@@ -84,14 +84,14 @@ def grow(
         heat = float((velocity**2).sum())
         growing = new_growing(spheres.scale, _RATE, gain / _RATE, 20 * n)
         run_pass(calls.fly_and_grow(spheres.table, spheres.walls, near, growing, new_flight(n)))
-        gone, virial, met = growing.report.tolist()
-        spheres.scale += _RATE * gone
+        elapsed, virial, met = growing.report.tolist()
+        spheres.scale += _RATE * elapsed
         if last - spheres.scale < 1e-12:
             spheres.scale = last
         collisions += met
         heat = 0.5 * (heat + float((velocity**2).sum()))
         if met > n:
-            pressure = 1.0 + virial / (heat * gone)
+            pressure = 1.0 + virial / (heat * elapsed)
         spheres.steps += 1
         spheres.on_step(spheres.steps)
     return spheres

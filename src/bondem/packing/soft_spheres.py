@@ -118,22 +118,22 @@ class SoftSpheres:
         self.scale = scale
         self.sphere[:, 3] = scale * self.unit
         self.table.velocity[:] = 0.0
-        begun = new_relaxing(len(self.sphere), float(tolerance), float(loose * self.mean_radius))
+        initial = new_relaxing(len(self.sphere), float(tolerance), float(loose * self.mean_radius))
         threads = 1 if len(self.sphere) < _THREADED else current_threads()
         taken, ended = 0, "out_of_date"
         while ended == "out_of_date":
             near = self.near(self._skin * self.mean_radius, 0.499, threads=threads)
-            relaxing = begun._replace(steps=steps - taken)
+            relaxing = initial._replace(steps=steps - taken)
             ended = run_pass(calls.relax_spheres(self.table, self.walls, near, relaxing), threads=threads)
-            done = int(begun.report[RelaxationReport.STEPS]) + (ended == "out_of_date")
+            done = int(initial.report[RelaxationReport.STEPS]) + (ended == "out_of_date")
             taken += done
             self.steps += done
             self.on_step(self.steps)
         self._skin = _SKIN_SETTLED
         mean = self.mean_radius
-        _, overlap, contacts, largest, _ = begun.report.tolist()
+        _, overlap, contacts, largest, _ = initial.report.tolist()
         z = 2.0 * contacts / len(self.sphere)
-        free = overlap < begun.loose  # no forces at all count as balanced for the pass
+        free = overlap < initial.loose  # no forces at all count as balanced for the pass
         settled = ended == "converged" and not free
         return Rest(z, overlap / mean, largest / mean, taken, settled, free)
 

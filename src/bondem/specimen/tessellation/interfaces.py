@@ -55,7 +55,7 @@ class Patches(NamedTuple):
 
 
 def _match(solids: Solids, groups: FaceGroups) -> tuple[Ints, Ints, Ints, Floats]:
-    """Patches of all groups: the face, that on the other side or -1, where corners begin, and corners."""
+    """Return patches of all groups: face, face on the other side or -1, first corner of each, and all corners."""
     rest, left, pile = new_buffer(64, 512), new_buffer(64, 512), new_buffer(1024, 8192)
     while (ended := run_pass(calls.match_faces(solids, groups, rest, left, pile))) != "all_matched":
         if ended == "patches_full":
