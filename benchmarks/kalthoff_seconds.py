@@ -7,10 +7,7 @@ Run: python benchmarks/kalthoff_seconds.py [--cells 50000] [--threads 1 2] [--re
 """
 
 import argparse
-import sys
 from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).parent.parent))
 
 from bondem._threads import threads
 from bondem.run import solve_explicit

@@ -1,8 +1,7 @@
 """What every result of a benchmark begins with, and how it is written: as records of studies."""
 
-import argparse
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from time import perf_counter, process_time
 
@@ -12,7 +11,7 @@ sys.path.append(str(ROOT))  # scripts are started by their path
 from validation.frame import record  # noqa: E402
 from validation.frame.record import RESULTS, Record, commit, spread  # noqa: E402
 
-__all__ = ["RESULTS", "ROOT", "Record", "clocked", "command", "commit", "keep", "origin", "place", "spread"]
+__all__ = ["RESULTS", "ROOT", "Record", "clocked", "command", "commit", "keep", "origin", "spread"]
 
 
 def command() -> str:
@@ -23,13 +22,6 @@ def command() -> str:
 def origin() -> dict:
     """Command, machine with its load, date, version and commit, as they are when a benchmark starts."""
     return record.origin(command())
-
-
-def place(description: str | None, usual: Path, arguments: Sequence[str] | None) -> Path:
-    """Where a benchmark that has no other option writes: --out, or the usual file."""
-    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=usual)
-    return parser.parse_args(arguments).out
 
 
 def keep(path: Path, report: dict) -> None:

@@ -32,7 +32,6 @@ from typing import Any, ClassVar
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
-import bonded_granite
 from agglomerates import wall_spring
 from lammps_bpm import counts, ran
 
@@ -40,6 +39,7 @@ import bondem as bd
 from bondem.interactions.beams.bond_law import BondGeometry, BondStiffness
 from bondem.labtests.gauge_length import AffineField, middle_half
 from kept import RESULTS, Record, command
+from validation.studies import bonded_granite
 from validation.studies.bonded_granite import FRICTION, GRANITE, PIN, criterion
 
 #: Friction of fragments, and local damping.
