@@ -14,7 +14,7 @@ from scipy.sparse.linalg import eigsh
 
 import bondem as bd
 from bondem.model.highest_frequency import highest_frequency
-from bondem.model.stiffness_matrices import mass_diagonal, stiffness_matrix
+from bondem.model.stiffness_matrices import mass_diagonal
 from kept import RESULTS, clocked, keep, origin
 from tiled import specimen
 
@@ -23,7 +23,7 @@ def exact(model: bd.Model) -> float:
     """Highest angular frequency [rad/s] of the stored matrix, to 1e-6."""
     scale = diags_array(1.0 / np.sqrt(mass_diagonal(model)))
     start = np.random.default_rng(0).standard_normal(scale.shape[0])
-    matrix = scale @ stiffness_matrix(model) @ scale
+    matrix = scale @ model.interaction.stiffness() @ scale
     return math.sqrt(eigsh(matrix, k=1, tol=1e-6, v0=start, return_eigenvectors=False)[0])
 
 

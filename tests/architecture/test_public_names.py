@@ -17,7 +17,7 @@ STUB = ROOT / "src/bondem/__init__.pyi"
 # users.
 INTERNAL = {
     "BondTable", "CellConstants", "Constraints", "ContactLaws", "ContactModel", "FailureTable", "Joint", "Layout",
-    "Interaction", "Origin", "Softening", "BeamSoftening", "SofteningTable", "FailurePart",
+    "Interaction", "CellInteraction", "Origin", "Softening", "BeamSoftening", "SofteningTable", "FailurePart",
     "Elements",
 }  # fmt: skip
 

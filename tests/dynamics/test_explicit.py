@@ -11,7 +11,7 @@ from bondem.dynamics.plan import settled
 from bondem.dynamics.timestep import critical_step
 from bondem.errors import InputError, UnstableStepError
 from bondem.model.highest_frequency import highest_frequency
-from bondem.model.stiffness_matrices import mass_diagonal, stiffness_matrix
+from bondem.model.stiffness_matrices import mass_diagonal
 from tests.models import momenta, moving, time_step, total_energy
 from tests.recording import Record
 from tests.specimens import crooked_block, rod, two_spheres
@@ -189,7 +189,7 @@ def test_oscillator_is_stable_up_to_the_critical_step_of_the_scheme(scheme: bd.S
 def test_highest_frequency_is_that_of_the_eigenvalue_problem(record: Record) -> None:
     for lattice in (rod(3), rod(30), BLOCK):
         model = bd.Model(lattice, LAW, RHO)
-        K, m = stiffness_matrix(model).tocsc().toarray(), mass_diagonal(model)
+        K, m = model.interaction.stiffness().tocsc().toarray(), mass_diagonal(model)
         exact = math.sqrt(np.linalg.eigvalsh(K / np.sqrt(m[:, None] * m)).max())
         assert exact <= highest_frequency(model) <= 1.003 * exact
         record("highest frequency", highest_frequency(model) / exact)
@@ -198,7 +198,7 @@ def test_highest_frequency_is_that_of_the_eigenvalue_problem(record: Record) -> 
 @pytest.mark.parametrize("scheme", [bd.VelocityVerlet(), bd.TchamwaWielgosz(1.3)], ids=["Verlet", "TW"])
 def test_lattice_is_stable_below_the_critical_step_and_not_above(scheme: bd.Scheme) -> None:
     model = bd.Model(rod(6), LAW, RHO)
-    K, m = stiffness_matrix(model).tocsc().toarray(), mass_diagonal(model)
+    K, m = model.interaction.stiffness().tocsc().toarray(), mass_diagonal(model)
     top = np.linalg.eigh(K / np.sqrt(m[:, None] * m))[1][:, -1] / np.sqrt(m)
     top = 1e-9 * (top / np.abs(top).max()).reshape(-1, 6)[model.layout.rank]
     growth = []

@@ -12,7 +12,6 @@ from scipy.spatial.transform import Rotation
 import bondem as bd
 from bondem._tables.step_tables import Beams
 from bondem.interactions.beams.beam_tables import beam_energies, beam_tables, count_turned, loads_of_each
-from bondem.model.stiffness_matrices import stiffness_matrix
 from tests.beam_theory import beam_stiffness
 from tests.recording import Record
 
@@ -179,7 +178,7 @@ def test_a_twist_is_twisting_and_a_bend_is_bending(axis: tuple[float, float, flo
 def test_hessian_at_rest_is_the_stiffness_matrix(law: bd.BondLaw, record: Record) -> None:
     model = bd.Model(cluster(), bond=law, density=1000.0)
     pose = model.state().pose
-    K = stiffness_matrix(model).tocsc().toarray()
+    K = model.interaction.stiffness().tocsc().toarray()
     measured = np.array([-derivative(lambda x: forces(model, x), pose, dof) for dof in range(len(K))])
     np.testing.assert_allclose(measured, K, rtol=0.0, atol=1e-8 * np.abs(K).max())
     np.testing.assert_array_equal(K, K.T)
@@ -232,7 +231,7 @@ def test_parallel_bond_is_that_of_chen_tables_1_and_2() -> None:
     M = (ktor * along + kben * (np.eye(3) - along)) @ w
     expected = np.concatenate([-F, -M + np.cross(arm_a, -F), F, M + np.cross(arm_b, F)])
     motion = np.array([np.r_[U_a, w_a], np.r_[U_b, w_b]])[model.layout.order].ravel()
-    actual = -(stiffness_matrix(model) @ motion).reshape(2, 6)[model.layout.rank].ravel()
+    actual = -(model.interaction.stiffness() @ motion).reshape(2, 6)[model.layout.rank].ravel()
     np.testing.assert_allclose(actual, expected, rtol=0.0, atol=1e-13 * np.abs(expected).max())
 
 

@@ -6,8 +6,6 @@ from scipy.spatial.transform import Rotation
 
 import bondem as bd
 from bondem.interactions.cells.cell_strain import CellStrain
-from bondem.model.cell_tangent import cell_forces
-from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.observables.energy import elastic_energy
 from bondem.observables.facet_loads import loads_on_facets
 from bondem.observables.surface_displacement import surface_displacement
@@ -28,7 +26,7 @@ def shaken(model, *, shift=0.05, turn=0.3, seed=0):
 
 def forces(model, state):
     """Force and torque of the facets on each cell, internal order, (n, 6)."""
-    return -cell_forces(model, state.pose)[0]
+    return -model.interaction.gradient(state.pose)[0]
 
 
 LONG = (12, 4, 4)
@@ -77,13 +75,14 @@ def test_momentum_rigid_motion_and_the_matrix_at_rest(law):
     small = model.state()
     small.pose[:, :3] += h * motion[:, :3]
     small.pose[:, 4:] = Rotation.from_rotvec(h * motion[:, 3:]).as_quat()[:, [3, 0, 1, 2]]
-    expected = (stiffness_matrix(model) @ motion.ravel()).reshape(-1, 6)
+    expected = (model.interaction.stiffness() @ motion.ravel()).reshape(-1, 6)
     assert np.abs(-forces(model, small) / h - expected).max() <= 3e-6 * np.abs(expected).max()
 
 
 def test_six_rigid_motions_and_no_more_are_without_energy():
     for law in LAWS[:3]:
-        K = stiffness_matrix(bd.Model(crooked_cells((4, 4, 4)), bd.CellBond(E=1.0, **law), 1.0)).tocsc().toarray()
+        model = bd.Model(crooked_cells((4, 4, 4)), bd.CellBond(E=1.0, **law), 1.0)
+        K = model.interaction.stiffness().tocsc().toarray()
         value = np.linalg.eigvalsh(K)
         assert np.abs(value[:6]).max() <= 1e-13 * value[-1]
         assert value[6] >= 1e-4 * value[-1]
@@ -297,15 +296,15 @@ def test_a_nonlinear_path_ends_where_a_damped_run_comes_to_rest():
 def test_the_tangent_is_the_derivative_of_the_forces_in_any_pose():
     model = bd.Model(crooked_cells(LONG), bd.CellBond(E=1.0, nu=0.3), 1.0, boundary=[bd.Fix(bd.Face("x_min"))])
     state = shaken(model, shift=0.02, turn=0.1)
-    cell_forces(model, state.pose)  # leaves the stresses there
-    tangent = tangent_matrix(model, stiffness_matrix(model).bonds, state.pose)
+    model.interaction.gradient(state.pose)  # leaves the stresses there
+    tangent = tangent_matrix(model, model.interaction.stiffness().bonds, state.pose)
     motion, h, found = np.random.default_rng(1).standard_normal((len(state.pose), 6)), 1e-6, []
     for sign in (h, -h):
         moved = state.pose.copy()
         moved[:, :3] += sign * motion[:, :3]
         turn = Rotation.from_rotvec(sign * motion[:, 3:]) * Rotation.from_quat(moved[:, [5, 6, 7, 4]])
         moved[:, 4:] = turn.as_quat()[:, [3, 0, 1, 2]]
-        found.append(cell_forces(model, moved)[0])
+        found.append(model.interaction.gradient(moved)[0])
     change = (found[0] - found[1]) / (2.0 * h)
     expected = (tangent @ motion.ravel()).reshape(-1, 6)
     # torques are no gradient in spins taken one after the other: that part is as large as the torques themselves

@@ -12,7 +12,6 @@ import pytest
 
 import bondem as bd
 from bondem.errors import AuxeticWarning
-from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.observables.cell_forces import CellForces
 from bondem.observables.surface_displacement import surface_displacement
 from bondem.statics.linear import System
@@ -249,7 +248,7 @@ def test_energy_is_positive_near_the_lowest_poisson_ratio(nu):
     """Six rigid motions and no other are without energy, though corrected shares of random points are large."""
     with pytest.warns(AuxeticWarning, match=r"too low for \d+ of 60 cells"):
         model = bd.Model(random_points(60), bd.CellBond(E=1.0, nu=nu), 1.0)
-    K = stiffness_matrix(model).tocsc().toarray()
+    K = model.interaction.stiffness().tocsc().toarray()
     root = 1.0 / np.sqrt(K.diagonal())
     value = np.linalg.eigvalsh(root[:, None] * K * root)
     assert np.abs(value[:6]).max() <= 1e-12 * value[-1]

@@ -28,7 +28,7 @@ DATA = Path(__file__).parent / "data"
 # What a schema did not have: arrays of the state, columns of the records.
 _SOFT = ("cracks", "plastic", "held_slip", "facet_force", "softened", "grips")
 MISSING = {
-    2: (("stress", "broken", "released", *_SOFT), (Column.NON_LOCAL, Column.RELEASED, Column.PLASTIC)),
+    2: (("stress", "broken", "released", *_SOFT), (Column.EXTRA_WORK, Column.RELEASED, Column.PLASTIC)),
     3: (("broken", "released", *_SOFT), (Column.RELEASED, Column.PLASTIC)),
 }
 

@@ -7,7 +7,6 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.statics.linear import Elimination, Iteration, System
 from bondem.statics.quasistatic.damaged_body import DamagedBody
 from bondem.statics.quasistatic.equilibrium import Iterated
@@ -260,7 +259,7 @@ def test_whole_facets_have_the_matrix_of_the_body() -> None:
         body.weaken(np.array([k]), 0.5, (False, True))
     for k in range(0, 200, 3):
         body.weaken(np.array([k]), 1.0, (False, False))
-    found, whole = body.system.matrix, stiffness_matrix(model)
+    found, whole = body.system.matrix, model.interaction.stiffness()
     assert abs(found.bonds - whole.bonds).max() < 1e-12 * abs(whole.bonds).max()
     np.testing.assert_allclose(found.weight, whole.weight, rtol=1e-12)
 

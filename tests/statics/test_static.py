@@ -8,7 +8,6 @@ import pytest
 import bondem as bd
 from bondem._blas import one_blas_thread
 from bondem.errors import ConvergenceError, InputError
-from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.observables.energy import linear_energy
 from bondem.statics.linear import Elimination, Iteration, System
 from tests.beam_theory import beam_stiffness
@@ -43,7 +42,7 @@ def shear_flexibility(law: str) -> float:
 def test_bond_matrix_is_the_textbook_beam(law):
     lattice = two_spheres(8e-3)
     model = bd.Model(lattice, getattr(bd, law)(E=E, nu=NU, radius=RADIUS), 1000.0)
-    K = stiffness_matrix(model).tocsc().toarray()
+    K = model.interaction.stiffness().tocsc().toarray()
     expected = beam_stiffness(8e-3, E * AREA, E * INERTIA, 2.0 * G * INERTIA, shear_flexibility(law))
     assert np.abs(K - expected).max() <= 1e-12 * np.abs(expected).max()
 
@@ -233,7 +232,7 @@ def test_strains_of_bonds_give_the_energy_of_the_matrix(law):
     u, turn = 1e-6 * rng.standard_normal((2, len(particles), 3))
     turn /= particles.mean_radius
     motion = np.hstack([u, turn])[model.layout.order].ravel()
-    energy = 0.5 * motion @ (stiffness_matrix(model) @ motion)
+    energy = 0.5 * motion @ (model.interaction.stiffness() @ motion)
     assert linear_energy(model, u, turn).total == pytest.approx(energy, rel=1e-12)
     # ... and their forces and products are parts of the same
     k = model.stiffness

@@ -36,7 +36,6 @@ from bondem.labtests.gauge_length import AffineField, at_generators
 from bondem.observables.cell_forces import CellForces
 from bondem.observables.surface_displacement import surface_displacement
 from bondem.statics.linear import Iteration, System
-from bondem.statics.static import strain_load
 from validation.frame.record import Record
 from validation.frame.sources import REPOSITORY
 
@@ -164,7 +163,8 @@ def equilibrium(model: bd.Model) -> Motion:
     """Return the equilibrium of a model to a residual of `RESIDUAL`."""
     system, n = System.of(model), len(model.layout.order)
     motion = model.constraints.final_motion(n).ravel()
-    load = model.constraints.final_load(n).ravel() + strain_load(model, model.constraints.final_strain())
+    strained = model.interaction.strain_load(model.constraints.final_strain(), model.pressed)
+    load = (model.constraints.final_load(n) + strained).ravel()
     change, _ = Iteration(system).solve(load - system.matrix @ motion, rtol=RESIDUAL)
     values = (motion + change).reshape(n, 6)[model.layout.rank]
     return Motion(values[:, :3], values[:, 3:])

@@ -18,14 +18,7 @@ from bondem._tables.crack_sample_tables import CrackSamples, SofteningSamples, S
 from bondem._tables.crack_tables import FacetStrengths
 from bondem._tables.damage_tables import FailureIndices, LoadedTractions, Strengths, StressCandidates, StressFunction
 from bondem._tables.incremental_tables import LoadsOfEach, StoredLoads
-from bondem._tables.non_local_tables import (
-    ExtraForces,
-    LaggedStresses,
-    NonLocalBonds,
-    SmallPairs,
-    SmallSprings,
-    SmallSteps,
-)
+from bondem._tables.non_local_tables import ExtraForces, NonLocalBonds, SmallPairs, SmallSprings, SmallSteps
 from bondem._tables.packing_tables import (
     Flight,
     Growing,
@@ -51,6 +44,7 @@ from bondem._tables.step_tables import (
     Beams,
     BeamSums,
     BeamTurns,
+    LaggedStresses,
     Portions,
     Poses,
     StepCut,

@@ -72,7 +72,7 @@ from bondem._tables.device_tables import (
     WorkPortions,
 )
 from bondem._tables.incremental_tables import StoredLoads
-from bondem._tables.non_local_tables import LaggedStresses, NonLocalBonds, NonLocalWork
+from bondem._tables.non_local_tables import NonLocalBonds, NonLocalWork
 from bondem._tables.step_tables import (
     AlikeBeams,
     Beams,
@@ -82,6 +82,7 @@ from bondem._tables.step_tables import (
     Drives,
     Gauges,
     HistoryRows,
+    LaggedStresses,
     Moving,
     Portions,
     Resistance,

@@ -52,7 +52,7 @@ from bondem._tables.damage_tables import (
     StressFunction,
 )
 from bondem._tables.incremental_tables import StoredLoads
-from bondem._tables.non_local_tables import LaggedStresses, NonLocalBonds, NonLocalWork
+from bondem._tables.non_local_tables import NonLocalBonds, NonLocalWork
 from bondem._tables.step_tables import (
     AlikeBeams,
     Beams,
@@ -62,6 +62,7 @@ from bondem._tables.step_tables import (
     Drives,
     Gauges,
     HistoryRows,
+    LaggedStresses,
     Moving,
     Portions,
     Resistance,

@@ -25,7 +25,7 @@ class HistoryColumn(IntEnum):
     WORK = 8  #: work of loads, drives and walls [J]
     LOSS = 9  #: loss to damping [J]
     FRICTION = 10  #: loss to friction [J]
-    NON_LOCAL = 11  #: work of the extra forces of the non-local law [J]
+    EXTRA_WORK = 11  #: work of the extra forces of the non-local law [J]
     RELEASED = 12  #: energy that bonds have released [J]
     PLASTIC = 13  #: energy that cells have dissipated by yielding [J]
     CRUSHING = 14  #: part of the released energy beyond the fracture energy [J]
@@ -52,7 +52,7 @@ class DeviceColumn(IntEnum):
     WORK = 11
     SUPPLIED = 12
     CONTACT = 13
-    NON_LOCAL = 14
+    EXTRA_WORK = 14
     RELEASED = 15
     PLASTIC = 16
     CRUSHING = 17

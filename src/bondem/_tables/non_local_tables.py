@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from bondem._types import Floats, Ints, Uint32s
+from bondem._types import Floats, Ints
 
 
 class NonLocalBonds(NamedTuple):
@@ -18,17 +18,6 @@ class NonLocalBonds(NamedTuple):
     limited: int  #: whether the extra shear force is limited
     history: Floats  #: gap [m], extra force [N] and its work [J], in the frame of element i, (7, m)
     output: Floats  #: force on i, torque on i, minus torque on j, now [N, N·m], (9, m)
-
-
-class LaggedStresses(NamedTuple):
-    """Stresses of n elements."""
-
-    inverse: Floats  #: 1 / V [1/m³], (n,)
-    stress: Floats  #: in the element's own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
-    space: Floats  #: in space, and bounds of σ1 and σ3 [Pa], (n, 8)
-    #: contributions of forces to V σ, zero between steps; rows of shared elements follow [N·m], (*, 8)
-    moment: Floats
-    to_i: Uint32s  #: row of the moment of element i of each bond, (m,)
 
 
 class NonLocalWork(NamedTuple):

@@ -247,3 +247,14 @@ class StepSpan(NamedTuple):
     n: int  #: elements
     m: int  #: bonds, without those that fill a group
     done: Ints  #: steps done, records written, bonds turned wide at most and lost, (4,)
+
+
+class LaggedStresses(NamedTuple):
+    """Stresses of n elements that lag a step behind."""
+
+    inverse: Floats  #: 1 / V [1/m³], (n,)
+    stress: Floats  #: in the element's own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+    space: Floats  #: in space, and bounds of σ1 and σ3 [Pa], (n, 8)
+    #: contributions of forces to V σ, zero between steps; rows of shared elements follow [N·m], (*, 8)
+    moment: Floats
+    to_i: Uint32s  #: row of the moment of element i of each bond, (m,)

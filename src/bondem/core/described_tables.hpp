@@ -104,7 +104,6 @@ BONDEM_TABLE(GaugeParts, F(each, ""), F(parts, "* 3"))
 BONDEM_TABLE(StoredLoads, F(kb, "m"), F(history, "6 m"))
 BONDEM_TABLE(LoadsOfEach, F(found, "9 m"))
 BONDEM_TABLE(NonLocalBonds, F(area, "m"), F(kn, "m"), F(kt, "m"), F(normal, "3 m"), F(lever_i, "3 m"), F(lever_j, "3 m"), F(nu, ""), F(limited, ""), F(history, "7 m"), F(output, "9 m"))
-BONDEM_TABLE(LaggedStresses, F(inverse, "n"), F(stress, "n 6"), F(space, "n 8"), F(moment, "* 8"), F(to_i, "m"))
 BONDEM_TABLE(NonLocalWork, F(taken, "bond_portions"))
 BONDEM_TABLE(SmallPairs, F(pairs, "m 2"), F(area, "m"), F(kt, "m"), F(nu, ""), F(limited, ""), F(normal, "m 3"), F(stress, "n 6"), F(gap, "m 3"))
 BONDEM_TABLE(SmallSprings, F(kn, "m"), F(lever_i, "m 3"), F(lever_j, "m 3"), F(along, "m"), F(across, "m"))
@@ -149,6 +148,7 @@ BONDEM_TABLE(Gauges, F(start, "gauges+1"), F(element, "gauged"), F(quantity, "ga
 BONDEM_TABLE(HistoryRows, F(record, "* columns"))
 BONDEM_TABLE(StepPasses, F(present, "* 8"), F(opening, "* 8"), F(travel, "* 8"), F(forces, "* 8"), F(resume, "* 8"), F(reopening, "* 8"), F(guard, "* 8"), F(record, "* 8"))
 BONDEM_TABLE(StepSpan, F(step, ""), F(steps, ""), F(every, ""), F(looks, ""), F(stale, ""), F(moved, ""), F(n, ""), F(m, ""), F(done, "4"))
+BONDEM_TABLE(LaggedStresses, F(inverse, "n"), F(stress, "n 6"), F(space, "n 8"), F(moment, "* 8"), F(to_i, "m"))
 BONDEM_TABLE(BeamRows, F(i, "m"), F(j, "m"), F(direction, "3 m"), F(length, "m"), F(lever, "m"), F(kn, "m"), F(ks, "m"), F(kb, "m"), F(kt, "m"))
 BONDEM_TABLE(FacetRows, F(i, "m"), F(j, "m"), F(k, "m"), F(lever_i, "m 3"), F(lever_j, "m 3"), F(H, "m 3 3"), F(share_i, "m 3"), F(share_j, "m 3"))
 BONDEM_TABLE(BlockRows, F(in_start, "n+1"), F(out_start, "n+1"), F(out_bond, "m"), F(indptr, "n+1"), F(indices, "blocks"), F(data, "blocks 6 6"))
@@ -261,7 +261,6 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<StoredLoads>(), \
     described<LoadsOfEach>(), \
     described<NonLocalBonds>(), \
-    described<LaggedStresses>(), \
     described<NonLocalWork>(), \
     described<SmallPairs>(), \
     described<SmallSprings>(), \
@@ -306,6 +305,7 @@ BONDEM_TABLE(WallLoad, F(force, "3"), F(normal, ""), F(torque, "3"))
     described<HistoryRows>(), \
     described<StepPasses>(), \
     described<StepSpan>(), \
+    described<LaggedStresses>(), \
     described<BeamRows>(), \
     described<FacetRows>(), \
     described<BlockRows>(), \

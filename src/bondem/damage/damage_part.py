@@ -11,8 +11,7 @@ from bondem._tables.cell_tables import ElasticFacets, FacetsOfCells
 from bondem._tables.columns import CrackStatus, EventColumn, LogCount, SoftColumn
 from bondem._tables.crack_tables import CohesiveCracks, CrackLists, FacetStrengths
 from bondem._tables.damage_tables import Candidates, EventLog, FailureBounds, Postponed, Strengths
-from bondem._tables.non_local_tables import LaggedStresses
-from bondem._tables.step_tables import Dashpots, StepCut
+from bondem._tables.step_tables import Dashpots, LaggedStresses, StepCut
 from bondem._types import PerBond
 from bondem.damage.crack_columns import FACET, STATUS, TOP
 from bondem.damage.failing_state import FailingState, StepTables

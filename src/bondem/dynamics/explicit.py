@@ -76,7 +76,7 @@ def integrate(
     total = plan.steps
     if progress is not None and total:
         progress(state.step / total)
-    joined, beyond = ("bonds", _BEAMS) if model.cells is None else ("facets", _CELLS)
+    joined = f"{model.interaction.bond}s"
     status, message = Status.COMPLETED, f"{total} steps of {dt:.4g} s"
     kept = (state.copy(),)
     strains = StrainGauges(model, plan)
@@ -124,7 +124,7 @@ def integrate(
             state = good
             break
         if wide:
-            turned = f"; {wide} {joined} were turned so far (c < 0.7 or w² < 0.75) that {beyond}"
+            turned = f"; {wide} {joined} were turned so far (c < 0.7 or w² < 0.75) that {model.interaction.turned}"
         if sinking is not None:
             sinking.look(state)
         if check is not None:
@@ -195,8 +195,6 @@ def _progress(before: RunProgress | None, state: State, total: int, rate: float,
     return RunProgress(state.step, total, state.time, rate, len(state.broken), error, energy)
 
 
-_BEAMS = "the bond energy is no longer that of a beam: use shorter bonds or lower loads"
-_CELLS = "the strains of their cells are not small: use lower loads"
 _CAUSES = {
     NOT_FINITE: "a number is not finite",
     RUNAWAY: "the kinetic energy is a thousand times what was there and was put in",

@@ -59,7 +59,7 @@ class History:
         "bending", "twisting" and that of "contact"; the "work" of loads, drives and walls; the "loss" to damping and
         dashpots; the loss to "friction" of contacts, walls and closed cracks; and five more:
 
-        - "non-local work": work of the extra forces of `NonLocal`, which have no potential;
+        - "non-local work": work of the extra forces of the non-local law, which have no potential;
         - "fracture": energy that bonds and facets released as they broke or softened, of each that has a fracture
           energy up to that, G_f times its own area;
         - "crushing": energy that they released beyond it, and all that facets of cells without cohesion released:

@@ -13,7 +13,7 @@ from scipy.sparse import diags_array
 from scipy.sparse.linalg import eigsh
 
 from bondem._names import users_line
-from bondem._types import Floats, PerBond
+from bondem._types import PerBond
 from bondem.dynamics.damping import DampingTerms
 from bondem.dynamics.schemes import Scheme
 from bondem.errors import StepWarning
@@ -55,7 +55,7 @@ def lagged_limits(
     highest, bound = _of_springs(model, law, scheme, terms, springs)
     if springs == 0.0:
         return bound, bound
-    share = next((one for one in SHARES if stable(model, law, one * highest, terms)), 0.0)
+    share = next((one for one in SHARES if growth(model, law, one * highest, terms) <= _GROWTH), 0.0)
     if share == 0.0:
         warnings.warn(
             f"the lagged stress of the {law.title} is unstable at any time step; give damping=, or lower nu=",
@@ -66,7 +66,7 @@ def lagged_limits(
         return limit, limit
     undamped = replace(terms, eta=0.0, beta=0.0)
     longer = [one * highest for one in SHARES if min(one * highest, bound) > matters * limit]
-    return limit, min(bound, next((dt for dt in longer if stable(model, law, dt, undamped)), limit))
+    return limit, min(bound, next((dt for dt in longer if growth(model, law, dt, undamped) <= _GROWTH), limit))
 
 
 def _of_springs(
@@ -109,11 +109,6 @@ def _fastest_decay(model: Model, law: LaggedInteraction, kn: PerBond, beta: PerB
     return (1.0 + 2.0 * _TOLERANCE) * float(found[0])
 
 
-def stable(model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms) -> bool:
-    """Return whether small motions do not grow by steps of dt [s]."""
-    return growth(model, law, dt, terms) <= _GROWTH
-
-
 def growth(
     model: Model, law: LaggedInteraction, dt: float, terms: DampingTerms, *, steps: int = _STEPS
 ) -> float:
@@ -124,18 +119,12 @@ def growth(
     weight = np.repeat(np.column_stack([model.mass, model.inertia]), 3, axis=1)
     speed = np.random.default_rng(0).standard_normal(weight.shape) / np.sqrt(weight)
     speed -= speed.mean(axis=0)
-    sizes = law.small_steps(speed, weight, *_dashpots(model, law, terms), dt, terms.gamma, steps)
+    i, j = model.lattice.pairs.T
+    pair = model.mass[i] * model.mass[j] / (model.mass[i] + model.mass[j])  # dashpots in the form of `BondDamping`
+    cn, cs = (2.0 * terms.eta * np.sqrt(k * pair) + terms.beta * k for k in (law.bonds.kn, law.bonds.ks))
+    sizes = law.small_steps(speed, weight, cn, cs, dt, terms.gamma, steps)
     if not sizes[-1] < _BEYOND * max(sizes[0], 1e-300):
         return math.inf
     quarter = steps // 4
     middle, end = float(sizes[quarter : 2 * quarter].max()), float(sizes[3 * quarter :].max())
     return end / middle if middle > 0.0 else 0.0
-
-
-def _dashpots(model: Model, law: LaggedInteraction, terms: DampingTerms) -> tuple[Floats, Floats]:
-    """Return cn and cs of the bonds [N·s/m], in the form of `BondDamping`."""
-    i, j = model.lattice.pairs.T
-    mass = model.mass
-    pair = mass[i] * mass[j] / (mass[i] + mass[j])
-    cn, cs = (2.0 * terms.eta * np.sqrt(k * pair) + terms.beta * k for k in (law.bonds.kn, law.bonds.ks))
-    return cn, cs

@@ -101,7 +101,7 @@ def _with_broken(model: Model, highest: float) -> tuple[float, float]:
     decay = _decay_bound(model, contacts.own, beta, soft)
     if not friction.any():
         return highest, decay
-    if model.cells is not None:  # the spring of a facet is as stiff across as along
+    if model.interaction.isotropic_springs:
         return highest * math.sqrt(max(1.0, float(soft.max()))), decay
     sheared = highest_frequency(model, table=model.bonds.sheared(soft * contacts.own))
     return max(highest, sheared), decay

@@ -104,22 +104,11 @@ def acoustic_emission(
     reach = number("acoustic_emission", "distance", distance, unit="m", above=0.0)
     if time is None:
         assert model is not None
-        time = reach / _wave_speed(model)
+        time = reach / model.interaction.wave_speed(model.mass)
     span = number("acoustic_emission", "time", time, unit="s", above=0.0)
     period = None if model is None else model.lattice.particles.period
     label = _clusters(events, reach, span, period)
     return _emissions(events, label, period)
-
-
-def _wave_speed(model: Model) -> float:
-    """Return the speed of a wave in a thin rod of the material, or in a chain of bonds [m/s]."""
-    lattice, mass = model.lattice, model.mass
-    if model.cells is not None:
-        G, lame = model.cell_constants.G, model.cell_constants.lame
-        E = G * (3.0 * lame + 2.0 * G) / (lame + G)
-        return float(np.median(np.sqrt(E * lattice.element_volume / mass)))
-    i, j = lattice.pairs.T
-    return float(np.median(lattice.length * np.sqrt(2.0 * model.stiffness.kn / (mass[i] + mass[j]))))
 
 
 def _clusters(events: BrokenBonds, reach: float, span: float, period: Floats | None) -> Ints:

@@ -88,7 +88,7 @@ def explain(model: Model, state: State | None = None, *, most: int = 5) -> Expla
 
 
 def _part(model: Model) -> str:
-    return "bond" if model.cells is None else "facet"
+    return model.interaction.bond
 
 
 def _doubts(model: Model, one: ImpliedFracture) -> list[str]:
@@ -119,7 +119,7 @@ def _doubts(model: Model, one: ImpliedFracture) -> list[str]:
 
 
 def _implied_lines(model: Model, one: ImpliedFracture) -> list[str]:
-    what, cells = _part(model), model.cells is not None
+    what, cells = _part(model), model.interaction.evaluated == "traction"
     given = "as given" if one.softens else "of brittle facets, f_t² L / E"
     if not cells:
         given = f"of {'bonds that soften' if one.softens else 'brittle bonds'}, estimated"

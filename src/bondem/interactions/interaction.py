@@ -9,19 +9,22 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, ClassVar, Literal, Protocol, Self
 
 import numpy as np
+from scipy.sparse import bsr_array
 
 from bondem._tables.damage_tables import Candidates, EventLog, Postponed, Strengths
-from bondem._tables.non_local_tables import LaggedStresses
-from bondem._tables.step_tables import Dashpots, Moving, Portions, StepCut
-from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3
+from bondem._tables.step_tables import BeamSums, Dashpots, LaggedStresses, Moving, Portions, StepCut
+from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3, PerElement6
 from bondem.boundary.conditions import BoundaryCondition
 from bondem.boundary.wall_constraints import Grips
+from bondem.interactions.beams.beam_tables import beam_tables, load_beams, loads_of_each
 from bondem.interactions.beams.bond_law import BondStiffness
-from bondem.interactions.beams.bond_table import BondTable
+from bondem.interactions.beams.bond_strain import BondStrain
+from bondem.interactions.beams.bond_table import BondTable, with_twins
+from bondem.interactions.energy_parts import EnergyParts
 from bondem.interactions.step_part import Part, Passes
 from bondem.interactions.stiffness import Stiffness
 from bondem.specimen.lattice import Lattice
@@ -115,6 +118,8 @@ class Interaction(ABC):
         lattice: elements and bonds.
         layout: internal order of both.
         law: class of its parameters (class attribute).
+        bond: word for a bond (class attribute).
+        turned: consequence where bonds have turned far (class attribute).
         title: common name of the law, for messages (class attribute).
         name: word for its bonds in messages (class attribute).
         formulation: "total" or "incremental" (class attribute).
@@ -123,9 +128,12 @@ class Interaction(ABC):
         evaluated: quantity that a criterion evaluates (class attribute).
         on_facets: whether loads and conditions on faces act on facets (class attribute).
         corrects_mass: whether it has a dispersion-corrected mass matrix (class attribute).
+        isotropic_springs: whether springs are as stiff across as along (class attribute).
     """
 
     law: ClassVar[type]
+    bond: ClassVar[str] = "bond"
+    turned: ClassVar[str] = "the bond energy is no longer that of a beam: use shorter bonds or lower loads"
     title: ClassVar[str] = "law of beams"
     name: ClassVar[str] = "beams"
     formulation: ClassVar[str] = "total"
@@ -134,6 +142,7 @@ class Interaction(ABC):
     evaluated: ClassVar[Evaluated] = "force"
     on_facets: ClassVar[bool] = False
     corrects_mass: ClassVar[bool] = False
+    isotropic_springs: ClassVar[bool] = False
 
     def __init__(self, lattice: Lattice, layout: Layout) -> None:
         self.lattice, self.layout = lattice, layout
@@ -147,6 +156,10 @@ class Interaction(ABC):
             InputError: The laws do not fit each other or the specimen.
         """
 
+    def question(self) -> None:
+        """Warn about a specimen that the law fits badly."""
+        return
+
     def under(self, boundary: Boundary) -> "Interaction":
         """Return the same law under other boundary conditions."""
         return self
@@ -157,13 +170,9 @@ class Interaction(ABC):
         return Grips.none()
 
     def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
-        """Return the law at stress-free strains, with walls and tractions on facets that do not change.
+        """Return the law at strains ε* [-], (m,) or (0,), and walls with initial places `base` and motions, (g, 3).
 
-        Args:
-            strain: ε* of each bond [-], internal order, (m,), or (0,) for none.
-            base: initial places of the walls (`State.grips`), (g, 7).
-            motion: displacements of the walls [m], (g, 3).
-            pressed: contribution of tractions to V θ of each cell [m³], internal order, (n,).
+        `pressed` is what tractions add to V θ of each cell [m³]; all in internal order.
         """
         twin = copy(self)
         twin.__dict__["table"] = self.table.stretched(strain)
@@ -210,10 +219,6 @@ class Interaction(ABC):
     def small_loads(self, displacement: PerElement3, rotation: PerElement3, strain: PerBond) -> Floats:
         """Return force on j, torque on i and torque on j [N, N·m] by small motions [m, rad], user's order, (m, 9).
 
-        Args:
-            displacement, rotation: motions of the elements from the reference, (n, 3) each.
-            strain: stress-free strain of each bond [-], (m,).
-
         Raises:
             InputError: Bonds have no loads of their own, or these do not follow from motions.
         """
@@ -225,3 +230,87 @@ class Interaction(ABC):
     @abstractmethod
     def modulus(self, volume: float) -> float:
         """Return Young's modulus of the material, or its estimate in a specimen of a volume [m³], [Pa]."""
+
+    def wave_speed(self, mass: PerElement) -> float:
+        """Return the speed of a wave in a chain of bonds, or in a thin rod of the material [m/s]."""
+        i, j = self.lattice.pairs.T
+        return float(np.median(self.lattice.length * np.sqrt(2.0 * self.bonds.kn / (mass[i] + mass[j]))))
+
+    # ---- small motions
+
+    def strain_load(self, strain: PerBond, pressed: PerElement) -> PerElement6:
+        """Return forces on elements at rest by strained bonds and moving walls [N, N·m], internal order, (n, 6).
+
+        Strains ε* [-] are in internal order; `pressed`, what tractions add to V θ [m³], in the user's, as below.
+        """
+        layout, bonds = self.layout, self.table
+        push = bonds.kn * bonds.length * strain * bonds.direction
+        load = np.zeros((len(layout.order), 6))
+        for d in range(3):
+            load[:, d] = np.bincount(layout.j, weights=push[d], minlength=len(load))
+            load[:, d] -= np.bincount(layout.i, weights=push[d], minlength=len(load))
+        return load
+
+    def swelling_load(self, pressed: PerElement) -> PerElement6:
+        """Return forces on elements at rest that swell by V θ [m³], (n,), [N, N·m], user's order, (n, 6)."""
+        return np.zeros((len(pressed), 6))
+
+    def of_walls(
+        self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement
+    ) -> PerElement6:
+        """Return force and torque of holding walls on elements [N, N·m], user's order, (n, 6)."""
+        return np.zeros((len(displacement), 6))
+
+    def small_energy(
+        self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement,
+        traction: Floats,
+    ) -> EnergyParts:  # fmt: skip
+        """Return the energy of small motions [m, rad], user's order; `traction` is the force on free facets [N]."""
+        lattice, k = self.lattice, self.bonds
+        bonds = BondStrain.of(lattice, k.lever, displacement, rotation)
+        elongation, order = bonds.normal.copy(), self.layout.bond_order
+        elongation[order] -= lattice.length[order] * strain
+        return EnergyParts(
+            normal=0.5 * float((k.kn * elongation**2).sum()),
+            shear=0.5 * float((k.ks * (bonds.shear**2).sum(axis=1)).sum()),
+            bending=0.5 * float((k.kb * (bonds.bend**2).sum(axis=1)).sum()),
+            twisting=0.5 * float((k.kt * bonds.twist**2).sum()),
+        )
+
+    # ---- large motions
+
+    def loading(
+        self, pose: Floats, rest: Floats, sums: Floats, integrity: PerBond, table: BondTable
+    ) -> Callable[[], None]:
+        """Return a function that adds forces and torques of bonds in a pose to `sums`, (n, 8), with walls at rest."""
+        beams, alike = beam_tables(table, self.layout, self.period, integrity)
+        return partial(load_beams, pose, beams, alike, BeamSums(beams.i, beams.j, sums))
+
+    def gradient(self, pose: Floats) -> tuple[PerElement6, PerElement6]:
+        """Return the derivative of the energy by displacements and spins, and wall loads [N, N·m], internal order."""
+        i, j = self.layout.i, self.layout.j
+        on_i, on_j = self.bond_gradient(pose, i, j)
+        force = np.empty((len(pose), 6))
+        for d in range(6):
+            force[:, d] = np.bincount(i, weights=on_i[d], minlength=len(pose))
+            force[:, d] += np.bincount(j, weights=on_j[d], minlength=len(pose))
+        return force, np.zeros_like(force)
+
+    def bond_gradient(self, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
+        """Return the derivative of each bond's energy by the motion of its two ends, (6, m) each."""
+        m = len(i)
+        beams, _ = beam_tables(self.table, self.layout, self.period, np.ones(m), may_share=False)
+        on_i, on_j = loads_of_each(pose, beams._replace(i=with_twins(i), j=with_twins(j)), m)
+        return -on_i[:, [0, 1, 2, 4, 5, 6]].T, -on_j[:, [0, 1, 2, 4, 5, 6]].T
+
+    def tangent(self, pose: Floats, data: Floats, pattern: bsr_array) -> Stiffness:
+        """Return the second derivative of the energy at a pose, given the blocks of bonds in the pattern at rest."""
+        return Stiffness(bsr_array((data, pattern.indices, pattern.indptr), shape=pattern.shape))
+
+
+class SteppingInteraction(Interaction):
+    """A law that gives the parts of a step itself."""
+
+    @abstractmethod
+    def parts(self, run: Run) -> LawParts:
+        """Return the parts of a step."""

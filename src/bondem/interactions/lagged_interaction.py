@@ -8,7 +8,7 @@ from scipy.sparse import bsr_array
 from bondem._tables.damage_tables import Strengths
 from bondem._types import Floats, PerBond, PerBond3, PerElement6
 from bondem.interactions.energy_parts import EnergyParts
-from bondem.interactions.interaction import Arrays, Interaction, LawParts, Run
+from bondem.interactions.interaction import Arrays, SteppingInteraction
 
 
 class LaggedStrain(Protocol):
@@ -30,7 +30,7 @@ class LaggedStrain(Protocol):
     def nodal(self, force: PerBond3) -> PerElement6: ...
 
 
-class LaggedInteraction(Interaction):
+class LaggedInteraction(SteppingInteraction):
     """A law without a potential, whose springs alone have a matrix.
 
     Attributes:
@@ -57,19 +57,10 @@ class LaggedInteraction(Interaction):
     ) -> Floats:  # fmt: skip
         """Return Σ m v² after each step of small motions [J], (steps,), inf beyond 1e30 of its first.
 
-        Args:
-            speed: initial velocities (u, θ) [m/s, rad/s], user's order.
-            weight: masses and moments of inertia [kg, kg·m²], user's order.
-            along, across: dashpots of the bonds along their normals and across them [N·s/m], user's order.
-            dt: time step [s].
-            gamma: local damping [-].
-            steps: number of steps.
+        From velocities (u, θ) [m/s, rad/s] on, with masses and moments of inertia [kg, kg·m²] and dashpots along and
+        across the normals of bonds [N·s/m], user's order; `gamma` is local damping [-].
         """
 
     @abstractmethod
     def indices(self, pose: Floats, arrays: Arrays, strengths: Strengths) -> PerBond:
         """Return the index of each bond by the stresses of a state [-], 0 where broken, internal order, (m,)."""
-
-    @abstractmethod
-    def parts(self, run: Run) -> LawParts:
-        """Return the parts of a step."""

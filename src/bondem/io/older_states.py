@@ -54,13 +54,14 @@ def brought_up(model: Model, state: State, schema: int) -> None:
 
 def with_directions(model: Model, state: State) -> Floats:
     """Return cracks of files whose facets had one integrity, which becomes that of all directions."""
-    older, cells = state.cracks, model.cells
-    if cells is None:
+    older = state.cracks
+    if not len(older):
         return np.zeros((0, CRACK_COLUMNS))
     facet = older[:, 0].astype(np.int64)
     table = model.softening
     alike = older[:, 1] == 0.0 if table is None else (older[:, 1] == 0.0) | table.plane[facet]
-    rows = crack_rows(facet, older[:, 1], axes_along(cells.normal[facet]), alike_left(state.integrity[facet]), alike)
+    axes = axes_along(model.cell_law.constants.normal[facet])
+    rows = crack_rows(facet, older[:, 1], axes, alike_left(state.integrity[facet]), alike)
     rows[:, SLIP : SLIP + 3], rows[:, RUB : RUB + 3] = older[:, 2:5], older[:, 8:11]
     for column, of_row in ((RATE, 5), (STATUS, 6), (SPENT, 11), (TOP, 12)):
         rows[:, column] = older[:, of_row]

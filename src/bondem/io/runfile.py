@@ -67,7 +67,7 @@ _SINCE = {
 KIND = Kind("a run file of bondem", "give a file of a run", "start the run again", RunFileError)
 # Schema from which on a column of the records is there.
 _COLUMN_SINCE = {
-    HistoryColumn.NON_LOCAL: 3, HistoryColumn.RELEASED: 4, HistoryColumn.PLASTIC: 5, HistoryColumn.CRUSHING: 10,
+    HistoryColumn.EXTRA_WORK: 3, HistoryColumn.RELEASED: 4, HistoryColumn.PLASTIC: 5, HistoryColumn.CRUSHING: 10,
 }  # fmt: skip
 # What does not change while a run goes on.
 _STATIC = ("plan", "model", "provenance", "elements", "bonds", "facets", "cells")

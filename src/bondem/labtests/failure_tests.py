@@ -11,10 +11,8 @@ import numpy as np
 
 from bondem._types import Floats
 from bondem.damage.cohesive_softening import Softening
-from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.errors import InputError
-from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.ball import BrokenBall
 from bondem.labtests.bonded_platens import is_cells
@@ -244,7 +242,7 @@ def failure_outcome(
             f"labtests: test = {name}: not a test to failure of this material; give one of"
             f" {', '.join(FAILURE_TESTS)}"
         )
-    if test.uniform and not (isinstance(law, CellBond) and isinstance(failure, Criterion)):
+    if test.uniform and (isinstance(law, Mapping) or isinstance(failure, Mapping)):
         raise InputError(f"labtests.{name}: law or failure is given by region; give one law and one criterion")
     result = test.perform(body, law, failure, density=density, progress=progress, **asked)
     cracking = test.cracking(result, body, softening.fracture_energy)

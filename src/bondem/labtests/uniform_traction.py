@@ -79,8 +79,7 @@ def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> Uni
         stress = np.zeros((3, 3))
         stress[a, b] = stress[b, a] = 1.0
         load = _nodal(lattice, owner, centre, area @ stress)
-        facets = area @ stress if statics.model.cells is not None else None
-        motion = statics.response(load, facets=facets)
+        motion = statics.response(load, facets=area @ stress)
         position, moved = at_generators(lattice, motion[:, :3], motion[:, 3:])
         mean = AffineField.fit(position[moving], moved[moving]).strain
         strain[:, column] = [mean[i, j] * (1.0 if i == j else 2.0) for i, j in VOIGT]

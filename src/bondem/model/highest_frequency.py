@@ -1,7 +1,6 @@
 """The highest frequency of a model at rest, by Lanczos iteration without a matrix."""
 
 import math
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -10,15 +9,12 @@ from scipy.sparse import csr_array
 
 from bondem._blas import one_blas_thread
 from bondem._cache_lines import lines
-from bondem._tables.step_tables import BeamSums
 from bondem._types import Floats, PerBond, PerElement
-from bondem.interactions.beams.beam_tables import beam_tables, load_beams
 from bondem.interactions.beams.bond_table import BondTable
 from bondem.interactions.cells.corrected_mass import largest_share
-from bondem.model.cell_tangent import BodyTables
 from bondem.model.long_slip import LongSlip
 from bondem.model.model import Model
-from bondem.model.stiffness_matrices import mass_diagonal, stiffness_matrix
+from bondem.model.stiffness_matrices import mass_diagonal
 from bondem.specimen.local_origin import local_rest
 
 # Relative error of ω²_max that is left: Lanczos ends there, and its answer, from below, is raised by this much.
@@ -46,7 +42,7 @@ def highest_frequency(
     mass, inertia = model.mass[order], model.inertia[order]
     square = stiffest(model, mass, inertia, integrity=integrity, table=table, slip=slip)
     if model.correction is not None:
-        forms = stiffness_matrix(model).forms
+        forms = model.interaction.stiffness().forms
         assert forms is not None
         square *= 1.0 + largest_share(mass_diagonal(model), csr_array(forms.tocsr()), model.correction[order])
     return math.sqrt(square)
@@ -77,17 +73,11 @@ def stiffest(
     table = model.bonds if table is None else table
     pose, sums = lines(n), lines(n)
     rest = local_rest(model.lattice)[layout.order]
-    if model.cells is not None:
-        body = BodyTables.of(model, intact)
-        body.walls.wall[:] = 0.0
-        load = partial(body.load, pose, rest, sums)
-    else:
-        beams, alike = beam_tables(table, layout, model.period, intact)
-        load = partial(load_beams, pose, beams, alike, BeamSums(beams.i, beams.j, sums))
+    load = model.interaction.loading(pose, rest, sums, intact, table)
     shortest = float(table.length.min())
     root = 1.0 / np.sqrt(np.column_stack([mass, mass, mass, inertia, inertia, inertia]))
 
-    matrix = None if model.interaction.has_potential else stiffness_matrix(model)
+    matrix = None if model.interaction.has_potential else model.interaction.stiffness()
 
     def answer(y: Floats) -> Floats:
         motion = y * root

@@ -68,10 +68,10 @@ def long_slips(model: Model) -> tuple[LongSlip, ...]:
     Planes are entries of `failure=` keyed by two regions; slip is long on all their facets. For cracks inside a
     region slip is long on few facets of a cell, which the safety of the default step covers.
     """
-    table, cells, layout = model.softening, model.cells, model.layout
-    if table is None or cells is None or not isinstance(model.failure, Mapping):
+    table, layout = model.softening, model.layout
+    if table is None or not isinstance(model.failure, Mapping):
         return ()
-    pairs = zip(model.failure, model.failure_parts, strict=True)
+    cells, pairs = model.cell_law.constants, zip(model.failure, model.failure_parts, strict=True)
     plane = np.zeros(len(layout.i), dtype=bool)
     for where, part in pairs:
         if isinstance(where, tuple):

@@ -11,7 +11,7 @@ import numpy as np
 
 from bondem._checks import array, choice, instance, possible, several
 from bondem._drawing import draw
-from bondem._plausibility import physical, question_bond_radius, question_strength
+from bondem._plausibility import physical, question_strength
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
 from bondem.boundary.wall_constraints import holds_wall
@@ -24,11 +24,10 @@ from bondem.damage.failure_table import FailureTable, check_failure
 from bondem.damage.implied_fracture import ImpliedFracture, implied_fracture
 from bondem.damage.softening_table import SofteningTable
 from bondem.errors import InputError
-from bondem.interactions.beams.bond_law import BondLaw, BondStiffness
+from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_table import BondTable
 from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.cells.cell_interaction import CellInteraction
-from bondem.interactions.cells.cell_plausibility import question_cells
 from bondem.interactions.cells.corrected_mass import correction_factors
 from bondem.interactions.contact.contact_assignment import ContactAssignment, ContactLaws
 from bondem.interactions.contact.contact_model import ContactModel
@@ -99,8 +98,8 @@ class Model:
 
     # What solvers read, in their own order and types. Neither `dir` nor the reference lists it.
     _INTERNAL = (
-        "beam_softening", "bonds", "breaking", "by", "cell_constants", "cells", "constraints", "contact_laws",
-        "contacts", "correction",
+        "beam_softening", "bonds", "breaking", "by", "cell_constants", "cell_law", "cells", "constraints",
+        "contact_laws", "contacts", "correction",
         "failure_parts", "hands_over", "interaction", "layout", "period", "pressed", "softening",
     )  # fmt: skip
 
@@ -134,12 +133,10 @@ class Model:
             )
         self._check_magnitudes()
         self.constraints  # noqa: B018  regions are checked when the model is made
-        if isinstance(self.bond, BondLaw) and self.bond.radius is not None:
-            question_bond_radius(self.bond.radius, self.lattice.particles.mean_radius)
         self.breaking  # noqa: B018  as is the criterion of failure
         self.beam_softening  # noqa: B018  and whether bonds are short enough to soften
         self._check_strain()
-        question_cells(self.lattice, self.bond, may_fail=self.failure is not None)
+        law.question()
         implied = self.implied_fracture
         if implied is not None:
             question_strength(implied.strength, implied.E, implied.density, implied.fracture_energy)
@@ -170,12 +167,17 @@ class Model:
     @property
     def cells(self) -> CellConstants | None:
         """Constants of the cell law, in internal order; None for other laws."""
-        return self.interaction.constants if isinstance(self.interaction, CellInteraction) else None
+        return self.cell_law.constants if isinstance(self.interaction, CellInteraction) else None
+
+    @property
+    def cell_law(self) -> CellInteraction:
+        """Law of the bonds of a `CellBond` model."""
+        return cast(CellInteraction, self.interaction)
 
     @property
     def cell_constants(self) -> CellConstants:
         """Constants of the cell law, in the user's order. Requires a `CellBond` model."""
-        return cast(CellInteraction, self.interaction).by_user
+        return self.cell_law.by_user
 
     @cached_property
     def correction(self) -> PerElement | None:
@@ -267,9 +269,9 @@ class Model:
     @cached_property
     def softening(self) -> SofteningTable | None:
         """Parameters of cracking facets and yielding cells, in internal order; None if there are none."""
-        if self.failure is None or self.cells is None:
+        if self.failure is None or self.interaction.evaluated != "traction":
             return None
-        return SofteningTable.of(self.lattice, self.layout, self.cells, self.failure_parts)
+        return SofteningTable.of(self.lattice, self.layout, self.cell_law.constants, self.failure_parts)
 
     @property
     def implied_fracture(self) -> ImpliedFracture | None:

@@ -11,11 +11,9 @@ from bondem.errors import InputError
 from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.interactions.cells.cell_tables import STRESS, place_held_walls
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.observables.energy import stress_free_gap, wall_motion
 from bondem.observables.facet_loads import loads_on_facets
 
 
@@ -81,11 +79,8 @@ class CellForces:
 
 def _small(model: Model, result: SmallMotion) -> CellForces:
     body, constants = model.lattice, model.cell_constants
-    strain = model.constraints.final_strain()
-    grips, slip, wall = constants.grips, stress_free_gap(model, strain), wall_motion(model, strain)
-    found = CellStrain.of(
-        body, constants, result.displacement, result.rotation, slip=slip, wall=wall, pressed=model.pressed
-    )
+    strain, grips = model.constraints.final_strain(), constants.grips
+    found = model.cell_law.small_strain(result.displacement, result.rotation, strain, model.pressed)
     stress = found.stress(constants)
     _, cells = body_of(body)
     return CellForces(

@@ -8,9 +8,6 @@ from bondem._tables.step_tables import Beams
 from bondem._types import Floats, PerBond, PerElement3
 from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import beam_energies, beam_tables
-from bondem.interactions.beams.bond_strain import BondStrain
-from bondem.interactions.cells.cell_body import body_of
-from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.interactions.cells.cell_tables import body_energies, cell_tables, gradient_tables, place_held_walls
 from bondem.interactions.energy_parts import EnergyParts
 from bondem.model.model import Model
@@ -26,70 +23,10 @@ def linear_energy(
     The parts are ½ kn (δ·X - L ε*)², ½ ks |δ - (δ·X) X|², ½ kb |ρ - (ρ·X) X|², ½ kt (ρ·X)² of `BondStrain`.
     `strain` is ε* of each bond [-], in internal order.
     """
-    if model.cells is not None:
-        return _cell_energy(model, displacement, rotation, strain)
-    lattice, k = model.lattice, model.stiffness
-    bonds = BondStrain.of(lattice, k.lever, displacement, rotation)
-    elongation = bonds.normal.copy()
-    if strain is not None:
-        elongation[model.layout.bond_order] -= lattice.length[model.layout.bond_order] * strain
-    return EnergyParts(
-        normal=0.5 * float((k.kn * elongation**2).sum()),
-        shear=0.5 * float((k.ks * (bonds.shear**2).sum(axis=1)).sum()),
-        bending=0.5 * float((k.kb * (bonds.bend**2).sum(axis=1)).sum()),
-        twisting=0.5 * float((k.kt * bonds.twist**2).sum()),
-    )
-
-
-def _cell_energy(
-    model: Model, displacement: PerElement3, rotation: PerElement3, strain: PerBond | None
-) -> EnergyParts:
-    body, constants = model.lattice, model.cell_constants
-    grips = constants.grips
-    slip, wall = stress_free_gap(model, strain), wall_motion(model, strain)
-    pressed = model.pressed
-    found = CellStrain.of(body, constants, displacement, rotation, slip=slip, wall=wall, pressed=pressed)
-    facets, cells = body_of(body)
-    # ½ V λ θ² is the potential of cells and loads; less the work of the loads on the openings of their facets
-    force = loads_on_facets(model)
-    opened = constants.softness / cells.free.area @ (force**2).sum(axis=1)
-    opened -= 2.0 * found.stress(constants) @ pressed
-    normal = (found.gap * facets.normal).sum(axis=1)
-    turned = (found.turn * facets.normal).sum(axis=1)
-    along = np.einsum("ma,mab,mb->m", facets.normal, constants.H, facets.normal) * turned**2
-    whole = np.einsum("ma,mab,mb->m", found.turn, constants.H, found.turn)
-    moments, held = constants.gradients.moments(found.turn, rotation)
-    whole += (moments * found.turn).sum(axis=1)
-    own = rotation[grips.cell]
-    gripped = (grips.k[:, None] * found.held**2).sum() + np.einsum("ga,gab,gb->", own, grips.H, own)
-    gripped -= (held * rotation).sum()
-    stretched = (constants.k * normal**2).sum() + found.stress(constants) @ found.swelling
-    return EnergyParts(
-        normal=0.5 * float(stretched + gripped + opened),
-        shear=0.5 * float((constants.k * ((found.gap**2).sum(axis=1) - normal**2)).sum()),
-        bending=0.5 * float((whole - along).sum()),
-        twisting=0.5 * float(along.sum()),
-    )
-
-
-def stress_free_gap(model: Model, strain: PerBond | None) -> Floats | None:
-    """Return the gaps that stress-free strains subtract from the gaps of facets [m], (m, 3), with a negative sign.
-
-    `strain` is ε* [-], in internal order, (m,).
-    """
-    if strain is None or model.cells is None:
-        return None
-    own = np.empty(len(strain))
-    own[model.layout.bond_order] = strain
-    return -own[:, None] * model.lattice.branch
-
-
-def wall_motion(model: Model, strain: PerBond | None) -> Floats:
-    """Return the motion of walls towards facets of cells, less the growth of cells by the strains [m], (g, 3)."""
-    grips = model.cell_constants.grips
-    if strain is None:
-        return grips.motion
-    return grips.motion + grips.lever - grips.grown(model.layout.of_elements(strain)).arm
+    law = model.interaction
+    traction = loads_on_facets(model) if law.on_facets else np.zeros((0, 3))
+    strain = np.zeros(len(model.lattice.pairs)) if strain is None else strain
+    return law.small_energy(displacement, rotation, strain, model.pressed, traction)
 
 
 def elastic_energy(model: Model, state: State) -> EnergyParts:

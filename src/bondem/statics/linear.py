@@ -19,7 +19,6 @@ from bondem._types import Floats, Ints, Mask, PerBond
 from bondem.errors import ConvergenceError, InputError
 from bondem.interactions.stiffness import Stiffness
 from bondem.model.model import Model
-from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.statics.coarse_space import Clumps, clump_motions, clump_of, parted
 from bondem.statics.floating import refuse_floating
 
@@ -87,7 +86,7 @@ class System:
             size, turn = np.linalg.eigh(grip.T @ grip)
             loose = loose @ turn[:, size <= 1e-12 * size[-1]]
         return cls(
-            matrix=stiffness_matrix(model),
+            matrix=model.interaction.stiffness(),
             position=position,
             length=lattice.particles.mean_radius,
             free=connected[:, None] & ~held,

@@ -16,10 +16,8 @@ from bondem.boundary.couples import Couple
 from bondem.boundary.wall_constraints import reference_base
 from bondem.errors import ConvergenceError, InputError
 from bondem.geometry.rotations import rotation_vector, turned_further
-from bondem.interactions.beams.beam_tables import beam_tables, count_turned, loads_of_each
-from bondem.interactions.beams.bond_table import with_twins
+from bondem.interactions.beams.beam_tables import beam_tables, count_turned
 from bondem.interactions.stiffness import Stiffness
-from bondem.model.cell_tangent import cell_forces, current_forms, facet_gradient, gradients_at, grip_blocks
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.statics.linear import Elimination, System, solver
@@ -84,7 +82,7 @@ def follow(model: Model, system: System) -> Bent:
                     " lower it, bond with more and shorter bonds, or use solve_explicit with damping"
                 )
     turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
-    force, walls = _forces(strained(model, 1.0), state.pose)
+    force, walls = strained(model, 1.0).interaction.gradient(state.pose)
     return Bent(state, turned, force, walls, rounds, residual)
 
 
@@ -113,7 +111,7 @@ def _advance(model: Model, system: System, start: State, share: float, motion: F
     noise = 1e-14 * float((model.bonds.kn * model.bonds.length).max()) * np.sqrt(len(motion))
     beams, _ = beam_tables(model.bonds, model.layout, model.period, state.integrity, may_share=False)
     for k in range(_ROUNDS):
-        force, walls = _forces(model, state.pose)
+        force, walls = model.interaction.gradient(state.pose)
         load = share * model.constraints.final_load(len(motion), state.pose)
         rest = np.where(system.free, load - force, 0.0) * metric
         supports = np.where(system.free, walls, force)
@@ -164,30 +162,6 @@ def _solved(
     return change + moved @ np.linalg.solve(np.eye(count) - B @ moved, B @ change)
 
 
-def _forces(model: Model, pose: Floats) -> tuple[Floats, Floats]:
-    """Return the derivative of the energy by displacements and spins, and wall loads [N, N·m], (n, 6) each."""
-    if model.cells is not None:
-        return cell_forces(model, pose)
-    layout = model.layout
-    on_i, on_j = _bond_gradient(model, pose, layout.i, layout.j)
-    n = len(pose)
-    force = np.empty((n, 6))
-    for d in range(6):
-        force[:, d] = np.bincount(layout.i, weights=on_i[d], minlength=n)
-        force[:, d] += np.bincount(layout.j, weights=on_j[d], minlength=n)
-    return force, np.zeros_like(force)
-
-
-def _bond_gradient(model: Model, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
-    """Return the derivative of each bond's energy by the motion of its two ends, (6, m) each."""
-    if model.cells is not None:
-        return facet_gradient(model, pose, i, j)
-    m = len(i)
-    beams, _ = beam_tables(model.bonds, model.layout, model.period, np.ones(m), may_share=False)
-    on_i, on_j = loads_of_each(pose, beams._replace(i=with_twins(i), j=with_twins(j)), m)
-    return -on_i[:, [0, 1, 2, 4, 5, 6]].T, -on_j[:, [0, 1, 2, 4, 5, 6]].T
-
-
 def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
     """Return the second derivative of the bond energy at a pose, (6 n, 6 n); `pattern` is that at rest.
 
@@ -213,7 +187,7 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
             moved = ends.copy()
             moved[rows, :3] += change[:, :3]
             moved[rows, 4:] = turned_further(moved[rows, 4:], change[:, 3:])
-            gradient.append(np.concatenate(_bond_gradient(model, moved, first, second)))
+            gradient.append(np.concatenate(model.interaction.bond_gradient(moved, first, second)))
         H[:, :, d] = ((gradient[0] - gradient[1]) / (2.0 * size)).T
     H = 0.5 * (H + np.swapaxes(H, 1, 2))
 
@@ -226,20 +200,12 @@ def tangent_matrix(model: Model, pattern: bsr_array, pose: Floats) -> Stiffness:
     data[start[layout.j] + place - layout.in_start[layout.j]] = H[:, 6:, :6]
     leaving = layout.i[layout.out_bond]
     data[diagonal[leaving] + 1 + place - layout.out_start[leaving]] = H[layout.out_bond, :6, 6:]
-    if model.cells is None:
-        return Stiffness(bsr_array((data, pattern.indices, start), shape=pattern.shape))
-    held, own = grip_blocks(model, pose)
-    np.add.at(data, diagonal[held], own)
-    forms = current_forms(model, pose, pattern)
-    return Stiffness(
-        bsr_array((data, pattern.indices, start), shape=pattern.shape), forms, model.cells.weight,
-        *gradients_at(model, pose),
-    )  # fmt: skip
+    return model.interaction.tangent(pose, data, pattern)
 
 
 def at_pose(model: Model, system: System, pose: Floats) -> Stiffness:
     """Return the tangent of a strained model at a pose, where the stresses of cells are stored."""
-    _forces(model, pose)
+    model.interaction.gradient(pose)
     return tangent_matrix(model, system.matrix.bonds, pose)
 
 
@@ -249,7 +215,7 @@ def unbalanced(model: Model, system: System, pose: Floats) -> float:
     Torques are divided by the mean radius.
     """
     metric = np.repeat([1.0, 1.0 / system.length], 3)
-    force, walls = _forces(model, pose)
+    force, walls = model.interaction.gradient(pose)
     load = model.constraints.final_load(len(pose), pose)
     rest = np.where(system.free, load - force, 0.0) * metric
     scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, walls, force) * metric)

@@ -10,15 +10,14 @@ from bondem._blas import one_blas_thread
 from bondem._checks import instance
 from bondem._drawing import Plotted, columns_of
 from bondem._progress import staged
-from bondem._types import Floats, PerBond, PerElement, PerElement3, PerElement6
+from bondem._types import Floats, PerElement, PerElement3, PerElement6
 from bondem.errors import InputError
-from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.interactions.lagged_interaction import LaggedInteraction
 from bondem.model.model import Model
 from bondem.model.solution import Solution
 from bondem.model.state import State
 from bondem.observables.cell_stress import cell_stress
-from bondem.observables.energy import EnergyParts, energy_of, linear_energy, stress_free_gap, wall_motion
+from bondem.observables.energy import EnergyParts, energy_of, linear_energy
 from bondem.observables.posed_state import in_equilibrium
 from bondem.observables.principal_stresses import principal_stresses, von_mises_stress
 from bondem.specimen.particles import freeze
@@ -163,7 +162,8 @@ class Statics:
         motion, load = constraints.final_motion(n).ravel(), constraints.final_load(n).ravel()
         _check_balance(system, load)
         strain = constraints.final_strain()
-        load = load + strain_load(model, strain)
+        law = model.interaction
+        load = load + law.strain_load(strain, model.pressed).ravel()
         right = load - system.matrix @ motion if motion.any() else load
         start = None
         if guess is not None:
@@ -183,7 +183,7 @@ class Statics:
         return StaticResult(
             displacement=displacement,
             rotation=rotation,
-            reaction=reaction[layout.rank] + of_walls(model, displacement, rotation, strain),
+            reaction=reaction[layout.rank] + law.of_walls(displacement, rotation, strain, model.pressed),
             energy=linear_energy(model, displacement, rotation, strain),
             model=model,
             iterations=iterations,
@@ -216,7 +216,8 @@ class Statics:
             return self._lagged.settle(load.reshape(-1, 6)[rank]).motion
         assert self._solver is not None
         if facets is not None:
-            load = load + _of_swelling(self.model, self.model.cell_constants.pressed_by(facets))[order].ravel()
+            law = self.model.interaction
+            load = load + law.swelling_load(law.pressed(np.arange(len(facets)), facets))[order].ravel()
         start = None if guess is None else guess[order].ravel()
         return self._solver.solve(load, guess=start, rtol=rtol)[0].reshape(-1, 6)[rank]
 
@@ -242,41 +243,6 @@ def _residual(system: System, unbalanced: Floats, load: Floats) -> float:
     rest = float(np.linalg.norm(np.where(system.free, unbalanced, 0.0) * metric))
     scale = np.linalg.norm(load * metric) + np.linalg.norm(np.where(system.free, 0.0, unbalanced) * metric)
     return rest / float(scale) if scale > 0.0 else 0.0
-
-
-def strain_load(model: Model, strain: PerBond) -> Floats:
-    """Return forces of strained bonds and of moving walls on elements at rest [N, N·m], (6 n,)."""
-    layout, bonds = model.layout, model.bonds
-    if model.cells is not None:
-        body, still = model.lattice, np.zeros((len(layout.order), 3))
-        constants, slip = model.cell_constants, stress_free_gap(model, strain)
-        wall = wall_motion(model, strain)
-        found = CellStrain.of(body, constants, still, still, slip=slip, wall=wall, pressed=model.pressed)
-        return found.nodal(body, constants)[layout.order].ravel()
-    push = bonds.kn * bonds.length * strain * bonds.direction
-    load = np.zeros((len(layout.order), 6))
-    for d in range(3):
-        load[:, d] = np.bincount(layout.j, weights=push[d], minlength=len(load))
-        load[:, d] -= np.bincount(layout.i, weights=push[d], minlength=len(load))
-    return load.ravel()
-
-
-def _of_swelling(model: Model, pressed: PerElement) -> PerElement6:
-    """Return forces of cells at rest that swell by V θ [m³], (n,), on elements [N, N·m], user's order, (n, 6)."""
-    still = np.zeros((len(pressed), 3))
-    wall = np.zeros_like(model.cell_constants.grips.motion)
-    found = CellStrain.of(model.lattice, model.cell_constants, still, still, wall=wall, pressed=pressed)
-    return found.nodal(model.lattice, model.cell_constants)
-
-
-def of_walls(model: Model, displacement: PerElement3, rotation: PerElement3, strain: PerBond) -> PerElement6 | float:
-    """Return force and torque of holding walls on their cells [N, N·m], (n, 6); 0 for beams."""
-    if model.cells is None:
-        return 0.0
-    constants, slip = model.cell_constants, stress_free_gap(model, strain)
-    wall, pressed = wall_motion(model, strain), model.pressed
-    found = CellStrain.of(model.lattice, constants, displacement, rotation, slip=slip, wall=wall, pressed=pressed)
-    return found.of_walls(len(displacement), constants)
 
 
 def _check_balance(system: System, load: Floats) -> None:

@@ -125,7 +125,7 @@ inline void sum_portion_of_springs(Index b, const DeviceSpan &span, const Moving
     sum_non_local_energies(portion_of(span, b, bonds_of_portion, span.m), all, beams, bonds, portions, work);
 }
 inline void write_work_of_extra_forces(Index, const DeviceSpan &span, const NonLocalWork &work, const HistoryRows &history) {
-    history.record(clock_of(span).record, device_column::non_local) = sum_of(work);
+    history.record(clock_of(span).record, device_column::extra_work) = sum_of(work);
 }
 
 }  // namespace bondem

@@ -27,7 +27,7 @@ enum : Index {
     work,  // work of loads, drives and walls [J]
     loss,  // loss to damping [J]
     friction,  // loss to friction [J]
-    non_local,  // work of the extra forces of the non-local law [J]
+    extra_work,  // work of the extra forces of the non-local law [J]
     released,  // energy that bonds have released [J]
     plastic,  // energy that cells have dissipated by yielding [J]
     crushing,  // part of the released energy beyond the fracture energy [J]
@@ -40,7 +40,7 @@ enum : Index {
 namespace device_column {
 enum : Index {
     translation, rotation, damped, rubbed, normal, shear, bending, twisting, wide, lost, not_finite, work, supplied,
-    contact, non_local, released, plastic, crushing, walls, count
+    contact, extra_work, released, plastic, crushing, walls, count
 };
 }
 // Counts of what a call of the core has done.

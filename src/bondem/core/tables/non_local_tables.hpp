@@ -17,15 +17,6 @@ struct NonLocalBonds {
     Array<double, 2> history;  // gap [m], extra force [N] and its work [J], in the frame of element i, (7, m)
     Array<double, 2> output;  // force on i, torque on i, minus torque on j, now [N, N·m], (9, m)
 };
-// Stresses of n elements.
-struct LaggedStresses {
-    Array<const double, 1> inverse;  // 1 / V [1/m³], (n,)
-    Array<double, 2> stress;  // in the element's own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
-    Array<double, 2> space;  // in space, and bounds of σ1 and σ3 [Pa], (n, 8)
-    // contributions of forces to V σ, zero between steps; rows of shared elements follow [N·m]
-    Array<double, 2> moment;  // (*, 8)
-    Array<const Short, 1> to_i;  // row of the moment of element i of each bond, (m,)
-};
 // Work of extra forces.
 struct NonLocalWork {
     Array<double, 1> taken;  // in each portion of bonds [J], (bond_portions,)

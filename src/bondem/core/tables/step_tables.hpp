@@ -216,5 +216,14 @@ struct StepSpan {
     Index m;  // bonds, without those that fill a group
     Array<Index, 1> done;  // steps done, records written, bonds turned wide at most and lost, (4,)
 };
+// Stresses of n elements that lag a step behind.
+struct LaggedStresses {
+    Array<const double, 1> inverse;  // 1 / V [1/m³], (n,)
+    Array<double, 2> stress;  // in the element's own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6)
+    Array<double, 2> space;  // in space, and bounds of σ1 and σ3 [Pa], (n, 8)
+    // contributions of forces to V σ, zero between steps; rows of shared elements follow [N·m]
+    Array<double, 2> moment;  // (*, 8)
+    Array<const Short, 1> to_i;  // row of the moment of element i of each bond, (m,)
+};
 
 }  // namespace bondem

@@ -93,7 +93,7 @@ class Criterion(ABC):
 
     @property
     def principal(self) -> tuple[float, float, float] | None:
-        """Factors a, b and c [1/Pa] of the limit max(a σ1, b σ1 - c σ3) = 1 of bonds of `bd.NonLocal`.
+        """Factors a, b and c [1/Pa] of the limit max(a σ1, b σ1 - c σ3) = 1 of bonds that mean stresses break.
 
         None for a criterion that such bonds cannot have, because it is not one of principal stresses.
         """

@@ -37,7 +37,7 @@ class MohrCoulomb(BondCriterion):
     An entry of `failure=` for a pair of regions describes a plane between them, by the traction of its facets. A
     facet opens from t_n = tension on and slips from |t_s| + t_n tan φ = c on, with G_f and G_II per facet area.
 
-    Bonds of `bd.NonLocal` break at once where the mean stress of their two elements reaches the criterion in any
+    Bonds of the non-local law break at once where the mean stress of their two elements reaches the criterion in any
     direction, after Celigueta et al. (2020), eq (9):
 
         σ1 ≥ tension        (σ1 - σ3)/2 + (σ1 + σ3)/2 sin φ ≥ c cos φ

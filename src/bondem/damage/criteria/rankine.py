@@ -25,7 +25,7 @@ class Rankine(Criterion):
     the facet breaks at once.
 
     For an entry of `failure=` for a pair of regions, the traction of a facet between them decides alone: t_n ≥
-    tension, and G_f per facet area. Bonds of `bd.NonLocal` break at once where σ1 of the mean stress σ̄ itself
+    tension, and G_f per facet area. Bonds of the non-local law break at once where σ1 of the mean stress σ̄ itself
     reaches the strength; the friction of their faces is that of the contact law. The criterion does not apply to
     beams.
 

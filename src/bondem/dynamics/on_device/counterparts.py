@@ -5,25 +5,11 @@ counterpart, so that a device runs whatever the CPU runs.
 """
 
 from collections.abc import Mapping
+from importlib import import_module
+from pkgutil import iter_modules
 
 from bondem._device import Launch
-from bondem.dynamics.on_device import (
-    beam_counterparts,
-    boundary_counterparts,
-    breakage_counterparts,
-    cell_counterparts,
-    contact_counterparts,
-    crack_counterparts,
-    crack_onset_counterparts,
-    facet_breakage_counterparts,
-    motion_counterparts,
-    non_local_counterparts,
-    record_counterparts,
-    softening_counterparts,
-    stored_counterparts,
-    stress_onset_counterparts,
-    yielding_counterparts,
-)
+from bondem.dynamics import on_device
 from bondem.dynamics.on_device.translation import Counterpart, Translation
 from bondem.interactions.step_part import Passes
 
@@ -33,24 +19,11 @@ FURTHER = {
     "add_layer_torques", "add_inertia_forces",
 }  # fmt: skip
 
-#: Counterparts by the names of the passes of the CPU.
-COUNTERPARTS = {
-    **boundary_counterparts.COUNTERPARTS,
-    **beam_counterparts.COUNTERPARTS,
-    **breakage_counterparts.COUNTERPARTS,
-    **cell_counterparts.COUNTERPARTS,
-    **contact_counterparts.COUNTERPARTS,
-    **crack_counterparts.COUNTERPARTS,
-    **crack_onset_counterparts.COUNTERPARTS,
-    **facet_breakage_counterparts.COUNTERPARTS,
-    **motion_counterparts.COUNTERPARTS,
-    **non_local_counterparts.COUNTERPARTS,
-    **record_counterparts.COUNTERPARTS,
-    **stress_onset_counterparts.COUNTERPARTS,
-    **softening_counterparts.COUNTERPARTS,
-    **stored_counterparts.COUNTERPARTS,
-    **yielding_counterparts.COUNTERPARTS,
-}
+#: Counterparts by the names of the passes of the CPU, of all modules `…_counterparts`: each subject has its own.
+COUNTERPARTS: dict[str, Counterpart] = {}
+for _module in iter_modules(on_device.__path__, f"{on_device.__name__}."):
+    if _module.name.endswith("_counterparts"):
+        COUNTERPARTS |= import_module(_module.name).COUNTERPARTS
 
 
 def launches_of(passes: Passes, run: Translation, instead: Mapping[str, Counterpart] | None = None) -> list[Launch]:

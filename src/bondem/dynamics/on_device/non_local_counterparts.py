@@ -5,8 +5,8 @@ from bondem._passes import kernels
 from bondem._tables.contact_tables import ContactConstants, ContactPairs, NearPairs, WallContacts, Walls
 from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed, Strengths
 from bondem._tables.device_tables import DeviceSpan
-from bondem._tables.non_local_tables import LaggedStresses, NonLocalBonds, NonLocalWork
-from bondem._tables.step_tables import Beams, Moving, Portions, StepCut
+from bondem._tables.non_local_tables import NonLocalBonds, NonLocalWork
+from bondem._tables.step_tables import Beams, LaggedStresses, Moving, Portions, StepCut
 from bondem.dynamics.on_device.breakage_counterparts import counted, marks_of, ranked
 from bondem.dynamics.on_device.contact_counterparts import earlier_pairs
 from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over

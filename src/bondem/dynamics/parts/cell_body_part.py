@@ -22,7 +22,6 @@ def body_of_cells(
     model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
 ) -> BondParts:
     """Return the parts of a body of cells; `dt` is the time step [s]."""
-    assert model.cells is not None
     body, table = BodyOfCells.of(model, state, shared), model.softening
     if table is not None:
         cracking = CrackingBody(
@@ -38,7 +37,7 @@ def body_of_cells(
     forces = cells(shared, model, state, body, dashpots, damage=damage)
     parts = [forces, *mass_of_waves(model, shared, body)]
     if damage is not None:
-        release = facet_release(model.cells, model.layout, body.facets, body.cells, body.walls)
+        release = facet_release(model.cell_law.constants, model.layout, body.facets, body.cells, body.walls)
         dashed = None if dashpots is None else (dashpots, body.beams)
         parts.append(facet_breakage(damage, state, shared, body.facets, body.walls, release, dashed))
     return BondParts(parts, Joints(body.facets.integrity, apart(model, state), damage))

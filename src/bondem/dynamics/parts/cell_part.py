@@ -165,8 +165,7 @@ def _changing(
 
 def constants_of(model: Model, state: State) -> CellConstants:
     """Return the constants of a body with stress-free strains, and with the facets that are left."""
-    assert model.cells is not None
-    strained = model.cells.stretched(state.eigenstrain, model.layout)
+    strained = model.cell_law.constants.stretched(state.eigenstrain, model.layout)
     if model.softening is not None:  # cracks that are not treated one by one count by their integrity
         return strained
     return strained.damaged(state.integrity, model.layout.i, model.layout.j)
@@ -190,8 +189,8 @@ def _tractions(model: Model) -> FacetTractions | None:
 
 def _strains(model: Model, state: State, portions: Portions) -> CellStrains | None:
     """Return the stress-free strains of the boundary conditions, on top of those of the state, or None."""
-    held, cells, layout = model.constraints, model.cells, model.layout
-    if cells is None or not len(held.strain_part):
+    held, cells, layout = model.constraints, model.cell_law.constants, model.layout
+    if not len(held.strain_part):
         return None
     count, still = len(held.strain_part), state.eigenstrain if state.eigenstrain.size else np.zeros(len(layout.i))
     wall = cells.grips.cell

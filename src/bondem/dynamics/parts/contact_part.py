@@ -18,8 +18,7 @@ from bondem._tables.contact_tables import (
     WallMotions,
 )
 from bondem._tables.crack_tables import PartedReach
-from bondem._tables.non_local_tables import LaggedStresses
-from bondem._tables.step_tables import Gauges, HistoryRows
+from bondem._tables.step_tables import Gauges, HistoryRows, LaggedStresses
 from bondem._types import Floats
 from bondem.boundary.wall_rows import named_rows, no_rows, wall_rows
 from bondem.damage.cracked_faces import CrackedFaces

@@ -16,10 +16,8 @@ from bondem.dynamics.parts.history_part import history
 from bondem.dynamics.parts.motion_part import dashpots_of, motion, resistance_of
 from bondem.dynamics.parts.shared_tables import SharedTables, apart
 from bondem.dynamics.plan import Plan
-from bondem.interactions.beams.beam_interaction import StoredBeamInteraction
 from bondem.interactions.beams.bond_table import with_twins
-from bondem.interactions.interaction import Run
-from bondem.interactions.lagged_interaction import LaggedInteraction
+from bondem.interactions.interaction import Run, SteppingInteraction
 from bondem.interactions.step_part import Part, Passes
 from bondem.model.domain_blocks import Blocks
 from bondem.model.model import Model
@@ -66,15 +64,14 @@ def _bonds(
     """Return the parts of the bonds."""
     if model.cells is not None:
         return body_of_cells(model, state, shared, dashpots, dt)
-    if isinstance(model.interaction, LaggedInteraction | StoredBeamInteraction):
+    if isinstance(model.interaction, SteppingInteraction):
         return _of_law(model, model.interaction, state, shared, dashpots)
     return beams(model, state, shared, dashpots)
 
 
 def _of_law(
-    model: Model, law: LaggedInteraction | StoredBeamInteraction, state: State, shared: SharedTables,
-    dashpots: Dashpots | None,
-) -> BondParts:  # fmt: skip
+    model: Model, law: SteppingInteraction, state: State, shared: SharedTables, dashpots: Dashpots | None
+) -> BondParts:
     """Return the parts that a law gives itself."""
     damage = damage_of(model.breaking, state, shared.cut, len(with_twins(model.layout.i)))
 

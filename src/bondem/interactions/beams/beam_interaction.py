@@ -8,6 +8,7 @@ from scipy.sparse import bsr_array
 
 from bondem._core import run_pass
 from bondem._passes import calls, steps
+from bondem._plausibility import question_bond_radius
 from bondem._tables.incremental_tables import LoadsOfEach, StoredLoads
 from bondem._tables.step_tables import Beams, Poses
 from bondem._tables.stiffness_tables import BeamRows
@@ -19,7 +20,15 @@ from bondem.interactions.beams.beam_tables import beam_tables, loads_of_each
 from bondem.interactions.beams.bond_law import BondLaw, BondStiffness
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.interactions.beams.bond_table import with_zeros
-from bondem.interactions.interaction import Arrays, Boundary, Interaction, LawParts, Run, StateField
+from bondem.interactions.interaction import (
+    Arrays,
+    Boundary,
+    Interaction,
+    LawParts,
+    Run,
+    StateField,
+    SteppingInteraction,
+)
 from bondem.interactions.step_part import Part, Passes
 from bondem.interactions.stiffness import Stiffness, new_block_rows
 from bondem.specimen.lattice import Lattice
@@ -33,7 +42,7 @@ class BeamInteraction(Interaction):
 
     def __init__(self, lattice: Lattice, layout: Layout, bond: Any, bonds: BondStiffness) -> None:
         super().__init__(lattice, layout)
-        self._laws, self._bonds = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,), bonds
+        self._bond, self._bonds = bond, bonds
 
     @classmethod
     def join(
@@ -43,9 +52,14 @@ class BeamInteraction(Interaction):
         kind = BeamInteraction if formulation == "total" else StoredBeamInteraction
         return kind(lattice, layout, bond, bonds)
 
+    def question(self) -> None:
+        if isinstance(self._bond, BondLaw) and self._bond.radius is not None:
+            question_bond_radius(self._bond.radius, self.lattice.particles.mean_radius)
+
     @property
     def moments_at_contact(self) -> bool:
-        places = {law.moments_at_contact for law in self._laws if isinstance(law, BondLaw)}
+        laws = self._bond.values() if isinstance(self._bond, Mapping) else (self._bond,)
+        places = {law.moments_at_contact for law in laws if isinstance(law, BondLaw)}
         if len(places) > 1:
             raise InputError(
                 "failure= counts moments either at the ends or at contact points; give bonds of one kind"
@@ -92,7 +106,7 @@ class BeamInteraction(Interaction):
         return 9.0 * bulk * shear / (3.0 * bulk + shear)
 
 
-class StoredBeamInteraction(BeamInteraction):
+class StoredBeamInteraction(BeamInteraction, SteppingInteraction):
     """Beams of the incremental formulation, which store force and moment from step to step."""
 
     formulation: ClassVar[str] = "incremental"

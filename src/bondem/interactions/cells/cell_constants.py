@@ -235,7 +235,7 @@ def _single(values: Floats) -> Floats:
 def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str]:
     """Return G and λ of each cell [Pa], (n,), and the part of a relative rotation that counts."""
     n = len(body.particles)
-    if isinstance(bond, CellBond):
+    if not isinstance(bond, Mapping):
         return np.full(n, bond.G), np.full(n, bond.lame), bond.facet_rotation
     G, lame = np.full(n, np.nan), np.full(n, np.nan)
     for where, law in bond.items():

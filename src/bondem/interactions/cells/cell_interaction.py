@@ -11,14 +11,18 @@ from bondem._core import run_pass
 from bondem._passes import calls
 from bondem._tables.stiffness_tables import DilatationRows, FacetRows
 from bondem._threads import current_threads
-from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3
+from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3, PerElement6
 from bondem.boundary.wall_constraints import Grips, Holds
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment, CellConstants
-from bondem.interactions.interaction import Arrays, Boundary, Evaluated, Interaction
+from bondem.interactions.cells.cell_plausibility import question_cells
+from bondem.interactions.cells.cell_strain import CellStrain
+from bondem.interactions.cells.cell_tangent import CellsAtAnyPose
+from bondem.interactions.energy_parts import EnergyParts
+from bondem.interactions.interaction import Arrays, Boundary, Evaluated
 from bondem.interactions.stiffness import Stiffness, new_block_rows
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout
@@ -26,7 +30,7 @@ from bondem.specimen.ordering import Layout
 _NO_LOADS = "bond_forces: facets of cells have no moments of their own; use bd.cell_stress instead"
 
 
-class CellInteraction(Interaction):
+class CellInteraction(CellsAtAnyPose):
     """Facets between cells, with the dilatation of the cells.
 
     Attributes:
@@ -34,11 +38,14 @@ class CellInteraction(Interaction):
     """
 
     law: ClassVar[type] = CellBond
+    bond: ClassVar[str] = "facet"
+    turned: ClassVar[str] = "the strains of their cells are not small: use lower loads"
     title: ClassVar[str] = "cell law"
     name: ClassVar[str] = "cells"
     evaluated: ClassVar[Evaluated] = "traction"
     on_facets: ClassVar[bool] = True
     corrects_mass: ClassVar[bool] = True
+    isotropic_springs: ClassVar[bool] = True
 
     def __init__(self, lattice: Lattice, layout: Layout, laws: CellAssignment, holds: Holds, may_fail: bool) -> None:
         super().__init__(lattice, layout)
@@ -49,6 +56,9 @@ class CellInteraction(Interaction):
     def join(cls, lattice: Lattice, layout: Layout, bond: Any, boundary: Boundary, may_fail: bool) -> Self:
         body_of(lattice)
         return cls(lattice, layout, bond, Holds.of(lattice, boundary), may_fail)
+
+    def question(self) -> None:
+        question_cells(self.lattice, self._laws, may_fail=self._may_fail)
 
     def under(self, boundary: Boundary) -> Self:
         other = self.join(self.lattice, self.layout, self._laws, boundary, self._may_fail)
@@ -72,7 +82,6 @@ class CellInteraction(Interaction):
 
     @cached_property
     def constants(self) -> CellConstants:
-        """Constants, internal order."""
         return self.by_user.ordered(self.layout)
 
     @cached_property
@@ -111,5 +120,68 @@ class CellInteraction(Interaction):
         return (facets.area, facets.span, facets.centroid)
 
     def modulus(self, volume: float) -> float:
+        return float(np.median(self._moduli))
+
+    @property
+    def _moduli(self) -> PerElement:
         G, lame = self.by_user.G, self.by_user.lame
-        return float(np.median(G * (3.0 * lame + 2.0 * G) / (lame + G)))
+        return G * (3.0 * lame + 2.0 * G) / (lame + G)
+
+    def wave_speed(self, mass: PerElement) -> float:
+        return float(np.median(np.sqrt(self._moduli * self.lattice.element_volume / mass)))
+
+    # ---- small motions
+
+    def small_strain(
+        self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement
+    ) -> CellStrain:
+        """Return the deformation by small motions [m, rad], with walls at their final places; see `strain_load`."""
+        own, grips = np.empty(len(strain)), self.grips
+        own[self.layout.bond_order] = strain
+        wall = grips.motion + grips.lever - grips.grown(self.layout.of_elements(strain)).arm
+        slip = -own[:, None] * self.lattice.branch
+        return CellStrain.of(
+            self.lattice, self.by_user, displacement, rotation, slip=slip, wall=wall, pressed=pressed
+        )
+
+    def strain_load(self, strain: PerBond, pressed: PerElement) -> PerElement6:
+        still = np.zeros((len(pressed), 3))
+        found = self.small_strain(still, still, strain, pressed)
+        return found.nodal(self.lattice, self.by_user)[self.layout.order]
+
+    def swelling_load(self, pressed: PerElement) -> PerElement6:
+        still, wall = np.zeros((len(pressed), 3)), np.zeros_like(self.grips.motion)
+        found = CellStrain.of(self.lattice, self.by_user, still, still, wall=wall, pressed=pressed)
+        return found.nodal(self.lattice, self.by_user)
+
+    def of_walls(
+        self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement
+    ) -> PerElement6:
+        return self.small_strain(displacement, rotation, strain, pressed).of_walls(len(displacement), self.by_user)
+
+    def small_energy(
+        self, displacement: PerElement3, rotation: PerElement3, strain: PerBond, pressed: PerElement,
+        traction: Floats,
+    ) -> EnergyParts:  # fmt: skip
+        constants, grips = self.by_user, self.grips
+        found = self.small_strain(displacement, rotation, strain, pressed)
+        facets, cells = body_of(self.lattice)
+        # ½ V λ θ² is the potential of cells and loads; less the work of the loads on the openings of their facets
+        opened = constants.softness / cells.free.area @ (traction**2).sum(axis=1)
+        opened -= 2.0 * found.stress(constants) @ pressed
+        normal = (found.gap * facets.normal).sum(axis=1)
+        turned = (found.turn * facets.normal).sum(axis=1)
+        along = np.einsum("ma,mab,mb->m", facets.normal, constants.H, facets.normal) * turned**2
+        whole = np.einsum("ma,mab,mb->m", found.turn, constants.H, found.turn)
+        moments, held = constants.gradients.moments(found.turn, rotation)
+        whole += (moments * found.turn).sum(axis=1)
+        own = rotation[grips.cell]
+        gripped = (grips.k[:, None] * found.held**2).sum() + np.einsum("ga,gab,gb->", own, grips.H, own)
+        gripped -= (held * rotation).sum()
+        stretched = (constants.k * normal**2).sum() + found.stress(constants) @ found.swelling
+        return EnergyParts(
+            normal=0.5 * float(stretched + gripped + opened),
+            shear=0.5 * float((constants.k * ((found.gap**2).sum(axis=1) - normal**2)).sum()),
+            bending=0.5 * float((whole - along).sum()),
+            twisting=0.5 * float(along.sum()),
+        )

@@ -10,7 +10,7 @@ from bondem._types import Floats, PerElement3
 from bondem.errors import AuxeticWarning, RaggedInterfaceWarning, ThinBodyWarning
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_bond import CellBond
-from bondem.interactions.cells.cell_constants import compliance
+from bondem.interactions.cells.cell_constants import CellAssignment, compliance
 from bondem.interactions.cells.free_walls import is_layer, thin_ways
 from bondem.specimen.aggregates import Aggregates
 from bondem.specimen.lattice import Lattice
@@ -23,20 +23,17 @@ _MATTERS = 0.01
 _CONTRAST, _ROUGH, _FEW_FACETS = 1.25, 0.15, 8
 
 
-def question_cells(body: Lattice, bond: object, *, may_fail: bool) -> None:
+def question_cells(body: Lattice, bond: CellAssignment, *, may_fail: bool) -> None:
     """Warn about a body of cells that is too soft in bending, has ragged interfaces, or a ν too low for its cells.
 
     Args:
         body: lattice of a model.
-        bond: laws of the body; only `CellBond` is considered.
+        bond: law of the body, or laws by region.
         may_fail: True for a model with failure.
     """
-    laws = tuple(bond.values()) if isinstance(bond, Mapping) else (bond,)
-    if not all(isinstance(law, CellBond) for law in laws):
-        return
-    cell_laws = [law for law in laws if isinstance(law, CellBond)]
-    _question_thin(body, cell_laws, may_fail)
-    _question_auxetic(body, min(law.nu for law in cell_laws))
+    laws = list(bond.values()) if isinstance(bond, Mapping) else [bond]
+    _question_thin(body, laws, may_fail)
+    _question_auxetic(body, min(law.nu for law in laws))
     if isinstance(bond, Mapping):
         _question_ragged(body, bond)
 
@@ -79,13 +76,12 @@ def _question_thin(body: Lattice, laws: list[CellBond], may_fail: bool) -> None:
         )  # fmt: skip
 
 
-def _question_ragged(body: Lattice, bond: Mapping[object, object]) -> None:
+def _question_ragged(body: Lattice, bond: Mapping[Region, CellBond]) -> None:
     """Warn about an interface between two materials that cuts through cells, if a surface defines it."""
     surfaces = [one for where in bond for one in _surfaces(where)]
     E = np.full(len(body.particles), np.nan)
     for where, law in bond.items():
-        if isinstance(where, Region) and isinstance(law, CellBond):
-            E[where.mask(body)] = law.E
+        E[where.mask(body)] = law.E
     i, j = body.pairs.T
     border = np.flatnonzero(np.maximum(E[i], E[j]) > _CONTRAST * np.minimum(E[i], E[j]))
     if not surfaces or len(border) < _FEW_FACETS:

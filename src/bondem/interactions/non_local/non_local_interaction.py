@@ -14,22 +14,14 @@ from bondem._cache_lines import lines
 from bondem._core import run_pass
 from bondem._passes import calls, steps
 from bondem._tables.damage_tables import BeamIntegrity, FailureIndices, Strengths
-from bondem._tables.non_local_tables import LaggedStresses, NonLocalBonds, NonLocalWork, SmallSprings, SmallSteps
-from bondem._tables.step_tables import Beams, HistoryRows, Poses, StepCut
+from bondem._tables.non_local_tables import NonLocalBonds, NonLocalWork, SmallSprings, SmallSteps
+from bondem._tables.step_tables import Beams, HistoryRows, LaggedStresses, Poses, StepCut
 from bondem._types import Floats, PerBond, PerBond3, PerElement3, PerElement6
 from bondem.errors import InputError
 from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_table import with_twins, with_zeros
-from bondem.interactions.interaction import (
-    Arrays,
-    Boundary,
-    DamageOfRun,
-    Evaluated,
-    LawParts,
-    Run,
-    StateField,
-)
+from bondem.interactions.interaction import Arrays, Boundary, DamageOfRun, LawParts, Run, StateField
 from bondem.interactions.lagged_interaction import LaggedInteraction
 from bondem.interactions.non_local.local_stiffness import local_stiffness
 from bondem.interactions.non_local.non_local_constants import NonLocalConstants
@@ -58,7 +50,7 @@ class NonLocalInteraction(LaggedInteraction):
     fields: ClassVar[tuple[StateField, ...]] = (
         StateField("history", (_ROWS, "m"), fresh=(NON_LOCAL_WORK,)), StateField("stress", ("n", 6)),
     )  # fmt: skip
-    evaluated: ClassVar[Evaluated] = "stress"
+    evaluated = "stress"
 
     def __init__(self, lattice: Lattice, layout: Layout, law: NonLocal) -> None:
         super().__init__(lattice, layout)

@@ -86,9 +86,8 @@ class DamagedBody:
             system: matrix and supports of the body.
             root: S of each element, by which the matrix is scaled, (n, 6, 6).
         """
-        assert model.cells is not None
         layout, order = model.layout, model.layout.order
-        self.model, self.constants = model, model.cells
+        self.model, self.constants = model, model.cell_law.constants
         self.i, self.j = layout.i.astype(np.int64), layout.j.astype(np.int64)
         facets, cells = body_of(model.lattice)
         self.area = facets.area[layout.bond_order]

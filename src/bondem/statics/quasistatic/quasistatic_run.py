@@ -15,7 +15,6 @@ from bondem._types import Floats, Ints, Mask, PerBond, PerElement3
 from bondem.errors import ConvergenceError, InputError
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.model.stiffness_matrices import stiffness_matrix
 from bondem.specimen.regions import Region
 from bondem.statics.linear import Iteration, System, prefers_elimination
 from bondem.statics.quasistatic.damaged_body import DamagedBody, Loaded
@@ -377,7 +376,7 @@ def _begin(model: Model) -> tuple[DamagedBody, Equilibrium, FacetOnset]:
             " factors; give planes bd.Rankine(tension=..., fracture_energy=...), or use solve_explicit"
         )
     # cells whose facets may fail have no gradients of the dilatation, unlike those of the model without failure
-    system = replace(System.of(replace(model, failure=None)), matrix=stiffness_matrix(model))
+    system = replace(System.of(replace(model, failure=None)), matrix=model.interaction.stiffness())
     equilibrium: Equilibrium
     if prefers_elimination(system):
         body = DamagedBody(model, system, np.tile(np.eye(6), (len(system.free), 1, 1)))

@@ -148,7 +148,7 @@ BONDEM_PASS(add_lasting_loads, bonds_of_blocks)
 
 // Writes the work of the extra forces of bonds to the energy balance.
 void write_non_local_work(const Turn &turn, const NonLocalWork &work, const HistoryRows &history) {
-    history.record(turn.clock.record, history_column::non_local) = sum_of(work);
+    history.record(turn.clock.record, history_column::extra_work) = sum_of(work);
 }
 BONDEM_PASS(write_non_local_work, serial)
 

@@ -1,0 +1,154 @@
+"""Forces of a body of cells in any pose, and their derivative, for Newton's method."""
+
+from abc import abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from scipy.sparse import bsr_array, csr_array
+
+from bondem._cache_lines import lines
+from bondem._tables.cell_tables import CellDilatation, CellPoses, DilatationGradients, ElasticFacets, WallConstraints
+from bondem._tables.step_tables import BeamSums
+from bondem._types import Floats, PerBond, PerElement6
+from bondem.geometry.rotations import relative_rotations, turned_vectors
+from bondem.interactions.beams.bond_table import BondTable, with_twins
+from bondem.interactions.cells.cell_constants import CellConstants
+from bondem.interactions.cells.cell_tables import STRESS, cell_tables, gradient_tables, load_all_facets, load_body
+from bondem.interactions.interaction import Interaction
+from bondem.interactions.stiffness import Stiffness
+from bondem.specimen.local_origin import local_rest
+
+
+@dataclass(frozen=True, eq=False)
+class BodyTables:
+    """Facets, cells and walls of a body as the core takes them.
+
+    Tractions on facets are those of the constants and do not change.
+
+    Attributes:
+        facets: facets of the body.
+        cells: cells of the body.
+        gradients: gradients of the dilatation.
+        walls: facets that walls hold.
+    """
+
+    facets: ElasticFacets
+    cells: CellDilatation
+    gradients: DilatationGradients
+    walls: WallConstraints
+
+    @classmethod
+    def of(cls, law: "CellsAtAnyPose", integrity: PerBond) -> "BodyTables":
+        """Return the tables of a body with facets of some integrity [-], (m,); walls are at their final places."""
+        layout, constants = law.layout, law.constants
+        walls = constants.grips.table(layout, np.zeros(len(layout.order), dtype=np.int64), 0)
+        walls.wall[:] = constants.grips.motion
+        facets, cells = cell_tables(constants, layout, law.period, integrity, layout.i)
+        return cls(facets, cells, gradient_tables(constants.gradients, len(layout.order), walls), walls)
+
+    def load(self, pose: Floats, rest: Floats, sums: Floats) -> None:
+        """Add force and torque of facets and walls on all cells to `sums`, (n, 8); store stresses in the poses."""
+        load_body(CellPoses(pose, rest), self.facets, self.cells, self.gradients, self.walls, sums)
+
+
+class CellsAtAnyPose(Interaction):
+    """Cells in any pose: forces, and their derivative for Newton's method."""
+
+    @property
+    @abstractmethod
+    def constants(self) -> CellConstants:
+        """Constants of the law, internal order."""
+
+    def loading(
+        self, pose: Floats, rest: Floats, sums: Floats, integrity: PerBond, table: BondTable
+    ) -> Callable[[], None]:
+        body = BodyTables.of(self, integrity)
+        body.walls.wall[:] = 0.0
+        return partial(body.load, pose, rest, sums)
+
+    def tangent(self, pose: Floats, data: Floats, pattern: bsr_array) -> Stiffness:
+        held, own = self._grip_blocks(pose)
+        diagonal = pattern.indptr[:-1] + np.diff(self.layout.in_start)
+        np.add.at(data, diagonal[held], own)
+        bonds = bsr_array((data, pattern.indices, pattern.indptr), shape=pattern.shape)
+        return Stiffness(bonds, self._current_forms(pose, pattern), self.constants.weight, *self._gradients_at(pose))
+
+    def gradient(self, pose: Floats) -> tuple[PerElement6, PerElement6]:
+        """Return the derivative of the energy and wall loads; the stresses of the cells are stored in the pose."""
+        body = BodyTables.of(self, np.ones(len(self.layout.i)))
+        sums, walls = lines(len(pose)), np.zeros((len(pose), 6))
+        body.load(pose, local_rest(self.lattice)[self.layout.order], sums)
+        np.add.at(walls, body.walls.cell, body.walls.load)
+        return -sums[:, [0, 1, 2, 4, 5, 6]], walls
+
+    def bond_gradient(self, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
+        """Return the derivative of the energy of facets, at the pose's stresses."""
+        m = len(i)
+        facets = BodyTables.of(self, np.ones(m)).facets._replace(i=with_twins(i), j=with_twins(j))
+        loads, own = lines(2 * m), np.arange(m, dtype=np.uint32)
+        load_all_facets(pose, facets, BeamSums(with_twins(own), with_twins(own + np.uint32(m)), loads))
+        columns = -loads[:, [0, 1, 2, 4, 5, 6]].T
+        return columns[:, :m], columns[:, m:]
+
+    def _current_forms(self, pose: Floats, pattern: bsr_array) -> bsr_array:
+        """Return V θ of each cell under unit motions from the present pose [m², m³], 1×6 blocks, (n, 6 n)."""
+        layout, cells = self.layout, self.constants
+        i, j = layout.i.astype(np.int64), layout.j.astype(np.int64)
+        a, b = turned_vectors(pose[i, 4:], cells.lever_i), turned_vectors(pose[j, 4:], cells.lever_j)
+        gap = self.lattice.particles.nearest(pose[j, :3] - pose[i, :3]) + b - a
+        start, inward = pattern.indptr, np.diff(layout.in_start)
+        diagonal, place = start[:-1] + inward, np.arange(len(i))
+        forms = np.zeros((len(pattern.indices), 1, 6))
+        for end, lever, share, sign, other, far in (
+            (i, a, turned_vectors(pose[i, 4:], cells.share_i), -1.0, j, b),
+            (j, b, turned_vectors(pose[j, 4:], cells.share_j), 1.0, i, a),
+        ):
+            own = sign * np.hstack([share, np.cross(lever, share)])
+            own[:, 3:] += np.cross(share, gap)
+            np.add.at(forms[:, 0], diagonal[end], own)
+            towards = -sign * np.hstack([share, np.cross(far, share)])
+            if other is i:  # row j, column i
+                forms[start[j] + place - layout.in_start[j], 0] = towards
+            else:
+                leaving = layout.i[layout.out_bond]
+                forms[diagonal[leaving] + 1 + place - layout.out_start[leaving], 0] = towards[layout.out_bond]
+        grips = cells.grips
+        held = layout.rank[grips.cell]
+        lever = turned_vectors(pose[held, 4:], grips.arm)
+        np.add.at(forms[:, 0], diagonal[held], -np.hstack([grips.share, np.cross(lever, grips.share)]))
+        return bsr_array((forms, pattern.indices, start), shape=(len(pose), 6 * len(pose)))
+
+    def _grip_blocks(self, pose: Floats) -> tuple[np.ndarray, Floats]:
+        """Return the cells that walls hold, (g,), and their parts of diagonal blocks in a pose, (g, 6, 6)."""
+        order, grips = self.layout.order, self.constants.grips
+        held = self.layout.rank[grips.cell]
+        arm = turned_vectors(pose[held, 4:], grips.arm)
+        moved = pose[held, :3] + arm - local_rest(self.lattice)[order][held] - grips.lever
+        force = grips.k[:, None] * grips.axes * (grips.motion - moved) + pose[held, STRESS, None] * grips.share
+        own, _ = grips.blocks(arm)
+        # the lever turns under the force
+        along = (arm * force).sum(axis=1)[:, None, None] * np.eye(3) - arm[:, :, None] * force[:, None, :]
+        own[:, 3:, 3:] += 0.5 * (along + np.swapaxes(along, 1, 2))
+        return held, own
+
+    def _gradients_at(self, pose: Floats) -> tuple[csr_array | None, bsr_array | None]:
+        """Return the gradients of the dilatation as `Stiffness` takes them, in the present pose.
+
+        The change of the ways of bent layers with the rotation of their cells is left out.
+        """
+        cells = self.constants
+        gradients = cells.gradients
+        w, v = relative_rotations(pose[gradients.a, 4:], pose[gradients.b, 4:])
+        ways = tuple(
+            turned_vectors(
+                np.repeat(pose[gradients.a, 4:], 2, axis=0),
+                (w[:, None, None] * way + np.cross(v[:, None], way)).reshape(-1, 3),
+            ).reshape(-1, 2, 3)
+            for way in (gradients.way_a, gradients.way_b)
+        )  # fmt: skip
+        own = pose[gradients.held_cell, 4:]
+        w, v = relative_rotations(own * [1.0, -1.0, -1.0, -1.0], np.eye(4)[np.zeros(len(own), dtype=np.int64)])
+        held = w[:, None, None] * gradients.held_way + np.cross(v[:, None], gradients.held_way)
+        return gradients.coupling(cells.weight), gradients.turns((ways[0], ways[1], held), len(pose))
