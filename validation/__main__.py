@@ -3,9 +3,12 @@
 import importlib
 import inspect
 import sys
+import warnings
+from types import ModuleType
 
 import click
 
+import bondem as bd
 from bondem.cli import leave_with
 from validation.frame.command import command_of, recording
 from validation.frame.study import Study
@@ -29,9 +32,16 @@ RECORDS = (
 )  # fmt: skip
 
 
+def module_of(name: str) -> ModuleType:
+    """The module of a study."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", bd.errors.UnitWarning)  # some shapes are metres long
+        return importlib.import_module(f"validation.studies.{name}")
+
+
 def study_of(name: str) -> type[Study]:
     """The study of a name that makes rows over several processes."""
-    module = importlib.import_module(f"validation.studies.{name}")
+    module = module_of(name)
     (found,) = (
         kind for kind in vars(module).values()
         if inspect.isclass(kind) and issubclass(kind, Study) and kind.__module__ == module.__name__
@@ -43,7 +53,7 @@ def command(name: str) -> click.Command:
     """The command of any study."""
     if name in STUDIES:
         return command_of(study_of(name))
-    return recording("validation", name, importlib.import_module(f"validation.studies.{name}"))
+    return recording("validation", name, module_of(name))
 
 
 class _Studies(click.Group):
