@@ -30,6 +30,7 @@ _LATTICES = frozenset({"lattice", "body", "bar", "own", "o", "one"})
 _SECTION = "bond"
 _NON_LOCAL = re.compile(r"non_local|NonLocal")
 _OWN_OF_NON_LOCAL = re.compile(r"interactions/non_local/|/_(?:tables|passes)/")
+_KIND_OF_PASS = re.compile(r"^ *BONDEM_PASS(?:_AS)?\(\w+(?:##\w+)?, (\w+)")
 _LOWERED = re.compile(r"\bintegrity\(\w+\) [-*]?= ")
 # Sources that a command writes: the stub of the public names, the version, tables and passes.
 _GENERATED = re.compile(r"__init__\.pyi|_version\.py|/_(?:tables|passes)/|core/(?:described_tables|table_names)\.hpp")
@@ -149,13 +150,18 @@ def _files_of_the_non_local_law() -> list[str]:
     return [str(path.relative_to(SOURCE)) for path in named if not _OWN_OF_NON_LOCAL.search(str(path))]
 
 
-def _lowered() -> list[str]:
+def _of_core(wanted: Callable[[str], object]) -> list[str]:
+    """Places of the lines of the core that are wanted."""
     lines = (
         (path, number, line)
         for path in sources(".hpp", ".cpp", ".cu")
         for number, line in enumerate(path.read_text().splitlines(), 1)
     )
-    return [f"{path.relative_to(SOURCE)}:{number}" for path, number, line in lines if _LOWERED.search(line)]
+    return [f"{path.relative_to(SOURCE)}:{number}" for path, number, line in lines if wanted(line)]
+
+
+def _passes_of_kind(kind: str) -> list[str]:
+    return _of_core(lambda line: (found := _KIND_OF_PASS.match(line)) and found[1] == kind)
 
 
 def _lines(*suffixes: str) -> list[str]:
@@ -199,7 +205,9 @@ CAPS = (
     Cap("questions to a study about its law", lambda: _questions()["study"], 11),
     Cap("tests of a part for None", _tests_for_none, 166),
     Cap("files of Python that name the non-local law", _files_of_the_non_local_law, 3),
-    Cap("places of the core that lower integrity", _lowered, 1),
+    Cap("places of the core that lower integrity", lambda: _of_core(_LOWERED.search), 1),
+    Cap("passes that are single", lambda: _passes_of_kind("single"), 12),
+    Cap("passes that are serial", lambda: _passes_of_kind("serial"), 0),
     Cap("lines of Python", lambda: _lines(".py"), 59000, step=500),
     Cap("lines of C++", lambda: _lines(".hpp", ".cpp", ".cu"), 19500, step=500),
     Cap("lines of the longest function", _longest_function, 148),

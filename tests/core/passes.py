@@ -30,7 +30,7 @@ FUNCTION = re.compile(
     re.MULTILINE,
 )
 MADE = re.compile(r"BONDEM_(?:PASS|CALL)_AS\((\w+?)(?:##name)?, [^,]+, (\w+)")
-KIND = re.compile(r"^    \w+,?  // (.+)$", re.MULTILINE)
+KIND = re.compile(r"^    (\w+),?  // (.+)$", re.MULTILINE)
 INIT = '''"""Passes of the core with their tables, written by `python -m tests.core.passes` from the library."""
 
 from typing import Any, NamedTuple
@@ -79,9 +79,18 @@ def sentence(name: str, words: str) -> str:
     return f"{first}."
 
 
+def _kinds() -> list[tuple[str, str]]:
+    return KIND.findall((SOURCE / "core/steps.hpp").read_text().partition("enum PassKind")[2].partition("};")[0])
+
+
+def kinds_of_passes() -> list[str]:
+    """Return the names of `PassKind`, in its order."""
+    return [name for name, _ in _kinds()]
+
+
 def pass_kinds() -> list[str]:
     """Return what passes of each kind run over, in the order of `PassKind`."""
-    return KIND.findall((SOURCE / "core/steps.hpp").read_text().partition("enum PassKind")[2].partition("};")[0])
+    return [words for _, words in _kinds()]
 
 
 def snake(name: str) -> str:

@@ -113,18 +113,18 @@ def test_candidates_of_portions_are_moved_together():
     composer = Composer()
     passes = StressPasses.of_function(index, ())
     entries = composer([passes.step_pass(candidates)])
-    call_serial(entries[0])
+    call_once(entries[0])
     assert calls == [4]
     assert candidates.total.tolist() == [4]
     assert candidates.bond[:4].tolist() == [7, 30, 2100, 4999]
     np.testing.assert_array_equal(candidates.found[:4], some[:, 0, 0])
     candidates.number[:] = 0
-    call_serial(entries[0])
+    call_once(entries[0])
     assert calls == [4]  # no call without candidates
 
 
-def call_serial(entry: np.ndarray) -> None:
-    """Call a serial pass, which does not read the turn it is called at."""
+def call_once(entry: np.ndarray) -> None:
+    """Call a pass of rows, which does not read the turn it is called at."""
     function = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)(int(entry[0]))
     turn = np.zeros(16, dtype=np.int64)
     function(turn.ctypes.data, entry[2:].ctypes.data)

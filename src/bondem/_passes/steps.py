@@ -76,7 +76,10 @@ from bondem._tables.stress_onset_tables import CandidateFacets
 
 #: What the passes of each kind run over.
 KINDS = (
-    "once",
+    "rows of a table, in the order of the table",
+    "cracks or their cells, of which threads may share portions",
+    "what begins, changes or ends in the step, in order",
+    "numbers that a body has once, such as those of a record",
     "bonds of a block",
     "elements of a block, then shared ones",
     "elements that domains share",
@@ -214,7 +217,7 @@ def add_begun_contacts(
     """Adds new contacts to the stresses of the ends of bonds that have failed in this step, after these contacts
     have begun.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("add_begun_contacts", (moving, contact_constants, contact_pairs, lagged_stresses, event_log))
 
@@ -242,7 +245,7 @@ def add_cell_energies(
     """Adds the energy of dilatation, and that of half facets at walls, to the normal energy of the first portion
     of facets.
 
-    Over once.
+    Over numbers that a body has once, such as those of a record.
     """
     return StepEntry("add_cell_energies", (moving, wall_constraints, dilatation_energy, portions))
 
@@ -260,7 +263,7 @@ def add_crack_energies(
 ) -> StepEntry:
     """Adds the energies of cracks and walls to those of the first portion of facets.
 
-    Over once.
+    Over numbers that a body has once, such as those of a record.
     """
     return StepEntry("add_crack_energies", (moving, wall_constraints, crack_energies, portions))
 
@@ -308,7 +311,7 @@ def add_facet_loads(moving: Moving, elastic_facets: ElasticFacets, step_cut: Ste
 def add_gradient_energies(dilatation_gradients: DilatationGradients, portions: Portions) -> StepEntry:
     """Adds the energies of gradients to those of the facets.
 
-    Over once.
+    Over numbers that a body has once, such as those of a record.
     """
     return StepEntry("add_gradient_energies", (dilatation_gradients, portions))
 
@@ -410,7 +413,7 @@ def add_still_surface_stresses(
     """Adds forces of walls and of loads on free facets to stresses of surface cells that were found without a
     step.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("add_still_surface_stresses", (moving, wall_constraints, facet_tractions, stresses_of_cells))
 
@@ -429,7 +432,7 @@ def add_strain_work(
 ) -> StepEntry:
     """Adds the work of strains that have changed, when the forces after that are known.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("add_strain_work", (moving, cell_strains, wall_constraints, rows))
 
@@ -450,7 +453,7 @@ def add_surface_stresses(
 ) -> StepEntry:
     """Adds forces of walls and of loads on free facets to the stresses of surface cells.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("add_surface_stresses", (moving, wall_constraints, facet_tractions, stresses_of_cells))
 
@@ -458,7 +461,7 @@ def add_surface_stresses(
 def add_traction_work(moving: Moving, facet_tractions: FacetTractions, rows: Rows) -> StepEntry:
     """Adds half the work of tractions that change: once by the stresses before, and once by those after.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("add_traction_work", (moving, facet_tractions, rows))
 
@@ -468,7 +471,7 @@ def add_wall_dilatation(
 ) -> StepEntry:
     """Adds contributions of walls to V θ of their cells.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("add_wall_dilatation", (moving, wall_constraints, cell_dilatation))
 
@@ -497,7 +500,7 @@ def add_yielding_work(
 ) -> StepEntry:
     """Adds the work of loads on free facets that move as their cells yield.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("add_yielding_work", (facet_tractions, stresses_of_cells, yielding_cells, rows))
 
@@ -528,7 +531,7 @@ def apply_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -
     """Sets the forces of walls on the rows of their cells, whose stresses are known, and adds the work of walls
     that move: the trapezoid of the force over the displacement.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("apply_walls", (moving, wall_constraints, rows))
 
@@ -547,7 +550,7 @@ def begin_contacts(
 ) -> StepEntry:
     """Begins contact where beams have broken in this step, on the sums that are kept for their ends.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("begin_contacts", (moving, contact_constants, contact_pairs, near_pairs, event_log, postponed))
 
@@ -558,7 +561,7 @@ def begin_crack_powers(
     """Sets ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was
     not reached by a step.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("begin_crack_powers", (moving, cell_strains, elastic_facets, cohesive_cracks))
 
@@ -569,7 +572,7 @@ def begin_cracks(
 ) -> StepEntry:
     """Begins the cracks of facets that are marked.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("begin_cracks", (elastic_facets, facet_forces, facet_strengths, crack_onset, cohesive_cracks))
 
@@ -580,7 +583,7 @@ def begin_face_contacts(
 ) -> StepEntry:
     """Begins the contact of faces that part in this step.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("begin_face_contacts", (moving, contact_pairs, near_pairs, face_pairs, crack_lists, event_log))
 
@@ -591,7 +594,7 @@ def begin_softened_contacts(
 ) -> StepEntry:
     """Begins contact where softening beams have broken at the beginning of this step.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("begin_softened_contacts", (
         moving, contact_constants, contact_pairs, near_pairs, event_log, contact_sums
@@ -604,7 +607,7 @@ def begin_softening(
 ) -> StepEntry:
     """Writes the rows of beams that have begun to soften in this step, and adds up their dissipation.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("begin_softening", (candidates, softening_bounds, softening_beams, event_log))
 
@@ -614,7 +617,7 @@ def begin_strain_work(
 ) -> StepEntry:
     """Finds ∂U/∂factor by the stresses in the poses, where the time of the clock was not reached by a step.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("begin_strain_work", (moving, cell_strains, elastic_facets, wall_constraints))
 
@@ -635,7 +638,7 @@ def break_beams(
 ) -> StepEntry:
     """Removes the beams that fail.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("break_beams", (moving, beams, beam_integrity, candidates, postponed, event_log))
 
@@ -646,7 +649,7 @@ def break_facets(
 ) -> StepEntry:
     """Removes the facets that fail, and brings the stresses of their cells up to date.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("break_facets", (moving, elastic_facets, wall_constraints, facet_release, candidates, event_log))
 
@@ -657,7 +660,7 @@ def break_pairs(
 ) -> StepEntry:
     """Removes the bonds that fail: their force from the kept sums, and the energy of their springs.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("break_pairs", (moving, beams, non_local_bonds, candidates, postponed, event_log))
 
@@ -667,7 +670,7 @@ def carry_cracks(
 ) -> StepEntry:
     """Sums b⊗f of the cracks of each cell from their forces of the last step.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("carry_cracks", (stresses_of_cells, cohesive_cracks, crack_lists))
 
@@ -691,7 +694,7 @@ def check_facets(moving: Moving, beams: Beams, elastic_facets: ElasticFacets, po
 def check_travel(travel: Travel, walls: Walls, portions: Portions) -> StepEntry:
     """Finds whether the list may miss a contact by now, also where a centre is not a number.
 
-    Over once.
+    Over numbers that a body has once, such as those of a record.
     """
     return StepEntry("check_travel", (travel, walls, portions))
 
@@ -699,7 +702,7 @@ def check_travel(travel: Travel, walls: Walls, portions: Portions) -> StepEntry:
 def clear_row_forces(rows: Rows) -> StepEntry:
     """Sets the forces of all rows to zero, before loads are added.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("clear_row_forces", (rows,))
 
@@ -747,7 +750,7 @@ def collect_sums(step_cut: StepCut) -> StepEntry:
 def count_wall_work(walls: Walls, portions: Portions) -> StepEntry:
     """Finds the work supplied by walls, for the guard of the energy.
 
-    Over once.
+    Over numbers that a body has once, such as those of a record.
     """
     return StepEntry("count_wall_work", (walls, portions))
 
@@ -812,7 +815,7 @@ def find_still_stresses(moving: Moving, facet_forces: FacetForces, stresses_of_c
 def find_strengths_along(candidate_facets: CandidateFacets) -> StepEntry:
     """Keeps the strengths of facets that begin to crack.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("find_strengths_along", (candidate_facets,))
 
@@ -852,7 +855,7 @@ def find_stresses_of_block(moving: Moving, lagged_stresses: LaggedStresses) -> S
 def follow_body_forces(timeline: Timeline, body_forces: BodyForces) -> StepEntry:
     """Brings body forces to the time of the clock.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("follow_body_forces", (timeline, body_forces))
 
@@ -863,7 +866,7 @@ def follow_cell_strains(
 ) -> StepEntry:
     """Sets stress-free strains, and with them the levers of facets and walls, to the time of the clock.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("follow_cell_strains", (timeline, cell_strains, elastic_facets, wall_constraints))
 
@@ -871,7 +874,7 @@ def follow_cell_strains(
 def follow_couples(timeline: Timeline, couple_table: CoupleTable, moving: Moving, rows: Rows) -> StepEntry:
     """Adds moments on regions as forces and torques of their elements.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("follow_couples", (timeline, couple_table, moving, rows))
 
@@ -879,7 +882,7 @@ def follow_couples(timeline: Timeline, couple_table: CoupleTable, moving: Moving
 def follow_drives(timeline: Timeline, drives: Drives, rows: Rows) -> StepEntry:
     """Sets prescribed velocities at the time of the clock, and over the step that begins there.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("follow_drives", (timeline, drives, rows))
 
@@ -889,7 +892,7 @@ def follow_levers(
 ) -> StepEntry:
     """Copies levers of facets that strains of cells have changed.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("follow_levers", (cell_strains, elastic_facets, cohesive_cracks))
 
@@ -897,7 +900,7 @@ def follow_levers(
 def follow_loads(timeline: Timeline, row_loads: RowLoads, moving: Moving, rows: Rows) -> StepEntry:
     """Adds forces and torques of loads to their rows, turned with the element if they follow it.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("follow_loads", (timeline, row_loads, moving, rows))
 
@@ -905,7 +908,7 @@ def follow_loads(timeline: Timeline, row_loads: RowLoads, moving: Moving, rows: 
 def follow_strains(timeline: Timeline, strain: Strain, moving: Moving, beams: Beams, rows: Rows) -> StepEntry:
     """Sets rest lengths L (1 + ε*), and adds the work of the strains.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("follow_strains", (timeline, strain, moving, beams, rows))
 
@@ -915,7 +918,7 @@ def follow_tractions(
 ) -> StepEntry:
     """Brings tractions to the time of the clock.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("follow_tractions", (timeline, facet_tractions, cell_dilatation))
 
@@ -923,7 +926,7 @@ def follow_tractions(
 def follow_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -> StepEntry:
     """Brings walls to the time of the clock; at a time that no step has reached, their forces are updated as well.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("follow_walls", (moving, wall_constraints, rows))
 
@@ -931,7 +934,7 @@ def follow_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) 
 def index_candidates_by_cone(stress_candidates: StressCandidates, stress_function: StressFunction) -> StepEntry:
     """Finds the index of each candidate by a criterion on its stress.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("index_candidates_by_cone", (stress_candidates, stress_function))
 
@@ -939,7 +942,7 @@ def index_candidates_by_cone(stress_candidates: StressCandidates, stress_functio
 def index_candidates_by_function(stress_candidates: StressCandidates, stress_function: StressFunction) -> StepEntry:
     """Finds the index of each candidate by a criterion on its stress.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("index_candidates_by_function", (stress_candidates, stress_function))
 
@@ -949,7 +952,7 @@ def index_candidates_by_mean_stress(
 ) -> StepEntry:
     """Finds the index of each candidate by a criterion on its stress.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("index_candidates_by_mean_stress", (stress_candidates, stress_function))
 
@@ -1041,7 +1044,7 @@ def judge_cells_by_size(
 def judge_energy(rows: Rows, portions: Portions) -> StepEntry:
     """Finds whether a number is not finite, or the motion has more energy than can have come in.
 
-    Over once.
+    Over numbers that a body has once, such as those of a record.
     """
     return StepEntry("judge_energy", (rows, portions))
 
@@ -1053,7 +1056,7 @@ def judge_facets_by_mohr_coulomb(
     """Evaluates marked facets by a criterion at the present stresses, and postpones cells that lose facets and
     their neighbours.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("judge_facets_by_mohr_coulomb", (
         moving, elastic_facets, facet_release, strengths, candidates, postponed
@@ -1082,7 +1085,7 @@ def keep_dashpots(dashpots: Dashpots, postponed: Postponed) -> StepEntry:
 def keep_measures(near_pairs: NearPairs, travel: Travel) -> StepEntry:
     """Stores distances that were measured in a step.
 
-    Over once.
+    Over numbers that a body has once, such as those of a record.
     """
     return StepEntry("keep_measures", (near_pairs, travel))
 
@@ -1101,7 +1104,7 @@ def leave_cracks(
 ) -> StepEntry:
     """Puts cracks to rest, or parts their faces, as `soften_cracks` has found.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("leave_cracks", (
         moving, elastic_facets, cell_dilatation, cell_slack, cohesive_cracks, crack_lists
@@ -1115,7 +1118,7 @@ def link_cracks(
     """Prepares the cracks of a state at the start of a run: constants, weights of cells, lists, and forces of
     cracks.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("link_cracks", (elastic_facets, facet_forces, facet_strengths, cohesive_cracks, crack_lists))
 
@@ -1123,7 +1126,7 @@ def link_cracks(
 def list_cracks(elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists) -> StepEntry:
     """Renews lists of cracks that are out of date.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("list_cracks", (elastic_facets, cohesive_cracks, crack_lists))
 
@@ -1142,7 +1145,7 @@ def load_cracks(
 ) -> StepEntry:
     """Computes forces, torques and dissipation of the cracks that are treated one by one.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("load_cracks", (
         moving, elastic_facets, facet_strengths, stresses_of_cells, cohesive_cracks, crack_lists
@@ -1152,7 +1155,7 @@ def load_cracks(
 def load_walls(wall_contacts: WallContacts, wall_motions: WallMotions, walls: Walls) -> StepEntry:
     """Sums the forces of elements on walls, adds their work, and closes the step of free walls.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("load_walls", (wall_contacts, wall_motions, walls))
 
@@ -1163,7 +1166,7 @@ def log_cracks(
 ) -> StepEntry:
     """Adds up the dissipation of cracks, and logs cracks without integrity.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("log_cracks", (moving, elastic_facets, cohesive_cracks, crack_lists, event_log))
 
@@ -1173,7 +1176,7 @@ def log_softened_beams(
 ) -> StepEntry:
     """Adds up the dissipation of all portions, and logs broken beams.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("log_softened_beams", (moving, beams, softening_beams, event_log))
 
@@ -1197,7 +1200,7 @@ def mark_cracking_planes(
 ) -> StepEntry:
     """Marks facets of planes, such as joints, that begin to crack.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("mark_cracking_planes", (moving, elastic_facets, facet_forces, facet_strengths, crack_onset))
 
@@ -1209,7 +1212,7 @@ def mark_failing_facets(
     """Marks candidates that fail, and leaves these with the mean stress of their cells, of which the index gives
     their strength.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("mark_failing_facets", (
         moving, elastic_facets, facet_forces, stresses_of_cells, crack_onset, candidate_facets
@@ -1233,7 +1236,7 @@ def measure_cracks(
     """Finds faces and halves of the cracks that are treated one by one, and axes of cracks before any loss of
     integrity.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("measure_cracks", (
         moving, elastic_facets, cell_slack, stresses_of_cells, cohesive_cracks, crack_lists
@@ -1295,7 +1298,7 @@ def move_rows(moving: Moving, step_cut: StepCut, rows: Rows) -> StepEntry:
 def move_walls(wall_motions: WallMotions, walls: Walls) -> StepEntry:
     """Moves walls to the end of the step that begins at the time of the clock.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("move_walls", (wall_motions, walls))
 
@@ -1371,7 +1374,7 @@ def press_walls(
 def read_gauges(moving: Moving, rows: Rows, gauges: Gauges, history_rows: HistoryRows) -> StepEntry:
     """Writes three components of each gauge of elements.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("read_gauges", (moving, rows, gauges, history_rows))
 
@@ -1379,7 +1382,7 @@ def read_gauges(moving: Moving, rows: Rows, gauges: Gauges, history_rows: Histor
 def relax_cracked_cells(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> StepEntry:
     """Finds the stresses of all cells with cracks that are treated one by one.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("relax_cracked_cells", (moving, cell_dilatation, crack_lists))
 
@@ -1387,7 +1390,7 @@ def relax_cracked_cells(moving: Moving, cell_dilatation: CellDilatation, crack_l
 def relax_stale_cells(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> StepEntry:
     """Finds the stresses of cells with cracks that are out of date.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("relax_stale_cells", (moving, cell_dilatation, crack_lists))
 
@@ -1395,7 +1398,7 @@ def relax_stale_cells(moving: Moving, cell_dilatation: CellDilatation, crack_lis
 def release_pressure(event_log: EventLog, softening_bounds: SofteningBounds) -> StepEntry:
     """Ends the pressure on softening beams that have broken at the beginning of this step.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("release_pressure", (event_log, softening_bounds))
 
@@ -1407,7 +1410,7 @@ def relieve_pairs(
     """Subtracts the force of failed bonds from the stresses of their elements, and sets their integrity to 0;
     after `break_pairs`.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("relieve_pairs", (moving, beams, non_local_bonds, lagged_stresses, beam_integrity, candidates))
 
@@ -1415,7 +1418,7 @@ def relieve_pairs(
 def renew_wall_rows(wall_constraints: WallConstraints, rows: Rows, candidates: Candidates) -> StepEntry:
     """Updates the forces of walls on the rows of their cells.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("renew_wall_rows", (wall_constraints, rows, candidates))
 
@@ -1442,7 +1445,7 @@ def restore_facets(
 ) -> StepEntry:
     """Adds the loads of the remaining facets and of walls to the kept sums.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("restore_facets", (
         moving, elastic_facets, wall_constraints, facet_release, candidates, postponed
@@ -1477,7 +1480,7 @@ def slide_cracks(
 ) -> StepEntry:
     """Sums the forces of the cracks of each cell, and lets their faces slip by them.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("slide_cracks", (moving, elastic_facets, stresses_of_cells, cohesive_cracks, crack_lists))
 
@@ -1498,7 +1501,7 @@ def soften_cracks(
 ) -> StepEntry:
     """Lowers the integrities of cracks, and finds those that go to rest.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("soften_cracks", (
         moving, elastic_facets, facet_strengths, stresses_of_cells, cohesive_cracks, crack_lists
@@ -1529,7 +1532,7 @@ def stretch_anew(
 ) -> StepEntry:
     """Stretches levers with the plastic deformation of their cells, where stress-free strains have set them anew.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("stretch_anew", (
         cell_strains, elastic_facets, facets_of_cells, wall_constraints, yielding_cells
@@ -1552,7 +1555,7 @@ def stretch_walls_and_cracks(
 ) -> StepEntry:
     """Stretches levers of walls and cracks with the plastic deformation of their cells, where it has grown.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("stretch_walls_and_cracks", (elastic_facets, wall_constraints, yielding_cells, cohesive_cracks))
 
@@ -1605,7 +1608,7 @@ def sum_crack_energies(
 ) -> StepEntry:
     """Sums the energies of the cracks that are treated one by one [J].
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("sum_crack_energies", (moving, elastic_facets, cohesive_cracks, crack_energies))
 
@@ -1615,7 +1618,7 @@ def sum_crack_powers(
 ) -> StepEntry:
     """Sets ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("sum_crack_powers", (moving, cell_strains, elastic_facets, cohesive_cracks))
 
@@ -1798,7 +1801,7 @@ def touch_parted_faces(
 ) -> StepEntry:
     """Makes pairs of the cells whose faces have parted in this step.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("touch_parted_faces", (
         moving, contact_pairs, near_pairs, cohesive_cracks, crack_lists, parted_reach
@@ -1829,7 +1832,7 @@ def wake_cracks(
 ) -> StepEntry:
     """Treats resting cracks one by one again that are about to soften or close.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("wake_cracks", (
         moving, elastic_facets, cell_dilatation, cell_slack, cohesive_cracks, crack_lists
@@ -1842,7 +1845,7 @@ def watch_resting_cracks(
 ) -> StepEntry:
     """Finds the resting cracks that are about to soften or close.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("watch_resting_cracks", (moving, elastic_facets, facet_strengths, cohesive_cracks, crack_lists))
 
@@ -1853,7 +1856,7 @@ def weigh_cracked_cells(
 ) -> StepEntry:
     """Computes the weights of the cells of all cracks at the start of a run.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("weigh_cracked_cells", (elastic_facets, cell_dilatation, cell_slack, cohesive_cracks))
 
@@ -1863,7 +1866,7 @@ def withdraw_dashpots(
 ) -> StepEntry:
     """Subtracts dashpots of failed beams from the kept sums of their ends, before the beams are removed.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("withdraw_dashpots", (moving, beams, dashpots, candidates, postponed))
 
@@ -1874,7 +1877,7 @@ def withdraw_facets(
 ) -> StepEntry:
     """Lists the cells whose loads change, and subtracts the loads of their facets and walls from the kept sums.
 
-    Over once.
+    Over what begins, changes or ends in the step, in order.
     """
     return StepEntry("withdraw_facets", (
         moving, elastic_facets, wall_constraints, facet_release, candidates, postponed
@@ -1884,7 +1887,7 @@ def withdraw_facets(
 def write_contact_energy(contact_energies: ContactEnergies, history_rows: HistoryRows) -> StepEntry:
     """Adds the energy of contacts to a record.
 
-    Over once.
+    Over numbers that a body has once, such as those of a record.
     """
     return StepEntry("write_contact_energy", (contact_energies, history_rows))
 
@@ -1895,7 +1898,7 @@ def write_crushing_of_beams(
 ) -> StepEntry:
     """Writes the energy that beams have released beyond their fracture energy.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("write_crushing_of_beams", (softening_bounds, softening_beams, event_log, history_rows))
 
@@ -1906,7 +1909,7 @@ def write_crushing_of_facets(
 ) -> StepEntry:
     """Writes the energy that facets have released beyond their fracture energy.
 
-    Over once.
+    Over cracks or their cells, of which threads may share portions.
     """
     return StepEntry("write_crushing_of_facets", (facet_strengths, cohesive_cracks, event_log, history_rows))
 
@@ -1914,7 +1917,7 @@ def write_crushing_of_facets(
 def write_heat(crack_energies: CrackEnergies, history_rows: HistoryRows) -> StepEntry:
     """Writes the heat of yielding into a record.
 
-    Over once.
+    Over numbers that a body has once, such as those of a record.
     """
     return StepEntry("write_heat", (crack_energies, history_rows))
 
@@ -1922,7 +1925,7 @@ def write_heat(crack_energies: CrackEnergies, history_rows: HistoryRows) -> Step
 def write_ledger(rows: Rows, portions: Portions, history_rows: HistoryRows) -> StepEntry:
     """Writes time and the entries of the energy balance.
 
-    Over once.
+    Over numbers that a body has once, such as those of a record.
     """
     return StepEntry("write_ledger", (rows, portions, history_rows))
 
@@ -1930,7 +1933,7 @@ def write_ledger(rows: Rows, portions: Portions, history_rows: HistoryRows) -> S
 def write_non_local_work(non_local_work: NonLocalWork, history_rows: HistoryRows) -> StepEntry:
     """Writes the work of the extra forces of bonds to the energy balance.
 
-    Over once.
+    Over numbers that a body has once, such as those of a record.
     """
     return StepEntry("write_non_local_work", (non_local_work, history_rows))
 
@@ -1938,7 +1941,7 @@ def write_non_local_work(non_local_work: NonLocalWork, history_rows: HistoryRows
 def write_released(event_log: EventLog, history_rows: HistoryRows) -> StepEntry:
     """Writes the energy released into a record.
 
-    Over once.
+    Over numbers that a body has once, such as those of a record.
     """
     return StepEntry("write_released", (event_log, history_rows))
 
@@ -1946,7 +1949,7 @@ def write_released(event_log: EventLog, history_rows: HistoryRows) -> StepEntry:
 def write_walls(walls: Walls, gauges: Gauges, history_rows: HistoryRows) -> StepEntry:
     """Adds the work of walls to a record, and writes gauges of walls.
 
-    Over once.
+    Over rows of a table, in the order of the table.
     """
     return StepEntry("write_walls", (walls, gauges, history_rows))
 

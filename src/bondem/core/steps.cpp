@@ -30,7 +30,8 @@ struct List {
 };
 
 bool goes_by_blocks(const Entry &entry) {
-    return entry.kind != serial && entry.kind != of_elements && entry.kind != of_bonds && entry.kind != of_ranges;
+    const PassKind kind = entry.kind;
+    return !called_once(kind) && kind != of_elements && kind != of_bonds && kind != of_ranges;
 }
 
 // Passes over the elements of a block, or over shared ones, and how they are divided.
@@ -98,7 +99,7 @@ class StepDriver {
                 p = last;
             } else {
                 p++;
-                if (first->kind == serial)
+                if (called_once(first->kind))
                     first->call(Turn{clock, 0, 0, 0, nullptr, nullptr, 0, nullptr, threads}, first->tables);
                 else if (first->kind == of_elements)
                     by_portions(*first, clock, span.n, elements_of_portion);

@@ -45,12 +45,18 @@ struct Turn {
     const Short *element, *row;  // the list, and rows of their sums
     Index block;  // number of the block or portion; of shared elements the number of blocks
     ElementDivision *division;  // of what a pass divides, else none
-    Index threads;  // that a serial pass may share tasks of its own with; 0 for all others
+    Index threads;  // that a pass called once may share tasks of its own with; 0 for all others
 };
 
-// Parts of a step that a pass runs over.
+// Parts of a step that a pass runs over. Passes up to `single` are called once, with all parts: those of rows go through
+// a table such as loads, walls or strains; those of cracks go through cracks or their cells, and only they share portions
+// among threads; those of events go through what begins, changes or ends in the step, in its order; single ones find
+// numbers that a body has once, such as sums of portions.
 enum PassKind : Index {
-    serial,  // once
+    of_rows,  // rows of a table, in the order of the table
+    of_cracks,  // cracks or their cells, of which threads may share portions
+    of_events,  // what begins, changes or ends in the step, in order
+    single,  // numbers that a body has once, such as those of a record
     bonds_of_blocks,  // bonds of a block
     elements_of_blocks,  // elements of a block, then shared ones
     parts_of_shared,  // elements that domains share
@@ -60,6 +66,7 @@ enum PassKind : Index {
     postponed_of_blocks,  // postponed elements of a block
     of_ranges  // elements, in a range a thread
 };
+inline bool called_once(PassKind kind) { return kind <= single; }
 
 inline Index portions(Index count, Index size) { return (count + size - 1) / size; }
 

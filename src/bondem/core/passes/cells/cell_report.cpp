@@ -47,6 +47,6 @@ void add_cell_energies(const Turn &, const Moving &all, const WallConstraints &w
     for (Index g = 0; g < walls.cell.size(); g++) sum += energy_of_hold(all.pose, all.rest, walls, g);
     if (portions.bonds.size() > 0) portions.bonds(0, 0) += sum;
 }
-BONDEM_PASS(add_cell_energies, serial)
+BONDEM_PASS(add_cell_energies, single)
 
 }  // namespace bondem

@@ -57,6 +57,6 @@ void add_gradient_energies(const Turn &, const DilatationGradients &gradients, c
     for (Index q = 0; q < gradients.energy.size(); q++) sum += gradients.energy(q);
     if (portions.bonds.size() > 0) portions.bonds(0, 0) += sum;
 }
-BONDEM_PASS(add_gradient_energies, serial)
+BONDEM_PASS(add_gradient_energies, single)
 
 }  // namespace bondem

@@ -234,6 +234,6 @@ void write_contact_energy(const Turn &turn, const ContactEnergies &energies, con
     for (Index q = 0; q < energies.energy.size(); q++) sum += energies.energy(q);
     history.record(turn.clock.record, history_column::contact) = sum;
 }
-BONDEM_PASS(write_contact_energy, serial)
+BONDEM_PASS(write_contact_energy, single)
 
 }  // namespace bondem

@@ -173,7 +173,7 @@ void move_walls(const Turn &turn, const WallMotions &motions, const Walls &walls
     for (Index e = 0; e < motions.free_wall.size(); e++) kick_free(motions, walls, e, 0.5 * dt);
     for (Index w = 0; w < walls.body.size(); w++) move_wall(walls, w, dt);
 }
-BONDEM_PASS(move_walls, serial)
+BONDEM_PASS(move_walls, of_rows)
 
 void press_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                  const Walls &walls, const ContactSums &to) {
@@ -225,7 +225,7 @@ void load_walls(const Turn &turn, const WallContacts &contacts, const WallMotion
         show_free_spin(walls, motions.free_wall(e));
     }
 }
-BONDEM_PASS(load_walls, serial)
+BONDEM_PASS(load_walls, of_rows)
 
 void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                        const Walls &walls, const ContactEnergies &energies) {
@@ -250,7 +250,7 @@ void count_wall_work(const Turn &, const Walls &walls, const Portions &portions)
     for (Index w = 0; w < walls.body.size(); w++) supplied += absolute(walls.body.row<const WallRow>(w).work);
     portions.budget(guard_energy::walls) = supplied;
 }
-BONDEM_PASS(count_wall_work, serial)
+BONDEM_PASS(count_wall_work, single)
 
 // Adds the work of walls to a record, and writes gauges of walls.
 void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, const HistoryRows &history) {
@@ -263,6 +263,6 @@ void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, con
                    &history.record(turn.clock.record, history_column::count + 3 * g));
     }
 }
-BONDEM_PASS(write_walls, serial)
+BONDEM_PASS(write_walls, of_rows)
 
 }  // namespace bondem

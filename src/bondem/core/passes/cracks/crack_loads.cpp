@@ -20,7 +20,7 @@ void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
                                lists.lost(portion, 0));
                  });
 }
-BONDEM_PASS(load_cracks, serial)
+BONDEM_PASS(load_cracks, of_cracks)
 
 #endif
 
@@ -41,7 +41,7 @@ void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets
     }
     log.released(0) += lost;
 }
-BONDEM_PASS(log_cracks, serial)
+BONDEM_PASS(log_cracks, of_events)
 
 void add_crack_loads(const Turn &turn, const Moving &all, const CrackLists &lists, const StepCut &cut) {
     for (Index at = turn.first; at < turn.last; at++) {
@@ -89,7 +89,7 @@ void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &fa
     }
     for (Index d = 0; d < 3; d++) found.cracked(d) = sum[d];
 }
-BONDEM_PASS(sum_crack_energies, serial)
+BONDEM_PASS(sum_crack_energies, of_cracks)
 
 // Adds the energies of cracks and walls to those of the first portion of facets.
 void add_crack_energies(const Turn &, const Moving &all, const WallConstraints &walls, const CrackEnergies &found,
@@ -102,7 +102,7 @@ void add_crack_energies(const Turn &, const Moving &all, const WallConstraints &
     portions.bonds(0, 1) += found.cracked(1);
     portions.bonds(0, 2) += found.cracked(2);
 }
-BONDEM_PASS(add_crack_energies, serial)
+BONDEM_PASS(add_crack_energies, single)
 
 // Writes the heat of yielding into a record.
 void write_heat(const Turn &turn, const CrackEnergies &found, const HistoryRows &history) {
@@ -110,7 +110,7 @@ void write_heat(const Turn &turn, const CrackEnergies &found, const HistoryRows 
     for (Index q = 0; q < found.heat.size(); q++) heat += found.heat(q);
     history.record(turn.clock.record, history_column::plastic) = heat;
 }
-BONDEM_PASS(write_heat, serial)
+BONDEM_PASS(write_heat, single)
 
 // Writes the energy that facets have released beyond their fracture energy.
 void write_crushing_of_facets(const Turn &turn, const FacetStrengths &strengths, const CohesiveCracks &cracks,
@@ -119,6 +119,6 @@ void write_crushing_of_facets(const Turn &turn, const FacetStrengths &strengths,
     for (Index c = 0; c < cracks.size(crack_number::cracks); c++) sum += crushed_by_facet(strengths, cracks, cracks.order(c));
     history.record(turn.clock.record, history_column::crushing) = sum - log.crushed(0);
 }
-BONDEM_PASS(write_crushing_of_facets, serial)
+BONDEM_PASS(write_crushing_of_facets, of_cracks)
 
 }  // namespace bondem

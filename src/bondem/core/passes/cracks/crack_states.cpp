@@ -91,7 +91,7 @@ void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFace
                        facets.period.data, strengths, cracks, lists, portion);
     });
 }
-BONDEM_PASS(watch_resting_cracks, serial)
+BONDEM_PASS(watch_resting_cracks, of_cracks)
 
 // Treats resting cracks one by one again that are about to soften or close.
 void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
@@ -115,7 +115,7 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
     }
     if (lists.size(list_count::treated) > before) fill_treated(lists);
 }
-BONDEM_PASS(wake_cracks, serial)
+BONDEM_PASS(wake_cracks, of_cracks)
 
 // Lowers the integrities of cracks, and finds those that go to rest.
 void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
@@ -128,7 +128,7 @@ void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fac
                         stresses, cracks, lists, portion);
     });
 }
-BONDEM_PASS(soften_cracks, serial)
+BONDEM_PASS(soften_cracks, of_cracks)
 
 // Sums the forces of the cracks of each cell, and lets their faces slip by them.
 void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const StressesOfCells &stresses,
@@ -147,7 +147,7 @@ void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
         }
     });
 }
-BONDEM_PASS(slide_cracks, serial)
+BONDEM_PASS(slide_cracks, of_cracks)
 
 // Puts cracks to rest, or parts their faces, as `soften_cracks` has found.
 void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
@@ -182,6 +182,6 @@ void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
         }
     }
 }
-BONDEM_PASS(leave_cracks, serial)
+BONDEM_PASS(leave_cracks, of_cracks)
 
 }  // namespace bondem

@@ -89,7 +89,7 @@ void mark_cracking_planes(const Turn &turn, const Moving &all, const ElasticFace
     }
     onset.found(onset.found.size() - 1) = found;
 }
-BONDEM_PASS(mark_cracking_planes, serial)
+BONDEM_PASS(mark_cracking_planes, of_rows)
 
 // Begins the cracks of facets that are marked.
 void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept,
@@ -111,6 +111,6 @@ void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForc
     }
     onset.found(portions) = 0;
 }
-BONDEM_PASS(begin_cracks, serial)
+BONDEM_PASS(begin_cracks, of_events)
 
 }  // namespace bondem

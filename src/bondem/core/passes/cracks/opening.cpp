@@ -46,7 +46,7 @@ void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fa
                      put_levers(cracks, lists, group.e, group.e + group.known);
                  });
 }
-BONDEM_PASS(measure_cracks, serial)
+BONDEM_PASS(measure_cracks, of_cracks)
 
 // Finds the stresses of all cells with cracks that are treated one by one.
 void relax_cracked_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
@@ -58,7 +58,7 @@ void relax_cracked_cells(const Turn &turn, const Moving &all, const CellDilatati
         }
     });
 }
-BONDEM_PASS(relax_cracked_cells, serial)
+BONDEM_PASS(relax_cracked_cells, of_cracks)
 
 // Finds the stresses of cells with cracks that are out of date.
 void relax_stale_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
@@ -77,7 +77,7 @@ void relax_stale_cells(const Turn &turn, const Moving &all, const CellDilatation
         for (Index n = 0; n < count; n += lanes) relax(CellGroup{stale + n}, all, cells, lists);
     });
 }
-BONDEM_PASS(relax_stale_cells, serial)
+BONDEM_PASS(relax_stale_cells, of_cracks)
 
 #endif
 

@@ -66,12 +66,12 @@ void mark_failing_facets(const Turn &, const Moving &all, const ElasticFacets &f
     for (Index q = 0; q < onset.number.size(); q++) onset.number(q) = 0;
     if (next > 0) onset.number(0) = next;  // one after the other, as from one portion
 }
-BONDEM_PASS(mark_failing_facets, serial)
+BONDEM_PASS(mark_failing_facets, of_events)
 
 // Keeps the strengths of facets that begin to crack.
 void find_strengths_along(const Turn &, const CandidateFacets &onset) {
     for (Index c = 0; c < onset.total(0); c++) keep_strength_along(onset, c);
 }
-BONDEM_PASS(find_strengths_along, serial)
+BONDEM_PASS(find_strengths_along, of_rows)
 
 }  // namespace bondem

@@ -57,14 +57,14 @@ void add_surface_stresses(const Turn &turn, const Moving &all, const WallConstra
                           const FacetTractions &tractions, const StressesOfCells &stresses) {
     if (turn.clock.dt > 0.0) add_of_surface(all, walls, tractions, stresses);
 }
-BONDEM_PASS(add_surface_stresses, serial)
+BONDEM_PASS(add_surface_stresses, of_rows)
 
 // Adds forces of walls and of loads on free facets to stresses of surface cells that were found without a step.
 void add_still_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
                                 const FacetTractions &tractions, const StressesOfCells &stresses) {
     if (!(turn.clock.dt > 0.0)) add_of_surface(all, walls, tractions, stresses);
 }
-BONDEM_PASS(add_still_surface_stresses, serial)
+BONDEM_PASS(add_still_surface_stresses, of_rows)
 
 void judge_cells(const Turn &turn, const FacetStrengths &strengths, const StressesOfCells &stresses,
                  const CrackOnset &onset) {

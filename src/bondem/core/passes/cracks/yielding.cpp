@@ -79,7 +79,7 @@ void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, con
     for (Index k = 0, m = cracks.integrity.size(); k < m; k++)
         if (cracks.listed(k) != 0) stretch_crack(facets, cells, cracks, k);
 }
-BONDEM_PASS(stretch_walls_and_cracks, serial)
+BONDEM_PASS(stretch_walls_and_cracks, of_cracks)
 
 // Stretches levers with the plastic deformation of their cells, where stress-free strains have set them anew.
 void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets &facets,
@@ -94,7 +94,7 @@ void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets 
         if (has_yielded(cells, p)) stretch_cell(facets, of_cells, cells, p);
     for (Index g = 0; g < walls.cell.size(); g++) stretch_from_present(walls, cells, g);
 }
-BONDEM_PASS(stretch_anew, serial)
+BONDEM_PASS(stretch_anew, of_rows)
 
 // Adds the work of loads on free facets that move as their cells yield.
 void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const StressesOfCells &stresses,
@@ -106,6 +106,6 @@ void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const 
         rows.work(tractions.place) += tractions.factor(l) * power;
     }
 }
-BONDEM_PASS(add_yielding_work, serial)
+BONDEM_PASS(add_yielding_work, of_rows)
 
 }  // namespace bondem

@@ -85,13 +85,13 @@ void withdraw_dashpots(const Turn &, const Moving &all, const Beams &beams, cons
                        const Candidates &candidates, const Postponed &postponed) {
     for_each_failing(candidates, [&](Index k, Index) { withdraw_dashpot(all, beams, dashpots, postponed, k); });
 }
-BONDEM_PASS(withdraw_dashpots, serial)
+BONDEM_PASS(withdraw_dashpots, of_events)
 
 // Removes the beams that fail.
 void break_beams(const Turn &turn, const Moving &all, const Beams &beams, const BeamIntegrity &state,
                  const Candidates &candidates, const Postponed &postponed, const EventLog &log) {
     remove(turn, candidates, log, [&](Index k) { return break_beam(all.pose.data, beams, state, postponed, k); });
 }
-BONDEM_PASS(break_beams, serial)
+BONDEM_PASS(break_beams, of_events)
 
 }  // namespace bondem

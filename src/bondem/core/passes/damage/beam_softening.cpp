@@ -43,7 +43,7 @@ void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams,
         soft.parted(q) = 0;
     }
 }
-BONDEM_PASS(log_softened_beams, serial)
+BONDEM_PASS(log_softened_beams, of_events)
 
 void begin_softening(const Turn &turn, const Candidates &candidates, const SofteningBounds &bounds, const SofteningBeams &soft,
                      const EventLog &log) {
@@ -60,7 +60,7 @@ void begin_softening(const Turn &turn, const Candidates &candidates, const Softe
     });
     end_failures(candidates);
 }
-BONDEM_PASS(begin_softening, serial)
+BONDEM_PASS(begin_softening, of_events)
 
 void sum_pressed_energies(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                           const Portions &portions) {
@@ -81,6 +81,6 @@ void write_crushing_of_beams(const Turn &turn, const SofteningBounds &bounds, co
     for (Index c = 0; c < soft.begun(0); c++) sum += crushed_by_beam(bounds, soft, c);
     history.record(turn.clock.record, history_column::crushing) = sum - log.crushed(0);
 }
-BONDEM_PASS(write_crushing_of_beams, serial)
+BONDEM_PASS(write_crushing_of_beams, of_rows)
 
 }  // namespace bondem

@@ -79,6 +79,6 @@ BONDEM_PASS(list_postponed, divides_elements)
 void write_released(const Turn &turn, const EventLog &log, const HistoryRows &history) {
     history.record(turn.clock.record, history_column::released) = log.released(0);
 }
-BONDEM_PASS(write_released, serial)
+BONDEM_PASS(write_released, single)
 
 }  // namespace bondem

@@ -34,7 +34,7 @@ void follow_body_forces(const Turn &turn, const Timeline &timeline, const BodyFo
             body.present(g, d) = sum;
         }
 }
-BONDEM_PASS(follow_body_forces, serial)
+BONDEM_PASS(follow_body_forces, of_rows)
 
 void add_body_forces(const Turn &turn, const Moving &all, const StepCut &cut, const BodyForces &body) {
     for (Index e = turn.first; e < turn.last; e++) {

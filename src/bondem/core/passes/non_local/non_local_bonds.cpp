@@ -150,7 +150,7 @@ BONDEM_PASS(add_lasting_loads, bonds_of_blocks)
 void write_non_local_work(const Turn &turn, const NonLocalWork &work, const HistoryRows &history) {
     history.record(turn.clock.record, history_column::extra_work) = sum_of(work);
 }
-BONDEM_PASS(write_non_local_work, serial)
+BONDEM_PASS(write_non_local_work, single)
 
 void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                             const Portions &portions, const NonLocalWork &work) {

@@ -57,7 +57,7 @@ void break_pairs(const Turn &turn, const Moving &all, const Beams &beams, const 
         return removal_of_pair(all, beams, bonds, k);
     });
 }
-BONDEM_PASS(break_pairs, serial)
+BONDEM_PASS(break_pairs, of_events)
 
 // Subtracts the force of failed bonds from the stresses of their elements, and sets their integrity to 0; after
 // `break_pairs`.
@@ -69,7 +69,7 @@ void relieve_pairs(const Turn &, const Moving &all, const Beams &beams, const No
         end_pair(bonds, state, k);
     });
 }
-BONDEM_PASS(relieve_pairs, serial)
+BONDEM_PASS(relieve_pairs, of_events)
 
 // Index of the criterion of every bond, by stresses in space.
 Index index_pairs(Index, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,

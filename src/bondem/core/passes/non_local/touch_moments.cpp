@@ -33,7 +33,7 @@ void add_begun_contacts(const Turn &, const Moving &all, const ContactConstants 
         add_to_stress(pose, stresses, pairs.second(k), lever.of_second, force);
     });
 }
-BONDEM_PASS(add_begun_contacts, serial)
+BONDEM_PASS(add_begun_contacts, of_events)
 
 // Adds contacts of pairs to the stresses of the elements of a range, in the order of the pairs.
 void add_pair_moments(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,

@@ -56,7 +56,7 @@ void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
     const double known = portions.budget(guard_energy::start) + portions.budget(guard_energy::supplied);
     portions.found(guard_number::ending) = kinetic > beyond * known ? 2 : 0;
 }
-BONDEM_PASS(judge_energy, serial)
+BONDEM_PASS(judge_energy, single)
 
 // Writes time and the entries of the energy balance.
 void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, const HistoryRows &history) {
@@ -72,7 +72,7 @@ void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, 
         for (Index c = 0; c < 4; c++) record[normal + c] += portions.bonds(q, c);
     for (Index r = 0; r < rows.work.size(); r++) record[work] += rows.work(r);
 }
-BONDEM_PASS(write_ledger, serial)
+BONDEM_PASS(write_ledger, single)
 
 // Writes three components of each gauge of elements.
 void read_gauges(const Turn &turn, const Moving &all, const Rows &rows, const Gauges &gauges, const HistoryRows &history) {
@@ -91,6 +91,6 @@ void read_gauges(const Turn &turn, const Moving &all, const Rows &rows, const Ga
         }
     }
 }
-BONDEM_PASS(read_gauges, serial)
+BONDEM_PASS(read_gauges, of_rows)
 
 }  // namespace bondem
