@@ -2,55 +2,50 @@
 
 import numpy as np
 
-from bondem._device import Launch
 from bondem._passes import kernels
 from bondem._tables.columns import WORKS_OF_PORTION
-from bondem._tables.device_tables import StrainPortions
-from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, Portions, Rows, StepCut, Strain, Timeline
-from bondem.dynamics.on_device.translation import Counterpart, Translation
+from bondem._tables.device_tables import LoadsOfBonds, StrainPortions
+from bondem._tables.step_tables import Portions, Strain
+from bondem.dynamics.on_device.translation import (
+    Counterpart,
+    Given,
+    Made,
+    Translation,
+    bonds,
+    in_order,
+    length_of,
+    one_thread,
+    over,
+)
+
+#: Loads of bonds are those of their dashpots.
+DASHED: Made = {LoadsOfBonds: lambda run, _: run.dashed}
 
 
-def _strains(
-    run: Translation, timeline: Timeline, strain: Strain, moving: Moving, beams: Beams, rows: Rows
-) -> list[Launch]:
-    count = -(-len(strain.bond) // WORKS_OF_PORTION)
+def _strained(_: Translation, given: Given) -> int:
+    """Return the number of portions of beams whose strain changes."""
+    return -(-len(given[Strain].bond) // WORKS_OF_PORTION)
 
+
+def _portions(run: Translation, given: Given) -> StrainPortions:
     def make() -> StrainPortions:
-        return StrainPortions(np.zeros(2, dtype=np.int64), np.zeros((count, len(strain.schedule))))
+        return StrainPortions(np.zeros(2, dtype=np.int64), np.zeros((_strained(run, given), len(strain.schedule))))
 
-    portions = run.once(strain, make)
-    return [
-        (kernels.follow_strain_factors(run.span, timeline, strain, portions), 1),
-        (kernels.strain_portion(moving, strain, beams, portions), count),
-        (kernels.add_work_of_strains(run.span, strain, portions, rows), 1),
-    ]
+    strain = given[Strain]
+    return run.once(strain, make)
 
 
-def _load(run: Translation, moving: Moving, beams: Beams, _: StepCut) -> list[Launch]:
-    return [(kernels.load_beam(moving, beams, run.loads), run.span.m)]
-
-
-def _load_alike(run: Translation, moving: Moving, beams: Beams, alike: AlikeBeams, _: StepCut) -> list[Launch]:
-    return [(kernels.load_alike_beam(moving, beams, alike, run.loads), run.span.m)]
-
-
-def _dash(run: Translation, moving: Moving, beams: Beams, dashpots: Dashpots, _: StepCut) -> list[Launch]:
-    return [(kernels.load_dashpot(moving, beams, dashpots, run.dashed), run.span.m)]
-
-
-def _check(run: Translation, moving: Moving, beams: Beams, portions: Portions) -> list[Launch]:
-    return [(kernels.check_portion(run.span, moving, beams, portions), len(portions.turned))]
-
-
-def _energies(run: Translation, moving: Moving, beams: Beams, portions: Portions) -> list[Launch]:
-    return [(kernels.sum_portion_of_beams(run.span, moving, beams, portions), len(portions.bonds))]
-
+_STRAINS: Made = {StrainPortions: _portions}
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "follow_strains": _strains,
-    "add_beam_loads": _load,
-    "add_alike_beam_loads": _load_alike,
-    "add_dashpot_loads": _dash,
-    "check_beams": _check,
-    "sum_beam_energies": _energies,
+    "follow_strains": in_order(
+        over(kernels.follow_strain_factors, one_thread, _STRAINS),
+        over(kernels.strain_portion, _strained, _STRAINS),
+        over(kernels.add_work_of_strains, one_thread, _STRAINS),
+    ),
+    "add_beam_loads": over(kernels.load_beam, bonds),
+    "add_alike_beam_loads": over(kernels.load_alike_beam, bonds),
+    "add_dashpot_loads": over(kernels.load_dashpot, bonds, DASHED),
+    "check_beams": over(kernels.check_portion, length_of(Portions, lambda p: p.turned)),
+    "sum_beam_energies": over(kernels.sum_portion_of_beams, length_of(Portions, lambda p: p.bonds)),
 }

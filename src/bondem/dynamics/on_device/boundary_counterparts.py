@@ -1,39 +1,18 @@
 """Boundary conditions and body forces on a device."""
 
-from bondem._device import Launch
 from bondem._passes import kernels
-from bondem._tables.step_tables import BodyForces, Drives, Moving, RowLoads, Rows, Timeline
-from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
+from bondem._tables.step_tables import BodyForces, Drives, RowLoads, Rows
+from bondem.dynamics.on_device.translation import Counterpart, elements, length_of, one_thread, ordered, over
 
-
-def _clear(_: Translation, rows: Rows) -> list[Launch]:
-    return [(kernels.clear_row(rows), len(rows.force))]
-
-
-def _loads(run: Translation, timeline: Timeline, loads: RowLoads, moving: Moving, rows: Rows) -> list[Launch]:
-    tables = run.span, timeline, loads, run.order_of(loads.row), moving, rows
-    return [(kernels.follow_loads_of_row(*tables), len(rows.force))]
-
-
-def _drives(run: Translation, timeline: Timeline, drives: Drives, rows: Rows) -> list[Launch]:
-    return [(kernels.follow_drive(run.span, timeline, drives, rows), len(drives.row))]
-
-
-def _groups(run: Translation, timeline: Timeline, body: BodyForces) -> list[Launch]:
-    return [(kernels.follow_body_group(run.span, timeline, body), len(body.present))]
-
-
-def _work(run: Translation, moving: Moving, body: BodyForces) -> list[Launch]:
-    return [(kernels.add_work_of_body(run.span, moving, run.cut, body), run.span.n)]
-
+_BY_ROW = ordered(RowLoads, lambda loads: loads.row)
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "clear_row_forces": _clear,
-    "follow_loads": _loads,
-    "follow_couples": over(kernels.follow_all_couples, lambda _: 1),
-    "follow_drives": _drives,
-    "follow_body_forces": _groups,
+    "clear_row_forces": over(kernels.clear_row, length_of(Rows, lambda rows: rows.force)),
+    "follow_loads": over(kernels.follow_loads_of_row, length_of(Rows, lambda rows: rows.force), _BY_ROW),
+    "follow_couples": over(kernels.follow_all_couples, one_thread),
+    "follow_drives": over(kernels.follow_drive, length_of(Drives, lambda drives: drives.row)),
+    "follow_body_forces": over(kernels.follow_body_group, length_of(BodyForces, lambda body: body.present)),
     "open_body_work": over(kernels.open_work_of_body, elements),
     "add_body_forces": over(kernels.add_body_force, elements),
-    "add_body_work": _work,
+    "add_body_work": over(kernels.add_work_of_body, elements),
 }

@@ -1,30 +1,30 @@
 """Breakage of beams on a device."""
 
-from typing import Any
 
 import numpy as np
 
 from bondem._device import Launch
 from bondem._passes import kernels
-from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed, Strengths
+from bondem._tables.damage_tables import BeamIntegrity, Candidates, EventLog, Postponed
 from bondem._tables.device_tables import BondMarks
 from bondem._tables.step_tables import (
     Beams,
-    BodyForces,
-    Dashpots,
-    HistoryRows,
     Moving,
-    Rows,
-    StepCut,
 )
-from bondem.dynamics.on_device.translation import Counterpart, KernelOf, Translation
-
-_RESUMES: dict[tuple[bool, bool], KernelOf] = {
-    (False, False): kernels.resume_free,
-    (False, True): kernels.resume_resisted,
-    (True, False): kernels.resume_row,
-    (True, True): kernels.resume_resisted_row,
-}
+from bondem.dynamics.on_device.beam_counterparts import DASHED
+from bondem.dynamics.on_device.translation import (
+    Counterpart,
+    Made,
+    Translation,
+    bonds,
+    elements,
+    free,
+    gathered_or_summed,
+    held,
+    in_order,
+    one_thread,
+    over,
+)
 
 
 def marks_of(run: Translation) -> BondMarks:
@@ -39,62 +39,16 @@ def marks_of(run: Translation) -> BondMarks:
     return run.once(run.loads, make)
 
 
-def ranked(run: Translation, candidates: Candidates) -> Launch:
-    """Return the launch that puts bonds that fail into their order."""
-    return kernels.rank_failing(marks_of(run), candidates), run.span.m
+#: Marks of bonds.
+MARKS: Made = {BondMarks: lambda run, _: marks_of(run)}
+#: The launch that puts bonds that fail into their order.
+RANKED = over(kernels.rank_failing, bonds, MARKS)
 
 
 def counted(run: Translation, candidates: Candidates, log: EventLog) -> Launch:
     """Return the launch that counts the events of a step, whose rows are filled, and adds up their energies."""
     run.keep_log(log)
     return kernels.count_failures(candidates, log), 1
-
-
-def marking(one: KernelOf) -> Counterpart:
-    """Return the counterpart of a pass of loads that marks bonds near to failure."""
-
-    def counterpart(run: Translation, moving: Moving, *tables: Any) -> list[Launch]:
-        *bonds, _cut, bounds, _candidates = tables
-        return [(one(moving, *bonds, run.loads, bounds, marks_of(run)), run.span.m)]
-
-    return counterpart
-
-
-def judging(one: KernelOf) -> Counterpart:
-    """Return the counterpart of a pass that evaluates marked bonds, and lists those that fail in their order."""
-
-    def counterpart(
-        run: Translation, moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, last: Any
-    ) -> list[Launch]:
-        tables = run.span, moving, beams, strengths, marks_of(run), candidates, last
-        return [(one(*tables), run.span.m), ranked(run, candidates)]
-
-    return counterpart
-
-
-def _keep(run: Translation, cut: StepCut, postponed: Postponed) -> list[Launch]:
-    if run.further:
-        return [(kernels.keep_sum(cut, postponed), run.span.n)]
-    return [(kernels.keep_gathered_sum(cut, run.bonds, run.loads, postponed), run.span.n)]
-
-
-def _keep_dashed(run: Translation, dashpots: Dashpots, postponed: Postponed) -> list[Launch]:
-    return [(kernels.keep_dashed_sum(run.cut, dashpots, postponed), run.span.n)]
-
-
-def _withdraw_dashpots(
-    run: Translation,
-    moving: Moving,
-    beams: Beams,
-    dashpots: Dashpots,
-    candidates: Candidates,
-    postponed: Postponed,
-) -> list[Launch]:
-    of_failing = run.bonds, marks_of(run), run.dashed
-    return [
-        (kernels.load_failing_dashpot(moving, beams, dashpots, candidates, run.dashed), run.span.m),
-        (kernels.take_dashpots_off_element(*of_failing, dashpots, candidates, postponed), run.span.n),
-    ]
 
 
 def _break(
@@ -113,10 +67,6 @@ def _break(
     ]
 
 
-def _write(run: Translation, log: EventLog, history: HistoryRows) -> list[Launch]:
-    return [(kernels.write_released_energy(run.span, log, history), 1)]
-
-
 #: Bonds that fail in a step, and elements that this postpones.
 Postponement = tuple[Candidates, Postponed]
 
@@ -124,31 +74,16 @@ Postponement = tuple[Candidates, Postponed]
 def resuming(late: Postponement) -> dict[str, Counterpart]:
     """Return the counterparts of passes that act on postponed elements only."""
     _, postponed = late
-
-    def move(run: Translation, moving: Moving, cut: StepCut, *more: Any, rows: Rows | None = None) -> list[Launch]:
-        one = _RESUMES[rows is not None, len(more) > 0]
-        count = run.span.n - run.held if rows is None else run.held
-        given = more if rows is None else (rows, *more)
-        return [(one(run.span, moving, cut, *given, postponed), count)]
-
-    def move_rows(run: Translation, moving: Moving, cut: StepCut, rows: Rows, *more: Any) -> list[Launch]:
-        return move(run, moving, cut, *more, rows=rows)
-
-    def work(run: Translation, moving: Moving, body: BodyForces) -> list[Launch]:
-        return [(kernels.reopen_work_of_body(run.span, moving, body, postponed), run.span.n)]
-
-    def nothing(*_: Any) -> list[Launch]:
-        return []
-
+    late_ones: Made = {Postponed: lambda *_: postponed}
     return {
-        "list_postponed": nothing,  # each thread asks whether its element is postponed
-        "move_elements": move,
-        "move_resisted": move,
-        "move_rows": move_rows,
-        "move_resisted_rows": move_rows,
-        "reopen_elements": nothing,  # together with their acceleration
-        "reopen_rows": nothing,
-        "add_body_work": work,
+        "list_postponed": in_order(),  # each thread asks whether its element is postponed
+        "move_elements": over(kernels.resume_free, free, late_ones),
+        "move_resisted": over(kernels.resume_resisted, free, late_ones),
+        "move_rows": over(kernels.resume_row, held, late_ones),
+        "move_resisted_rows": over(kernels.resume_resisted_row, held, late_ones),
+        "reopen_elements": in_order(),  # together with their acceleration
+        "reopen_rows": in_order(),
+        "add_body_work": over(kernels.reopen_work_of_body, elements, late_ones),
     }
 
 
@@ -159,13 +94,19 @@ def end(run: Translation, late: Postponement) -> list[Launch]:
 
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "add_marked_beam_loads": marking(kernels.load_marked_beam),
-    "add_marked_alike_beam_loads": marking(kernels.load_marked_alike_beam),
-    **{f"judge_beams_by_{name}": judging(one) for name, one in kernels.JUDGE_BEAM_BY.items()},
-    "postpone_elements": lambda *_: [],
-    "keep_sums": _keep,
-    "keep_dashpots": _keep_dashed,
-    "withdraw_dashpots": _withdraw_dashpots,
+    "add_marked_beam_loads": over(kernels.load_marked_beam, bonds, MARKS),
+    "add_marked_alike_beam_loads": over(kernels.load_marked_alike_beam, bonds, MARKS),
+    **{
+        f"judge_beams_by_{name}": in_order(over(one, bonds, MARKS), RANKED)
+        for name, one in kernels.JUDGE_BEAM_BY.items()
+    },
+    "postpone_elements": in_order(),
+    "keep_sums": gathered_or_summed(kernels.keep_gathered_sum, kernels.keep_sum, elements),
+    "keep_dashpots": over(kernels.keep_dashed_sum, elements),
+    "withdraw_dashpots": in_order(
+        over(kernels.load_failing_dashpot, bonds, DASHED),
+        over(kernels.take_dashpots_off_element, elements, {**MARKS, **DASHED}),
+    ),
     "break_beams": _break,
-    "write_released": _write,
+    "write_released": over(kernels.write_released_energy, one_thread),
 }

@@ -8,10 +8,8 @@ from bondem._device import Launch
 from bondem._passes import kernels
 from bondem._tables.contact_tables import (
     AdheringPairs,
-    ContactConstants,
     ContactEnergies,
     ContactPairs,
-    ContactSums,
     FacePairs,
     NearPairs,
     RolledPairs,
@@ -21,17 +19,24 @@ from bondem._tables.contact_tables import (
     WallMotions,
     Walls,
 )
-from bondem._tables.crack_tables import CrackLists
-from bondem._tables.damage_tables import EventLog, Postponed
 from bondem._tables.device_tables import BegunFaces, EarlierPairs
-from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, StepCut
+from bondem._tables.step_tables import Gauges
 from bondem.boundary.wall_rows import no_rows
-from bondem.dynamics.on_device.breakage_counterparts import marks_of
+from bondem.dynamics.on_device.breakage_counterparts import MARKS
 from bondem.dynamics.on_device.device_tables import new_row_order
-from bondem.dynamics.on_device.translation import Counterpart, KernelOf, Translation
+from bondem.dynamics.on_device.translation import (
+    Counterpart,
+    Made,
+    Translation,
+    bonds,
+    elements,
+    elements_where,
+    in_order,
+    length_of,
+    one_thread,
+    over,
+)
 from bondem.interactions.step_part import Passes
-
-_PAIRS = ContactConstants, ContactPairs, NearPairs, EventLog
 
 
 def earlier_pairs(run: Translation, pairs: ContactPairs) -> EarlierPairs:
@@ -45,130 +50,6 @@ def earlier_pairs(run: Translation, pairs: ContactPairs) -> EarlierPairs:
     return run.once(pairs, make)
 
 
-def _move(run: Translation, motions: WallMotions, walls: Walls) -> list[Launch]:
-    return [(kernels.move_all_walls(run.span, motions, walls), 1)]
-
-
-def _check(run: Translation, travel: Travel, walls: Walls, _: Portions) -> list[Launch]:
-    return [(kernels.check_travel_of_wall(run.span, travel, walls), len(walls.body))]
-
-
-def _measure(run: Translation, moving: Moving, travel: Travel) -> list[Launch]:
-    return [(kernels.check_travel_of_element(run.span, moving, travel), run.span.n)]
-
-
-def _press(
-    run: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, near: NearPairs, _: Travel
-) -> list[Launch]:
-    return [(kernels.press_pair(run.span, moving, law, pairs, near), len(pairs.first))]
-
-
-def _add(
-    run: Translation, law: ContactConstants, pairs: ContactPairs, near: NearPairs, sums: ContactSums
-) -> list[Launch]:
-    if len(pairs.first) == 0:
-        return []
-    return [(kernels.add_pairs_of_element(law, pairs, earlier_pairs(run, pairs), near, sums), run.span.n)]
-
-
-def _roll(
-    run: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, near: NearPairs, of: RolledPairs
-) -> list[Launch]:
-    return [(kernels.roll_one_pair(run.span, moving, law, pairs, near, of), len(pairs.first))]
-
-
-def _add_rolled(
-    run: Translation, pairs: ContactPairs, _: NearPairs, of: RolledPairs, sums: ContactSums
-) -> list[Launch]:
-    if len(pairs.first) == 0:
-        return []
-    return [(kernels.add_rolling_of_element(pairs, earlier_pairs(run, pairs), of, sums), run.span.n)]
-
-
-def _roll_walls(
-    run: Translation, moving: Moving, law: ContactConstants, contacts: WallContacts, walls: Walls, of: RolledWalls,
-    sums: ContactSums,
-) -> list[Launch]:  # fmt: skip
-    count = run.span.n if len(contacts.wall) else 0
-    return [(kernels.roll_element_at_walls(run.span, moving, law, contacts, walls, of, sums), count)]
-
-
-def _rolling_energies(
-    run: Translation, law: ContactConstants, pairs: ContactPairs, of: RolledPairs, energies: ContactEnergies
-) -> list[Launch]:
-    return [(kernels.sum_portion_of_rolling(run.span, law, pairs, of, energies), len(energies.energy))]
-
-
-def _rolling_energies_at_walls(
-    run: Translation, law: ContactConstants, contacts: WallContacts, of: RolledWalls, energies: ContactEnergies
-) -> list[Launch]:
-    return [(kernels.sum_portion_of_rolling_at_walls(run.span, law, contacts, of, energies), len(energies.energy))]
-
-
-def _adhere(
-    _: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, __: NearPairs, of: AdheringPairs
-) -> list[Launch]:
-    return [(kernels.adhere_one_pair(moving, law, pairs, of), len(pairs.first))]
-
-
-def _add_adhering(
-    run: Translation, pairs: ContactPairs, _: NearPairs, of: AdheringPairs, sums: ContactSums
-) -> list[Launch]:
-    if len(pairs.first) == 0:
-        return []
-    return [(kernels.add_adhesion_of_element(pairs, earlier_pairs(run, pairs), of, sums), run.span.n)]
-
-
-def _press_with_faces(
-    run: Translation,
-    moving: Moving,
-    law: ContactConstants,
-    pairs: ContactPairs,
-    near: NearPairs,
-    _: Travel,
-    faces: FacePairs,
-) -> list[Launch]:
-    return [(kernels.press_pair_or_faces(run.span, moving, law, pairs, near, faces), len(pairs.first))]
-
-
-def _add_by_faces(run: Translation, pairs: ContactPairs, faces: FacePairs, sums: ContactSums) -> list[Launch]:
-    return [(kernels.add_faces_of_element(pairs, faces, sums), run.span.n if len(pairs.first) else 0)]
-
-
-def _begin_by_faces(
-    run: Translation,
-    moving: Moving,
-    pairs: ContactPairs,
-    _: NearPairs,
-    faces: FacePairs,
-    lists: CrackLists,
-    log: EventLog,
-) -> list[Launch]:
-    portions = len(faces.count)
-    begun = run.once(faces, lambda: BegunFaces(np.zeros(portions)))
-    return [
-        (kernels.open_face(pairs, faces, lists), run.span.m),
-        (kernels.begin_faces_of_pair(moving, pairs, faces), len(pairs.first)),
-        (kernels.sum_portion_of_begun(run.span, pairs, faces, begun), portions),
-        (kernels.settle_face(faces), run.span.m),
-        (kernels.settle_faces_of_cell(faces), run.span.n),
-        (kernels.take_over_from_cracks(begun, log), 1),
-    ]
-
-
-def _at_walls(by: KernelOf) -> Counterpart:
-    """Return the launches that add contacts with walls to the sums of the elements, by one pass."""
-
-    def launch(
-        run: Translation, moving: Moving, law: ContactConstants, contacts: WallContacts, walls: Walls,
-        sums: ContactSums,
-    ) -> list[Launch]:  # fmt: skip
-        count = run.span.n if len(contacts.wall) else 0
-        return [(by(run.span, moving, law, contacts, walls, sums), count)]
-
-    return launch
-
-
 def _load(run: Translation, contacts: WallContacts, motions: WallMotions, walls: Walls) -> list[Launch]:
     run.walls = walls.body
     order = run.once(contacts, lambda: new_row_order(contacts.wall, len(walls.body)))
@@ -178,103 +59,63 @@ def _load(run: Translation, contacts: WallContacts, motions: WallMotions, walls:
     ]
 
 
-def _contact_loads(run: Translation, moving: Moving, cut: StepCut, sums: ContactSums) -> list[Launch]:
-    return [(kernels.add_contact_load(run.span, moving, cut, sums), run.span.n)]
-
-
-def _begin(
-    run: Translation,
-    moving: Moving,
-    law: ContactConstants,
-    pairs: ContactPairs,
-    near: NearPairs,
-    log: EventLog,
-    postponed: Postponed,
-) -> list[Launch]:
-    begun = law, pairs, near, log
-    return [
-        (kernels.begin_contact_of_event(moving, *begun), run.span.m),
-        (kernels.add_begun_contacts_of_element(run.bonds, marks_of(run), *begun, postponed), run.span.n),
-        (kernels.take_over_energies(*begun[1:]), 1),
-    ]
-
-
-def _pair_energies(by: KernelOf) -> Counterpart:
-    """Return the launches that add the energy of pairs to each portion, by one pass."""
-
-    def launch(
-        run: Translation, moving: Moving, law: ContactConstants, pairs: ContactPairs, energies: ContactEnergies
-    ) -> list[Launch]:
-        return [(by(run.span, moving, law, pairs, energies), len(energies.energy))]
-
-    return launch
-
-
-def _face_energies(
-    run: Translation,
-    moving: Moving,
-    law: ContactConstants,
-    pairs: ContactPairs,
-    faces: FacePairs,
-    energies: ContactEnergies,
-) -> list[Launch]:
-    return [(kernels.sum_portion_of_faces(run.span, moving, law, pairs, faces, energies), len(energies.energy))]
-
-
-def _wall_energies(by: KernelOf) -> Counterpart:
-    """Return the launches that add the energy of contacts with walls to each portion, by one pass."""
-
-    def launch(
-        run: Translation, moving: Moving, law: ContactConstants, contacts: WallContacts, walls: Walls,
-        energies: ContactEnergies,
-    ) -> list[Launch]:  # fmt: skip
-        return [(by(run.span, moving, law, contacts, walls, energies), len(energies.energy))]
-
-    return launch
-
-
-def _energy(run: Translation, energies: ContactEnergies, history: HistoryRows) -> list[Launch]:
-    return [(kernels.write_energy_of_contacts(run.span, energies, history), 1)]
-
-
-def _walls(run: Translation, walls: Walls, gauges: Gauges, history: HistoryRows) -> list[Launch]:
-    return [
-        (kernels.write_work_of_walls(run.span, walls, history), 1),
-        (kernels.write_gauge_of_wall(run.span, walls, gauges, history), len(gauges.quantity)),
-    ]
-
+EARLIER: Made = {EarlierPairs: lambda run, given: earlier_pairs(run, given[ContactPairs])}
+#: Elements, where there are contacts of pairs or of walls.
+WHERE_PAIRS = elements_where(ContactPairs, lambda pairs: pairs.first)
+WHERE_WALLS = elements_where(WallContacts, lambda contacts: contacts.wall)
+_PAIRS = length_of(ContactPairs, lambda pairs: pairs.first)
+_PORTIONS = length_of(ContactEnergies, lambda energies: energies.energy)
+_BEGUN: Made = {
+    BegunFaces: lambda run, given: run.once(
+        given[FacePairs], lambda: BegunFaces(np.zeros(len(given[FacePairs].count)))
+    )
+}
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "move_walls": _move,
-    "measure_travel": _measure,
-    "check_travel": _check,
-    "press_pairs": _press,
-    "add_pair_loads": _add,
-    "roll_pairs": _roll,
-    "add_rolling_loads": _add_rolled,
-    "roll_at_walls": _roll_walls,
-    "sum_rolling_energies": _rolling_energies,
-    "sum_rolling_at_walls": _rolling_energies_at_walls,
-    "press_pairs_and_faces": _press_with_faces,
-    "add_face_loads": _add_by_faces,
-    "sum_face_energies": _face_energies,
-    "begin_face_contacts": _begin_by_faces,
-    "adhere_pairs": _adhere,
-    "add_adhesion_loads": _add_adhering,
-    "adhere_at_walls": _at_walls(kernels.adhere_element_at_walls),
-    "sum_adhesion_energies": _pair_energies(kernels.sum_portion_of_adhesion),
-    "sum_adhesion_at_walls": _wall_energies(kernels.sum_portion_of_adhesion_at_walls),
-    "press_walls": _at_walls(kernels.press_walls_on_element),
-    "measure_wall_overlaps": lambda *_: [],  # with the overlaps of pairs, at the guard
-    "keep_measures": lambda *_: [],
+    "move_walls": over(kernels.move_all_walls, one_thread),
+    "measure_travel": over(kernels.check_travel_of_element, elements),
+    "check_travel": over(kernels.check_travel_of_wall, length_of(Walls, lambda walls: walls.body)),
+    "press_pairs": over(kernels.press_pair, _PAIRS),
+    "add_pair_loads": over(kernels.add_pairs_of_element, WHERE_PAIRS, EARLIER),
+    "roll_pairs": over(kernels.roll_one_pair, _PAIRS),
+    "add_rolling_loads": over(kernels.add_rolling_of_element, WHERE_PAIRS, EARLIER),
+    "roll_at_walls": over(kernels.roll_element_at_walls, WHERE_WALLS),
+    "sum_rolling_energies": over(kernels.sum_portion_of_rolling, _PORTIONS),
+    "sum_rolling_at_walls": over(kernels.sum_portion_of_rolling_at_walls, _PORTIONS),
+    "press_pairs_and_faces": over(kernels.press_pair_or_faces, _PAIRS),
+    "add_face_loads": over(kernels.add_faces_of_element, WHERE_PAIRS),
+    "sum_face_energies": over(kernels.sum_portion_of_faces, _PORTIONS),
+    "begin_face_contacts": in_order(
+        over(kernels.open_face, bonds),
+        over(kernels.begin_faces_of_pair, _PAIRS),
+        over(kernels.sum_portion_of_begun, length_of(FacePairs, lambda faces: faces.count), _BEGUN),
+        over(kernels.settle_face, bonds),
+        over(kernels.settle_faces_of_cell, elements),
+        over(kernels.take_over_from_cracks, one_thread, _BEGUN),
+    ),
+    "adhere_pairs": over(kernels.adhere_one_pair, _PAIRS),
+    "add_adhesion_loads": over(kernels.add_adhesion_of_element, WHERE_PAIRS, EARLIER),
+    "adhere_at_walls": over(kernels.adhere_element_at_walls, WHERE_WALLS),
+    "sum_adhesion_energies": over(kernels.sum_portion_of_adhesion, _PORTIONS),
+    "sum_adhesion_at_walls": over(kernels.sum_portion_of_adhesion_at_walls, _PORTIONS),
+    "press_walls": over(kernels.press_walls_on_element, WHERE_WALLS),
+    "measure_wall_overlaps": in_order(),  # with the overlaps of pairs, at the guard
+    "keep_measures": in_order(),
     "load_walls": _load,
-    "add_contact_loads": _contact_loads,
-    "begin_contacts": _begin,
-    "sum_pair_energies": _pair_energies(kernels.sum_portion_of_pairs),
-    "sum_wall_energies": _wall_energies(kernels.sum_portion_at_walls),
-    "write_contact_energy": _energy,
-    "write_walls": _walls,
-    "count_wall_work": lambda *_: [],  # the CPU adds it
+    "add_contact_loads": over(kernels.add_contact_load, elements),
+    "begin_contacts": in_order(
+        over(kernels.begin_contact_of_event, bonds),
+        over(kernels.add_begun_contacts_of_element, elements, MARKS),
+        over(kernels.take_over_energies, one_thread),
+    ),
+    "sum_pair_energies": over(kernels.sum_portion_of_pairs, _PORTIONS),
+    "sum_wall_energies": over(kernels.sum_portion_at_walls, _PORTIONS),
+    "write_contact_energy": over(kernels.write_energy_of_contacts, one_thread),
+    "write_walls": in_order(
+        over(kernels.write_work_of_walls, one_thread),
+        over(kernels.write_gauge_of_wall, length_of(Gauges, lambda gauges: gauges.quantity)),
+    ),
+    "count_wall_work": in_order(),  # the CPU adds it
 }
 
 

@@ -1,7 +1,8 @@
 """The counterparts of all passes: for each pass that a step is composed of, the launches that do the same.
 
 The parts of a step (`bondem.dynamics.parts`) compose it once, for the CPU and for devices. Each of its passes has a
-counterpart, so that a device runs whatever the CPU runs.
+counterpart, so that a device runs whatever the CPU runs. Most follow from the tables of the pass: their launches are
+named with the numbers of indices (`translation.over`, `in_order`). Those that also change the run are functions.
 """
 
 from collections.abc import Mapping

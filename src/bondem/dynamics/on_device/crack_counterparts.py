@@ -4,22 +4,18 @@ import numpy as np
 
 from bondem._device import Launch
 from bondem._passes import kernels
-from bondem._tables.cell_tables import CellDilatation, ElasticFacets, FacetForces
+from bondem._tables.cell_tables import ElasticFacets, FacetForces
 from bondem._tables.columns import CRACKS_OF_PORTION, PORTIONS_OF_LOSSES, CrackNumber
-from bondem._tables.contact_tables import ContactPairs, NearPairs
 from bondem._tables.crack_tables import (
-    CellSlack,
     CohesiveCracks,
     CrackLists,
     FacetStrengths,
-    PartedReach,
-    StressesOfCells,
 )
 from bondem._tables.damage_tables import EventLog
 from bondem._tables.device_tables import LossesOfCracks
 from bondem._tables.step_tables import Moving
 from bondem.damage.cohesive_tables import BEGAN
-from bondem.dynamics.on_device.translation import Counterpart, Translation, bonds, elements, over
+from bondem.dynamics.on_device.translation import Counterpart, Made, Translation, bonds, elements, in_order, over
 
 
 def _losses(run: Translation, cracks: CohesiveCracks) -> LossesOfCracks:
@@ -37,9 +33,6 @@ def _losses(run: Translation, cracks: CohesiveCracks) -> LossesOfCracks:
         return made
 
     return run.once(cracks, make)
-
-
-# ---- the beginning of a run
 
 
 def _link(
@@ -69,81 +62,6 @@ def _link(
     ]
 
 
-def _weigh(
-    run: Translation, _: ElasticFacets, cells: CellDilatation, slack: CellSlack, cracks: CohesiveCracks
-) -> list[Launch]:
-    return [(kernels.weigh_cell(cells, slack, cracks), run.span.n)]
-
-
-def _halves(run: Translation, cracks: CohesiveCracks, lists: CrackLists) -> Launch:
-    return kernels.link_halves(cracks, lists, run.bonds), run.span.n
-
-
-def _carry(run: Translation, stresses: StressesOfCells, cracks: CohesiveCracks, lists: CrackLists) -> list[Launch]:
-    return [_halves(run, cracks, lists), (kernels.carry_cell(stresses, cracks, lists), run.span.n)]
-
-
-# ---- steps
-
-
-def _list(run: Translation, _: ElasticFacets, cracks: CohesiveCracks, lists: CrackLists) -> list[Launch]:
-    return [_halves(run, cracks, lists)]
-
-
-def _measure(
-    run: Translation, moving: Moving, facets: ElasticFacets, slack: CellSlack, stresses: StressesOfCells,
-    cracks: CohesiveCracks, lists: CrackLists,
-) -> list[Launch]:  # fmt: skip
-    losses = _losses(run, cracks)
-    return [(kernels.measure_crack(run.span, moving, facets, slack, stresses, cracks, lists, losses), run.span.m)]
-
-
-def _wake(
-    run: Translation, moving: Moving, facets: ElasticFacets, cells: CellDilatation, slack: CellSlack,
-    cracks: CohesiveCracks, lists: CrackLists,
-) -> list[Launch]:  # fmt: skip
-    return [
-        (kernels.wake_crack(moving, facets, cracks, lists), run.span.m),
-        (kernels.take_woken(run.span, moving, facets, cells, slack, cracks, lists), run.span.n),
-    ]
-
-
-def _leave(
-    run: Translation, moving: Moving, facets: ElasticFacets, cells: CellDilatation, slack: CellSlack,
-    cracks: CohesiveCracks, lists: CrackLists,
-) -> list[Launch]:  # fmt: skip
-    return [
-        (kernels.part_crack(moving, facets, slack, cracks, lists, _losses(run, cracks)), run.span.m),
-        (kernels.leave_crack(facets, cracks, lists), run.span.m),
-        (kernels.take_leaving(run.span, moving, facets, cells, slack, cracks, lists), run.span.n),
-    ]
-
-
-def _touch(
-    run: Translation, moving: Moving, pairs: ContactPairs, _: NearPairs, cracks: CohesiveCracks, lists: CrackLists,
-    reach: PartedReach,
-) -> list[Launch]:  # fmt: skip
-    return [(kernels.touch_parted_face(moving, pairs, cracks, lists, reach), run.span.m)]
-
-
-def _load(
-    run: Translation, moving: Moving, facets: ElasticFacets, strengths: FacetStrengths, stresses: StressesOfCells,
-    cracks: CohesiveCracks, lists: CrackLists,
-) -> list[Launch]:  # fmt: skip
-    losses = _losses(run, cracks)
-    return [(kernels.load_crack(run.span, moving, facets, strengths, stresses, cracks, lists, losses), run.span.m)]
-
-
-def _slide(
-    run: Translation, moving: Moving, facets: ElasticFacets, stresses: StressesOfCells, cracks: CohesiveCracks,
-    lists: CrackLists,
-) -> list[Launch]:  # fmt: skip
-    return [
-        (kernels.sum_cracks_of_cell(stresses, cracks, lists), run.span.n),
-        (kernels.slide_crack_of(run.span, moving, facets, cracks, lists), run.span.m),
-    ]
-
-
 def _log(
     run: Translation, moving: Moving, facets: ElasticFacets, cracks: CohesiveCracks, _: CrackLists, log: EventLog
 ) -> list[Launch]:
@@ -156,22 +74,29 @@ def _log(
     ]
 
 
+_LOSSES: Made = {LossesOfCracks: lambda run, given: _losses(run, given[CohesiveCracks])}
+_HALVES = over(kernels.link_halves, elements)
+
 COUNTERPARTS: dict[str, Counterpart] = {
     "link_cracks": _link,
-    "weigh_cracked_cells": _weigh,
-    "carry_cracks": _carry,
-    "list_cracks": _list,
+    "weigh_cracked_cells": over(kernels.weigh_cell, elements),
+    "carry_cracks": in_order(_HALVES, over(kernels.carry_cell, elements)),
+    "list_cracks": _HALVES,
     "begin_bases": over(kernels.begin_base, elements),
-    "measure_cracks": _measure,
-    "relax_cracked_cells": over(kernels.relax_cell, elements, spans=False),
-    "relax_stale_cells": over(kernels.relax_stale_cell, elements, spans=False),
+    "measure_cracks": over(kernels.measure_crack, bonds, _LOSSES),
+    "relax_cracked_cells": over(kernels.relax_cell, elements),
+    "relax_stale_cells": over(kernels.relax_stale_cell, elements),
     "watch_resting_cracks": over(kernels.watch_resting_crack, bonds),
-    "wake_cracks": _wake,
+    "wake_cracks": in_order(over(kernels.wake_crack, bonds), over(kernels.take_woken, elements)),
     "soften_cracks": over(kernels.soften_crack, bonds),
-    "leave_cracks": _leave,
-    "touch_parted_faces": _touch,
-    "load_cracks": _load,
-    "slide_cracks": _slide,
+    "leave_cracks": in_order(
+        over(kernels.part_crack, bonds, _LOSSES),
+        over(kernels.leave_crack, bonds),
+        over(kernels.take_leaving, elements),
+    ),
+    "touch_parted_faces": over(kernels.touch_parted_face, bonds),
+    "load_cracks": over(kernels.load_crack, bonds, _LOSSES),
+    "slide_cracks": in_order(over(kernels.sum_cracks_of_cell, elements), over(kernels.slide_crack_of, bonds)),
     "log_cracks": _log,
     "add_crack_loads": over(kernels.add_crack_load, elements),
 }

@@ -2,34 +2,33 @@
 
 import numpy as np
 
-from bondem._device import Launch
 from bondem._passes import kernels
 from bondem._tables.cell_tables import (
-    CellDilatation,
-    ElasticFacets,
     FacetForces,
-    FacetTractions,
     WallConstraints,
 )
 from bondem._tables.columns import BONDS_OF_PORTION
-from bondem._tables.crack_tables import CohesiveCracks, CrackEnergies, FacetStrengths, StressesOfCells
-from bondem._tables.damage_tables import EventLog
+from bondem._tables.crack_tables import CrackEnergies, FacetStrengths
 from bondem._tables.device_tables import (
     CrackPortions,
     CrushingPortions,
-    DeviceSpan,
     FacetArms,
     RowOrder,
 )
-from bondem._tables.step_tables import HistoryRows, Moving, Portions, StepCut
-from bondem.dynamics.on_device.cell_counterparts import energy_of_walls
+from bondem.dynamics.on_device.cell_counterparts import ENERGY_OF_WALLS, OF_WALLS
 from bondem.dynamics.on_device.device_tables import new_row_order
-from bondem.dynamics.on_device.translation import Counterpart, Translation, bonds, elements, over
-
-_ON_SURFACE = DeviceSpan, Moving, WallConstraints, RowOrder, FacetTractions, StressesOfCells
-
-
-# ---- forces and stresses
+from bondem.dynamics.on_device.translation import (
+    Counterpart,
+    Given,
+    Made,
+    Translation,
+    bonds,
+    elements,
+    in_order,
+    length_of,
+    one_thread,
+    over,
+)
 
 
 def _arms(run: Translation, kept: FacetForces) -> FacetArms:
@@ -41,80 +40,49 @@ def _arms(run: Translation, kept: FacetForces) -> FacetArms:
     return run.once(kept, make)
 
 
-def _load(run: Translation, moving: Moving, facets: ElasticFacets, kept: FacetForces, _: StepCut) -> list[Launch]:
-    return [(kernels.load_kept_facet(moving, facets, kept, run.loads, _arms(run, kept)), run.span.m)]
-
-
-def _moments(run: Translation, kept: FacetForces) -> list[Launch]:
-    return [(kernels.gather_facet_moments(kept, run.bonds, run.loads, _arms(run, kept)), run.span.n)]
-
-
 def on_surface(run: Translation, walls: WallConstraints) -> RowOrder:
     """Return the walls of each cell."""
     return run.once(walls.cell, lambda: new_row_order(walls.cell, run.span.n))
 
 
-def _surface(
-    run: Translation, moving: Moving, walls: WallConstraints, tractions: FacetTractions, stresses: StressesOfCells
-) -> list[Launch]:
-    tables = run.span, moving, walls, on_surface(run, walls), tractions, stresses
-    return [(kernels.add_surface_stress(*tables), run.span.n)]
+_ARMS: Made = {FacetArms: lambda run, given: _arms(run, given[FacetForces])}
+#: The walls of each cell.
+ON_SURFACE: Made = {RowOrder: lambda run, given: on_surface(run, given[WallConstraints])}
 
 
-# ---- records
+def _portions(run: Translation, _: Given) -> int:
+    return -(-run.span.m // BONDS_OF_PORTION)
 
 
-def _energies(
-    run: Translation, moving: Moving, facets: ElasticFacets, cracks: CohesiveCracks, found: CrackEnergies
-) -> list[Launch]:
-    portions = _crack_portions(run, found)
-    return [(kernels.sum_portion_of_cracks(run.span, moving, facets, cracks, portions), len(portions.energy))]
+def _energies(run: Translation, given: Given) -> CrackPortions:
+    return run.once(given[CrackEnergies], lambda: CrackPortions(np.zeros((_portions(run, given), 3))))
 
 
-def _crack_portions(run: Translation, found: CrackEnergies) -> CrackPortions:
-    return run.once(found, lambda: CrackPortions(np.zeros((-(-run.span.m // BONDS_OF_PORTION), 3))))
+def _crushing(run: Translation, given: Given) -> CrushingPortions:
+    return run.once(given[FacetStrengths], lambda: CrushingPortions(np.zeros(_portions(run, given))))
 
 
-def _add_energies_to(
-    run: Translation, moving: Moving, walls: WallConstraints, found: CrackEnergies, portions: Portions
-) -> list[Launch]:
-    held, launches = energy_of_walls(run, moving, walls)
-    return [*launches, (kernels.add_energies_of_cracks(held, found, _crack_portions(run, found), portions), 1)]
-
-
-def _dilatation(
-    run: Translation, moving: Moving, cells: CellDilatation, found: CrackEnergies
-) -> list[Launch]:  # fmt: skip
-    return [(kernels.sum_stressed_portion(run.span, moving, cells, found), len(found.dilatation))]
-
-
-def _write(run: Translation, found: CrackEnergies, history: HistoryRows) -> list[Launch]:
-    return [(kernels.write_energy_of_yielding(run.span, found, history), 1)]
-
-
-def _write_crushing(
-    run: Translation, strengths: FacetStrengths, cracks: CohesiveCracks, log: EventLog, history: HistoryRows
-) -> list[Launch]:
-    portions = run.once(strengths, lambda: CrushingPortions(np.zeros(-(-run.span.m // BONDS_OF_PORTION))))
-    return [
-        (kernels.sum_portion_of_crushing(run.span, strengths, cracks, portions), len(portions.energy)),
-        (kernels.write_all_crushing_of_facets(run.span, portions, log, history), 1),
-    ]
-
+_ENERGIES: Made = {CrackPortions: _energies}
+_CRUSHING: Made = {CrushingPortions: _crushing}
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "add_and_keep_facet_loads": _load,
-    "collect_facet_moments": lambda *_: [],  # a step on a device is one block
-    "take_moments": _moments,
+    "add_and_keep_facet_loads": over(kernels.load_kept_facet, bonds, _ARMS),
+    "collect_facet_moments": in_order(),  # a step on a device is one block
+    "take_moments": over(kernels.gather_facet_moments, elements, _ARMS),
     "sum_moments": over(kernels.sum_moments_of_cell, elements),
     "find_cell_stresses": over(kernels.find_cell_stress, elements),
-    "add_surface_stresses": _surface,
+    "add_surface_stresses": over(kernels.add_surface_stress, elements, ON_SURFACE),
     "judge_cells": over(kernels.judge_cell, elements),
     "mark_cracking_facets": over(kernels.mark_facet, bonds),
     "begin_cracks": over(kernels.begin_marked_crack, bonds),
-    "sum_stressed_dilatation": _dilatation,
-    "sum_crack_energies": _energies,
-    "add_crack_energies": _add_energies_to,
-    "write_heat": _write,
-    "write_crushing_of_facets": _write_crushing,
+    "sum_stressed_dilatation": over(kernels.sum_stressed_portion, length_of(CrackEnergies, lambda of: of.dilatation)),
+    "sum_crack_energies": over(kernels.sum_portion_of_cracks, _portions, _ENERGIES),
+    "add_crack_energies": in_order(
+        ENERGY_OF_WALLS, over(kernels.add_energies_of_cracks, one_thread, {**OF_WALLS, **_ENERGIES})
+    ),
+    "write_heat": over(kernels.write_energy_of_yielding, one_thread),
+    "write_crushing_of_facets": in_order(
+        over(kernels.sum_portion_of_crushing, _portions, _CRUSHING),
+        over(kernels.write_all_crushing_of_facets, one_thread, _CRUSHING),
+    ),
 }

@@ -7,24 +7,22 @@ from bondem._passes import kernels
 from bondem._tables.columns import DEVICE_SUMS
 from bondem._tables.device_tables import GaugeParts
 from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, Rows
-from bondem.dynamics.on_device.translation import Counterpart, Translation
+from bondem.dynamics.on_device.translation import Counterpart, Given, Translation, in_order, length_of, over
 
 # Elements of a part of a gauge, about, and parts of a gauge at most.
 _GAUGED, _PARTS = 256, 1024
 
 
-
-def _sum(run: Translation, moving: Moving, portions: Portions) -> list[Launch]:
-    return [(kernels.sum_portion_of_elements(run.span, moving, portions), len(portions.elements))]
-
-
-def _judge(run: Translation, rows: Rows, portions: Portions) -> list[Launch]:
-    """Return the launches of the sums that the CPU evaluates."""
-    return run.fold(rows, portions)
+def _portions_of_works(run: Translation, _: Given) -> int:
+    return len(run.works.works)
 
 
-def _write(run: Translation, rows: Rows, portions: Portions, history: HistoryRows) -> list[Launch]:
-    return [*run.fold(rows, portions), (kernels.write_sum(run.span, run.folded, history), DEVICE_SUMS)]
+def _folded(run: Translation, _: Given) -> int:
+    return run.folded.sums.size
+
+
+# Sums of works, and all sums over portions.
+_FOLD = in_order(over(kernels.sum_portion_of_works, _portions_of_works), over(kernels.fold_portions, _folded))
 
 
 def _read(run: Translation, moving: Moving, rows: Rows, gauges: Gauges, history: HistoryRows) -> list[Launch]:
@@ -38,8 +36,8 @@ def _read(run: Translation, moving: Moving, rows: Rows, gauges: Gauges, history:
 
 
 COUNTERPARTS: dict[str, Counterpart] = {
-    "sum_element_energies": _sum,
-    "judge_energy": _judge,
-    "write_ledger": _write,
+    "sum_element_energies": over(kernels.sum_portion_of_elements, length_of(Portions, lambda of: of.elements)),
+    "judge_energy": _FOLD,  # the CPU evaluates the sums
+    "write_ledger": in_order(_FOLD, over(kernels.write_sum, lambda *_: DEVICE_SUMS)),
     "read_gauges": _read,
 }

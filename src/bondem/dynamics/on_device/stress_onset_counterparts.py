@@ -10,12 +10,14 @@ from bondem._tables.damage_tables import StressCandidates, StressFunction
 from bondem._tables.step_tables import Moving
 from bondem._tables.stress_onset_tables import CandidateFacets
 from bondem.damage.stress_passes import stress_indices
-from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, over
+from bondem.dynamics.on_device.translation import Counterpart, Translation, elements, length_of, over
 
 _OF_CORE = {
     "mean_stress": (kernels.judge_cell_by_mean_stress, kernels.index_candidate_by_mean_stress),
     "cone": (kernels.judge_cell_by_cone, kernels.index_candidate_by_cone),
 }
+_LISTED = length_of(StressCandidates, lambda candidates: candidates.bond)
+_MARKED = length_of(CandidateFacets, lambda onset: onset.bond)
 
 
 def _find_candidates(
@@ -30,13 +32,6 @@ def _find_candidates(
     run.scratch += [onset.bond, onset.stress, onset.found]
     tables = run.span, moving, facets, kept, stresses, cracks, onset
     return [(kernels.clear_candidates(onset), 1), (kernels.find_stress_candidate(*tables), run.span.m)]
-
-
-def _index(name: str) -> Counterpart:
-    def counterpart(_: Translation, candidates: StressCandidates, function: StressFunction) -> list[Launch]:
-        return [(_OF_CORE[name][1](candidates, function), len(candidates.bond))]
-
-    return counterpart
 
 
 def _call(_: Translation, candidates: StressCandidates, function: StressFunction) -> list[Launch]:
@@ -61,8 +56,8 @@ COUNTERPARTS: dict[str, Counterpart] = {
     **{f"judge_cells_by_{name}": over(judge, elements) for name, (judge, _) in _OF_CORE.items()},
     "judge_cells_by_size": over(kernels.judge_cell_by_size, elements),
     "find_stress_candidates": _find_candidates,
-    **{f"index_candidates_by_{name}": _index(name) for name in _OF_CORE},
+    **{f"index_candidates_by_{name}": over(index, _LISTED) for name, (_, index) in _OF_CORE.items()},
     "index_candidates_by_function": _call,
-    "mark_failing_facets": lambda _, *tables: [(kernels.mark_failing_facet(*tables), len(tables[-1].bond))],
-    "find_strengths_along": lambda _, onset: [(kernels.find_strength_along(onset), len(onset.bond))],
+    "mark_failing_facets": over(kernels.mark_failing_facet, _MARKED),
+    "find_strengths_along": over(kernels.find_strength_along, _MARKED),
 }

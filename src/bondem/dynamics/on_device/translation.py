@@ -1,12 +1,14 @@
 """Translation of the passes of a step into launches: the common part of all counterparts."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from inspect import get_annotations
 from typing import Any, TypeVar
 
 import numpy as np
 
 from bondem._device import Launch
-from bondem._passes import Kernel, StepEntry, kernels
+from bondem._passes import Kernel, StepEntry
 from bondem._tables.columns import (
     BONDS_OF_PORTION,
     DEVICE_SUMS,
@@ -23,12 +25,11 @@ from bondem._tables.device_tables import (
     RowOrder,
     WorkPortions,
 )
-from bondem._tables.step_tables import Portions, Rows, StepCut
+from bondem._tables.step_tables import StepCut
 from bondem.dynamics.on_device.device_tables import new_row_order
 from bondem.specimen.ordering import Layout
 
 _T = TypeVar("_T")
-
 
 
 class Translation:
@@ -50,6 +51,8 @@ class Translation:
         dashed: loads of the dashpots of each bond.
         further: whether loads act beside those of bonds.
         held: number of elements that own rows.
+        works: works of each portion.
+        folded: sums over groups of portions.
         walls: motion, forces and work of walls, (w, 27), or None.
         logs: events of the run, whose rows are copied as far as they are filled.
         scratch: arrays of zeros of counterparts that only the device reads.
@@ -67,8 +70,8 @@ class Translation:
             layout.in_start.astype(np.int32), layout.out_start.astype(np.int32), np.ascontiguousarray(layout.out_bond)
         )
         self.loads, self.dashed = LoadsOfBonds(np.zeros((9, m))), LoadsOfBonds(np.zeros((9, m)))
-        self._works = WorkPortions(np.zeros((-(-works // WORKS_OF_PORTION), 2)))
-        most = max(-(-n // ELEMENTS_OF_PORTION), -(-m // BONDS_OF_PORTION), len(self._works.works), 1)
+        self.works = WorkPortions(np.zeros((-(-works // WORKS_OF_PORTION), 2)))
+        most = max(-(-n // ELEMENTS_OF_PORTION), -(-m // BONDS_OF_PORTION), len(self.works.works), 1)
         self.folded = FoldedPortions(np.zeros((-(-most // PORTIONS_OF_GROUP), DEVICE_SUMS)))
         self.logs: list[EventLog] = []
         self.scratch: list[np.ndarray] = []
@@ -101,43 +104,125 @@ class Translation:
         """Return the order of loads and walls that act on rows of the boundary."""
         return self.once(row, lambda: new_row_order(row, self._rows))
 
-    def fold(self, rows: Rows, portions: Portions) -> list[Launch]:
-        """Return the launches that sum works, and all sums over portions."""
-        return [
-            (kernels.sum_portion_of_works(rows, self._works), len(self._works.works)),
-            (kernels.fold_portions(portions, self._works, self.folded), self.folded.sums.size),
-        ]
-
 
 #: Passes over an index, of their tables (`bondem._passes.kernels`).
 KernelOf = Callable[..., Kernel]
 #: Launches that do what a pass does, of the tables of the pass.
 Counterpart = Callable[..., list[Launch]]
+#: Tables of a pass by their classes.
+Given = Mapping[type, Any]
+#: Number of indices of a launch.
+Count = Callable[[Translation, Given], int]
+#: Tables that only a device has, by their classes, each found or made of a run and the tables of a pass.
+Made = Mapping[type, Callable[[Translation, Given], Any]]
+
+_OF_RUN: Made = {
+    DeviceSpan: lambda run, _: run.span,
+    StepCut: lambda run, _: run.cut,
+    BondsOfElements: lambda run, _: run.bonds,
+    LoadsOfBonds: lambda run, _: run.loads,
+    WorkPortions: lambda run, _: run.works,
+    FoldedPortions: lambda run, _: run.folded,
+}
 
 
-def over(one: KernelOf, count: Callable[[Translation], int], *, spans: bool = True) -> Counterpart:
-    """Return the counterpart of a pass that is one launch with the tables of the pass.
+@dataclass(frozen=True)
+class Launches:
+    """Counterpart that follows from the tables of the pass.
+
+    A table of a launch is found by its class: it is that of the pass, or else one that only the device has. No pass
+    has two tables of one class.
+
+    Attributes:
+        parts: passes over an index in their order, with the number of indices and the tables that are made for it.
+    """
+
+    parts: tuple[tuple[KernelOf, Count, Made], ...] = ()
+
+    def __call__(self, run: Translation, *tables: Any) -> list[Launch]:
+        """Return the launches of a pass with these tables."""
+        given = {type(table): table for table in tables}
+        launches: list[Launch] = []
+        for one, count, made in self.parts:
+            ways = {**_OF_RUN, **made}
+            found = [given[kind] if kind in given else ways[kind](run, given) for kind in tables_of(one)]
+            launches.append((one(*found), count(run, given)))
+        return launches
+
+
+def tables_of(one: KernelOf) -> list[type]:
+    """Return the classes of the tables of a pass over an index."""
+    return [kind for name, kind in get_annotations(one).items() if name != "return"]
+
+
+def over(one: KernelOf, count: Count, made: Made | None = None) -> Launches:
+    """Return the counterpart of a pass that is one launch.
 
     Args:
         one: pass over an index.
         count: number of indices.
-        spans: whether its first table is that of the clock.
+        made: tables that only a device has, beside those of every run.
     """
-
-    def counterpart(run: Translation, *tables: Any) -> list[Launch]:
-        return [(one(run.span, *tables) if spans else one(*tables), count(run))]
-
-    return counterpart
+    return Launches(((one, count, {} if made is None else made),))
 
 
-def elements(run: Translation) -> int:
+def in_order(*launches: Launches) -> Launches:
+    """Return the counterpart of a pass that is several launches, or none."""
+    return Launches(tuple(part for one in launches for part in one.parts))
+
+
+def gathered_or_summed(gathered: KernelOf, summed: KernelOf, count: Count) -> Launches:
+    """Return the counterpart of a pass that reads sums of loads.
+
+    Args:
+        gathered: pass over an index that adds up the loads of the bonds of its element.
+        summed: pass over an index for runs with loads beside those of bonds, whose sums are in memory.
+        count: number of indices.
+    """
+    return in_order(
+        over(gathered, lambda run, given: 0 if run.further else count(run, given)),
+        over(summed, lambda run, given: count(run, given) if run.further else 0),
+    )
+
+
+def elements(run: Translation, _: Given) -> int:
     """Return the number of elements."""
     return run.span.n
 
 
-def bonds(run: Translation) -> int:
+def bonds(run: Translation, _: Given) -> int:
     """Return the number of bonds or facets."""
     return run.span.m
+
+
+def free(run: Translation, _: Given) -> int:
+    """Return the number of elements that own no rows of the boundary."""
+    return run.span.n - run.held
+
+
+def held(run: Translation, _: Given) -> int:
+    """Return the number of elements that own rows of the boundary."""
+    return run.held
+
+
+def one_thread(_: Translation, __: Given) -> int:
+    """Return 1."""
+    return 1
+
+
+def length_of(kind: type[_T], column: Callable[[_T], np.ndarray]) -> Count:
+    """Return the function that counts the rows of a column of a table of the pass."""
+    return lambda _, given: len(column(given[kind]))
+
+
+def elements_where(kind: type[_T], column: Callable[[_T], np.ndarray]) -> Count:
+    """Return the function that counts the elements, or none where a column of a table of the pass is empty."""
+    return lambda run, given: run.span.n if len(column(given[kind])) else 0
+
+
+def ordered(kind: type[_T], row: Callable[[_T], np.ndarray]) -> Made:
+    """Return the order of what acts on rows of the boundary."""
+    return {RowOrder: lambda run, given: run.order_of(row(given[kind]))}
 
 
 def names_of(passes: Iterable[StepEntry]) -> set[str]:
