@@ -3,7 +3,8 @@
 `python -m tests.core.passes` compiles the core, reads names and tables of its passes from the library, and writes
 `bondem/_passes/*.py`; a test compares them. A pass is registered behind its definition (`core/registered.hpp`), and
 the first sentence of the comment above it says what it is for: the one of its header where a header declares it for
-other sources. A pass without a sentence of its own is refused.
+other sources. A pass without a sentence of its own is refused. A pass over an index without one takes that of the
+pass of a step whose counterpart launches it, if there is one such pass.
 """
 
 import re
@@ -13,6 +14,7 @@ from textwrap import wrap
 
 from bondem import _core
 from bondem._core import pass_tables
+from tests.core.launched_passes import launched
 from tests.core.tables import SOURCE
 
 FOLDER = SOURCE / "_passes"
@@ -141,13 +143,28 @@ def _module(module: str, tables: dict[str, tuple[str, ...]], over: dict[str, str
     for name in sorted(tables):
         of = next((of for of in families if name.startswith(of)), name)
         found = words.get(name) or words.get(of) or ("", [])
+        more = over.get(name, "")
         if module == "kernels" and not found[0]:
-            found = f"Pass of one index, defined in `core/gpu/{_header(of)}`.", []
-        lines += _function(KINDS[module], name, tables[name], *found, over.get(name, ""))
+            found, more = (_words_of_pass(of, words), []), f"one index, in `core/gpu/{_header(of)}`"
+            if not found[0]:
+                found, more = (f"Pass of one index, defined in `core/gpu/{_header(of)}`.", []), ""
+        lines += _function(KINDS[module], name, tables[name], *found, more)
     for of in families:
         lines += [f"#: Passes `{of}…` by the name of their criterion.", f"{of[:-1].upper()} = {{"]
         lines += [*(f'    "{name.removeprefix(of)}": {name},' for name in sorted(tables) if name.startswith(of)), "}"]
     return "\n".join(lines).rstrip() + "\n"
+
+
+def _words_of_pass(kernel: str, words: dict[str, tuple[str, list[str]]]) -> str:
+    """Return the sentence of the one pass whose counterpart launches a pass over an index; empty if there is none."""
+    by_pass = launched()
+    passes = [name for name, kernels in by_pass.items() if kernel in kernels]
+    if len(passes) != 1 or passes[0] not in words:
+        return ""
+    said = sentence(passes[0], words[passes[0]][0])
+    if len(by_pass[passes[0]]) == 1:
+        return said
+    return f"Launched for `{passes[0].removesuffix('_by_')}`: {said[0].lower()}{said[1:]}"
 
 
 @cache

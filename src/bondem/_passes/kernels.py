@@ -100,7 +100,10 @@ def add_adhesion_of_element(
     contact_pairs: ContactPairs, earlier_pairs: EarlierPairs, adhering_pairs: AdheringPairs, contact_sums:
     ContactSums
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/adhesion.hpp`."""
+    """Adds adhesion to the elements of a range.
+
+    Over one index, in `core/gpu/adhesion.hpp`.
+    """
     return Kernel("add_adhesion_of_element", (contact_pairs, earlier_pairs, adhering_pairs, contact_sums))
 
 
@@ -108,7 +111,11 @@ def add_all_begun_contacts(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
     lagged_stresses: LaggedStresses, event_log: EventLog
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/non_local_pairs.hpp`."""
+    """Adds new contacts to the stresses of the ends of bonds that have failed in this step, after these contacts
+    have begun.
+
+    Over one index, in `core/gpu/non_local_pairs.hpp`.
+    """
     return Kernel("add_all_begun_contacts", (
         device_span, moving, contact_constants, contact_pairs, lagged_stresses, event_log
     ))
@@ -118,24 +125,37 @@ def add_begun_contacts_of_element(
     bonds_of_elements: BondsOfElements, bond_marks: BondMarks, contact_constants: ContactConstants, contact_pairs:
     ContactPairs, near_pairs: NearPairs, event_log: EventLog, postponed: Postponed
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/begun_contacts.hpp`."""
+    """Launched for `begin_contacts`: begins contact where beams have broken in this step, on the sums that are
+    kept for their ends.
+
+    Over one index, in `core/gpu/begun_contacts.hpp`.
+    """
     return Kernel("add_begun_contacts_of_element", (
         bonds_of_elements, bond_marks, contact_constants, contact_pairs, near_pairs, event_log, postponed
     ))
 
 
 def add_body_force(device_span: DeviceSpan, moving: Moving, step_cut: StepCut, body_forces: BodyForces) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Adds body forces to the sums, and their work over the half of the step that ends.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("add_body_force", (device_span, moving, step_cut, body_forces))
 
 
 def add_contact_load(device_span: DeviceSpan, moving: Moving, step_cut: StepCut, contact_sums: ContactSums) -> Kernel:
-    """Pass of one index, defined in `core/gpu/contacts.hpp`."""
+    """Adds forces and losses of contacts to those of the elements, and sets the former to zero.
+
+    Over one index, in `core/gpu/contacts.hpp`.
+    """
     return Kernel("add_contact_load", (device_span, moving, step_cut, contact_sums))
 
 
 def add_crack_load(device_span: DeviceSpan, moving: Moving, crack_lists: CrackLists, step_cut: StepCut) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Adds the forces of cracks that are treated one by one to the sums of their cells.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("add_crack_load", (device_span, moving, crack_lists, step_cut))
 
 
@@ -145,14 +165,22 @@ def add_crack_powers(cell_strains: CellStrains, strain_portions: StrainPortions)
 
 
 def add_energies(dilatation_energy: DilatationEnergy, wall_energy: WallEnergy, portions: Portions) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Launched for `add_cell_energies`: adds the energy of dilatation, and that of half facets at walls, to the
+    normal energy of the first portion of facets.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("add_energies", (dilatation_energy, wall_energy, portions))
 
 
 def add_energies_of_cracks(
     wall_energy: WallEnergy, crack_energies: CrackEnergies, crack_portions: CrackPortions, portions: Portions
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_report.hpp`."""
+    """Launched for `add_crack_energies`: adds the energies of cracks and walls to those of the first portion of
+    facets.
+
+    Over one index, in `core/gpu/crack_report.hpp`.
+    """
     return Kernel("add_energies_of_cracks", (wall_energy, crack_energies, crack_portions, portions))
 
 
@@ -164,17 +192,26 @@ def add_faces_of_element(contact_pairs: ContactPairs, face_pairs: FacePairs, con
 
 
 def add_gradient_energy(dilatation_gradients: DilatationGradients, portions: Portions) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Adds the energies of gradients to those of the facets.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("add_gradient_energy", (dilatation_gradients, portions))
 
 
 def add_inertia_force_of(corrected_mass: CorrectedMass, step_cut: StepCut) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Adds the forces of the correction to the sums of the elements.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("add_inertia_force_of", (corrected_mass, step_cut))
 
 
 def add_layer_torque(dilatation_gradients: DilatationGradients, step_cut: StepCut) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Adds the torques of bent layers to the sums of the cells.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("add_layer_torque", (dilatation_gradients, step_cut))
 
 
@@ -201,7 +238,10 @@ def add_pairs_of_element(
 def add_rolling_of_element(
     contact_pairs: ContactPairs, earlier_pairs: EarlierPairs, rolled_pairs: RolledPairs, contact_sums: ContactSums
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/rolling.hpp`."""
+    """Adds moments of resistance to rolling to the elements of a range.
+
+    Over one index, in `core/gpu/rolling.hpp`.
+    """
     return Kernel("add_rolling_of_element", (contact_pairs, earlier_pairs, rolled_pairs, contact_sums))
 
 
@@ -209,7 +249,11 @@ def add_still_surface_stress(
     device_span: DeviceSpan, moving: Moving, wall_constraints: WallConstraints, row_order: RowOrder,
     facet_tractions: FacetTractions, stresses_of_cells: StressesOfCells
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_onset.hpp`."""
+    """Adds forces of walls and of loads on free facets to stresses of surface cells that were found without a
+    step.
+
+    Over one index, in `core/gpu/crack_onset.hpp`.
+    """
     return Kernel("add_still_surface_stress", (
         device_span, moving, wall_constraints, row_order, facet_tractions, stresses_of_cells
     ))
@@ -218,7 +262,10 @@ def add_still_surface_stress(
 def add_stress_difference(
     moving: Moving, cell_dilatation: CellDilatation, dilatation_gradients: DilatationGradients
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Adds the forces of the springs between cells to their stresses.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("add_stress_difference", (moving, cell_dilatation, dilatation_gradients))
 
 
@@ -226,7 +273,10 @@ def add_surface_stress(
     device_span: DeviceSpan, moving: Moving, wall_constraints: WallConstraints, row_order: RowOrder,
     facet_tractions: FacetTractions, stresses_of_cells: StressesOfCells
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_onset.hpp`."""
+    """Adds forces of walls and of loads on free facets to the stresses of surface cells.
+
+    Over one index, in `core/gpu/crack_onset.hpp`.
+    """
     return Kernel("add_surface_stress", (
         device_span, moving, wall_constraints, row_order, facet_tractions, stresses_of_cells
     ))
@@ -248,14 +298,21 @@ def add_wall_moments_of_element(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts,
     walls: Walls, lagged_stresses: LaggedStresses
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/non_local_pairs.hpp`."""
+    """Adds contacts with walls to the stresses of the elements of a portion.
+
+    Over one index, in `core/gpu/non_local_pairs.hpp`.
+    """
     return Kernel("add_wall_moments_of_element", (
         device_span, moving, contact_constants, wall_contacts, walls, lagged_stresses
     ))
 
 
 def add_work_of_body(device_span: DeviceSpan, moving: Moving, step_cut: StepCut, body_forces: BodyForces) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Adds the work of body forces over the half of the step that begins, after the pass in which elements move or
+    open a step.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("add_work_of_body", (device_span, moving, step_cut, body_forces))
 
 
@@ -263,14 +320,20 @@ def add_work_of_cell_strains(
     device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, wall_constraints: WallConstraints, rows:
     Rows
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/strains.hpp`."""
+    """Adds the work of strains that have changed, when the forces after that are known.
+
+    Over one index, in `core/gpu/strains.hpp`.
+    """
     return Kernel("add_work_of_cell_strains", (device_span, moving, cell_strains, wall_constraints, rows))
 
 
 def add_work_of_strains(
     device_span: DeviceSpan, strain: Strain, strain_portions: StrainPortions, rows: Rows
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/strains.hpp`."""
+    """Launched for `follow_strains`: sets rest lengths L (1 + ε*), and adds the work of the strains.
+
+    Over one index, in `core/gpu/strains.hpp`.
+    """
     return Kernel("add_work_of_strains", (device_span, strain, strain_portions, rows))
 
 
@@ -288,7 +351,10 @@ def adhere_element_at_walls(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts,
     walls: Walls, contact_sums: ContactSums
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/adhesion.hpp`."""
+    """Finds the adhesion of a portion of elements at walls.
+
+    Over one index, in `core/gpu/adhesion.hpp`.
+    """
     return Kernel("adhere_element_at_walls", (
         device_span, moving, contact_constants, wall_contacts, walls, contact_sums
     ))
@@ -298,17 +364,28 @@ def adhere_one_pair(
     moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs, adhering_pairs:
     AdheringPairs
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/adhesion.hpp`."""
+    """Finds the adhesion of the near pairs of a portion of elements.
+
+    Over one index, in `core/gpu/adhesion.hpp`.
+    """
     return Kernel("adhere_one_pair", (moving, contact_constants, contact_pairs, adhering_pairs))
 
 
 def apply_walls_of_row(moving: Moving, wall_constraints: WallConstraints, row_order: RowOrder, rows: Rows) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Sets the forces of walls on the rows of their cells, whose stresses are known, and adds the work of walls
+    that move: the trapezoid of the force over the displacement.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("apply_walls_of_row", (moving, wall_constraints, row_order, rows))
 
 
 def begin_all_levers(elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Launched for `link_cracks`: prepares the cracks of a state at the start of a run: constants, weights of
+    cells, lists, and forces of cracks.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("begin_all_levers", (elastic_facets, cohesive_cracks))
 
 
@@ -316,7 +393,10 @@ def begin_all_softened_contacts(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
     near_pairs: NearPairs, event_log: EventLog, contact_sums: ContactSums
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/softening_beams.hpp`."""
+    """Begins contact where softening beams have broken at the beginning of this step.
+
+    Over one index, in `core/gpu/softening_beams.hpp`.
+    """
     return Kernel("begin_all_softened_contacts", (
         device_span, moving, contact_constants, contact_pairs, near_pairs, event_log, contact_sums
     ))
@@ -326,14 +406,20 @@ def begin_all_softening(
     device_span: DeviceSpan, candidates: Candidates, softening_bounds: SofteningBounds, softening_beams:
     SofteningBeams, event_log: EventLog
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/softening_beams.hpp`."""
+    """Writes the rows of beams that have begun to soften in this step, and adds up their dissipation.
+
+    Over one index, in `core/gpu/softening_beams.hpp`.
+    """
     return Kernel("begin_all_softening", (device_span, candidates, softening_bounds, softening_beams, event_log))
 
 
 def begin_base(
     device_span: DeviceSpan, moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Stores V θ of cells without their cracks.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("begin_base", (device_span, moving, cell_dilatation, crack_lists))
 
 
@@ -360,7 +446,11 @@ def begin_beam_by_peripheral_stress(
 def begin_cell_strains(
     device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, wall_constraints: WallConstraints
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/strains.hpp`."""
+    """Launched for `begin_strain_work`: finds ∂U/∂factor by the stresses in the poses, where the time of the clock
+    was not reached by a step.
+
+    Over one index, in `core/gpu/strains.hpp`.
+    """
     return Kernel("begin_cell_strains", (device_span, moving, cell_strains, wall_constraints))
 
 
@@ -381,7 +471,10 @@ def begin_marked_crack(
     device_span: DeviceSpan, elastic_facets: ElasticFacets, facet_forces: FacetForces, facet_strengths:
     FacetStrengths, crack_onset: CrackOnset, cohesive_cracks: CohesiveCracks
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_onset.hpp`."""
+    """Begins the cracks of facets that are marked.
+
+    Over one index, in `core/gpu/crack_onset.hpp`.
+    """
     return Kernel("begin_marked_crack", (
         device_span, elastic_facets, facet_forces, facet_strengths, crack_onset, cohesive_cracks
     ))
@@ -391,7 +484,11 @@ def begin_portion_of_crack_powers(
     device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets,
     cohesive_cracks: CohesiveCracks, strain_portions: StrainPortions
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/yielding.hpp`."""
+    """Launched for `begin_crack_powers`: sets ∂U/∂factor of the stress-free strains by the forces that cracks
+    have, where the time of the clock was not reached by a step.
+
+    Over one index, in `core/gpu/yielding.hpp`.
+    """
     return Kernel("begin_portion_of_crack_powers", (
         device_span, moving, cell_strains, elastic_facets, cohesive_cracks, strain_portions
     ))
@@ -407,46 +504,71 @@ def begin_walls_of_row(
 def bend_layer(
     moving: Moving, wall_constraints: WallConstraints, dilatation_gradients: DilatationGradients
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Computes how layers one cell thick are bent at each cell.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("bend_layer", (moving, wall_constraints, dilatation_gradients))
 
 
 def carry_cell(
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Launched for `carry_cracks`: sums b⊗f of the cracks of each cell from their forces of the last step.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("carry_cell", (stresses_of_cells, cohesive_cracks, crack_lists))
 
 
 def check_portion(device_span: DeviceSpan, moving: Moving, beams: Beams, portions: Portions) -> Kernel:
-    """Pass of one index, defined in `core/gpu/beams.hpp`."""
+    """Counts unbroken beams of a portion that are turned beyond the range of their energy, and beyond its end.
+
+    Over one index, in `core/gpu/beams.hpp`.
+    """
     return Kernel("check_portion", (device_span, moving, beams, portions))
 
 
 def check_portion_of_facets(
     device_span: DeviceSpan, moving: Moving, beams: Beams, elastic_facets: ElasticFacets, portions: Portions
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Counts unbroken facets of a portion that are turned beyond the range of their energy, and beyond its end.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("check_portion_of_facets", (device_span, moving, beams, elastic_facets, portions))
 
 
 def check_travel_of_element(device_span: DeviceSpan, moving: Moving, travel: Travel) -> Kernel:
-    """Pass of one index, defined in `core/gpu/contacts.hpp`."""
+    """Finds the distances of the elements of a portion from their places at the last measurement.
+
+    Over one index, in `core/gpu/contacts.hpp`.
+    """
     return Kernel("check_travel_of_element", (device_span, moving, travel))
 
 
 def check_travel_of_wall(device_span: DeviceSpan, travel: Travel, walls: Walls) -> Kernel:
-    """Pass of one index, defined in `core/gpu/contacts.hpp`."""
+    """Finds whether the list may miss a contact by now, also where a centre is not a number.
+
+    Over one index, in `core/gpu/contacts.hpp`.
+    """
     return Kernel("check_travel_of_wall", (device_span, travel, walls))
 
 
 def clear_candidates(candidate_facets: CandidateFacets) -> Kernel:
-    """Pass of one index, defined in `core/gpu/stress_onset.hpp`."""
+    """Launched for `find_stress_candidates`: writes the stresses of facets in tension, as candidates of a portion;
+    marks facets of cells without cohesion.
+
+    Over one index, in `core/gpu/stress_onset.hpp`.
+    """
     return Kernel("clear_candidates", (candidate_facets,))
 
 
 def clear_row(rows: Rows) -> Kernel:
-    """Pass of one index, defined in `core/gpu/boundary.hpp`."""
+    """Sets the forces of all rows to zero, before loads are added.
+
+    Over one index, in `core/gpu/boundary.hpp`.
+    """
     return Kernel("clear_row", (rows,))
 
 
@@ -476,7 +598,10 @@ def dilate_marked_facet(
 def dilate_walls_of_row(
     moving: Moving, wall_constraints: WallConstraints, row_order: RowOrder, cell_dilatation: CellDilatation
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Adds contributions of walls to V θ of their cells.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("dilate_walls_of_row", (moving, wall_constraints, row_order, cell_dilatation))
 
 
@@ -496,26 +621,39 @@ def end_facets_of_cell(
 
 
 def end_failing_pair(non_local_bonds: NonLocalBonds, beam_integrity: BeamIntegrity, candidates: Candidates) -> Kernel:
-    """Pass of one index, defined in `core/gpu/non_local_pairs.hpp`."""
+    """Launched for `relieve_pairs`: subtracts the force of failed bonds from the stresses of their elements, and
+    sets their integrity to 0; after `break_pairs`.
+
+    Over one index, in `core/gpu/non_local_pairs.hpp`.
+    """
     return Kernel("end_failing_pair", (non_local_bonds, beam_integrity, candidates))
 
 
 def end_portion_of_softening(
     softening_bounds: SofteningBounds, softening_beams: SofteningBeams, softening_losses: SofteningLosses
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/softening_beams.hpp`."""
+    """Launched for `soften_beams`: lowers the integrity of beams of a portion that soften, before the forces.
+
+    Over one index, in `core/gpu/softening_beams.hpp`.
+    """
     return Kernel("end_portion_of_softening", (softening_bounds, softening_beams, softening_losses))
 
 
 def find_acceleration_of(moving: Moving, rows: Rows, step_cut: StepCut, corrected_mass: CorrectedMass) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Computes the accelerations of the elements by their loads alone.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("find_acceleration_of", (moving, rows, step_cut, corrected_mass))
 
 
 def find_cell_stress(
     device_span: DeviceSpan, moving: Moving, facet_forces: FacetForces, stresses_of_cells: StressesOfCells
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_onset.hpp`."""
+    """Finds the mean stresses of cells from the forces of the last step on their facets and cracks.
+
+    Over one index, in `core/gpu/crack_onset.hpp`.
+    """
     return Kernel("find_cell_stress", (device_span, moving, facet_forces, stresses_of_cells))
 
 
@@ -523,7 +661,10 @@ def find_dilatation_inertia_of(
     moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints, corrected_mass:
     CorrectedMass
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Computes ρ β θ̈ of the cells by the accelerations of the elements.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("find_dilatation_inertia_of", (moving, elastic_facets, wall_constraints, corrected_mass))
 
 
@@ -541,19 +682,28 @@ def find_inertia_force_of(
     moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints, corrected_mass:
     CorrectedMass
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Computes the forces of the correction on the elements.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("find_inertia_force_of", (moving, elastic_facets, wall_constraints, corrected_mass))
 
 
 def find_still_stress(
     device_span: DeviceSpan, moving: Moving, facet_forces: FacetForces, stresses_of_cells: StressesOfCells
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_onset.hpp`."""
+    """Finds the mean stresses of cells from present forces that were found without a step.
+
+    Over one index, in `core/gpu/crack_onset.hpp`.
+    """
     return Kernel("find_still_stress", (device_span, moving, facet_forces, stresses_of_cells))
 
 
 def find_strength_along(candidate_facets: CandidateFacets) -> Kernel:
-    """Pass of one index, defined in `core/gpu/stress_onset.hpp`."""
+    """Keeps the strengths of facets that begin to crack.
+
+    Over one index, in `core/gpu/stress_onset.hpp`.
+    """
     return Kernel("find_strength_along", (candidate_facets,))
 
 
@@ -561,7 +711,11 @@ def find_stress_candidate(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, facet_forces: FacetForces,
     stresses_of_cells: StressesOfCells, crack_onset: CrackOnset, candidate_facets: CandidateFacets
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/stress_onset.hpp`."""
+    """Launched for `find_stress_candidates`: writes the stresses of facets in tension, as candidates of a portion;
+    marks facets of cells without cohesion.
+
+    Over one index, in `core/gpu/stress_onset.hpp`.
+    """
     return Kernel("find_stress_candidate", (
         device_span, moving, elastic_facets, facet_forces, stresses_of_cells, crack_onset, candidate_facets
     ))
@@ -585,17 +739,27 @@ def follow_all_couples(
 
 
 def follow_body_group(device_span: DeviceSpan, timeline: Timeline, body_forces: BodyForces) -> Kernel:
-    """Pass of one index, defined in `core/gpu/boundary.hpp`."""
+    """Brings body forces to the time of the clock.
+
+    Over one index, in `core/gpu/boundary.hpp`.
+    """
     return Kernel("follow_body_group", (device_span, timeline, body_forces))
 
 
 def follow_cell_factors(device_span: DeviceSpan, timeline: Timeline, cell_strains: CellStrains) -> Kernel:
-    """Pass of one index, defined in `core/gpu/strains.hpp`."""
+    """Launched for `follow_cell_strains`: sets stress-free strains, and with them the levers of facets and walls,
+    to the time of the clock.
+
+    Over one index, in `core/gpu/strains.hpp`.
+    """
     return Kernel("follow_cell_factors", (device_span, timeline, cell_strains))
 
 
 def follow_drive(device_span: DeviceSpan, timeline: Timeline, drives: Drives, rows: Rows) -> Kernel:
-    """Pass of one index, defined in `core/gpu/boundary.hpp`."""
+    """Sets prescribed velocities at the time of the clock, and over the step that begins there.
+
+    Over one index, in `core/gpu/boundary.hpp`.
+    """
     return Kernel("follow_drive", (device_span, timeline, drives, rows))
 
 
@@ -608,33 +772,48 @@ def follow_loads_of_row(
     device_span: DeviceSpan, timeline: Timeline, row_loads: RowLoads, row_order: RowOrder, moving: Moving, rows:
     Rows
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/boundary.hpp`."""
+    """Adds forces and torques of loads to their rows, turned with the element if they follow it.
+
+    Over one index, in `core/gpu/boundary.hpp`.
+    """
     return Kernel("follow_loads_of_row", (device_span, timeline, row_loads, row_order, moving, rows))
 
 
 def follow_strain_factors(
     device_span: DeviceSpan, timeline: Timeline, strain: Strain, strain_portions: StrainPortions
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/strains.hpp`."""
+    """Launched for `follow_strains`: sets rest lengths L (1 + ε*), and adds the work of the strains.
+
+    Over one index, in `core/gpu/strains.hpp`.
+    """
     return Kernel("follow_strain_factors", (device_span, timeline, strain, strain_portions))
 
 
 def follow_traction(device_span: DeviceSpan, timeline: Timeline, facet_tractions: FacetTractions) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Launched for `follow_tractions`: brings tractions to the time of the clock.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("follow_traction", (device_span, timeline, facet_tractions))
 
 
 def gather_dashpots(
     step_cut: StepCut, bonds_of_elements: BondsOfElements, loads_of_bonds: LoadsOfBonds, dashpots: Dashpots
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Adds loads of dashpots of other domains to the sums of shared elements, and sets their rows to zero.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("gather_dashpots", (step_cut, bonds_of_elements, loads_of_bonds, dashpots))
 
 
 def gather_dilatation(
     cell_dilatation: CellDilatation, bonds_of_elements: BondsOfElements, loads_of_bonds: LoadsOfBonds
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Adds contributions of facets of other domains to V θ of shared cells, and sets their rows to zero.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("gather_dilatation", (cell_dilatation, bonds_of_elements, loads_of_bonds))
 
 
@@ -642,7 +821,10 @@ def gather_facet_moments(
     facet_forces: FacetForces, bonds_of_elements: BondsOfElements, loads_of_bonds: LoadsOfBonds, facet_arms:
     FacetArms
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_onset.hpp`."""
+    """Sets V σ and Σ `bending_square` of cells from their complete sums, which are set to zero.
+
+    Over one index, in `core/gpu/crack_onset.hpp`.
+    """
     return Kernel("gather_facet_moments", (facet_forces, bonds_of_elements, loads_of_bonds, facet_arms))
 
 
@@ -662,7 +844,10 @@ def gather_moments(
 def give_dilatation(
     device_span: DeviceSpan, facet_tractions: FacetTractions, cell_dilatation: CellDilatation
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Launched for `follow_tractions`: brings tractions to the time of the clock.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("give_dilatation", (device_span, facet_tractions, cell_dilatation))
 
 
@@ -680,7 +865,11 @@ def judge_beam_by_ellipse(
     device_span: DeviceSpan, moving: Moving, beams: Beams, strengths: Strengths, bond_marks: BondMarks,
     candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/breakage.hpp`."""
+    """Launched for `judge_beams`: evaluates marked beams of a block by a criterion, and postpones the elements of
+    failed ones.
+
+    Over one index, in `core/gpu/breakage.hpp`.
+    """
     return Kernel("judge_beam_by_ellipse", (device_span, moving, beams, strengths, bond_marks, candidates, postponed))
 
 
@@ -688,7 +877,11 @@ def judge_beam_by_linear_sum(
     device_span: DeviceSpan, moving: Moving, beams: Beams, strengths: Strengths, bond_marks: BondMarks,
     candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/breakage.hpp`."""
+    """Launched for `judge_beams`: evaluates marked beams of a block by a criterion, and postpones the elements of
+    failed ones.
+
+    Over one index, in `core/gpu/breakage.hpp`.
+    """
     return Kernel("judge_beam_by_linear_sum", (
         device_span, moving, beams, strengths, bond_marks, candidates, postponed
     ))
@@ -698,7 +891,11 @@ def judge_beam_by_mohr_coulomb(
     device_span: DeviceSpan, moving: Moving, beams: Beams, strengths: Strengths, bond_marks: BondMarks,
     candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/breakage.hpp`."""
+    """Launched for `judge_beams`: evaluates marked beams of a block by a criterion, and postpones the elements of
+    failed ones.
+
+    Over one index, in `core/gpu/breakage.hpp`.
+    """
     return Kernel("judge_beam_by_mohr_coulomb", (
         device_span, moving, beams, strengths, bond_marks, candidates, postponed
     ))
@@ -708,7 +905,11 @@ def judge_beam_by_peripheral_stress(
     device_span: DeviceSpan, moving: Moving, beams: Beams, strengths: Strengths, bond_marks: BondMarks,
     candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/breakage.hpp`."""
+    """Launched for `judge_beams`: evaluates marked beams of a block by a criterion, and postpones the elements of
+    failed ones.
+
+    Over one index, in `core/gpu/breakage.hpp`.
+    """
     return Kernel("judge_beam_by_peripheral_stress", (
         device_span, moving, beams, strengths, bond_marks, candidates, postponed
     ))
@@ -718,7 +919,10 @@ def judge_cell(
     device_span: DeviceSpan, facet_strengths: FacetStrengths, stresses_of_cells: StressesOfCells, crack_onset:
     CrackOnset
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_onset.hpp`."""
+    """Finds the cells whose facets may crack: those with cracks, and those whose stress may reach their strength.
+
+    Over one index, in `core/gpu/crack_onset.hpp`.
+    """
     return Kernel("judge_cell", (device_span, facet_strengths, stresses_of_cells, crack_onset))
 
 
@@ -746,7 +950,10 @@ def judge_cell_by_size(
     device_span: DeviceSpan, stresses_of_cells: StressesOfCells, candidate_facets: CandidateFacets, crack_onset:
     CrackOnset
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/stress_onset.hpp`."""
+    """Finds the cells whose facets are evaluated: those whose stress is large enough for the criterion of a user.
+
+    Over one index, in `core/gpu/stress_onset.hpp`.
+    """
     return Kernel("judge_cell_by_size", (device_span, stresses_of_cells, candidate_facets, crack_onset))
 
 
@@ -754,7 +961,11 @@ def judge_facet_by_mohr_coulomb(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, strengths: Strengths, bond_marks:
     BondMarks, candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/facet_breakage.hpp`."""
+    """Launched for `judge_facets`: evaluates marked facets by a criterion at the present stresses, and postpones
+    cells that lose facets and their neighbours.
+
+    Over one index, in `core/gpu/facet_breakage.hpp`.
+    """
     return Kernel("judge_facet_by_mohr_coulomb", (
         device_span, moving, elastic_facets, strengths, bond_marks, candidates, postponed
     ))
@@ -764,7 +975,10 @@ def judge_pair(
     device_span: DeviceSpan, beams: Beams, lagged_stresses: LaggedStresses, strengths: Strengths, bond_marks:
     BondMarks, candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/non_local_pairs.hpp`."""
+    """Launched for `judge_pairs`: evaluates marked bonds of a block, and postpones the elements of failed ones.
+
+    Over one index, in `core/gpu/non_local_pairs.hpp`.
+    """
     return Kernel("judge_pair", (device_span, beams, lagged_stresses, strengths, bond_marks, candidates, postponed))
 
 
@@ -776,19 +990,28 @@ def keep_base_levers(
 
 
 def keep_dashed_sum(step_cut: StepCut, dashpots: Dashpots, postponed: Postponed) -> Kernel:
-    """Pass of one index, defined in `core/gpu/breakage.hpp`."""
+    """Keeps the sums of the dashpots of postponed elements.
+
+    Over one index, in `core/gpu/breakage.hpp`.
+    """
     return Kernel("keep_dashed_sum", (step_cut, dashpots, postponed))
 
 
 def keep_gathered_sum(
     step_cut: StepCut, bonds_of_elements: BondsOfElements, loads_of_bonds: LoadsOfBonds, postponed: Postponed
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/breakage.hpp`."""
+    """Launched for `keep_sums`: keeps the sums of postponed elements.
+
+    Over one index, in `core/gpu/breakage.hpp`.
+    """
     return Kernel("keep_gathered_sum", (step_cut, bonds_of_elements, loads_of_bonds, postponed))
 
 
 def keep_sum(step_cut: StepCut, postponed: Postponed) -> Kernel:
-    """Pass of one index, defined in `core/gpu/breakage.hpp`."""
+    """Launched for `keep_sums`: keeps the sums of postponed elements.
+
+    Over one index, in `core/gpu/breakage.hpp`.
+    """
     return Kernel("keep_sum", (step_cut, postponed))
 
 
@@ -798,7 +1021,10 @@ def kick_free_wall(device_span: DeviceSpan, wall_motions: WallMotions, walls: Wa
 
 
 def leave_crack(elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Launched for `leave_cracks`: puts cracks to rest, or parts their faces, as `soften_cracks` has found.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("leave_crack", (elastic_facets, cohesive_cracks, crack_lists))
 
 
@@ -810,12 +1036,18 @@ def link_halves(
 
 
 def load_alike_beam(moving: Moving, beams: Beams, alike_beams: AlikeBeams, loads_of_bonds: LoadsOfBonds) -> Kernel:
-    """Pass of one index, defined in `core/gpu/beams.hpp`."""
+    """Adds forces and torques of beams that differ in length only.
+
+    Over one index, in `core/gpu/beams.hpp`.
+    """
     return Kernel("load_alike_beam", (moving, beams, alike_beams, loads_of_bonds))
 
 
 def load_beam(moving: Moving, beams: Beams, loads_of_bonds: LoadsOfBonds) -> Kernel:
-    """Pass of one index, defined in `core/gpu/beams.hpp`."""
+    """Adds forces and torques of the beams of a block to the sums of their elements.
+
+    Over one index, in `core/gpu/beams.hpp`.
+    """
     return Kernel("load_beam", (moving, beams, loads_of_bonds))
 
 
@@ -824,7 +1056,10 @@ def load_crack(
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists,
     losses_of_cracks: LossesOfCracks
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Computes forces, torques and dissipation of the cracks that are treated one by one.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("load_crack", (
         device_span, moving, elastic_facets, facet_strengths, stresses_of_cells, cohesive_cracks, crack_lists,
         losses_of_cracks
@@ -832,19 +1067,29 @@ def load_crack(
 
 
 def load_dashpot(moving: Moving, beams: Beams, dashpots: Dashpots, loads_of_bonds: LoadsOfBonds) -> Kernel:
-    """Pass of one index, defined in `core/gpu/beams.hpp`."""
+    """Adds forces and torques of the dashpots of beams to sums of their own.
+
+    Over one index, in `core/gpu/beams.hpp`.
+    """
     return Kernel("load_dashpot", (moving, beams, dashpots, loads_of_bonds))
 
 
 def load_facet(moving: Moving, elastic_facets: ElasticFacets, loads_of_bonds: LoadsOfBonds) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Adds forces and torques of the facets of a block to the sums of their cells, whose stresses are known.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("load_facet", (moving, elastic_facets, loads_of_bonds))
 
 
 def load_failing_dashpot(
     moving: Moving, beams: Beams, dashpots: Dashpots, candidates: Candidates, loads_of_bonds: LoadsOfBonds
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/breakage.hpp`."""
+    """Launched for `withdraw_dashpots`: subtracts dashpots of failed beams from the kept sums of their ends,
+    before the beams are removed.
+
+    Over one index, in `core/gpu/breakage.hpp`.
+    """
     return Kernel("load_failing_dashpot", (moving, beams, dashpots, candidates, loads_of_bonds))
 
 
@@ -852,7 +1097,10 @@ def load_kept_facet(
     moving: Moving, elastic_facets: ElasticFacets, facet_forces: FacetForces, loads_of_bonds: LoadsOfBonds,
     facet_arms: FacetArms
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_onset.hpp`."""
+    """Adds and stores the forces of the facets of a block, and adds up the moments V σ of their cells.
+
+    Over one index, in `core/gpu/crack_onset.hpp`.
+    """
     return Kernel("load_kept_facet", (moving, elastic_facets, facet_forces, loads_of_bonds, facet_arms))
 
 
@@ -860,7 +1108,10 @@ def load_marked_alike_beam(
     moving: Moving, beams: Beams, alike_beams: AlikeBeams, loads_of_bonds: LoadsOfBonds, failure_bounds:
     FailureBounds, bond_marks: BondMarks
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/breakage.hpp`."""
+    """Adds forces and torques of beams that differ in length only, and marks beams near to failure.
+
+    Over one index, in `core/gpu/breakage.hpp`.
+    """
     return Kernel("load_marked_alike_beam", (moving, beams, alike_beams, loads_of_bonds, failure_bounds, bond_marks))
 
 
@@ -868,7 +1119,10 @@ def load_marked_beam(
     moving: Moving, beams: Beams, loads_of_bonds: LoadsOfBonds, failure_bounds: FailureBounds, bond_marks:
     BondMarks
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/breakage.hpp`."""
+    """Adds forces and torques of the beams of a block, and marks beams near to failure.
+
+    Over one index, in `core/gpu/breakage.hpp`.
+    """
     return Kernel("load_marked_beam", (moving, beams, loads_of_bonds, failure_bounds, bond_marks))
 
 
@@ -893,7 +1147,11 @@ def load_softening_beam(
 def load_stored_beam(
     device_span: DeviceSpan, moving: Moving, beams: Beams, stored_loads: StoredLoads, loads_of_bonds: LoadsOfBonds
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/storing_beams.hpp`."""
+    """Integrates the stored forces and moments of the beams of a block over the step, and adds them to the sums of
+    their elements.
+
+    Over one index, in `core/gpu/storing_beams.hpp`.
+    """
     return Kernel("load_stored_beam", (device_span, moving, beams, stored_loads, loads_of_bonds))
 
 
@@ -917,7 +1175,10 @@ def log_all_cracks(
 def log_all_softened(
     device_span: DeviceSpan, moving: Moving, beams: Beams, softening_beams: SofteningBeams, event_log: EventLog
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/softening_beams.hpp`."""
+    """Adds up the dissipation of all portions, and logs broken beams.
+
+    Over one index, in `core/gpu/softening_beams.hpp`.
+    """
     return Kernel("log_all_softened", (device_span, moving, beams, softening_beams, event_log))
 
 
@@ -925,7 +1186,10 @@ def mark_facet(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, facet_forces: FacetForces,
     facet_strengths: FacetStrengths, stresses_of_cells: StressesOfCells, crack_onset: CrackOnset
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_onset.hpp`."""
+    """Marks facets of the material that begin to crack.
+
+    Over one index, in `core/gpu/crack_onset.hpp`.
+    """
     return Kernel("mark_facet", (
         device_span, moving, elastic_facets, facet_forces, facet_strengths, stresses_of_cells, crack_onset
     ))
@@ -935,7 +1199,11 @@ def mark_failing_facet(
     moving: Moving, elastic_facets: ElasticFacets, facet_forces: FacetForces, stresses_of_cells: StressesOfCells,
     crack_onset: CrackOnset, candidate_facets: CandidateFacets
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/stress_onset.hpp`."""
+    """Marks candidates that fail, and leaves these with the mean stress of their cells, of which the index gives
+    their strength.
+
+    Over one index, in `core/gpu/stress_onset.hpp`.
+    """
     return Kernel("mark_failing_facet", (
         moving, elastic_facets, facet_forces, stresses_of_cells, crack_onset, candidate_facets
     ))
@@ -954,7 +1222,11 @@ def measure_crack(
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists,
     losses_of_cracks: LossesOfCracks
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Finds faces and halves of the cracks that are treated one by one, and axes of cracks before any loss of
+    integrity.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("measure_crack", (
         device_span, moving, elastic_facets, cell_slack, stresses_of_cells, cohesive_cracks, crack_lists,
         losses_of_cracks
@@ -974,7 +1246,10 @@ def measure_overlaps(
 
 
 def move_all_walls(device_span: DeviceSpan, wall_motions: WallMotions, walls: Walls) -> Kernel:
-    """Pass of one index, defined in `core/gpu/contacts.hpp`."""
+    """Moves walls to the end of the step that begins at the time of the clock.
+
+    Over one index, in `core/gpu/contacts.hpp`.
+    """
     return Kernel("move_all_walls", (device_span, wall_motions, walls))
 
 
@@ -982,7 +1257,11 @@ def move_gathered(
     device_span: DeviceSpan, moving: Moving, step_cut: StepCut, bonds_of_elements: BondsOfElements,
     loads_of_bonds: LoadsOfBonds
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Launched for `move_elements`: closes the step, and opens the next, for elements that own no row of the
+    boundary.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("move_gathered", (device_span, moving, step_cut, bonds_of_elements, loads_of_bonds))
 
 
@@ -990,7 +1269,11 @@ def move_gathered_resisted(
     device_span: DeviceSpan, moving: Moving, step_cut: StepCut, bonds_of_elements: BondsOfElements,
     loads_of_bonds: LoadsOfBonds, resistance: Resistance
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Launched for `move_resisted`: closes the step, and opens the next, for damped elements that own no row of
+    the boundary.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("move_gathered_resisted", (
         device_span, moving, step_cut, bonds_of_elements, loads_of_bonds, resistance
     ))
@@ -1000,7 +1283,11 @@ def move_gathered_resisted_row(
     device_span: DeviceSpan, moving: Moving, step_cut: StepCut, rows: Rows, bonds_of_elements: BondsOfElements,
     loads_of_bonds: LoadsOfBonds, resistance: Resistance
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Launched for `move_resisted_rows`: closes the step, and opens the next, for damped elements that own rows of
+    the boundary.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("move_gathered_resisted_row", (
         device_span, moving, step_cut, rows, bonds_of_elements, loads_of_bonds, resistance
     ))
@@ -1010,41 +1297,65 @@ def move_gathered_row(
     device_span: DeviceSpan, moving: Moving, step_cut: StepCut, rows: Rows, bonds_of_elements: BondsOfElements,
     loads_of_bonds: LoadsOfBonds
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Launched for `move_rows`: closes the step, and opens the next, for elements that own rows of the boundary.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("move_gathered_row", (device_span, moving, step_cut, rows, bonds_of_elements, loads_of_bonds))
 
 
 def move_summed(device_span: DeviceSpan, moving: Moving, step_cut: StepCut) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Launched for `move_elements`: closes the step, and opens the next, for elements that own no row of the
+    boundary.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("move_summed", (device_span, moving, step_cut))
 
 
 def move_summed_resisted(
     device_span: DeviceSpan, moving: Moving, step_cut: StepCut, resistance: Resistance
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Launched for `move_resisted`: closes the step, and opens the next, for damped elements that own no row of
+    the boundary.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("move_summed_resisted", (device_span, moving, step_cut, resistance))
 
 
 def move_summed_resisted_row(
     device_span: DeviceSpan, moving: Moving, step_cut: StepCut, rows: Rows, resistance: Resistance
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Launched for `move_resisted_rows`: closes the step, and opens the next, for damped elements that own rows of
+    the boundary.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("move_summed_resisted_row", (device_span, moving, step_cut, rows, resistance))
 
 
 def move_summed_row(device_span: DeviceSpan, moving: Moving, step_cut: StepCut, rows: Rows) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Launched for `move_rows`: closes the step, and opens the next, for elements that own rows of the boundary.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("move_summed_row", (device_span, moving, step_cut, rows))
 
 
 def open_element(device_span: DeviceSpan, moving: Moving) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Opens a step after a pause for all elements, none of which owns a row of the boundary.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("open_element", (device_span, moving))
 
 
 def open_element_or_row(device_span: DeviceSpan, moving: Moving, rows: Rows) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Opens a step after a pause for all elements, some of which own rows of the boundary.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("open_element_or_row", (device_span, moving, rows))
 
 
@@ -1054,7 +1365,10 @@ def open_face(contact_pairs: ContactPairs, face_pairs: FacePairs, crack_lists: C
 
 
 def open_work_of_body(device_span: DeviceSpan, moving: Moving, body_forces: BodyForces) -> Kernel:
-    """Pass of one index, defined in `core/gpu/motion.hpp`."""
+    """Adds the work of body forces over the half of the step that begins after a pause.
+
+    Over one index, in `core/gpu/motion.hpp`.
+    """
     return Kernel("open_work_of_body", (device_span, moving, body_forces))
 
 
@@ -1069,14 +1383,22 @@ def part_crack(
 
 
 def place_wall(device_span: DeviceSpan, wall_constraints: WallConstraints) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Launched for `follow_walls`: brings walls to the time of the clock; at a time that no step has reached,
+    their forces are updated as well.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("place_wall", (device_span, wall_constraints))
 
 
 def postpone_neighbour(
     elastic_facets: ElasticFacets, facet_release: FacetRelease, candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/facet_breakage.hpp`."""
+    """Launched for `judge_facets`: evaluates marked facets by a criterion at the present stresses, and postpones
+    cells that lose facets and their neighbours.
+
+    Over one index, in `core/gpu/facet_breakage.hpp`.
+    """
     return Kernel("postpone_neighbour", (elastic_facets, facet_release, candidates, postponed))
 
 
@@ -1084,7 +1406,11 @@ def press_pair(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
     near_pairs: NearPairs
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/contacts.hpp`."""
+    """Finds forces and memory of the pairs of a portion of elements; renews the list of near pairs where elements
+    have moved too far.
+
+    Over one index, in `core/gpu/contacts.hpp`.
+    """
     return Kernel("press_pair", (device_span, moving, contact_constants, contact_pairs, near_pairs))
 
 
@@ -1102,7 +1428,10 @@ def press_walls_on_element(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts,
     walls: Walls, contact_sums: ContactSums
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/contacts.hpp`."""
+    """Adds forces of walls to the elements of a portion, and keeps their memory.
+
+    Over one index, in `core/gpu/contacts.hpp`.
+    """
     return Kernel("press_walls_on_element", (
         device_span, moving, contact_constants, wall_contacts, walls, contact_sums
     ))
@@ -1119,17 +1448,26 @@ def read_part_of_gauge(moving: Moving, rows: Rows, gauges: Gauges, gauge_parts: 
 
 
 def relax_cell(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Finds the stresses of all cells with cracks that are treated one by one.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("relax_cell", (moving, cell_dilatation, crack_lists))
 
 
 def relax_stale_cell(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Finds the stresses of cells with cracks that are out of date.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("relax_stale_cell", (moving, cell_dilatation, crack_lists))
 
 
 def release_all_pressure(device_span: DeviceSpan, event_log: EventLog, softening_bounds: SofteningBounds) -> Kernel:
-    """Pass of one index, defined in `core/gpu/softening_beams.hpp`."""
+    """Ends the pressure on softening beams that have broken at the beginning of this step.
+
+    Over one index, in `core/gpu/softening_beams.hpp`.
+    """
     return Kernel("release_all_pressure", (device_span, event_log, softening_bounds))
 
 
@@ -1142,7 +1480,11 @@ def relieve_element(
     moving: Moving, non_local_bonds: NonLocalBonds, bonds_of_elements: BondsOfElements, bond_marks: BondMarks,
     lagged_stresses: LaggedStresses, candidates: Candidates
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/non_local_pairs.hpp`."""
+    """Launched for `relieve_pairs`: subtracts the force of failed bonds from the stresses of their elements, and
+    sets their integrity to 0; after `break_pairs`.
+
+    Over one index, in `core/gpu/non_local_pairs.hpp`.
+    """
     return Kernel("relieve_element", (
         moving, non_local_bonds, bonds_of_elements, bond_marks, lagged_stresses, candidates
     ))
@@ -1161,7 +1503,10 @@ def remove_failing_beam(
 def renew_wall_row(
     wall_constraints: WallConstraints, row_order: RowOrder, rows: Rows, candidates: Candidates
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/facet_breakage.hpp`."""
+    """Updates the forces of walls on the rows of their cells.
+
+    Over one index, in `core/gpu/facet_breakage.hpp`.
+    """
     return Kernel("renew_wall_row", (wall_constraints, row_order, rows, candidates))
 
 
@@ -1176,7 +1521,11 @@ def restore_crack(
     elastic_facets: ElasticFacets, facet_forces: FacetForces, facet_strengths: FacetStrengths, cohesive_cracks:
     CohesiveCracks
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Launched for `link_cracks`: prepares the cracks of a state at the start of a run: constants, weights of
+    cells, lists, and forces of cracks.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("restore_crack", (elastic_facets, facet_forces, facet_strengths, cohesive_cracks))
 
 
@@ -1184,7 +1533,10 @@ def restore_facets_of_cell(
     moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints, facet_release: FacetRelease,
     candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/facet_breakage.hpp`."""
+    """Adds the loads of the remaining facets and of walls to the kept sums.
+
+    Over one index, in `core/gpu/facet_breakage.hpp`.
+    """
     return Kernel("restore_facets_of_cell", (
         moving, elastic_facets, wall_constraints, facet_release, candidates, postponed
     ))
@@ -1221,7 +1573,10 @@ def roll_element_at_walls(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts,
     walls: Walls, rolled_walls: RolledWalls, contact_sums: ContactSums
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/rolling.hpp`."""
+    """Finds moments of resistance to rolling of a portion of elements at walls.
+
+    Over one index, in `core/gpu/rolling.hpp`.
+    """
     return Kernel("roll_element_at_walls", (
         device_span, moving, contact_constants, wall_contacts, walls, rolled_walls, contact_sums
     ))
@@ -1231,7 +1586,10 @@ def roll_one_pair(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
     near_pairs: NearPairs, rolled_pairs: RolledPairs
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/rolling.hpp`."""
+    """Finds moments and memory of the pairs of a portion of elements that touch and may roll.
+
+    Over one index, in `core/gpu/rolling.hpp`.
+    """
     return Kernel("roll_one_pair", (device_span, moving, contact_constants, contact_pairs, near_pairs, rolled_pairs))
 
 
@@ -1241,17 +1599,26 @@ def set_clock(device_span: DeviceSpan, step_scheme: StepScheme, tick: Tick) -> K
 
 
 def set_stress(moving: Moving, cell_dilatation: CellDilatation) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Sets the stresses of cells by their complete V θ, which is set to zero.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("set_stress", (moving, cell_dilatation))
 
 
 def settle_face(face_pairs: FacePairs) -> Kernel:
-    """Pass of one index, defined in `core/gpu/begun_contacts.hpp`."""
+    """Launched for `begin_face_contacts`: begins the contact of faces that part in this step.
+
+    Over one index, in `core/gpu/begun_contacts.hpp`.
+    """
     return Kernel("settle_face", (face_pairs,))
 
 
 def settle_faces_of_cell(face_pairs: FacePairs) -> Kernel:
-    """Pass of one index, defined in `core/gpu/begun_contacts.hpp`."""
+    """Launched for `begin_face_contacts`: begins the contact of faces that part in this step.
+
+    Over one index, in `core/gpu/begun_contacts.hpp`.
+    """
     return Kernel("settle_faces_of_cell", (face_pairs,))
 
 
@@ -1259,7 +1626,10 @@ def slide_crack_of(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks,
     crack_lists: CrackLists
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Launched for `slide_cracks`: sums the forces of the cracks of each cell, and lets their faces slip by them.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("slide_crack_of", (device_span, moving, elastic_facets, cohesive_cracks, crack_lists))
 
 
@@ -1267,7 +1637,10 @@ def soften_crack(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, facet_strengths: FacetStrengths,
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Lowers the integrities of cracks, and finds those that go to rest.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("soften_crack", (
         device_span, moving, elastic_facets, facet_strengths, stresses_of_cells, cohesive_cracks, crack_lists
     ))
@@ -1282,7 +1655,10 @@ def soften_listed(
 
 
 def strain_portion(moving: Moving, strain: Strain, beams: Beams, strain_portions: StrainPortions) -> Kernel:
-    """Pass of one index, defined in `core/gpu/strains.hpp`."""
+    """Launched for `follow_strains`: sets rest lengths L (1 + ε*), and adds the work of the strains.
+
+    Over one index, in `core/gpu/strains.hpp`.
+    """
     return Kernel("strain_portion", (moving, strain, beams, strain_portions))
 
 
@@ -1290,7 +1666,11 @@ def stretch_cell_anew(
     cell_strains: CellStrains, elastic_facets: ElasticFacets, facets_of_cells: FacetsOfCells, yielding_cells:
     YieldingCells
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/yielding.hpp`."""
+    """Launched for `stretch_anew`: stretches levers with the plastic deformation of their cells, where stress-free
+    strains have set them anew.
+
+    Over one index, in `core/gpu/yielding.hpp`.
+    """
     return Kernel("stretch_cell_anew", (cell_strains, elastic_facets, facets_of_cells, yielding_cells))
 
 
@@ -1298,12 +1678,20 @@ def stretch_crack_of_cells(
     device_span: DeviceSpan, elastic_facets: ElasticFacets, yielding_cells: YieldingCells, cohesive_cracks:
     CohesiveCracks
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/yielding.hpp`."""
+    """Launched for `stretch_walls_and_cracks`: stretches levers of walls and cracks with the plastic deformation
+    of their cells, where it has grown.
+
+    Over one index, in `core/gpu/yielding.hpp`.
+    """
     return Kernel("stretch_crack_of_cells", (device_span, elastic_facets, yielding_cells, cohesive_cracks))
 
 
 def stretch_facet_of_step(cell_strains: CellStrains, elastic_facets: ElasticFacets) -> Kernel:
-    """Pass of one index, defined in `core/gpu/strains.hpp`."""
+    """Launched for `follow_cell_strains`: sets stress-free strains, and with them the levers of facets and walls,
+    to the time of the clock.
+
+    Over one index, in `core/gpu/strains.hpp`.
+    """
     return Kernel("stretch_facet_of_step", (cell_strains, elastic_facets))
 
 
@@ -1311,33 +1699,51 @@ def stretch_growing_cell(
     device_span: DeviceSpan, elastic_facets: ElasticFacets, facets_of_cells: FacetsOfCells, yielding_cells:
     YieldingCells
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/yielding.hpp`."""
+    """Stretches levers of facets with the plastic deformation of their cells, where it has grown.
+
+    Over one index, in `core/gpu/yielding.hpp`.
+    """
     return Kernel("stretch_growing_cell", (device_span, elastic_facets, facets_of_cells, yielding_cells))
 
 
 def stretch_wall_anew(
     cell_strains: CellStrains, wall_constraints: WallConstraints, yielding_cells: YieldingCells
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/yielding.hpp`."""
+    """Launched for `stretch_anew`: stretches levers with the plastic deformation of their cells, where stress-free
+    strains have set them anew.
+
+    Over one index, in `core/gpu/yielding.hpp`.
+    """
     return Kernel("stretch_wall_anew", (cell_strains, wall_constraints, yielding_cells))
 
 
 def stretch_wall_of_cell(
     device_span: DeviceSpan, wall_constraints: WallConstraints, yielding_cells: YieldingCells
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/yielding.hpp`."""
+    """Launched for `stretch_walls_and_cracks`: stretches levers of walls and cracks with the plastic deformation
+    of their cells, where it has grown.
+
+    Over one index, in `core/gpu/yielding.hpp`.
+    """
     return Kernel("stretch_wall_of_cell", (device_span, wall_constraints, yielding_cells))
 
 
 def stretch_wall_of_step(cell_strains: CellStrains, wall_constraints: WallConstraints) -> Kernel:
-    """Pass of one index, defined in `core/gpu/strains.hpp`."""
+    """Launched for `follow_cell_strains`: sets stress-free strains, and with them the levers of facets and walls,
+    to the time of the clock.
+
+    Over one index, in `core/gpu/strains.hpp`.
+    """
     return Kernel("stretch_wall_of_step", (cell_strains, wall_constraints))
 
 
 def stretch_yielded_cell(
     elastic_facets: ElasticFacets, facets_of_cells: FacetsOfCells, yielding_cells: YieldingCells
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/yielding.hpp`."""
+    """Stretches levers of all facets with the plastic deformation of their cells, as a run begins.
+
+    Over one index, in `core/gpu/yielding.hpp`.
+    """
     return Kernel("stretch_yielded_cell", (elastic_facets, facets_of_cells, yielding_cells))
 
 
@@ -1345,7 +1751,10 @@ def subtract_portion_of_dilatation(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints,
     corrected_mass: CorrectedMass, portions: Portions
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Subtracts the correction of the mass from the kinetic energies of cells.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("subtract_portion_of_dilatation", (
         device_span, moving, elastic_facets, wall_constraints, corrected_mass, portions
     ))
@@ -1354,12 +1763,18 @@ def subtract_portion_of_dilatation(
 def sum_cracks_of_cell(
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Launched for `slide_cracks`: sums the forces of the cracks of each cell, and lets their faces slip by them.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("sum_cracks_of_cell", (stresses_of_cells, cohesive_cracks, crack_lists))
 
 
 def sum_group_of_losses(losses_of_cracks: LossesOfCracks) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Launched for `log_cracks`: adds up the dissipation of cracks, and logs cracks without integrity.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("sum_group_of_losses", (losses_of_cracks,))
 
 
@@ -1367,7 +1782,10 @@ def sum_moments_of_cell(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, facets_of_cells: FacetsOfCells,
     facet_forces: FacetForces
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_onset.hpp`."""
+    """Finds V σ of cells from stored forces at the start of a run, with the bits of the sums of a step.
+
+    Over one index, in `core/gpu/crack_onset.hpp`.
+    """
     return Kernel("sum_moments_of_cell", (device_span, moving, elastic_facets, facets_of_cells, facet_forces))
 
 
@@ -1375,7 +1793,10 @@ def sum_portion_at_walls(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts,
     walls: Walls, contact_energies: ContactEnergies
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/contacts.hpp`."""
+    """Adds the elastic energy of contacts of a portion with walls [J].
+
+    Over one index, in `core/gpu/contacts.hpp`.
+    """
     return Kernel("sum_portion_at_walls", (
         device_span, moving, contact_constants, wall_contacts, walls, contact_energies
     ))
@@ -1385,7 +1806,10 @@ def sum_portion_of_adhesion(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
     contact_energies: ContactEnergies
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/adhesion.hpp`."""
+    """Adds the energy of adhesion of the pairs of a portion, below 0 [J].
+
+    Over one index, in `core/gpu/adhesion.hpp`.
+    """
     return Kernel("sum_portion_of_adhesion", (
         device_span, moving, contact_constants, contact_pairs, contact_energies
     ))
@@ -1395,28 +1819,40 @@ def sum_portion_of_adhesion_at_walls(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, wall_contacts: WallContacts,
     walls: Walls, contact_energies: ContactEnergies
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/adhesion.hpp`."""
+    """Adds the energy of adhesion at walls of a portion of elements, below 0 [J].
+
+    Over one index, in `core/gpu/adhesion.hpp`.
+    """
     return Kernel("sum_portion_of_adhesion_at_walls", (
         device_span, moving, contact_constants, wall_contacts, walls, contact_energies
     ))
 
 
 def sum_portion_of_beams(device_span: DeviceSpan, moving: Moving, beams: Beams, portions: Portions) -> Kernel:
-    """Pass of one index, defined in `core/gpu/beams.hpp`."""
+    """Sums normal, shear, bending and twisting energy of a portion [J].
+
+    Over one index, in `core/gpu/beams.hpp`.
+    """
     return Kernel("sum_portion_of_beams", (device_span, moving, beams, portions))
 
 
 def sum_portion_of_begun(
     device_span: DeviceSpan, contact_pairs: ContactPairs, face_pairs: FacePairs, begun_faces: BegunFaces
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/begun_contacts.hpp`."""
+    """Launched for `begin_face_contacts`: begins the contact of faces that part in this step.
+
+    Over one index, in `core/gpu/begun_contacts.hpp`.
+    """
     return Kernel("sum_portion_of_begun", (device_span, contact_pairs, face_pairs, begun_faces))
 
 
 def sum_portion_of_cells(
     device_span: DeviceSpan, cell_dilatation: CellDilatation, dilatation_energy: DilatationEnergy
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Sums the energy of dilatation of a portion of cells, whose V θ is complete and is set to zero [J].
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("sum_portion_of_cells", (device_span, cell_dilatation, dilatation_energy))
 
 
@@ -1424,7 +1860,11 @@ def sum_portion_of_crack_powers(
     device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets,
     cohesive_cracks: CohesiveCracks, strain_portions: StrainPortions
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/yielding.hpp`."""
+    """Launched for `sum_crack_powers`: sets ∂U/∂factor of the stress-free strains at cracks that are treated one
+    by one, where it is needed.
+
+    Over one index, in `core/gpu/yielding.hpp`.
+    """
     return Kernel("sum_portion_of_crack_powers", (
         device_span, moving, cell_strains, elastic_facets, cohesive_cracks, strain_portions
     ))
@@ -1434,7 +1874,10 @@ def sum_portion_of_cracks(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks,
     crack_portions: CrackPortions
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_report.hpp`."""
+    """Sums the energies of the cracks that are treated one by one [J].
+
+    Over one index, in `core/gpu/crack_report.hpp`.
+    """
     return Kernel("sum_portion_of_cracks", (device_span, moving, elastic_facets, cohesive_cracks, crack_portions))
 
 
@@ -1442,12 +1885,19 @@ def sum_portion_of_crushing(
     device_span: DeviceSpan, facet_strengths: FacetStrengths, cohesive_cracks: CohesiveCracks, crushing_portions:
     CrushingPortions
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_report.hpp`."""
+    """Launched for `write_crushing_of_facets`: writes the energy that facets have released beyond their fracture
+    energy.
+
+    Over one index, in `core/gpu/crack_report.hpp`.
+    """
     return Kernel("sum_portion_of_crushing", (device_span, facet_strengths, cohesive_cracks, crushing_portions))
 
 
 def sum_portion_of_elements(device_span: DeviceSpan, moving: Moving, portions: Portions) -> Kernel:
-    """Pass of one index, defined in `core/gpu/record.hpp`."""
+    """Sums kinetic energies and losses of a portion [J].
+
+    Over one index, in `core/gpu/record.hpp`.
+    """
     return Kernel("sum_portion_of_elements", (device_span, moving, portions))
 
 
@@ -1455,7 +1905,10 @@ def sum_portion_of_faces(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
     face_pairs: FacePairs, contact_energies: ContactEnergies
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/contacts.hpp`."""
+    """Adds the elastic energy of the pairs of a portion that touch by faces [J].
+
+    Over one index, in `core/gpu/contacts.hpp`.
+    """
     return Kernel("sum_portion_of_faces", (
         device_span, moving, contact_constants, contact_pairs, face_pairs, contact_energies
     ))
@@ -1464,7 +1917,10 @@ def sum_portion_of_faces(
 def sum_portion_of_facets(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, portions: Portions
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Sums normal, shear, bending and twisting energy of the facets of a portion, without dilatation [J].
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("sum_portion_of_facets", (device_span, moving, elastic_facets, portions))
 
 
@@ -1472,7 +1928,10 @@ def sum_portion_of_gradients(
     device_span: DeviceSpan, moving: Moving, cell_dilatation: CellDilatation, wall_constraints: WallConstraints,
     dilatation_gradients: DilatationGradients
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Sums the energies of gradients in portions of cells, for the dilatation that facets have added up.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("sum_portion_of_gradients", (
         device_span, moving, cell_dilatation, wall_constraints, dilatation_gradients
     ))
@@ -1482,12 +1941,18 @@ def sum_portion_of_heat(
     device_span: DeviceSpan, stresses_of_cells: StressesOfCells, yielding_cells: YieldingCells, crack_energies:
     CrackEnergies
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/yielding.hpp`."""
+    """Sums the energy that the cells of a portion have dissipated by yielding [J].
+
+    Over one index, in `core/gpu/yielding.hpp`.
+    """
     return Kernel("sum_portion_of_heat", (device_span, stresses_of_cells, yielding_cells, crack_energies))
 
 
 def sum_portion_of_losses(device_span: DeviceSpan, losses_of_cracks: LossesOfCracks) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Launched for `log_cracks`: adds up the dissipation of cracks, and logs cracks without integrity.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("sum_portion_of_losses", (device_span, losses_of_cracks))
 
 
@@ -1495,14 +1960,20 @@ def sum_portion_of_pairs(
     device_span: DeviceSpan, moving: Moving, contact_constants: ContactConstants, contact_pairs: ContactPairs,
     contact_energies: ContactEnergies
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/contacts.hpp`."""
+    """Sums the elastic energy of the pairs of a portion [J].
+
+    Over one index, in `core/gpu/contacts.hpp`.
+    """
     return Kernel("sum_portion_of_pairs", (device_span, moving, contact_constants, contact_pairs, contact_energies))
 
 
 def sum_portion_of_pressure(
     device_span: DeviceSpan, moving: Moving, beams: Beams, softening_bounds: SofteningBounds, portions: Portions
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/softening_beams.hpp`."""
+    """Adds the energy of the pressure on softened beams of a portion to their normal energy.
+
+    Over one index, in `core/gpu/softening_beams.hpp`.
+    """
     return Kernel("sum_portion_of_pressure", (device_span, moving, beams, softening_bounds, portions))
 
 
@@ -1510,7 +1981,10 @@ def sum_portion_of_rolling(
     device_span: DeviceSpan, contact_constants: ContactConstants, contact_pairs: ContactPairs, rolled_pairs:
     RolledPairs, contact_energies: ContactEnergies
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/rolling.hpp`."""
+    """Adds the energy that springs of rolling store in the pairs of a portion [J].
+
+    Over one index, in `core/gpu/rolling.hpp`.
+    """
     return Kernel("sum_portion_of_rolling", (
         device_span, contact_constants, contact_pairs, rolled_pairs, contact_energies
     ))
@@ -1520,7 +1994,10 @@ def sum_portion_of_rolling_at_walls(
     device_span: DeviceSpan, contact_constants: ContactConstants, wall_contacts: WallContacts, rolled_walls:
     RolledWalls, contact_energies: ContactEnergies
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/rolling.hpp`."""
+    """Adds the energy that springs of rolling store at walls, of a portion of elements [J].
+
+    Over one index, in `core/gpu/rolling.hpp`.
+    """
     return Kernel("sum_portion_of_rolling_at_walls", (
         device_span, contact_constants, wall_contacts, rolled_walls, contact_energies
     ))
@@ -1530,14 +2007,20 @@ def sum_portion_of_springs(
     device_span: DeviceSpan, moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, portions: Portions,
     non_local_work: NonLocalWork
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/non_local_pairs.hpp`."""
+    """Sums normal and shear energy of the springs of a portion, and the work of extra forces [J].
+
+    Over one index, in `core/gpu/non_local_pairs.hpp`.
+    """
     return Kernel("sum_portion_of_springs", (device_span, moving, beams, non_local_bonds, portions, non_local_work))
 
 
 def sum_portion_of_stored(
     device_span: DeviceSpan, moving: Moving, beams: Beams, stored_loads: StoredLoads, portions: Portions
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/storing_beams.hpp`."""
+    """Sums normal, shear, bending and twisting energy of a portion [J].
+
+    Over one index, in `core/gpu/storing_beams.hpp`.
+    """
     return Kernel("sum_portion_of_stored", (device_span, moving, beams, stored_loads, portions))
 
 
@@ -1559,14 +2042,20 @@ def sum_strain_portion(
 
 
 def sum_stress_difference(moving: Moving, dilatation_gradients: DilatationGradients) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Sums the differences between the stresses of each cell and those of its neighbours.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("sum_stress_difference", (moving, dilatation_gradients))
 
 
 def sum_stressed_portion(
     device_span: DeviceSpan, moving: Moving, cell_dilatation: CellDilatation, crack_energies: CrackEnergies
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_report.hpp`."""
+    """Sums the energy of dilatation of a portion of cells by their stresses [J].
+
+    Over one index, in `core/gpu/crack_report.hpp`.
+    """
     return Kernel("sum_stressed_portion", (device_span, moving, cell_dilatation, crack_energies))
 
 
@@ -1574,7 +2063,10 @@ def take_beams_off_element(
     bonds_of_elements: BondsOfElements, bond_marks: BondMarks, loads_of_bonds: LoadsOfBonds, candidates:
     Candidates, postponed: Postponed
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/breakage.hpp`."""
+    """Launched for `break_beams`: removes the beams that fail.
+
+    Over one index, in `core/gpu/breakage.hpp`.
+    """
     return Kernel("take_beams_off_element", (bonds_of_elements, bond_marks, loads_of_bonds, candidates, postponed))
 
 
@@ -1592,7 +2084,10 @@ def take_leaving(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation,
     cell_slack: CellSlack, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Launched for `leave_cracks`: puts cracks to rest, or parts their faces, as `soften_cracks` has found.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("take_leaving", (
         device_span, moving, elastic_facets, cell_dilatation, cell_slack, cohesive_cracks, crack_lists
     ))
@@ -1612,7 +2107,11 @@ def take_pairs_off_element(
     non_local_bonds: NonLocalBonds, bonds_of_elements: BondsOfElements, bond_marks: BondMarks, candidates:
     Candidates, postponed: Postponed
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/non_local_pairs.hpp`."""
+    """Launched for `break_pairs`: removes the bonds that fail: their force from the kept sums, and the energy of
+    their springs.
+
+    Over one index, in `core/gpu/non_local_pairs.hpp`.
+    """
     return Kernel("take_pairs_off_element", (non_local_bonds, bonds_of_elements, bond_marks, candidates, postponed))
 
 
@@ -1620,7 +2119,10 @@ def take_woken(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation,
     cell_slack: CellSlack, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Launched for `wake_cracks`: treats resting cracks one by one again that are about to soften or close.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("take_woken", (
         device_span, moving, elastic_facets, cell_dilatation, cell_slack, cohesive_cracks, crack_lists
     ))
@@ -1635,21 +2137,30 @@ def touch_parted_face(
 
 
 def turn_stress_of_element(moving: Moving, lagged_stresses: LaggedStresses) -> Kernel:
-    """Pass of one index, defined in `core/gpu/non_local_pairs.hpp`."""
+    """Turns the stresses of a step ago with their elements.
+
+    Over one index, in `core/gpu/non_local_pairs.hpp`.
+    """
     return Kernel("turn_stress_of_element", (moving, lagged_stresses))
 
 
 def twist_layer(
     moving: Moving, wall_constraints: WallConstraints, dilatation_gradients: DilatationGradients
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cells.hpp`."""
+    """Computes the torques of bent layers on each cell.
+
+    Over one index, in `core/gpu/cells.hpp`.
+    """
     return Kernel("twist_layer", (moving, wall_constraints, dilatation_gradients))
 
 
 def wake_crack(
     moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Launched for `wake_cracks`: treats resting cracks one by one again that are about to soften or close.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("wake_crack", (moving, elastic_facets, cohesive_cracks, crack_lists))
 
 
@@ -1657,14 +2168,20 @@ def watch_resting_crack(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, facet_strengths: FacetStrengths,
     cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Finds the resting cracks that are about to soften or close.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("watch_resting_crack", (
         device_span, moving, elastic_facets, facet_strengths, cohesive_cracks, crack_lists
     ))
 
 
 def weigh_cell(cell_dilatation: CellDilatation, cell_slack: CellSlack, cohesive_cracks: CohesiveCracks) -> Kernel:
-    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    """Computes the weights of the cells of all cracks at the start of a run.
+
+    Over one index, in `core/gpu/cracks.hpp`.
+    """
     return Kernel("weigh_cell", (cell_dilatation, cell_slack, cohesive_cracks))
 
 
@@ -1672,7 +2189,10 @@ def withdraw_facets_of_cell(
     moving: Moving, elastic_facets: ElasticFacets, wall_constraints: WallConstraints, facet_release: FacetRelease,
     candidates: Candidates, postponed: Postponed
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/facet_breakage.hpp`."""
+    """Lists the cells whose loads change, and subtracts the loads of their facets and walls from the kept sums.
+
+    Over one index, in `core/gpu/facet_breakage.hpp`.
+    """
     return Kernel("withdraw_facets_of_cell", (
         moving, elastic_facets, wall_constraints, facet_release, candidates, postponed
     ))
@@ -1682,7 +2202,10 @@ def write_all_crushing_of_beams(
     device_span: DeviceSpan, softening_bounds: SofteningBounds, softening_beams: SofteningBeams, event_log:
     EventLog, history_rows: HistoryRows
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/softening_beams.hpp`."""
+    """Writes the energy that beams have released beyond their fracture energy.
+
+    Over one index, in `core/gpu/softening_beams.hpp`.
+    """
     return Kernel("write_all_crushing_of_beams", (
         device_span, softening_bounds, softening_beams, event_log, history_rows
     ))
@@ -1691,21 +2214,31 @@ def write_all_crushing_of_beams(
 def write_all_crushing_of_facets(
     device_span: DeviceSpan, crushing_portions: CrushingPortions, event_log: EventLog, history_rows: HistoryRows
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_report.hpp`."""
+    """Launched for `write_crushing_of_facets`: writes the energy that facets have released beyond their fracture
+    energy.
+
+    Over one index, in `core/gpu/crack_report.hpp`.
+    """
     return Kernel("write_all_crushing_of_facets", (device_span, crushing_portions, event_log, history_rows))
 
 
 def write_energy_of_contacts(
     device_span: DeviceSpan, contact_energies: ContactEnergies, history_rows: HistoryRows
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/contacts.hpp`."""
+    """Adds the energy of contacts to a record.
+
+    Over one index, in `core/gpu/contacts.hpp`.
+    """
     return Kernel("write_energy_of_contacts", (device_span, contact_energies, history_rows))
 
 
 def write_energy_of_yielding(
     device_span: DeviceSpan, crack_energies: CrackEnergies, history_rows: HistoryRows
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/crack_report.hpp`."""
+    """Writes the heat of yielding into a record.
+
+    Over one index, in `core/gpu/crack_report.hpp`.
+    """
     return Kernel("write_energy_of_yielding", (device_span, crack_energies, history_rows))
 
 
@@ -1727,7 +2260,10 @@ def write_gauge(
 
 
 def write_gauge_of_wall(device_span: DeviceSpan, walls: Walls, gauges: Gauges, history_rows: HistoryRows) -> Kernel:
-    """Pass of one index, defined in `core/gpu/contacts.hpp`."""
+    """Launched for `write_walls`: adds the work of walls to a record, and writes gauges of walls.
+
+    Over one index, in `core/gpu/contacts.hpp`.
+    """
     return Kernel("write_gauge_of_wall", (device_span, walls, gauges, history_rows))
 
 
@@ -1735,12 +2271,19 @@ def write_pair_failure(
     device_span: DeviceSpan, moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, candidates: Candidates,
     event_log: EventLog
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/non_local_pairs.hpp`."""
+    """Launched for `break_pairs`: removes the bonds that fail: their force from the kept sums, and the energy of
+    their springs.
+
+    Over one index, in `core/gpu/non_local_pairs.hpp`.
+    """
     return Kernel("write_pair_failure", (device_span, moving, beams, non_local_bonds, candidates, event_log))
 
 
 def write_released_energy(device_span: DeviceSpan, event_log: EventLog, history_rows: HistoryRows) -> Kernel:
-    """Pass of one index, defined in `core/gpu/breakage.hpp`."""
+    """Writes the energy released into a record.
+
+    Over one index, in `core/gpu/breakage.hpp`.
+    """
     return Kernel("write_released_energy", (device_span, event_log, history_rows))
 
 
@@ -1752,12 +2295,18 @@ def write_sum(device_span: DeviceSpan, folded_portions: FoldedPortions, history_
 def write_work_of_extra_forces(
     device_span: DeviceSpan, non_local_work: NonLocalWork, history_rows: HistoryRows
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/non_local_pairs.hpp`."""
+    """Writes the work of the extra forces of bonds to the energy balance.
+
+    Over one index, in `core/gpu/non_local_pairs.hpp`.
+    """
     return Kernel("write_work_of_extra_forces", (device_span, non_local_work, history_rows))
 
 
 def write_work_of_walls(device_span: DeviceSpan, walls: Walls, history_rows: HistoryRows) -> Kernel:
-    """Pass of one index, defined in `core/gpu/contacts.hpp`."""
+    """Launched for `write_walls`: adds the work of walls to a record, and writes gauges of walls.
+
+    Over one index, in `core/gpu/contacts.hpp`.
+    """
     return Kernel("write_work_of_walls", (device_span, walls, history_rows))
 
 
@@ -1765,7 +2314,10 @@ def yield_cell(
     device_span: DeviceSpan, moving: Moving, stresses_of_cells: StressesOfCells, yielding_cells: YieldingCells,
     crack_onset: CrackOnset
 ) -> Kernel:
-    """Pass of one index, defined in `core/gpu/yielding.hpp`."""
+    """Lets the cells of a portion yield whose stress reaches their yield surface.
+
+    Over one index, in `core/gpu/yielding.hpp`.
+    """
     return Kernel("yield_cell", (device_span, moving, stresses_of_cells, yielding_cells, crack_onset))
 
 
