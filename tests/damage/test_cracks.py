@@ -32,7 +32,7 @@ def cracked(model: bd.Model, integrity: dict[int, float]) -> bd.State:
     """A state with cracks of given integrity, by the kernels' number of their facet."""
     state = model.state()
     facet, s = np.array(list(integrity)), np.array(list(integrity.values()))
-    axes = axes_along(model.cells.normal[facet])
+    axes = axes_along(model.cell_law.constants.normal[facet])
     state.cracks = crack_rows(facet, STRENGTH, axes, alike_left(s), np.ones(len(facet), dtype=bool))
     state.integrity[facet] = s
     return state

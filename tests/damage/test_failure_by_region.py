@@ -71,8 +71,7 @@ def test_facets_have_the_strength_of_their_region_and_of_its_border() -> None:
     assert table.strength.tolist() == np.array([4e6, 1e6, 2e6])[inside].tolist()
     assert table.friction.tolist() == np.array([0.0, 0.0, 0.3])[inside].tolist()
     # the opening where nothing is left is 2 G_f / f_t, of a whole facet the traction k u / A
-    assert one.cells is not None
-    opening = table.last * table.area / one.cells.k
+    opening = table.last * table.area / one.cell_law.constants.k
     assert opening == pytest.approx(2.0 * np.array([60.0 / 4e6, 30.0 / 1e6, 30.0 / 2e6])[inside], rel=1e-12)
 
 

@@ -81,7 +81,7 @@ def test_vtk_reads_what_the_run_had(tmp_path: Path, make) -> None:
         np.testing.assert_allclose(elements["orientation"], state.orientation, atol=1e-6)
         gone = np.flatnonzero(state.bond_integrity < 1.0)
         assert sorted(set(found["cracks"]["facet"])) == gone.tolist()
-        if model.cells is None:
+        if not model.interaction.on_facets:
             bonds = found["bonds"]
             assert bonds.n_lines == len(model.lattice.pairs)
             np.testing.assert_allclose(bonds["integrity"], state.bond_integrity)

@@ -106,16 +106,17 @@ def facet_forces(state: FailingState, facets: ElasticFacets, area: Floats, rows:
 def yielding_of(
     state: FailingState, table: SofteningTable, facets: ElasticFacets, walls: WallConstraints,
     constants: CellConstants,
-) -> YieldingCells | None:  # fmt: skip
-    """Return the cells that yield, or None if none can."""
+) -> tuple[YieldingCells, ...]:  # fmt: skip
+    """Return the cells that yield, one table, or no table if none can."""
     slip = table.slip
     if slip is None:
-        return None
+        return ()
     G, lame = constants.G, constants.lame
     # by which F falls per slip while the total strain stays
     stiffness = G + ((9.0 * lame + 6.0 * G) if slip.cone else (lame + G)) * slip.slope * slip.dilation
-    return YieldingCells(
+    cells = YieldingCells(
         slip.cone, slip.strength, slip.slope, slip.dilation, stiffness, slip.fade, slip.near_start,
         slip.near.astype(np.uint32), state.plastic[:, PlasticColumn.GAMMA].copy(), state.held_slip, state.plastic,
         facets.lever_i.copy(), facets.lever_j.copy(), walls.arm.copy(),
     )  # fmt: skip
+    return (cells,)

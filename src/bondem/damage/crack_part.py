@@ -114,9 +114,7 @@ class CrackingBody:
     @property
     def joints(self) -> CrackJoints:
         """The cracked facets as joints of their cells."""
-        return CrackJoints(
-            self.cracks, self.lists, self.body.facets, self.of_cells, self.strengths, self.log
-        )  # fmt: skip
+        return CrackJoints(self.cracks, self.lists, self.body.facets, self.of_cells, self.strengths, self.log)
 
     def parts(self, elastic: Part) -> list[Part]:
         """Return the parts of the body: yielding and initiation by its stresses, the elastic body, and its cracks."""
@@ -128,25 +126,19 @@ class CrackingBody:
         if strains is None:
             return [], [], []
         powers = self.shared.moving, strains, body.facets, self.cracks
-        stretch: Passes = []
-        if self.yielding is not None:
-            stretch.append(steps.stretch_anew(strains, body.facets, self.of_cells, body.walls, self.yielding))
+        whole = strains, body.facets, self.of_cells, body.walls
+        stretch: Passes = [steps.stretch_anew(*whole, yielding) for yielding in self.yielding]
         return stretch, [steps.begin_crack_powers(*powers)], [steps.sum_crack_powers(*powers)]
 
     def _begin(self) -> Passes:
         """Return the passes that begin a run: levers, lists, weights and stresses of the state."""
         moving, body, cracks = self.shared.moving, self.body, self.cracks
-        passes: Passes = []
-        if self.yielding is not None:
-            passes.append(steps.stretch_all_cells(body.facets, self.of_cells, self.yielding))
-        passes += [
+        return [
+            *(steps.stretch_all_cells(body.facets, self.of_cells, yielding) for yielding in self.yielding),
             steps.link_cracks(body.facets, self.kept, self.strengths, cracks, self.lists),
             steps.weigh_cracked_cells(body.facets, body.cells, self.slack, cracks),
-        ]
-        if self.yielding is not None:
-            passes.append(steps.stretch_walls_and_cracks(body.facets, body.walls, self.yielding, cracks))
-        return [
-            *passes, steps.carry_cracks(self.stresses, cracks, self.lists),
+            *(steps.stretch_walls_and_cracks(body.facets, body.walls, one, cracks) for one in self.yielding),
+            steps.carry_cracks(self.stresses, cracks, self.lists),
             steps.sum_moments(moving, body.facets, self.of_cells, self.kept),
             steps.find_cell_stresses(moving, self.kept, self.stresses),
             steps.add_surface_stresses(moving, body.walls, self.tractions, self.stresses),
@@ -161,12 +153,12 @@ class CrackingBody:
             steps.add_surface_stresses(moving, body.walls, self.tractions, stresses),
             steps.judge_cells(self.strengths, stresses, onset) if by is None else by.judge(stresses, onset),
         ]
-        if self.yielding is not None:
+        for yielding in self.yielding:
             passes += [
-                steps.yield_cells(moving, self.strengths, stresses, self.yielding, onset),
-                steps.stretch_cells(body.facets, self.of_cells, self.yielding),
-                steps.add_yielding_work(self.tractions, stresses, self.yielding, self.shared.rows),
-                steps.stretch_walls_and_cracks(body.facets, body.walls, self.yielding, self.cracks),
+                steps.yield_cells(moving, self.strengths, stresses, yielding, onset),
+                steps.stretch_cells(body.facets, self.of_cells, yielding),
+                steps.add_yielding_work(self.tractions, stresses, yielding, self.shared.rows),
+                steps.stretch_walls_and_cracks(body.facets, body.walls, yielding, self.cracks),
             ]
         if by is None:
             passes.append(steps.mark_cracking_facets(moving, body.facets, self.kept, strengths, stresses, onset))
@@ -199,7 +191,7 @@ class CrackingBody:
             *powers,
         ]
         still: Passes = []
-        if self.yielding is not None:  # what cells dissipate is found by their stresses
+        if self.yielding:  # what cells dissipate is found by their stresses
             still = [
                 steps.find_still_stresses(moving, self.kept, stresses),
                 steps.add_still_surface_stresses(moving, body.walls, self.tractions, stresses),
@@ -218,11 +210,10 @@ class CrackingBody:
 
     def _record(self, history: HistoryRows) -> Passes:
         moving, body, energies = self.shared.moving, self.body, self.energies
-        passes: Passes = [steps.sum_stressed_dilatation(moving, body.cells, energies)]
-        if self.yielding is not None:
-            passes.append(steps.sum_heat(self.stresses, self.yielding, energies))
         return [
-            *passes, steps.sum_crack_energies(moving, body.facets, self.cracks, energies),
+            steps.sum_stressed_dilatation(moving, body.cells, energies),
+            *(steps.sum_heat(self.stresses, yielding, energies) for yielding in self.yielding),
+            steps.sum_crack_energies(moving, body.facets, self.cracks, energies),
             steps.add_crack_energies(moving, body.walls, energies, self.shared.portions),
             steps.write_released(self.log, history), steps.write_heat(energies, history),
             steps.write_crushing_of_facets(self.strengths, self.cracks, self.log, history),

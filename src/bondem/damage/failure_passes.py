@@ -1,4 +1,4 @@
-"""Failure criteria as the core takes them, and the indices of all bonds in any poses.
+"""Failure criteria as the core takes them, and the indices of facets under tractions.
 
 `core/tables/damage_tables.hpp` declares types and shapes.
 """
@@ -7,10 +7,8 @@ import numpy as np
 
 from bondem._core import run_pass
 from bondem._passes import calls
-from bondem._tables.cell_tables import ElasticFacets
 from bondem._tables.damage_tables import FailureIndices, LoadedTractions, Strengths
-from bondem._tables.step_tables import Beams, Poses
-from bondem._types import Floats, PerBond, PerBond3
+from bondem._types import PerBond, PerBond3
 from bondem.damage.criteria.criterion import BondCriterion
 from bondem.damage.criteria.criterion_catalogue import CRITERIA
 from bondem.damage.failure_table import FailureTable
@@ -29,20 +27,6 @@ SOFTENING_CRITERIA = tuple(
 def strengths_of(table: FailureTable) -> Strengths:
     """Return the coefficients of a table as the core takes them."""
     return Strengths(np.ascontiguousarray(table.coefficient), np.ascontiguousarray(table.station, dtype=float))
-
-
-def beam_indices(pose: Floats, beams: Beams, table: FailureTable) -> PerBond:
-    """Return the index of every beam [-], 0 where broken, internal order, (m,)."""
-    found = np.zeros(len(beams.i))
-    run_pass(calls.INDEX_BEAMS_BY[table.kind](Poses(pose), beams, strengths_of(table), FailureIndices(found)))
-    return found[: len(table.station)]
-
-
-def indices_of_facets(pose: Floats, facets: ElasticFacets, table: FailureTable) -> PerBond:
-    """Return the index of every facet at the stresses in the poses [-], 0 where broken, internal order, (m,)."""
-    found = np.zeros(len(facets.i))
-    run_pass(calls.INDEX_FACETS_BY[table.kind](Poses(pose), facets, strengths_of(table), FailureIndices(found)))
-    return found[: len(table.station)]
 
 
 def traction_indices(normal: PerBond3, traction: PerBond3, area: PerBond, table: FailureTable) -> PerBond:

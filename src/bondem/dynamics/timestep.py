@@ -69,9 +69,7 @@ def _limits(
         bonds, decay = _with_broken(model, bonds)
     motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
     if model.contacts is not None:
-        motions += model.contacts.laws.stiffest(
-            model.contact_radius, model.mass, model.contacts.walls.platens
-        )
+        motions += model.contacts.laws.stiffest(model.contact_radius, model.mass, model.contacts.walls.platens)
     limit = free = math.inf
     for frequency, delay in motions:
         omega = raised * math.hypot(bonds, frequency)

@@ -10,17 +10,19 @@ from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import Any, ClassVar, Literal, Protocol, Self
+from typing import Any, ClassVar, Literal, NamedTuple, Protocol, Self
 
 import numpy as np
 from scipy.sparse import bsr_array
 
-from bondem._tables.damage_tables import Candidates, EventLog, Postponed, Strengths
-from bondem._tables.step_tables import BeamSums, Dashpots, LaggedStresses, Moving, Portions, StepCut
+from bondem._core import run_pass
+from bondem._passes import calls
+from bondem._tables.damage_tables import Candidates, EventLog, FailureIndices, Postponed, Strengths
+from bondem._tables.step_tables import Beams, BeamSums, Dashpots, LaggedStresses, Moving, Portions, Poses, StepCut
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3, PerElement6
 from bondem.boundary.conditions import BoundaryCondition
 from bondem.boundary.wall_constraints import Grips
-from bondem.interactions.beams.beam_tables import beam_tables, load_beams, loads_of_each
+from bondem.interactions.beams.beam_tables import beam_energies, beam_tables, load_beams, loads_of_each
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_strain import BondStrain
 from bondem.interactions.beams.bond_table import BondTable, with_twins
@@ -55,6 +57,16 @@ class StateField:
     def zeros(self, **sizes: int) -> np.ndarray:
         """Return the array of a new state."""
         return np.zeros([sizes[axis] if isinstance(axis, str) else axis for axis in self.shape])
+
+
+class SurfaceState(NamedTuple):
+    """Walls that hold facets at a time, and tractions on facets: initial places `base`, (g, 7), displacements [m],
+    (g, 3), and what the tractions add to V θ of each cell [m³], internal order, (n,).
+    """
+
+    base: Floats
+    motion: Floats
+    pressed: PerElement
 
 
 class DamageOfRun(Protocol):
@@ -126,7 +138,7 @@ class Interaction(ABC):
         fields: arrays of the state that the law owns (class attribute).
         has_potential: whether forces are the derivative of an energy (class attribute).
         evaluated: quantity that a criterion evaluates (class attribute).
-        on_facets: whether loads and conditions on faces act on facets (class attribute).
+        on_facets: whether elements interact, and take loads and conditions on faces, by facets (class attribute).
         corrects_mass: whether it has a dispersion-corrected mass matrix (class attribute).
         isotropic_springs: whether springs are as stiff across as along (class attribute).
     """
@@ -277,7 +289,36 @@ class Interaction(ABC):
             twisting=0.5 * float((k.kt * bonds.twist**2).sum()),
         )
 
+    def surface_motion(self, displacement: PerElement3, rotation: PerElement3, traction: Floats) -> Floats:
+        """Return small displacements of free facets [m], (k, 3), that tractions [Pa], (k, 3), open; user's order."""
+        cells = self.lattice.elements.require_cells().cells
+        free, arm = cells.free, cells.free.centroid - cells.centroid[cells.free.cell]
+        return displacement[free.cell] + np.cross(rotation[free.cell], arm)
+
     # ---- large motions
+
+    def energy(
+        self, pose: Floats, rest: Floats, integrity: PerBond, strain: PerBond, surface: SurfaceState | None = None
+    ) -> EnergyParts:
+        """Return the energy of bonds in a pose at strains ε* [-], (m,) or (0,), internal order.
+
+        Walls and tractions on facets are those of `surface`, or, without it, those of the law at their final values.
+        """
+        return EnergyParts(*beam_energies(pose, self._beams(strain, integrity)))
+
+    def indices(self, pose: Floats, arrays: Arrays, kind: str, strengths: Strengths) -> PerBond:
+        """Return the index of each bond by a criterion [-], 0 where broken, internal order, (m,).
+
+        Poses of cells have their stresses λ θ [Pa].
+        """
+        beams = self._beams(arrays["rest_strain"], arrays["integrity"])
+        found = FailureIndices(np.zeros(len(beams.i)))
+        run_pass(calls.INDEX_BEAMS_BY[kind](Poses(pose), beams, strengths, found))
+        return found.index[: len(self.layout.i)]
+
+    def _beams(self, strain: PerBond, integrity: PerBond) -> Beams:
+        stretched = self.table.stretched(strain)
+        return beam_tables(stretched, self.layout, self.period, integrity, may_share=False)[0]
 
     def loading(
         self, pose: Floats, rest: Floats, sums: Floats, integrity: PerBond, table: BondTable

@@ -5,10 +5,9 @@ from typing import ClassVar, Protocol, Self
 
 from scipy.sparse import bsr_array
 
-from bondem._tables.damage_tables import Strengths
 from bondem._types import Floats, PerBond, PerBond3, PerElement6
 from bondem.interactions.energy_parts import EnergyParts
-from bondem.interactions.interaction import Arrays, SteppingInteraction
+from bondem.interactions.interaction import SteppingInteraction
 
 
 class LaggedStrain(Protocol):
@@ -60,7 +59,3 @@ class LaggedInteraction(SteppingInteraction):
         From velocities (u, θ) [m/s, rad/s] on, with masses and moments of inertia [kg, kg·m²] and dashpots along and
         across the normals of bonds [N·s/m], user's order; `gamma` is local damping [-].
         """
-
-    @abstractmethod
-    def indices(self, pose: Floats, arrays: Arrays, strengths: Strengths) -> PerBond:
-        """Return the index of each bond by the stresses of a state [-], 0 where broken, internal order, (m,)."""

@@ -177,7 +177,7 @@ def _drawn(model: Model) -> np.ndarray:
 
 
 def _stress(model: Model, state: State) -> Floats | None:
-    if model.cells is not None:
+    if model.interaction.on_facets:
         tensor = mean_stress(model, CellForces.of(model, state))
         return tensor[:, _OF_TENSOR[0], _OF_TENSOR[1]]
     if state.stress.size:

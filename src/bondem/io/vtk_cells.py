@@ -54,7 +54,7 @@ def fields_of_cells(body: Lattice, state: State | StaticResult | None) -> dict[s
     if not isinstance(state, State):
         return fields
     model = state.model
-    if isinstance(model, Model) and model.cells is not None:
+    if isinstance(model, Model) and model.interaction.on_facets:
         forces = CellForces.of(model, state)
         stress = mean_stress(model, forces)
         fields |= {

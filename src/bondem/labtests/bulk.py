@@ -87,7 +87,7 @@ def bulk_moduli(lattice: Lattice, law: AnyLaw, *, guess: BulkModuli | None = Non
     if isinstance(model.interaction, LaggedInteraction):
         return _of_lagged(model, model.interaction)
     statics = Statics(model)
-    if statics.model.cells is not None:
+    if model.interaction.on_facets:
         return _of_cells(statics)
     k = statics.model.stiffness
     moving = lattice.connected[lattice.pairs[:, 0], None]

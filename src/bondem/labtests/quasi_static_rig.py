@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 
@@ -21,6 +22,7 @@ from bondem.dynamics.plan import ExplicitResult
 from bondem.errors import InputError
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment
+from bondem.interactions.law_catalogue import kind_of
 from bondem.labtests.arguments import check
 from bondem.labtests.cracking import CRACKED, Cracking, dissipated_in
 from bondem.labtests.recorded_run import run_test, step_of
@@ -261,9 +263,9 @@ def require_cells(test: str, body: Lattice, law: object, density: float = DENSIT
     matrix = _first(law)
     refusal = f"labtests.{test}: the lattice or its law is not of cells; connect with method='laguerre' and give"
     body.elements.require_cells(f"{refusal} bd.CellBond")
-    if not isinstance(matrix, CellBond):
+    if not kind_of(matrix).on_facets:
         raise InputError(f"{refusal} bd.CellBond")
-    return matrix
+    return cast(CellBond, matrix)
 
 
 def _first(given: object) -> object:

@@ -143,7 +143,7 @@ def force_gyration(model: Model, solution: StaticResult) -> Floats:
     ratio. For cells the mean is over the cells, weighted with mean axial stress times volume.
     """
     lattice = model.lattice
-    if model.cells is not None:
+    if model.interaction.on_facets:
         return _stress_gyration(model, solution)
     i, j = lattice.pairs.T
     position = lattice.particles.position

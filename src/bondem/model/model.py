@@ -98,7 +98,7 @@ class Model:
 
     # What solvers read, in their own order and types. Neither `dir` nor the reference lists it.
     _INTERNAL = (
-        "beam_softening", "bonds", "breaking", "by", "cell_constants", "cell_law", "cells", "constraints",
+        "beam_softening", "bonds", "breaking", "by", "cell_constants", "cell_law", "constraints",
         "contact_laws", "contacts", "correction",
         "failure_parts", "hands_over", "interaction", "layout", "period", "pressed", "softening",
     )  # fmt: skip
@@ -163,11 +163,6 @@ class Model:
     def layout(self) -> Layout:
         """Internal order of elements and bonds."""
         return Layout.of(self.lattice)
-
-    @property
-    def cells(self) -> CellConstants | None:
-        """Constants of the cell law, in internal order; None for other laws."""
-        return self.cell_law.constants if isinstance(self.interaction, CellInteraction) else None
 
     @property
     def cell_law(self) -> CellInteraction:

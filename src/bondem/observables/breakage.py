@@ -8,11 +8,9 @@ from bondem._checks import instance
 from bondem._tables.columns import EventColumn, SoftColumn
 from bondem._types import Floats, Ints, PerBond
 from bondem.damage.criteria.criterion import MODES
-from bondem.damage.failure_passes import beam_indices, indices_of_facets, strengths_of
+from bondem.damage.failure_passes import strengths_of
 from bondem.errors import InputError
-from bondem.interactions.beams.beam_tables import beam_tables
-from bondem.interactions.cells.cell_tables import STRESS, cell_tables
-from bondem.interactions.lagged_interaction import LaggedInteraction
+from bondem.interactions.cells.cell_tables import STRESS
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.model.state_compatibility import difference
@@ -99,20 +97,12 @@ def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
     if table is None:
         raise InputError("failure_index: the model has no criterion; give it failure=bd.PeripheralStress(...)")
     layout = model.layout
-    constants = model.bonds.stretched(state.rest_strain)
-    if isinstance(model.interaction, LaggedInteraction):
-        found = model.interaction.indices(state.pose, state.of_law, strengths_of(table))
-    elif model.cells is None:
-        beams, _ = beam_tables(constants, layout, model.period, state.integrity, may_share=False)
-        found = beam_indices(state.pose, beams, table)
-        softened = state.softened[:, SoftColumn.BOND].astype(np.int64)
-        found[softened] = state.integrity[softened] > 0.0
-    else:
-        pose = state.pose.copy()
+    law, pose, strengths = model.interaction, state.pose.copy(), strengths_of(table)
+    if law.on_facets:
         pose[:, STRESS] = CellForces.of(model, motion).stress[layout.order]
-        strained = model.cells.stretched(state.rest_strain, layout)
-        facets, _ = cell_tables(strained, layout, model.period, state.integrity, layout.i)
-        found = indices_of_facets(pose, facets, table)
+    found = law.indices(pose, state.of_law, table.kind, strengths)
+    softened = state.softened[:, SoftColumn.BOND].astype(np.int64)
+    found[softened] = state.integrity[softened] > 0.0
     own = np.empty_like(found)
     own[layout.bond_order] = found
     return own

@@ -67,7 +67,7 @@ class CellForces:
         Raises:
             InputError: The model has another law, or the result belongs to another model.
         """
-        if model.cells is None:
+        if not model.interaction.on_facets:
             raise InputError("cell_stress: the model has no cells; give a body of cells and bond=bd.CellBond(...)")
         moved = getattr(result, "displacement", None)
         if moved is None:

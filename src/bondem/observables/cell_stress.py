@@ -33,7 +33,7 @@ def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
         InputError: The result belongs to another model.
     """
     instance("cell_stress", "model", model, Model, "bd.Model(...)")
-    if model.cells is None:
+    if not model.interaction.on_facets:
         return element_stress(model, result).symmetric
     return mean_stress(model, CellForces.of(model, result))
 

@@ -90,7 +90,7 @@ def element_stress(model: Model, result: SmallMotion | State) -> ElementStress:
         InputError: a model of cells, or a result of another model.
     """
     instance("element_stress", "model", model, Model, "bd.Model(...)")
-    if model.cells is not None:
+    if model.interaction.on_facets:
         raise InputError("element_stress: elements of this model are cells; give it to bd.cell_stress")
     found, lattice = bond_forces(model, result), model.lattice
     centre = result.position if isinstance(result, State) else lattice.centre

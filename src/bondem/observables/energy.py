@@ -1,17 +1,17 @@
 """Elastic energy of the bonds and its parts."""
 
+from dataclasses import replace
+
 import numpy as np
 
-from bondem._tables.cell_tables import CellPoses
 from bondem._tables.columns import SoftColumn
-from bondem._tables.step_tables import Beams
-from bondem._types import Floats, PerBond, PerElement3
+from bondem._types import PerBond, PerElement3
 from bondem.errors import InputError
-from bondem.interactions.beams.beam_tables import beam_energies, beam_tables
-from bondem.interactions.cells.cell_tables import body_energies, cell_tables, gradient_tables, place_held_walls
 from bondem.interactions.energy_parts import EnergyParts
+from bondem.interactions.interaction import SurfaceState
 from bondem.model.model import Model
 from bondem.model.state import State
+from bondem.observables.cell_forces import wall_places
 from bondem.observables.facet_loads import loads_on_facets
 
 
@@ -37,39 +37,20 @@ def elastic_energy(model: Model, state: State) -> EnergyParts:
     Raises:
         InputError: The state has cracks that soften, or cells that have yielded.
     """
-    return energy_of(model, state, state.rest_strain)
-
-
-def energy_of(model: Model, state: State, strain: PerBond, *, wall: Floats | None = None) -> EnergyParts:
-    """Compute the energy of a state with stress-free strains ε* [-], internal order, (m,), or (0,) for none.
-
-    With `wall` [m], (g, 3), walls are at these places and tractions are those of the model's own cells. Without, both
-    are as for `elastic_energy`.
-    """
     if len(state.cracks) or state.plastic.any():
         raise InputError(
             "elastic_energy: the state has cracks or plastic strains; use run.history.energy"
         )
-    if model.cells is None:
-        beams, _ = beam_tables(
-            model.bonds.stretched(strain), model.layout, model.period, state.integrity, may_share=False
-        )
-        normal, *others = beam_energies(state.pose, beams)
-        return EnergyParts(normal + _pressed_energy(model, state, beams), *others)
-    layout, constants = model.layout, model.cells.stretched(strain, model.layout)
-    walls = constants.grips.table(layout, model.constraints.row_of, 0, None if wall is not None else state.grips)
-    whole = constants.damaged(state.integrity, layout.i, layout.j)
-    facets, cells = cell_tables(whole, layout, model.period, state.integrity, layout.i)
-    if wall is None:
-        place_held_walls(walls, state.time)
-        cells.given[:] = model.cell_constants.pressed_by(loads_on_facets(model, state.time))[layout.order]
-    else:
-        walls.wall[:] = wall
-    gradients = gradient_tables(whole.gradients, len(state.pose), walls)
-    return EnergyParts(*body_energies(CellPoses(state.pose, state.rest), facets, cells, gradients, walls))
+    law, strain, surface = model.interaction, state.rest_strain, None
+    if law.on_facets:
+        force = loads_on_facets(model, state.time)
+        pressed = law.pressed(np.arange(len(force)), force)[model.layout.order]
+        surface = SurfaceState(state.grips, wall_places(model, state), pressed)
+    found = law.energy(state.pose, state.rest, state.integrity, strain, surface)
+    return replace(found, normal=found.normal + _pressed_energy(model, state))
 
 
-def _pressed_energy(model: Model, state: State, beams: Beams) -> float:
+def _pressed_energy(model: Model, state: State) -> float:
     """Return the energy of the pressure on beams that soften, ½ (1 - s) kn <L - ℓ>², beside that of the beams [J].
 
     Contacts store that of broken beams where the model has them.
@@ -77,7 +58,8 @@ def _pressed_energy(model: Model, state: State, beams: Beams) -> float:
     bond = state.softened[:, SoftColumn.BOND].astype(np.int64)
     if model.hands_over:
         bond = bond[state.integrity[bond] > 0.0]
-    branch = state.pose[beams.j[bond], :3] - state.pose[beams.i[bond], :3]
-    branch -= beams.period[:3] * np.rint(branch * beams.period[3:])
+    layout, beams = model.layout, model.bonds.stretched(state.rest_strain)
+    branch = state.pose[layout.j[bond], :3] - state.pose[layout.i[bond], :3]
+    branch -= model.period[:3] * np.rint(branch * model.period[3:])
     short = np.maximum(beams.length[bond] - np.linalg.norm(branch, axis=1), 0.0)
     return 0.5 * float(((1.0 - state.integrity[bond]) * beams.kn[bond] * short**2).sum())

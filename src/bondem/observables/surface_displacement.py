@@ -5,7 +5,6 @@ import numpy as np
 from bondem._checks import instance
 from bondem._types import Floats, PerElement3
 from bondem.interactions.cells.cell_body import body_of
-from bondem.interactions.cells.cell_strain import CellStrain
 from bondem.model.model import Model
 
 
@@ -27,19 +26,5 @@ def surface_displacement(
     """
     instance("surface_displacement", "model", model, Model, "bd.Model(...)")
     _, cells = body_of(model.lattice)
-    free = cells.free
-    arm = free.centroid - cells.centroid[free.cell]
-    rigid = displacement[free.cell] + np.cross(rotation[free.cell], arm)
-    if model.cells is None:  # another law of a body, whose facets do not open
-        return rigid
-    constants = model.cell_constants
-    pressed = None if traction is None else constants.pressed_by(free.area[:, None] * traction)
-    wall = constants.grips.motion
-    found = CellStrain.of(model.lattice, constants, displacement, rotation, wall=wall, pressed=pressed)
-    pull = -found.stress(constants)[free.cell, None] * constants.way
-    if traction is not None:
-        pull = pull + traction
-    moved = rigid + constants.softness[:, None] * pull
-    grips = constants.grips
-    moved[grips.holds.facet] = np.where(grips.axes > 0.0, grips.motion, moved[grips.holds.facet])
-    return moved
+    traction = np.zeros((len(cells.free.cell), 3)) if traction is None else traction
+    return model.interaction.surface_motion(displacement, rotation, traction)

@@ -16,7 +16,6 @@ from bondem.interactions.beams.beam_tables import beam_tables, count_turned
 from bondem.model.highest_frequency import stiffest
 from bondem.model.model import Model
 from bondem.model.state import State
-from bondem.observables.energy import energy_of
 from bondem.statics.floating import refuse_floating
 from bondem.statics.nonlinear import strained
 from bondem.statics.static import StaticResult
@@ -62,7 +61,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     if not model.interaction.has_potential:
         title = model.interaction.title
         raise InputError(f"solve_relaxed needs a potential, which the {title} lacks; use solve_static")
-    if model.cells is not None:
+    if model.interaction.on_facets:
         raise InputError("solve_relaxed does not support cells; use solve_static, also with nonlinear=True")
     layout, constraints = model.layout, model.constraints
     n = len(layout.order)
@@ -111,8 +110,9 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     turned = np.concatenate([state.pose[:, :3] - state.rest, rotation_vector(state.pose[:, 4:])], axis=1)
     values = turned[layout.rank]
     reaction = np.where(held, -relaxation.before - load, 0.0)[layout.rank]
+    energy = model.interaction.energy(state.pose, state.rest, state.integrity, state.eigenstrain)
     return StaticResult(
-        values[:, :3].copy(), values[:, 3:].copy(), reaction, energy_of(model, state, state.eigenstrain), model, True,
+        values[:, :3].copy(), values[:, 3:].copy(), reaction, energy, model, True,
         iterations=done, residual=float(ratio),
     )  # fmt: skip
 

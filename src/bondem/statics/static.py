@@ -17,7 +17,7 @@ from bondem.model.model import Model
 from bondem.model.solution import Solution
 from bondem.model.state import State
 from bondem.observables.cell_stress import cell_stress
-from bondem.observables.energy import EnergyParts, energy_of, linear_energy
+from bondem.observables.energy import EnergyParts, linear_energy
 from bondem.observables.posed_state import in_equilibrium
 from bondem.observables.principal_stresses import principal_stresses, von_mises_stress
 from bondem.specimen.particles import freeze
@@ -135,7 +135,7 @@ def solve_static(model: Model, *, nonlinear: bool = False, guess: StaticResult |
     values = bent.motion[layout.rank]
     reaction = np.where(constraints.held(n), bent.force - constraints.final_load(n, bent.state.pose), 0.0)
     end = strained(model, 1.0)
-    energy = energy_of(end, bent.state, bent.state.eigenstrain, wall=end.interaction.grips.motion)
+    energy = end.interaction.energy(bent.state.pose, bent.state.rest, bent.state.integrity, bent.state.eigenstrain)
     return StaticResult(
         values[:, :3].copy(), values[:, 3:].copy(), (reaction + bent.walls)[layout.rank], energy, model, True,
         iterations=bent.rounds, residual=bent.residual,

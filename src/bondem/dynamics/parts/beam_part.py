@@ -10,12 +10,15 @@ from bondem.damage.damage_part import BondParts, DamageTables, Joints, damage_of
 from bondem.damage.softening_part import SofteningTables, softening
 from bondem.dynamics.parts.shared_tables import SharedTables, apart
 from bondem.interactions.beams.beam_tables import beam_tables
+from bondem.interactions.interaction import Interaction
 from bondem.interactions.step_part import Part, Passes
 from bondem.model.model import Model
 from bondem.model.state import State
 
 
-def beams(model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None) -> BondParts:
+def beams(
+    _: Interaction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, __: float
+) -> BondParts:
     """Return the parts of beams, with dashpots beside them or without: their forces, and their breakage."""
     moving, cut, portions = shared.moving, shared.cut, shared.portions
     strain = _changing_strain(model, state)

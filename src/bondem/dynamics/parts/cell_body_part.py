@@ -13,13 +13,14 @@ from bondem.dynamics.parts.cell_part import BodyOfCells, cells, constants_of
 from bondem.dynamics.parts.mass_part import mass_of_waves
 from bondem.dynamics.parts.shared_tables import SharedTables, apart
 from bondem.interactions.cells.cell_body import body_of
+from bondem.interactions.cells.cell_interaction import CellInteraction
 from bondem.interactions.cells.cell_tables import facet_release
 from bondem.model.model import Model
 from bondem.model.state import State
 
 
 def body_of_cells(
-    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
+    law: CellInteraction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
 ) -> BondParts:
     """Return the parts of a body of cells; `dt` is the time step [s]."""
     body, table = BodyOfCells.of(model, state, shared), model.softening
@@ -30,14 +31,12 @@ def body_of_cells(
         )  # fmt: skip
         stretch, powers, _ = cracking.straining()
         elastic = cells(shared, model, state, body, dashpots, cracking.kept, stretch=stretch, powers=powers)
-        return BondParts(
-            cracking.parts(elastic), Joints.of_cracks(apart(model, state), state, cracking.joints)
-        )
+        return BondParts(cracking.parts(elastic), Joints.of_cracks(apart(model, state), state, cracking.joints))
     damage = damage_of(model.breaking, state, shared.cut, len(body.facets.i))
     forces = cells(shared, model, state, body, dashpots, damage=damage)
     parts = [forces, *mass_of_waves(model, shared, body)]
     if damage is not None:
-        release = facet_release(model.cell_law.constants, model.layout, body.facets, body.cells, body.walls)
+        release = facet_release(law.constants, model.layout, body.facets, body.cells, body.walls)
         dashed = None if dashpots is None else (dashpots, body.beams)
         parts.append(facet_breakage(damage, state, shared, body.facets, body.walls, release, dashed))
     return BondParts(parts, Joints(body.facets.integrity, apart(model, state), damage))

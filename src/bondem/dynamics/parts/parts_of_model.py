@@ -1,6 +1,7 @@
 """Parts of the step of a model."""
 
 from dataclasses import replace
+from functools import singledispatch
 
 from bondem._tables.step_tables import Dashpots, Gauges, StepCut
 from bondem._types import PerBond
@@ -17,6 +18,7 @@ from bondem.dynamics.parts.motion_part import dashpots_of, motion, resistance_of
 from bondem.dynamics.parts.shared_tables import SharedTables, apart
 from bondem.dynamics.plan import Plan
 from bondem.interactions.beams.bond_table import with_twins
+from bondem.interactions.cells.cell_interaction import CellInteraction
 from bondem.interactions.interaction import Run, SteppingInteraction
 from bondem.interactions.step_part import Part, Passes
 from bondem.model.domain_blocks import Blocks
@@ -30,7 +32,7 @@ def parts_of(
     """Return the tables and the parts of a run from a state, whose arrays they share."""
     shared = SharedTables.of(model, state, cut)
     dashpots = dashpots_of(model, terms, cut)
-    bonds = _bonds(model, state, shared, dashpots, dt)
+    bonds = _bonds(model.interaction, model, state, shared, dashpots, dt)
     contacts, moments = [], []
     if model.contacts is not None:
         touching = ContactTables(model, model.contacts, state, shared, gauges, bonds.joints, dt)
@@ -58,19 +60,8 @@ def parts_in_one_block(model: Model, plan: Plan, state: State, dt: float) -> tup
     return parts_of(model, DampingTerms.of(plan.damping), state, cut, gauge_tables(model, plan), dt)
 
 
-def _bonds(
-    model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
-) -> BondParts:
-    """Return the parts of the bonds."""
-    if model.cells is not None:
-        return body_of_cells(model, state, shared, dashpots, dt)
-    if isinstance(model.interaction, SteppingInteraction):
-        return _of_law(model, model.interaction, state, shared, dashpots)
-    return beams(model, state, shared, dashpots)
-
-
 def _of_law(
-    model: Model, law: SteppingInteraction, state: State, shared: SharedTables, dashpots: Dashpots | None
+    law: SteppingInteraction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, _: float
 ) -> BondParts:
     """Return the parts that a law gives itself."""
     damage = damage_of(model.breaking, state, shared.cut, len(with_twins(model.layout.i)))
@@ -84,3 +75,9 @@ def _of_law(
     run = Run(shared.moving, shared.cut, shared.portions, state.of_law, dashpots, damage, failing, touches)
     found = law.parts(run)
     return BondParts(found.parts, Joints(found.integrity, apart(model, state), damage), found.stresses)
+
+
+# Parts of the bonds by the kind of their law; those of beams unless a kind has its own.
+_bonds = singledispatch(beams)
+_bonds.register(CellInteraction, body_of_cells)
+_bonds.register(SteppingInteraction, _of_law)

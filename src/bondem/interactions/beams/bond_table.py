@@ -75,9 +75,7 @@ class BondTable:
         if strain.size == 0:
             return self
         stretch = 1.0 + strain
-        return replace(
-            self, length=self.length * stretch, ks=self.ks / stretch**2, lever=self.lever * stretch
-        )
+        return replace(self, length=self.length * stretch, ks=self.ks / stretch**2, lever=self.lever * stretch)
 
     def sheared(self, ks: PerBond) -> "BondTable":
         """Return the same bonds with at least the shear stiffness ks [N/m], (m,)."""

@@ -27,6 +27,4 @@ class ContactBond(ParallelBond):
     def stiffness(self, bonds: BondGeometry) -> BondStiffness:
         full = super().stiffness(bonds)
         none = np.zeros_like(full.kn)
-        return BondStiffness(
-            kn=full.kn, ks=full.ks, kb=none, kt=none.copy(), lever=full.lever, radius=full.radius
-        )
+        return BondStiffness(kn=full.kn, ks=full.ks, kb=none, kt=none.copy(), lever=full.lever, radius=full.radius)

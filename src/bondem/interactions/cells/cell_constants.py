@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from bondem._checks import shown
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3
 from bondem.boundary.wall_constraints import Grips, Holds
 from bondem.errors import InputError
@@ -243,8 +242,6 @@ def _materials(body: Lattice, bond: CellAssignment) -> tuple[Floats, Floats, str
             as_region("bond=", where)
         if not isinstance(where, Region):
             raise InputError("CellBond applies to cells; give {region: law}, not laws between two regions")
-        if not isinstance(law, CellBond):
-            raise InputError(f"bond= has {shown(law)} in a part of the cells; give bd.CellBond(...) for all cells")
         chosen = as_region("bond=", where).select(body)
         G[chosen], lame[chosen] = law.G, law.lame
     bare = int(np.isnan(G).sum())

@@ -1,5 +1,6 @@
 """The cell law as an interaction: facets between cells, and the dilatation of cells."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, ClassVar, Self
@@ -7,6 +8,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from scipy.sparse import bsr_array
 
+from bondem._checks import shown
 from bondem._core import run_pass
 from bondem._passes import calls
 from bondem._tables.stiffness_tables import DilatationRows, FacetRows
@@ -55,6 +57,10 @@ class CellInteraction(CellsAtAnyPose):
     @classmethod
     def join(cls, lattice: Lattice, layout: Layout, bond: Any, boundary: Boundary, may_fail: bool) -> Self:
         body_of(lattice)
+        for law in bond.values() if isinstance(bond, Mapping) else ():
+            if not isinstance(law, cls.law):
+                advice = "give bd.CellBond(...) for all cells"
+                raise InputError(f"bond= has {shown(law)} in a part of the cells; {advice}")
         return cls(lattice, layout, bond, Holds.of(lattice, boundary), may_fail)
 
     def question(self) -> None:
@@ -143,6 +149,16 @@ class CellInteraction(CellsAtAnyPose):
         return CellStrain.of(
             self.lattice, self.by_user, displacement, rotation, slip=slip, wall=wall, pressed=pressed
         )
+
+    def surface_motion(self, displacement: PerElement3, rotation: PerElement3, traction: Floats) -> Floats:
+        moved, constants, grips = super().surface_motion(displacement, rotation, traction), self.by_user, self.grips
+        free = body_of(self.lattice)[1].free
+        pressed = constants.pressed_by(free.area[:, None] * traction)
+        found = CellStrain.of(self.lattice, constants, displacement, rotation, wall=grips.motion, pressed=pressed)
+        pull = traction - found.stress(constants)[free.cell, None] * constants.way
+        moved = moved + constants.softness[:, None] * pull
+        moved[grips.holds.facet] = np.where(grips.axes > 0.0, grips.motion, moved[grips.holds.facet])
+        return moved
 
     def strain_load(self, strain: PerBond, pressed: PerElement) -> PerElement6:
         still = np.zeros((len(pressed), 3))

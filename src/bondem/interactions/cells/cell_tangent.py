@@ -9,14 +9,25 @@ import numpy as np
 from scipy.sparse import bsr_array, csr_array
 
 from bondem._cache_lines import lines
+from bondem._core import run_pass
+from bondem._passes import calls
 from bondem._tables.cell_tables import CellDilatation, CellPoses, DilatationGradients, ElasticFacets, WallConstraints
-from bondem._tables.step_tables import BeamSums
+from bondem._tables.damage_tables import FailureIndices, Strengths
+from bondem._tables.step_tables import BeamSums, Poses
 from bondem._types import Floats, PerBond, PerElement6
 from bondem.geometry.rotations import relative_rotations, turned_vectors
 from bondem.interactions.beams.bond_table import BondTable, with_twins
 from bondem.interactions.cells.cell_constants import CellConstants
-from bondem.interactions.cells.cell_tables import STRESS, cell_tables, gradient_tables, load_all_facets, load_body
-from bondem.interactions.interaction import Interaction
+from bondem.interactions.cells.cell_tables import (
+    STRESS,
+    body_energies,
+    cell_tables,
+    gradient_tables,
+    load_all_facets,
+    load_body,
+)
+from bondem.interactions.energy_parts import EnergyParts
+from bondem.interactions.interaction import Arrays, Interaction, SurfaceState
 from bondem.interactions.stiffness import Stiffness
 from bondem.specimen.local_origin import local_rest
 
@@ -40,12 +51,16 @@ class BodyTables:
     walls: WallConstraints
 
     @classmethod
-    def of(cls, law: "CellsAtAnyPose", integrity: PerBond) -> "BodyTables":
-        """Return the tables of a body with facets of some integrity [-], (m,); walls are at their final places."""
-        layout, constants = law.layout, law.constants
-        walls = constants.grips.table(layout, np.zeros(len(layout.order), dtype=np.int64), 0)
-        walls.wall[:] = constants.grips.motion
+    def of(
+        cls, law: "CellsAtAnyPose", constants: CellConstants, integrity: PerBond, surface: SurfaceState | None = None
+    ) -> "BodyTables":
+        """Return the tables of a body with facets of some integrity [-], (m,); see `Interaction.energy`."""
+        layout = law.layout
+        base, motion, pressed = surface or (None, constants.grips.motion, constants.pressed)
+        walls = constants.grips.table(layout, np.zeros(len(layout.order), dtype=np.int64), 0, base)
+        walls.wall[:] = motion
         facets, cells = cell_tables(constants, layout, law.period, integrity, layout.i)
+        cells.given[:] = pressed
         return cls(facets, cells, gradient_tables(constants.gradients, len(layout.order), walls), walls)
 
     def load(self, pose: Floats, rest: Floats, sums: Floats) -> None:
@@ -64,9 +79,23 @@ class CellsAtAnyPose(Interaction):
     def loading(
         self, pose: Floats, rest: Floats, sums: Floats, integrity: PerBond, table: BondTable
     ) -> Callable[[], None]:
-        body = BodyTables.of(self, integrity)
+        body = BodyTables.of(self, self.constants, integrity)
         body.walls.wall[:] = 0.0
         return partial(body.load, pose, rest, sums)
+
+    def energy(
+        self, pose: Floats, rest: Floats, integrity: PerBond, strain: PerBond, surface: SurfaceState | None = None
+    ) -> EnergyParts:
+        constants = self.constants.stretched(strain, self.layout).damaged(integrity, self.layout.i, self.layout.j)
+        body = BodyTables.of(self, constants, integrity, surface)
+        return EnergyParts(*body_energies(CellPoses(pose, rest), body.facets, body.cells, body.gradients, body.walls))
+
+    def indices(self, pose: Floats, arrays: Arrays, kind: str, strengths: Strengths) -> PerBond:
+        layout, constants = self.layout, self.constants.stretched(arrays["rest_strain"], self.layout)
+        facets, _ = cell_tables(constants, layout, self.period, arrays["integrity"], layout.i)
+        found = FailureIndices(np.zeros(len(facets.i)))
+        run_pass(calls.INDEX_FACETS_BY[kind](Poses(pose), facets, strengths, found))
+        return found.index[: len(layout.i)]
 
     def tangent(self, pose: Floats, data: Floats, pattern: bsr_array) -> Stiffness:
         held, own = self._grip_blocks(pose)
@@ -77,7 +106,7 @@ class CellsAtAnyPose(Interaction):
 
     def gradient(self, pose: Floats) -> tuple[PerElement6, PerElement6]:
         """Return the derivative of the energy and wall loads; the stresses of the cells are stored in the pose."""
-        body = BodyTables.of(self, np.ones(len(self.layout.i)))
+        body = BodyTables.of(self, self.constants, np.ones(len(self.layout.i)))
         sums, walls = lines(len(pose)), np.zeros((len(pose), 6))
         body.load(pose, local_rest(self.lattice)[self.layout.order], sums)
         np.add.at(walls, body.walls.cell, body.walls.load)
@@ -86,7 +115,7 @@ class CellsAtAnyPose(Interaction):
     def bond_gradient(self, pose: Floats, i: np.ndarray, j: np.ndarray) -> tuple[Floats, Floats]:
         """Return the derivative of the energy of facets, at the pose's stresses."""
         m = len(i)
-        facets = BodyTables.of(self, np.ones(m)).facets._replace(i=with_twins(i), j=with_twins(j))
+        facets = BodyTables.of(self, self.constants, np.ones(m)).facets._replace(i=with_twins(i), j=with_twins(j))
         loads, own = lines(2 * m), np.arange(m, dtype=np.uint32)
         load_all_facets(pose, facets, BeamSums(with_twins(own), with_twins(own + np.uint32(m)), loads))
         columns = -loads[:, [0, 1, 2, 4, 5, 6]].T

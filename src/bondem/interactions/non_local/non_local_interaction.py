@@ -59,7 +59,7 @@ class NonLocalInteraction(LaggedInteraction):
 
     @classmethod
     def join(cls, lattice: Lattice, layout: Layout, bond: Any, boundary: Boundary, may_fail: bool) -> Self:
-        if not isinstance(bond, NonLocal):
+        if not isinstance(bond, cls.law):
             raise InputError(
                 "bond= maps a region to NonLocal, a law for the whole model; give bond=bd.NonLocal(...)"
             )
@@ -116,7 +116,7 @@ class NonLocalInteraction(LaggedInteraction):
             "bond_forces: a static solution of the non-local law does not store the stresses; give the state of a run"
         )
 
-    def indices(self, pose: Floats, arrays: Arrays, strengths: Strengths) -> PerBond:
+    def indices(self, pose: Floats, arrays: Arrays, kind: str, strengths: Strengths) -> PerBond:
         beams, _ = self._tables(arrays)
         stresses = self._stresses(arrays["stress"], self.layout.i, 0)
         run_pass(calls.turn_all_stresses(Poses(pose), stresses))
