@@ -99,7 +99,7 @@ def energy_at(tables: BodyTables, state: State, pose: np.ndarray) -> float:
 def test_forces_are_the_gradient_of_the_energy():
     model = model_of("held")
     state, h = displaced(model), 1e-6
-    tables = BodyTables.of(model.interaction, state.integrity)
+    tables = BodyTables.of(model.interaction, model.interaction.constants, state.integrity)
     sums = lines(len(state.pose))
     tables.load(state.pose, state.rest, sums)
     held = int(tables.walls.cell[0])
@@ -124,7 +124,7 @@ def test_forces_are_the_gradient_of_the_energy():
 def test_rigid_motion_has_no_energy_and_forces_balance():
     model = model_of("free")
     state, far = displaced(model), State(model)
-    tables, sums = BodyTables.of(model.interaction, state.integrity), lines(len(state.pose))
+    tables, sums = BodyTables.of(model.interaction, model.interaction.constants, state.integrity), lines(len(state.pose))
     tables.load(state.pose, state.rest, sums)
     moment = sums[:, 4:7] + np.cross(state.pose[:, :3], sums[:, :3])
     np.testing.assert_allclose(sums[:, :3].sum(axis=0), 0.0, atol=1e-11 * np.abs(sums[:, :3]).sum())
@@ -141,7 +141,7 @@ def test_dilatation_is_exact_under_uniform_strain_and_cells_have_the_stress_of_t
     state, strain = State(model), 1e-6 * np.array([[2.0, 0.5, 0.3], [0.5, -1.0, 0.2], [0.3, 0.2, 0.7]])
     rest = model.lattice.particles.position[model.layout.order]  # the centres at which the tessellation is exact
     state.pose[:, :3] += rest @ strain
-    tables, sums = BodyTables.of(model.interaction, state.integrity), lines(len(rest))
+    tables, sums = BodyTables.of(model.interaction, model.interaction.constants, state.integrity), lines(len(rest))
     tables.load(state.pose, state.rest, sums)
     cells = model.lattice.cells
     assert cells is not None
