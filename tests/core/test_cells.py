@@ -124,7 +124,8 @@ def test_forces_are_the_gradient_of_the_energy():
 def test_rigid_motion_has_no_energy_and_forces_balance():
     model = model_of("free")
     state, far = displaced(model), State(model)
-    tables, sums = BodyTables.of(model.interaction, model.interaction.constants, state.integrity), lines(len(state.pose))
+    tables = BodyTables.of(model.interaction, model.interaction.constants, state.integrity)
+    sums = lines(len(state.pose))
     tables.load(state.pose, state.rest, sums)
     moment = sums[:, 4:7] + np.cross(state.pose[:, :3], sums[:, :3])
     np.testing.assert_allclose(sums[:, :3].sum(axis=0), 0.0, atol=1e-11 * np.abs(sums[:, :3]).sum())
