@@ -132,13 +132,14 @@ def test_a_result_is_drawn_and_written(name: str, tmp_path: Path) -> None:
 
 
 def test_every_class_of_result_is_here() -> None:
-    found, left = {Plotted}, [Plotted]
+    found, left, shared = {Plotted}, [Plotted], {"OfOneTest"}  # what several results share is none by itself
     while left:
         more = left.pop().__subclasses__()
         found.update(more)
         left += more
     named = {name.split()[0] for name in RESULTS}
-    assert {one.__name__ for one in found if one.__module__.startswith("bondem.") and is_dataclass(one)} == named
+    kinds = {one.__name__ for one in found if one.__module__.startswith("bondem.") and is_dataclass(one)}
+    assert kinds - shared == named
 
 
 def test_a_table_needs_neither_pandas_nor_a_place_that_is_none(tmp_path: Path, monkeypatch: Any) -> None:

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import number
-from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.boundary.conditions import Drive, Fix
@@ -22,19 +21,17 @@ from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.law_catalogue import AnyLaw
 from bondem.labtests.bonded_platens import BondedSpecimen, as_cells, is_cells
 from bondem.labtests.bonded_splitting import split_bonded
-from bondem.labtests.cracking import Cracking
 from bondem.labtests.disc import WIDEST, Disc, centre_stress, flattened, middle_of_disc, require_disc, stamped
+from bondem.labtests.one_test import OfOneTest
 from bondem.labtests.quasi_static_rig import (
     DENSITY,
     Rig,
     RunOptions,
-    StrengthTest,
     require_cells,
     run_to_failure,
     softenings_of,
 )
 from bondem.model.model import Model
-from bondem.model.state import State
 from bondem.observables.cell_stress import cell_stress
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
@@ -48,7 +45,7 @@ _REACH = 4.0
 
 
 @dataclass(frozen=True, eq=False)
-class BrazilianTest(Plotted):
+class BrazilianTest(OfOneTest):
     """Result of a Brazilian test.
 
     Attributes:
@@ -60,7 +57,6 @@ class BrazilianTest(Plotted):
         half_angle: half the angle of the flats or strips seen from the axis [rad].
     """
 
-    test: StrengthTest
     centre: float
     factor: float
     half_angle: float
@@ -86,24 +82,9 @@ class BrazilianTest(Plotted):
         return self.test.curve
 
     @property
-    def table(self) -> dict[str, Floats]:
-        """Curve, with time and energies of its records, by name and unit, (k,) each."""
-        return self.test.table
-
-    @property
     def work(self) -> float:
         """Work of the platens until the end, per area D t of the section [J/m²]."""
         return self.test.work
-
-    @property
-    def cracking(self) -> Cracking:
-        """Cracks and pieces, and the energy that they took."""
-        return self.test.cracking
-
-    @property
-    def state(self) -> State:
-        """State of the broken specimen."""
-        return self.test.state
 
 
 @staged("brazilian")

@@ -5,22 +5,20 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from bondem._checks import number
-from bondem._drawing import Plotted
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.damage.failure_assignment import FailureAssignment
 from bondem.interactions.contact.contact_law import ContactLaw
 from bondem.interactions.law_catalogue import AnyLaw
-from bondem.labtests.cracking import Cracking
 from bondem.labtests.failure.uniaxial_compression import compressed
-from bondem.labtests.quasi_static_rig import RunOptions, StrengthTest
-from bondem.model.state import State
+from bondem.labtests.one_test import OfOneTest
+from bondem.labtests.quasi_static_rig import RunOptions
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.material import Material
 
 
 @dataclass(frozen=True, eq=False)
-class TriaxialTest(Plotted):
+class TriaxialTest(OfOneTest):
     """Result of a triaxial test.
 
     Attributes:
@@ -28,7 +26,6 @@ class TriaxialTest(Plotted):
         pressure: confining pressure on the sides, σ3 of rock mechanics, positive [Pa].
     """
 
-    test: StrengthTest
     pressure: float
 
     @property
@@ -52,24 +49,9 @@ class TriaxialTest(Plotted):
         return self.test.curve
 
     @property
-    def table(self) -> dict[str, Floats]:
-        """Curve, with time and energies of its records, by name and unit, (k,) each."""
-        return self.test.table
-
-    @property
     def work(self) -> float:
         """Work of platens and pressure until the end, per area of the section [J/m²]."""
         return self.test.work
-
-    @property
-    def cracking(self) -> Cracking:
-        """Cracks and pieces, and the energy that they took."""
-        return self.test.cracking
-
-    @property
-    def state(self) -> State:
-        """State of the broken specimen."""
-        return self.test.state
 
 
 @staged("triaxial")
