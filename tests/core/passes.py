@@ -176,7 +176,7 @@ def _families() -> list[str]:
 
 def _header(kernel: str) -> str:
     """Return the name of the header of a pass over an index."""
-    defined = re.compile(rf"void {kernel}(?:##name)?\(Index")
+    defined = re.compile(rf"(?:void {kernel}(?:##name)?\(Index|auto {kernel} =)")
     return next(path.name for path in sorted((SOURCE / "core/gpu").glob("*.hpp")) if defined.search(path.read_text()))
 
 

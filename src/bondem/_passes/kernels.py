@@ -734,7 +734,10 @@ def fold_portions(portions: Portions, work_portions: WorkPortions, folded_portio
 def follow_all_couples(
     device_span: DeviceSpan, timeline: Timeline, couple_table: CoupleTable, moving: Moving, rows: Rows
 ) -> Kernel:
-    """Runs on one thread, because several moments may act on one element."""
+    """Adds moments on regions as forces and torques of their elements.
+
+    Over one index, in `core/gpu/boundary.hpp`.
+    """
     return Kernel("follow_all_couples", (device_span, timeline, couple_table, moving, rows))
 
 

@@ -15,17 +15,8 @@ inline void add_adhesion_of_element(Index p, const ContactPairs &pairs, const Ea
     for (Index k = pairs.start(p); k < pairs.start(p + 1); k++) add_adhesion(of, k, true, &to.sums(p, 0));
     for (Index e = earlier.start(p); e < earlier.start(p + 1); e++) add_adhesion(of, earlier.pair(e), false, &to.sums(p, 0));
 }
-inline void adhere_element_at_walls(Index p, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
-                                    const WallContacts &contacts, const Walls &walls, const ContactSums &to) {
-    adhere_at_walls(turn_of(span, p), all, c, contacts, walls, to);
-}
-inline void sum_portion_of_adhesion(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
-                                    const ContactPairs &pairs, const ContactEnergies &energies) {
-    sum_adhesion_energies(portion_of(span, b, elements_of_portion, span.n), all, c, pairs, energies);
-}
-inline void sum_portion_of_adhesion_at_walls(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
-                                             const WallContacts &contacts, const Walls &walls, const ContactEnergies &energies) {
-    sum_adhesion_at_walls(portion_of(span, b, elements_of_portion, span.n), all, c, contacts, walls, energies);
-}
+constexpr auto adhere_element_at_walls = one_element<adhere_at_walls>;
+constexpr auto sum_portion_of_adhesion = portion_of_elements<sum_adhesion_energies>;
+constexpr auto sum_portion_of_adhesion_at_walls = portion_of_elements<sum_adhesion_at_walls>;
 
 }  // namespace bondem

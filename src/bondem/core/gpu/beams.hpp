@@ -39,12 +39,7 @@ inline void load_dashpot(Index k, const Moving &all, const Beams &beams, const D
     put(to, k, dashpot_loads(ends_of(all.pose.data, beams, k).branch, {b.v - a.v, a.w, b.w}, dashpots.share(k), c));
 }
 
-inline void check_portion(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams, const Portions &portions) {
-    check_beams(portion_of(span, b, bonds_of_portion, span.m), all, beams, portions);
-}
-inline void sum_portion_of_beams(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                                 const Portions &portions) {
-    sum_beam_energies(portion_of(span, b, bonds_of_portion, span.m), all, beams, portions);
-}
+constexpr auto check_portion = portion_of_bonds<check_beams>;
+constexpr auto sum_portion_of_beams = portion_of_bonds<sum_beam_energies>;
 
 }  // namespace bondem

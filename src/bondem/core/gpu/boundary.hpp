@@ -16,10 +16,7 @@ inline void follow_loads_of_row(Index r, const DeviceSpan &span, const Timeline 
         add_load(order.load(e), clock_of(span).time, timeline, loads, all, rows);
 }
 // Runs on one thread, because several moments may act on one element.
-inline void follow_all_couples(Index, const DeviceSpan &span, const Timeline &timeline, const CoupleTable &couples,
-                               const Moving &all, const Rows &rows) {
-    follow_couples(turn_of(span, 0), timeline, couples, all, rows);
-}
+constexpr auto follow_all_couples = once<follow_couples>;
 inline void follow_drive(Index e, const DeviceSpan &span, const Timeline &timeline, const Drives &drives, const Rows &rows) {
     drive_at(e, clock_of(span), timeline, drives, rows);
 }

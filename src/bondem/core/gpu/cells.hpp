@@ -195,18 +195,9 @@ inline void add_traction_work_of_row(Index h, const Moving &all, const StepCut &
 
 // ---- sums for the guard and the history
 
-inline void check_portion_of_facets(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                                    const ElasticFacets &facets, const Portions &portions) {
-    check_facets(portion_of(span, b, bonds_of_portion, span.m), all, beams, facets, portions);
-}
-inline void sum_portion_of_facets(Index b, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
-                                  const Portions &portions) {
-    sum_facet_energies(portion_of(span, b, bonds_of_portion, span.m), all, facets, portions);
-}
-inline void sum_portion_of_cells(Index b, const DeviceSpan &span, const CellDilatation &cells,
-                                 const DilatationEnergy &found) {
-    sum_dilatation_energies(portion_of(span, b, elements_of_portion, span.n), cells, found);
-}
+constexpr auto check_portion_of_facets = portion_of_bonds<check_facets>;
+constexpr auto sum_portion_of_facets = portion_of_bonds<sum_facet_energies>;
+constexpr auto sum_portion_of_cells = portion_of_elements<sum_dilatation_energies>;
 inline void sum_portion_of_walls(Index b, const Moving &all, const WallConstraints &walls, const WallEnergy &found) {
     const Index last = least((b + 1) * works_of_portion, walls.cell.size());
     double sum = 0.0;

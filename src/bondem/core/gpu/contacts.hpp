@@ -23,9 +23,7 @@ inline void check_travel_of_element(Index p, const DeviceSpan &span, const Movin
 inline void check_travel_of_wall(Index w, const DeviceSpan &span, const Travel &travel, const Walls &walls) {
     if (!(travel_of_wall(walls, w, travel.reach) < travel.reach)) put_shared(span.halted(0), Index(1));
 }
-inline void move_all_walls(Index, const DeviceSpan &span, const WallMotions &motions, const Walls &walls) {
-    move_walls(turn_of(span, 0), motions, walls);
-}
+constexpr auto move_all_walls = once<move_walls>;
 
 // ---- forces
 
@@ -101,14 +99,8 @@ inline void add_pairs_of_element(Index p, const ContactConstants &c, const Conta
     }
     if (loaded) row_at(to.sums.data, Short(p)) = sum;
 }
-inline void press_walls_on_element(Index p, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
-                                   const WallContacts &contacts, const Walls &walls, const ContactSums &to) {
-    press_walls(turn_of(span, p), all, c, contacts, walls, to);
-}
-inline void add_contact_load(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
-                             const ContactSums &contacts) {
-    add_contact_loads(turn_of(span, cut, e), all, cut, contacts);
-}
+constexpr auto press_walls_on_element = one_element<press_walls>;
+constexpr auto add_contact_load = listed_element<add_contact_loads>;
 // Sums the forces of elements on wall w, and adds its work.
 inline void load_wall(Index w, const DeviceSpan &span, const WallContacts &contacts, const RowOrder &order,
                       const Walls &walls) {
@@ -147,18 +139,9 @@ inline void measure_overlaps(Index b, const DeviceSpan &span, const Moving &all,
     }
     travel.portion(b, 2) = deepest;
 }
-inline void sum_portion_of_pairs(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
-                                 const ContactPairs &pairs, const ContactEnergies &energies) {
-    sum_pair_energies(portion_of(span, b, elements_of_portion, span.n), all, c, pairs, energies);
-}
-inline void sum_portion_of_faces(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
-                                 const ContactPairs &pairs, const FacePairs &faces, const ContactEnergies &energies) {
-    sum_face_energies(portion_of(span, b, elements_of_portion, span.n), all, c, pairs, faces, energies);
-}
-inline void sum_portion_at_walls(Index b, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
-                                 const WallContacts &contacts, const Walls &walls, const ContactEnergies &energies) {
-    sum_wall_energies(portion_of(span, b, elements_of_portion, span.n), all, c, contacts, walls, energies);
-}
+constexpr auto sum_portion_of_pairs = portion_of_elements<sum_pair_energies>;
+constexpr auto sum_portion_of_faces = portion_of_elements<sum_face_energies>;
+constexpr auto sum_portion_at_walls = portion_of_elements<sum_wall_energies>;
 inline void write_energy_of_contacts(Index, const DeviceSpan &span, const ContactEnergies &energies,
                                      const HistoryRows &history) {
     double sum = 0.0;

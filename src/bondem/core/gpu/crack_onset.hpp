@@ -47,21 +47,12 @@ inline void gather_facet_moments(Index p, const FacetForces &kept, const BondsOf
     for (Index e = bonds.out_start(p); e < bonds.out_start(p + 1); e++) add(bonds.out_bond(e), arm_of_i, -1.0);
     for (Index c = 0; c < 7; c++) kept.moment(p, c) = sum[c];
 }
-inline void sum_moments_of_cell(Index p, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
-                                const FacetsOfCells &of_cells, const FacetForces &kept) {
-    sum_moments(turn_of(span, p), all, facets, of_cells, kept);
-}
+constexpr auto sum_moments_of_cell = one_element<sum_moments>;
 
 // ---- stresses of cells
 
-inline void find_cell_stress(Index p, const DeviceSpan &span, const Moving &all, const FacetForces &kept,
-                             const StressesOfCells &stresses) {
-    find_cell_stresses(turn_of(span, p), all, kept, stresses);
-}
-inline void find_still_stress(Index p, const DeviceSpan &span, const Moving &all, const FacetForces &kept,
-                              const StressesOfCells &stresses) {
-    find_still_stresses(turn_of(span, p), all, kept, stresses);
-}
+constexpr auto find_cell_stress = one_element<find_cell_stresses>;
+constexpr auto find_still_stress = one_element<find_still_stresses>;
 BONDEM_INLINE void add_surface(Index p, const Moving &all, const WallConstraints &walls, const RowOrder &of_cell,
                                const FacetTractions &tractions, const StressesOfCells &stresses) {
     for (Index l = 0; l < stresses.pressed.shape[0]; l++) add_traction_stress(tractions, stresses, l, p);
@@ -81,10 +72,7 @@ inline void add_still_surface_stress(Index p, const DeviceSpan &span, const Movi
 
 // ---- facets that begin to crack
 
-inline void judge_cell(Index p, const DeviceSpan &span, const FacetStrengths &strengths, const StressesOfCells &stresses,
-                       const CrackOnset &onset) {
-    judge_cells(turn_of(span, p), strengths, stresses, onset);
-}
+constexpr auto judge_cell = one_element<judge_cells>;
 inline void mark_facet(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                        const FacetForces &kept, const FacetStrengths &strengths, const StressesOfCells &stresses,
                        const CrackOnset &onset) {

@@ -5,10 +5,7 @@
 
 namespace bondem {
 
-inline void sum_stressed_portion(Index b, const DeviceSpan &span, const Moving &all, const CellDilatation &cells,
-                                 const CrackEnergies &found) {
-    sum_stressed_dilatation(portion_of(span, b, elements_of_portion, span.n), all, cells, found);
-}
+constexpr auto sum_stressed_portion = portion_of_elements<sum_stressed_dilatation>;
 inline void sum_portion_of_cracks(Index b, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                                   const CohesiveCracks &cracks, const CrackPortions &found) {
     const Index last = least((b + 1) * bonds_of_portion, span.m);

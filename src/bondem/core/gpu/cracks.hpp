@@ -76,10 +76,7 @@ inline void link_halves(Index p, const CohesiveCracks &cracks, const CrackLists 
 
 // ---- opening
 
-inline void begin_base(Index p, const DeviceSpan &span, const Moving &all, const CellDilatation &cells,
-                       const CrackLists &lists) {
-    begin_bases(turn_of(span, p), all, cells, lists);
-}
+constexpr auto begin_base = one_element<begin_bases>;
 inline void measure_crack(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                           const CellSlack &slack, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                           const CrackLists &lists, const LossesOfCracks &losses) {
@@ -201,10 +198,7 @@ inline void slide_crack_of(Index k, const DeviceSpan &span, const Moving &all, c
                            const CohesiveCracks &cracks, const CrackLists &lists) {
     if (is_treated(cracks, k) && takes_time(span)) slide_crack(all, facets, cracks, lists, k, k);
 }
-inline void add_crack_load(Index e, const DeviceSpan &span, const Moving &all, const CrackLists &lists,
-                           const StepCut &cut) {
-    add_crack_loads(turn_of(span, cut, e), all, lists, cut);
-}
+constexpr auto add_crack_load = listed_element<add_crack_loads>;
 
 
 inline void sum_portion_of_losses(Index q, const DeviceSpan &span, const LossesOfCracks &losses) {

@@ -118,12 +118,8 @@ inline void open_element_or_row(Index p, const DeviceSpan &span, const Moving &a
     else
         open_one(p, clock_of(span), all, BoundaryRow(rows, r));
 }
-inline void open_work_of_body(Index p, const DeviceSpan &span, const Moving &all, const BodyForces &body) {
-    open_body_work(turn_of(span, p), all, body);
-}
-inline void add_body_force(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut, const BodyForces &body) {
-    add_body_forces(turn_of(span, cut, e), all, cut, body);
-}
+constexpr auto open_work_of_body = one_element<open_body_work>;
+constexpr auto add_body_force = listed_element<add_body_forces>;
 inline void add_work_of_body(Index e, const DeviceSpan &span, const Moving &all, const StepCut &cut,
                              const BodyForces &body) {
     if (clock_on(span, cut.ready(e)).goes_on) add_body_work(turn_of(span, cut, e), all, body);

@@ -75,10 +75,7 @@ inline void add_pair_moments_of_element(Index p, const Moving &all, const Contac
         if (pairs.touch(k) != separate) add_moment(stresses, Short(p), levers(k).of_first, -force(k));
     }
 }
-inline void add_wall_moments_of_element(Index p, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
-                                        const WallContacts &contacts, const Walls &walls, const LaggedStresses &stresses) {
-    add_wall_moments(turn_of(span, p), all, c, contacts, walls, stresses);
-}
+constexpr auto add_wall_moments_of_element = one_element<add_wall_moments>;
 inline void find_stress_of_element(Index p, const Moving &all, const LaggedStresses &stresses) {
     find_stress(Short(p), all.pose.data, stresses);
 }
@@ -113,17 +110,11 @@ inline void relieve_element(Index p, const Moving &all, const NonLocalBonds &bon
 inline void end_failing_pair(Index e, const NonLocalBonds &bonds, const BeamIntegrity &state, const Candidates &candidates) {
     if (e < candidates.count(0)) end_pair(bonds, state, candidates.marked(e));
 }
-inline void add_all_begun_contacts(Index, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
-                                   const ContactPairs &pairs, const LaggedStresses &stresses, const EventLog &log) {
-    add_begun_contacts(turn_of(span, 0), all, c, pairs, stresses, log);
-}
+constexpr auto add_all_begun_contacts = once<add_begun_contacts>;
 
 // ---- sums for the history
 
-inline void sum_portion_of_springs(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                                   const NonLocalBonds &bonds, const Portions &portions, const NonLocalWork &work) {
-    sum_non_local_energies(portion_of(span, b, bonds_of_portion, span.m), all, beams, bonds, portions, work);
-}
+constexpr auto sum_portion_of_springs = portion_of_bonds<sum_non_local_energies>;
 inline void write_work_of_extra_forces(Index, const DeviceSpan &span, const NonLocalWork &work, const HistoryRows &history) {
     history.record(clock_of(span).record, device_column::extra_work) = sum_of(work);
 }

@@ -7,9 +7,7 @@
 
 namespace bondem {
 
-inline void sum_portion_of_elements(Index b, const DeviceSpan &span, const Moving &all, const Portions &portions) {
-    sum_element_energies(portion_of(span, b, elements_of_portion, span.n), all, portions);
-}
+constexpr auto sum_portion_of_elements = portion_of_elements<sum_element_energies>;
 inline void sum_portion_of_works(Index b, const Rows &rows, const WorkPortions &portions) {
     const Index last = least((b + 1) * works_of_portion, rows.work.size());
     double sum = 0.0, size = 0.0;

@@ -17,19 +17,8 @@ inline void add_rolling_of_element(Index p, const ContactPairs &pairs, const Ear
     for (Index e = earlier.start(p); e < earlier.start(p + 1); e++)
         if (as_spheres(pairs.touch(earlier.pair(e)))) add_rolling(of, earlier.pair(e), false, &to.sums(p, 0));
 }
-inline void roll_element_at_walls(Index p, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
-                                  const WallContacts &contacts, const Walls &walls, const RolledWalls &of,
-                                  const ContactSums &to) {
-    roll_at_walls(turn_of(span, p), all, c, contacts, walls, of, to);
-}
-inline void sum_portion_of_rolling(Index b, const DeviceSpan &span, const ContactConstants &c, const ContactPairs &pairs,
-                                   const RolledPairs &of, const ContactEnergies &energies) {
-    sum_rolling_energies(portion_of(span, b, elements_of_portion, span.n), c, pairs, of, energies);
-}
-inline void sum_portion_of_rolling_at_walls(Index b, const DeviceSpan &span, const ContactConstants &c,
-                                            const WallContacts &contacts, const RolledWalls &of,
-                                            const ContactEnergies &energies) {
-    sum_rolling_at_walls(portion_of(span, b, elements_of_portion, span.n), c, contacts, of, energies);
-}
+constexpr auto roll_element_at_walls = one_element<roll_at_walls>;
+constexpr auto sum_portion_of_rolling = portion_of_elements<sum_rolling_energies>;
+constexpr auto sum_portion_of_rolling_at_walls = portion_of_elements<sum_rolling_at_walls>;
 
 }  // namespace bondem

@@ -31,10 +31,7 @@ inline void end_portion_of_softening(Index q, const SofteningBounds &bounds, con
     soft.lost(q) = lost;
     if (soft.parted(q) != 0) part_broken(bounds, soft, q);
 }
-inline void log_all_softened(Index, const DeviceSpan &span, const Moving &all, const Beams &beams, const SofteningBeams &soft,
-                             const EventLog &log) {
-    log_softened_beams(turn_of(span, 0), all, beams, soft, log);
-}
+constexpr auto log_all_softened = once<log_softened_beams>;
 
 // ---- forces, with the pressure on the softened part of a beam
 
@@ -78,28 +75,16 @@ BONDEM_SOFTENING_CRITERIA(BONDEM_BEGIN, )
 
 // ---- beams that have begun
 
-inline void begin_all_softening(Index, const DeviceSpan &span, const Candidates &candidates, const SofteningBounds &bounds,
-                                const SofteningBeams &soft, const EventLog &log) {
-    begin_softening(turn_of(span, 0), candidates, bounds, soft, log);
-}
+constexpr auto begin_all_softening = once<begin_softening>;
 
 // ---- contact where beams have broken
 
-inline void release_all_pressure(Index, const DeviceSpan &span, const EventLog &log, const SofteningBounds &bounds) {
-    release_pressure(turn_of(span, 0), log, bounds);
-}
-inline void begin_all_softened_contacts(Index, const DeviceSpan &span, const Moving &all, const ContactConstants &c,
-                                        const ContactPairs &pairs, const NearPairs &near, const EventLog &log,
-                                        const ContactSums &to) {
-    begin_softened_contacts(turn_of(span, 0), all, c, pairs, near, log, to);
-}
+constexpr auto release_all_pressure = once<release_pressure>;
+constexpr auto begin_all_softened_contacts = once<begin_softened_contacts>;
 
 // ---- sums for the history
 
-inline void sum_portion_of_pressure(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                                    const SofteningBounds &bounds, const Portions &portions) {
-    sum_pressed_energies(portion_of(span, b, bonds_of_portion, span.m), all, beams, bounds, portions);
-}
+constexpr auto sum_portion_of_pressure = portion_of_bonds<sum_pressed_energies>;
 inline void write_all_crushing_of_beams(Index, const DeviceSpan &span, const SofteningBounds &bounds, const SofteningBeams &soft,
                                         const EventLog &log, const HistoryRows &history) {
     double sum = 0.0;

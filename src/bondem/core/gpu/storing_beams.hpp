@@ -21,9 +21,6 @@ inline void load_stored_beam(Index k, const DeviceSpan &span, const Moving &all,
     const BeamLoads<double> loads = stored_loads(now, apart, shape);
     put(to, k, {s * loads.force, s * loads.on_i, s * loads.on_j});
 }
-inline void sum_portion_of_stored(Index b, const DeviceSpan &span, const Moving &all, const Beams &beams,
-                                  const StoredLoads &stored, const Portions &portions) {
-    sum_stored_energies(portion_of(span, b, bonds_of_portion, span.m), all, beams, stored, portions);
-}
+constexpr auto sum_portion_of_stored = portion_of_bonds<sum_stored_energies>;
 
 }  // namespace bondem

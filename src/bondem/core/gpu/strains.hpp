@@ -59,10 +59,7 @@ inline void stretch_facet_of_step(Index k, const CellStrains &strains, const Ela
 inline void stretch_wall_of_step(Index w, const CellStrains &strains, const WallConstraints &walls) {
     if (strains.due(strain_due::levers)) stretch_wall(strains, walls, w);
 }
-inline void sum_strain_portion(Index b, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
-                               const ElasticFacets &facets) {
-    sum_strain_powers(portion_of(span, b, bonds_of_portion, span.m), all, strains, facets);
-}
+constexpr auto sum_strain_portion = portion_of_bonds<sum_strain_powers>;
 inline void begin_cell_strains(Index, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
                                const WallConstraints &walls) {
     using namespace strain_factor;
@@ -70,9 +67,6 @@ inline void begin_cell_strains(Index, const DeviceSpan &span, const Moving &all,
     sum_all_powers(all, strains, walls);
     for (Index g = 0; g < strains.schedule.size(); g++) strains.factor(before, g) = strains.factor(after, g);
 }
-inline void add_work_of_cell_strains(Index, const DeviceSpan &span, const Moving &all, const CellStrains &strains,
-                                     const WallConstraints &walls, const Rows &rows) {
-    add_strain_work(turn_of(span, 0), all, strains, walls, rows);
-}
+constexpr auto add_work_of_cell_strains = once<add_strain_work>;
 
 }  // namespace bondem

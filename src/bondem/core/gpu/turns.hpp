@@ -16,11 +16,37 @@ BONDEM_INLINE Turn turn_of(const DeviceSpan &span, Index p) {
 BONDEM_INLINE Turn turn_of(const DeviceSpan &span, const StepCut &cut, Index e) {
     return {clock_of(span), e, e + 1, e + 1, cut.ready.data, cut.ready_row.data, 0, nullptr};
 }
+BONDEM_INLINE const StepCut &cut_among(const StepCut &cut) { return cut; }
+template <class... Tables> BONDEM_INLINE const StepCut &cut_among(const StepCut &cut, const Tables &...) { return cut; }
+template <class Table, class... Tables>
+BONDEM_INLINE const StepCut &cut_among(const Table &, const Tables &...tables) { return cut_among(tables...); }
 // A turn of portion b of elements or bonds.
 BONDEM_INLINE Turn portion_of(const DeviceSpan &span, Index b, Index size, Index count) {
     const Index last = least((b + 1) * size, count);
     return {clock_of(span), b * size, last, last, nullptr, nullptr, b, nullptr};
 }
+
+// A pass of the CPU as a pass over an index: the same, called with the turn of one index.
+template <auto pass> struct OneTurn;
+template <class... Tables, void (*pass)(const Turn &, const Tables &...)> struct OneTurn<pass> {
+    static void once(Index, const DeviceSpan &span, const Tables &...tables) { pass(turn_of(span, 0), tables...); }
+    static void element(Index p, const DeviceSpan &span, const Tables &...tables) { pass(turn_of(span, p), tables...); }
+    static void listed(Index e, const DeviceSpan &span, const Tables &...tables) {
+        pass(turn_of(span, cut_among(tables...), e), tables...);
+    }
+    static void elements(Index b, const DeviceSpan &span, const Tables &...tables) {
+        pass(portion_of(span, b, elements_of_portion, span.n), tables...);
+    }
+    static void bonds(Index b, const DeviceSpan &span, const Tables &...tables) {
+        pass(portion_of(span, b, bonds_of_portion, span.m), tables...);
+    }
+};
+// The index is 0; an element; the place of an element in the list of a step; a portion of elements; of bonds.
+template <auto pass> constexpr auto once = &OneTurn<pass>::once;
+template <auto pass> constexpr auto one_element = &OneTurn<pass>::element;
+template <auto pass> constexpr auto listed_element = &OneTurn<pass>::listed;
+template <auto pass> constexpr auto portion_of_elements = &OneTurn<pass>::elements;
+template <auto pass> constexpr auto portion_of_bonds = &OneTurn<pass>::bonds;
 
 // Sets the clock to a number of steps from the present one.
 inline void set_clock(Index, const DeviceSpan &span, const StepScheme &scheme, const Tick &tick) {

@@ -26,10 +26,7 @@ inline void add_yielding_work_of_row(Index h, const DeviceSpan &span, const Step
     for (Index l = 0; l < stresses.pressed.shape[0]; l++) work += tractions.factor(l) * yielding_work(stresses, cells, l, p);
     rows.work(rows.of(p)) += work;
 }
-inline void sum_portion_of_heat(Index b, const DeviceSpan &span, const StressesOfCells &stresses,
-                                const YieldingCells &cells, const CrackEnergies &found) {
-    sum_heat(portion_of(span, b, elements_of_portion, span.n), stresses, cells, found);
-}
+constexpr auto sum_portion_of_heat = portion_of_elements<sum_heat>;
 
 // ---- levers of facets, walls and cracks with the plastic deformation of their cells
 
