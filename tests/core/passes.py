@@ -1,10 +1,11 @@
 """Write what follows from the passes of the core: one typed function a pass, for Python's callers.
 
 `python -m tests.core.passes` compiles the core, reads names and tables of its passes from the library, and writes
-`bondem/_passes/*.py`; a test compares them. A pass is registered behind its definition (`core/registered.hpp`), and
-the first sentence of the comment above it says what it is for: the one of its header where a header declares it for
-other sources. A pass without a sentence of its own is refused. A pass over an index without one takes that of the
-pass of a step whose counterpart launches it, if there is one such pass.
+`bondem/_passes`, a file for each folder of `core/passes` and each header of `core/gpu`; a test compares them. A pass
+is registered behind its definition (`core/registered.hpp`), and the first sentence of the comment above it says what
+it is for: the one of its header where a header declares it for other sources. A pass without a sentence of its own is
+refused. A pass over an index without one takes that of the pass of a step whose counterpart launches it, if there is
+one such pass.
 """
 
 import re
@@ -31,6 +32,7 @@ FUNCTION = re.compile(
     r"(?:void|Index) (\w+)\((?:const Turn &|Index\b)([^)]*)\)",
     re.MULTILINE,
 )
+REGISTERED = re.compile(r"BONDEM_(?:PASS|CALL)(?:_AS)?\((\w+)")
 MADE = re.compile(r"BONDEM_(?:PASS|CALL)_AS\((\w+?)(?:##name)?, [^,]+, (\w+)")
 KIND = re.compile(r"^    (\w+),?  // (.+)$", re.MULTILINE)
 INIT = '''"""Passes of the core with their tables, written by `python -m tests.core.passes` from the library."""
@@ -125,34 +127,48 @@ def _wrapped(head: str, parts: list[str], tail: str, indent: str) -> list[str]:
     return [head, *(f"{indent}{row}" for row in wrap(", ".join(parts), 110)), f"{indent[:-4]}{tail}"]
 
 
-def _module(module: str, tables: dict[str, tuple[str, ...]], over: dict[str, str]) -> str:
+def _part(module: str, tables: dict[str, tuple[str, ...]], over: dict[str, str], place: str) -> str:
+    """Return the text of one file: passes of one folder or header."""
     words, where = comments(), _modules_of_tables()
-    families = [of for of in _families() if any(name.startswith(of) for name in tables)]
-    lines = [f'"""{TITLES[module]}; written by `python -m tests.core.passes`: change the core instead."""', "",
+    lines = [f'"""{TITLES[module]}, of `core/{place}`; written by `python -m tests.core.passes`."""', "",
              f"from bondem._passes import {KINDS[module]}"]  # fmt: skip
     used = {table for names in tables.values() for table in names}
-    for place in sorted({where[table] for table in used}):
-        names = sorted((table for table in used if where[table] == place), key=str.lower)
-        line = f"from bondem._tables.{place} import {', '.join(names)}"
-        long = [f"from bondem._tables.{place} import (", *(f"    {name}," for name in names), ")"]
+    for file in sorted({where[table] for table in used}):
+        names = sorted((table for table in used if where[table] == file), key=str.lower)
+        line = f"from bondem._tables.{file} import {', '.join(names)}"
+        long = [f"from bondem._tables.{file} import (", *(f"    {name}," for name in names), ")"]
         lines += [line] if len(line) <= 118 else long
-    if over:
-        lines += ["", "#: What the passes of each kind run over.", "KINDS = ("]
-        lines += [*(f'    "{one}",' for one in pass_kinds()), ")"]
     lines += ["", ""]
     for name in sorted(tables):
-        of = next((of for of in families if name.startswith(of)), name)
+        of = _family(name)
         found = words.get(name) or words.get(of) or ("", [])
         more = over.get(name, "")
         if module == "kernels" and not found[0]:
-            found, more = (_words_of_pass(of, words), []), f"one index, in `core/gpu/{_header(of)}`"
+            found, more = (_words_of_pass(of, words), []), "one index"
             if not found[0]:
-                found, more = (f"Pass of one index, defined in `core/gpu/{_header(of)}`.", []), ""
+                found, more = (f"Pass of one index, defined in `core/{place}`.", []), ""
         lines += _function(KINDS[module], name, tables[name], *found, more)
-    for of in families:
+    for of in sorted({of for name in tables if (of := _family(name)) != name}):
         lines += [f"#: Passes `{of}…` by the name of their criterion.", f"{of[:-1].upper()} = {{"]
         lines += [*(f'    "{name.removeprefix(of)}": {name},' for name in sorted(tables) if name.startswith(of)), "}"]
     return "\n".join(lines).rstrip() + "\n"
+
+
+def _package(module: str, tables: dict[str, tuple[str, ...]], over: dict[str, str]) -> dict[str, str]:
+    """Return the text of each file of a package by its name."""
+    by_place: dict[str, dict[str, tuple[str, ...]]] = {}
+    for name in sorted(tables):
+        by_place.setdefault(_place(module, name), {})[name] = tables[name]
+    made = {}
+    head = [f'"""{TITLES[module]}; written by `python -m tests.core.passes`: change the core instead."""', ""]
+    for place, names in sorted(by_place.items(), key=lambda one: Path(one[0]).stem):
+        file = Path(place).stem
+        made[file] = _part(module, names, over, place)
+        head.append(f"from bondem._passes.{module}.{file} import *")
+    if over:
+        head += ["", "#: What the passes of each kind run over.", "KINDS = ("]
+        head += [*(f'    "{one}",' for one in pass_kinds()), ")"]
+    return {"__init__": "\n".join(head) + "\n", **made}
 
 
 def _words_of_pass(kernel: str, words: dict[str, tuple[str, list[str]]]) -> str:
@@ -174,10 +190,33 @@ def _families() -> list[str]:
     return sorted({of for text in texts for of in re.findall(r"(?:void |_AS\()(\w+_by_)##name", text)})
 
 
-def _header(kernel: str) -> str:
-    """Return the name of the header of a pass over an index."""
-    defined = re.compile(rf"(?:void {kernel}(?:##name)?\(Index|auto {kernel} =)")
-    return next(path.name for path in sorted((SOURCE / "core/gpu").glob("*.hpp")) if defined.search(path.read_text()))
+def _family(name: str) -> str:
+    """Return the beginning of the name of a pass that a macro makes for each criterion; of others the name."""
+    return next((of for of in _families() if name.startswith(of)), name)
+
+
+@cache
+def _places() -> dict[str, str]:
+    """Return the folder of each registered pass; of families by the beginning of their names."""
+    core = SOURCE / "core"
+    return {
+        name: (path if path.parent == core else path.parent).relative_to(core).as_posix()
+        for path in sorted(core.rglob("*.cpp"))
+        for name in REGISTERED.findall(path.read_text())
+    }
+
+
+def _place(module: str, name: str) -> str:
+    """Return the folder of a pass, or the header of one over an index, below `core`."""
+    of = _family(name)
+    if module != "kernels":
+        return _places().get(name) or _places()[of]
+    defined = re.compile(rf"(?:void {of}(?:##name)?\(Index|auto {of} =)")
+    return next(
+        f"gpu/{path.name}"
+        for path in sorted((SOURCE / "core/gpu").glob("*.hpp"))
+        if defined.search(path.read_text())
+    )
 
 
 def _modules_of_tables() -> dict[str, str]:
@@ -192,18 +231,22 @@ def written() -> dict[Path, str]:
     """Return every generated file and its text."""
     words = pass_kinds()
     over = {name: words[_core.step_pass(name)[0][1]] for name in pass_tables("steps")}
-    made = {module: _module(module, pass_tables(module), over if module == "steps" else {}) for module in KINDS}
-    return {FOLDER / f"{name}.py": text for name, text in {"__init__": INIT, **made}.items()}
+    made = {"__init__": INIT}
+    for module in KINDS:
+        files = _package(module, pass_tables(module), over if module == "steps" else {})
+        made |= {f"{module}/{name}": text for name, text in files.items()}
+    return {FOLDER / f"{name}.py": text for name, text in made.items()}
 
 
 def stale() -> list[str]:
     """Return the names of generated files that differ from what the library gives."""
     made = written()
-    left = {path.name for path in set(FOLDER.glob("*.py")) - set(made)}
-    return sorted(left | {path.name for path, text in made.items() if not path.exists() or path.read_text() != text})
+    left = {str(path.relative_to(FOLDER)) for path in set(FOLDER.rglob("*.py")) - set(made)}
+    wrong = [path for path, text in made.items() if not path.exists() or path.read_text() != text]
+    return sorted(left | {str(path.relative_to(FOLDER)) for path in wrong})
 
 
 if __name__ == "__main__":
-    FOLDER.mkdir(exist_ok=True)
     for file, content in written().items():
+        file.parent.mkdir(exist_ok=True, parents=True)
         file.write_text(content)

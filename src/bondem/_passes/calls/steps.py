@@ -1,0 +1,11 @@
+"""Passes that Python calls, of `core/steps.cpp`; written by `python -m tests.core.passes`."""
+
+from bondem._passes import Call
+from bondem._tables.step_tables import Portions, StepCut, StepPasses, StepScheme, StepSpan
+
+
+def take_steps(
+    step_passes: StepPasses, step_cut: StepCut, step_scheme: StepScheme, step_span: StepSpan, portions: Portions
+) -> Call:
+    """Carries out the steps of a span."""
+    return Call("take_steps", (step_passes, step_cut, step_scheme, step_span, portions))

@@ -1,0 +1,45 @@
+"""Passes over an index, for devices, of `core/gpu/beams.hpp`; written by `python -m tests.core.passes`."""
+
+from bondem._passes import Kernel
+from bondem._tables.device_tables import DeviceSpan, LoadsOfBonds
+from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, Portions
+
+
+def check_portion(device_span: DeviceSpan, moving: Moving, beams: Beams, portions: Portions) -> Kernel:
+    """Counts unbroken beams of a portion that are turned beyond the range of their energy, and beyond its end.
+
+    Over one index.
+    """
+    return Kernel("check_portion", (device_span, moving, beams, portions))
+
+
+def load_alike_beam(moving: Moving, beams: Beams, alike_beams: AlikeBeams, loads_of_bonds: LoadsOfBonds) -> Kernel:
+    """Adds forces and torques of beams that differ in length only.
+
+    Over one index.
+    """
+    return Kernel("load_alike_beam", (moving, beams, alike_beams, loads_of_bonds))
+
+
+def load_beam(moving: Moving, beams: Beams, loads_of_bonds: LoadsOfBonds) -> Kernel:
+    """Adds forces and torques of the beams of a block to the sums of their elements.
+
+    Over one index.
+    """
+    return Kernel("load_beam", (moving, beams, loads_of_bonds))
+
+
+def load_dashpot(moving: Moving, beams: Beams, dashpots: Dashpots, loads_of_bonds: LoadsOfBonds) -> Kernel:
+    """Adds forces and torques of the dashpots of beams to sums of their own.
+
+    Over one index.
+    """
+    return Kernel("load_dashpot", (moving, beams, dashpots, loads_of_bonds))
+
+
+def sum_portion_of_beams(device_span: DeviceSpan, moving: Moving, beams: Beams, portions: Portions) -> Kernel:
+    """Sums normal, shear, bending and twisting energy of a portion [J].
+
+    Over one index.
+    """
+    return Kernel("sum_portion_of_beams", (device_span, moving, beams, portions))

@@ -1,0 +1,253 @@
+"""Passes over an index, for devices, of `core/gpu/cracks.hpp`; written by `python -m tests.core.passes`."""
+
+from bondem._passes import Kernel
+from bondem._tables.cell_tables import CellDilatation, CellStrains, ElasticFacets, FacetForces
+from bondem._tables.crack_tables import CellSlack, CohesiveCracks, CrackLists, FacetStrengths, StressesOfCells
+from bondem._tables.damage_tables import EventLog
+from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LossesOfCracks
+from bondem._tables.step_tables import Moving, StepCut
+
+
+def add_crack_load(device_span: DeviceSpan, moving: Moving, crack_lists: CrackLists, step_cut: StepCut) -> Kernel:
+    """Adds the forces of cracks that are treated one by one to the sums of their cells.
+
+    Over one index.
+    """
+    return Kernel("add_crack_load", (device_span, moving, crack_lists, step_cut))
+
+
+def begin_all_levers(elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks) -> Kernel:
+    """Launched for `link_cracks`: prepares the cracks of a state at the start of a run: constants, weights of
+    cells, lists, and forces of cracks.
+
+    Over one index.
+    """
+    return Kernel("begin_all_levers", (elastic_facets, cohesive_cracks))
+
+
+def begin_base(
+    device_span: DeviceSpan, moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists
+) -> Kernel:
+    """Stores V θ of cells without their cracks.
+
+    Over one index.
+    """
+    return Kernel("begin_base", (device_span, moving, cell_dilatation, crack_lists))
+
+
+def carry_cell(
+    stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> Kernel:
+    """Launched for `carry_cracks`: sums b⊗f of the cracks of each cell from their forces of the last step.
+
+    Over one index.
+    """
+    return Kernel("carry_cell", (stresses_of_cells, cohesive_cracks, crack_lists))
+
+
+def follow_lever(cell_strains: CellStrains, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks) -> Kernel:
+    """Copies the levers of a facet that strains of cells have changed."""
+    return Kernel("follow_lever", (cell_strains, elastic_facets, cohesive_cracks))
+
+
+def leave_crack(elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists) -> Kernel:
+    """Launched for `leave_cracks`: puts cracks to rest, or parts their faces, as `soften_cracks` has found.
+
+    Over one index.
+    """
+    return Kernel("leave_crack", (elastic_facets, cohesive_cracks, crack_lists))
+
+
+def link_halves(
+    cohesive_cracks: CohesiveCracks, crack_lists: CrackLists, bonds_of_elements: BondsOfElements
+) -> Kernel:
+    """Pass of one index, defined in `core/gpu/cracks.hpp`."""
+    return Kernel("link_halves", (cohesive_cracks, crack_lists, bonds_of_elements))
+
+
+def load_crack(
+    device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, facet_strengths: FacetStrengths,
+    stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists,
+    losses_of_cracks: LossesOfCracks
+) -> Kernel:
+    """Computes forces, torques and dissipation of the cracks that are treated one by one.
+
+    Over one index.
+    """
+    return Kernel("load_crack", (
+        device_span, moving, elastic_facets, facet_strengths, stresses_of_cells, cohesive_cracks, crack_lists,
+        losses_of_cracks
+    ))
+
+
+def log_all_cracks(
+    device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks,
+    event_log: EventLog, losses_of_cracks: LossesOfCracks
+) -> Kernel:
+    """Adds up what cracks have dissipated, and logs those that have no integrity left, by the numbers of their
+    facets.
+    """
+    return Kernel("log_all_cracks", (
+        device_span, moving, elastic_facets, cohesive_cracks, event_log, losses_of_cracks
+    ))
+
+
+def measure_crack(
+    device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cell_slack: CellSlack,
+    stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists,
+    losses_of_cracks: LossesOfCracks
+) -> Kernel:
+    """Finds faces and halves of the cracks that are treated one by one, and axes of cracks before any loss of
+    integrity.
+
+    Over one index.
+    """
+    return Kernel("measure_crack", (
+        device_span, moving, elastic_facets, cell_slack, stresses_of_cells, cohesive_cracks, crack_lists,
+        losses_of_cracks
+    ))
+
+
+def part_crack(
+    moving: Moving, elastic_facets: ElasticFacets, cell_slack: CellSlack, cohesive_cracks: CohesiveCracks,
+    crack_lists: CrackLists, losses_of_cracks: LossesOfCracks
+) -> Kernel:
+    """Energy of a crack that parts, in the state without the cracks that the CPU treats earlier: whole ones first,
+    then broken ones by their numbers.
+    """
+    return Kernel("part_crack", (moving, elastic_facets, cell_slack, cohesive_cracks, crack_lists, losses_of_cracks))
+
+
+def relax_cell(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> Kernel:
+    """Finds the stresses of all cells with cracks that are treated one by one.
+
+    Over one index.
+    """
+    return Kernel("relax_cell", (moving, cell_dilatation, crack_lists))
+
+
+def relax_stale_cell(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> Kernel:
+    """Finds the stresses of cells with cracks that are out of date.
+
+    Over one index.
+    """
+    return Kernel("relax_stale_cell", (moving, cell_dilatation, crack_lists))
+
+
+def restore_crack(
+    elastic_facets: ElasticFacets, facet_forces: FacetForces, facet_strengths: FacetStrengths, cohesive_cracks:
+    CohesiveCracks
+) -> Kernel:
+    """Launched for `link_cracks`: prepares the cracks of a state at the start of a run: constants, weights of
+    cells, lists, and forces of cracks.
+
+    Over one index.
+    """
+    return Kernel("restore_crack", (elastic_facets, facet_forces, facet_strengths, cohesive_cracks))
+
+
+def slide_crack_of(
+    device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks,
+    crack_lists: CrackLists
+) -> Kernel:
+    """Launched for `slide_cracks`: sums the forces of the cracks of each cell, and lets their faces slip by them.
+
+    Over one index.
+    """
+    return Kernel("slide_crack_of", (device_span, moving, elastic_facets, cohesive_cracks, crack_lists))
+
+
+def soften_crack(
+    device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, facet_strengths: FacetStrengths,
+    stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> Kernel:
+    """Lowers the integrities of cracks, and finds those that go to rest.
+
+    Over one index.
+    """
+    return Kernel("soften_crack", (
+        device_span, moving, elastic_facets, facet_strengths, stresses_of_cells, cohesive_cracks, crack_lists
+    ))
+
+
+def sum_cracks_of_cell(
+    stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> Kernel:
+    """Launched for `slide_cracks`: sums the forces of the cracks of each cell, and lets their faces slip by them.
+
+    Over one index.
+    """
+    return Kernel("sum_cracks_of_cell", (stresses_of_cells, cohesive_cracks, crack_lists))
+
+
+def sum_group_of_losses(losses_of_cracks: LossesOfCracks) -> Kernel:
+    """Launched for `log_cracks`: adds up the dissipation of cracks, and logs cracks without integrity.
+
+    Over one index.
+    """
+    return Kernel("sum_group_of_losses", (losses_of_cracks,))
+
+
+def sum_portion_of_losses(device_span: DeviceSpan, losses_of_cracks: LossesOfCracks) -> Kernel:
+    """Launched for `log_cracks`: adds up the dissipation of cracks, and logs cracks without integrity.
+
+    Over one index.
+    """
+    return Kernel("sum_portion_of_losses", (device_span, losses_of_cracks))
+
+
+def take_leaving(
+    device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation,
+    cell_slack: CellSlack, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> Kernel:
+    """Launched for `leave_cracks`: puts cracks to rest, or parts their faces, as `soften_cracks` has found.
+
+    Over one index.
+    """
+    return Kernel("take_leaving", (
+        device_span, moving, elastic_facets, cell_dilatation, cell_slack, cohesive_cracks, crack_lists
+    ))
+
+
+def take_woken(
+    device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation,
+    cell_slack: CellSlack, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> Kernel:
+    """Launched for `wake_cracks`: treats resting cracks one by one again that are about to soften or close.
+
+    Over one index.
+    """
+    return Kernel("take_woken", (
+        device_span, moving, elastic_facets, cell_dilatation, cell_slack, cohesive_cracks, crack_lists
+    ))
+
+
+def wake_crack(
+    moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> Kernel:
+    """Launched for `wake_cracks`: treats resting cracks one by one again that are about to soften or close.
+
+    Over one index.
+    """
+    return Kernel("wake_crack", (moving, elastic_facets, cohesive_cracks, crack_lists))
+
+
+def watch_resting_crack(
+    device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, facet_strengths: FacetStrengths,
+    cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> Kernel:
+    """Finds the resting cracks that are about to soften or close.
+
+    Over one index.
+    """
+    return Kernel("watch_resting_crack", (
+        device_span, moving, elastic_facets, facet_strengths, cohesive_cracks, crack_lists
+    ))
+
+
+def weigh_cell(cell_dilatation: CellDilatation, cell_slack: CellSlack, cohesive_cracks: CohesiveCracks) -> Kernel:
+    """Computes the weights of the cells of all cracks at the start of a run.
+
+    Over one index.
+    """
+    return Kernel("weigh_cell", (cell_dilatation, cell_slack, cohesive_cracks))

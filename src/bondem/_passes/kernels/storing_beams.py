@@ -1,0 +1,27 @@
+"""Passes over an index, for devices, of `core/gpu/storing_beams.hpp`; written by `python -m tests.core.passes`."""
+
+from bondem._passes import Kernel
+from bondem._tables.device_tables import DeviceSpan, LoadsOfBonds
+from bondem._tables.incremental_tables import StoredLoads
+from bondem._tables.step_tables import Beams, Moving, Portions
+
+
+def load_stored_beam(
+    device_span: DeviceSpan, moving: Moving, beams: Beams, stored_loads: StoredLoads, loads_of_bonds: LoadsOfBonds
+) -> Kernel:
+    """Integrates the stored forces and moments of the beams of a block over the step, and adds them to the sums of
+    their elements.
+
+    Over one index.
+    """
+    return Kernel("load_stored_beam", (device_span, moving, beams, stored_loads, loads_of_bonds))
+
+
+def sum_portion_of_stored(
+    device_span: DeviceSpan, moving: Moving, beams: Beams, stored_loads: StoredLoads, portions: Portions
+) -> Kernel:
+    """Sums normal, shear, bending and twisting energy of a portion [J].
+
+    Over one index.
+    """
+    return Kernel("sum_portion_of_stored", (device_span, moving, beams, stored_loads, portions))

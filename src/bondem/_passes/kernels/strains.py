@@ -1,0 +1,90 @@
+"""Passes over an index, for devices, of `core/gpu/strains.hpp`; written by `python -m tests.core.passes`."""
+
+from bondem._passes import Kernel
+from bondem._tables.cell_tables import CellStrains, ElasticFacets, WallConstraints
+from bondem._tables.device_tables import DeviceSpan, StrainPortions
+from bondem._tables.step_tables import Beams, Moving, Rows, Strain, Timeline
+
+
+def add_work_of_cell_strains(
+    device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, wall_constraints: WallConstraints, rows:
+    Rows
+) -> Kernel:
+    """Adds the work of strains that have changed, when the forces after that are known.
+
+    Over one index.
+    """
+    return Kernel("add_work_of_cell_strains", (device_span, moving, cell_strains, wall_constraints, rows))
+
+
+def add_work_of_strains(
+    device_span: DeviceSpan, strain: Strain, strain_portions: StrainPortions, rows: Rows
+) -> Kernel:
+    """Launched for `follow_strains`: sets rest lengths L (1 + ε*), and adds the work of the strains.
+
+    Over one index.
+    """
+    return Kernel("add_work_of_strains", (device_span, strain, strain_portions, rows))
+
+
+def begin_cell_strains(
+    device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, wall_constraints: WallConstraints
+) -> Kernel:
+    """Launched for `begin_strain_work`: finds ∂U/∂factor by the stresses in the poses, where the time of the clock
+    was not reached by a step.
+
+    Over one index.
+    """
+    return Kernel("begin_cell_strains", (device_span, moving, cell_strains, wall_constraints))
+
+
+def follow_cell_factors(device_span: DeviceSpan, timeline: Timeline, cell_strains: CellStrains) -> Kernel:
+    """Launched for `follow_cell_strains`: sets stress-free strains, and with them the levers of facets and walls,
+    to the time of the clock.
+
+    Over one index.
+    """
+    return Kernel("follow_cell_factors", (device_span, timeline, cell_strains))
+
+
+def follow_strain_factors(
+    device_span: DeviceSpan, timeline: Timeline, strain: Strain, strain_portions: StrainPortions
+) -> Kernel:
+    """Launched for `follow_strains`: sets rest lengths L (1 + ε*), and adds the work of the strains.
+
+    Over one index.
+    """
+    return Kernel("follow_strain_factors", (device_span, timeline, strain, strain_portions))
+
+
+def strain_portion(moving: Moving, strain: Strain, beams: Beams, strain_portions: StrainPortions) -> Kernel:
+    """Launched for `follow_strains`: sets rest lengths L (1 + ε*), and adds the work of the strains.
+
+    Over one index.
+    """
+    return Kernel("strain_portion", (moving, strain, beams, strain_portions))
+
+
+def stretch_facet_of_step(cell_strains: CellStrains, elastic_facets: ElasticFacets) -> Kernel:
+    """Launched for `follow_cell_strains`: sets stress-free strains, and with them the levers of facets and walls,
+    to the time of the clock.
+
+    Over one index.
+    """
+    return Kernel("stretch_facet_of_step", (cell_strains, elastic_facets))
+
+
+def stretch_wall_of_step(cell_strains: CellStrains, wall_constraints: WallConstraints) -> Kernel:
+    """Launched for `follow_cell_strains`: sets stress-free strains, and with them the levers of facets and walls,
+    to the time of the clock.
+
+    Over one index.
+    """
+    return Kernel("stretch_wall_of_step", (cell_strains, wall_constraints))
+
+
+def sum_strain_portion(
+    device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets
+) -> Kernel:
+    """Pass of one index, defined in `core/gpu/strains.hpp`."""
+    return Kernel("sum_strain_portion", (device_span, moving, cell_strains, elastic_facets))

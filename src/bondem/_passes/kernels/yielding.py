@@ -1,0 +1,146 @@
+"""Passes over an index, for devices, of `core/gpu/yielding.hpp`; written by `python -m tests.core.passes`."""
+
+from bondem._passes import Kernel
+from bondem._tables.cell_tables import CellStrains, ElasticFacets, FacetsOfCells, FacetTractions, WallConstraints
+from bondem._tables.crack_tables import CohesiveCracks, CrackEnergies, CrackOnset, StressesOfCells, YieldingCells
+from bondem._tables.device_tables import DeviceSpan, StrainPortions
+from bondem._tables.step_tables import Moving, Rows, StepCut
+
+
+def add_crack_powers(cell_strains: CellStrains, strain_portions: StrainPortions) -> Kernel:
+    """Adds up the portions of strain g."""
+    return Kernel("add_crack_powers", (cell_strains, strain_portions))
+
+
+def add_yielding_work_of_row(
+    device_span: DeviceSpan, step_cut: StepCut, facet_tractions: FacetTractions, stresses_of_cells:
+    StressesOfCells, yielding_cells: YieldingCells, rows: Rows
+) -> Kernel:
+    """Number h of the elements that own rows, as cells with loads on free facets do."""
+    return Kernel("add_yielding_work_of_row", (
+        device_span, step_cut, facet_tractions, stresses_of_cells, yielding_cells, rows
+    ))
+
+
+def begin_portion_of_crack_powers(
+    device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets,
+    cohesive_cracks: CohesiveCracks, strain_portions: StrainPortions
+) -> Kernel:
+    """Launched for `begin_crack_powers`: sets ∂U/∂factor of the stress-free strains by the forces that cracks
+    have, where the time of the clock was not reached by a step.
+
+    Over one index.
+    """
+    return Kernel("begin_portion_of_crack_powers", (
+        device_span, moving, cell_strains, elastic_facets, cohesive_cracks, strain_portions
+    ))
+
+
+def keep_base_levers(
+    cell_strains: CellStrains, elastic_facets: ElasticFacets, yielding_cells: YieldingCells
+) -> Kernel:
+    """Keeps the levers without plastic strain where strains have set them anew."""
+    return Kernel("keep_base_levers", (cell_strains, elastic_facets, yielding_cells))
+
+
+def stretch_cell_anew(
+    cell_strains: CellStrains, elastic_facets: ElasticFacets, facets_of_cells: FacetsOfCells, yielding_cells:
+    YieldingCells
+) -> Kernel:
+    """Launched for `stretch_anew`: stretches levers with the plastic deformation of their cells, where stress-free
+    strains have set them anew.
+
+    Over one index.
+    """
+    return Kernel("stretch_cell_anew", (cell_strains, elastic_facets, facets_of_cells, yielding_cells))
+
+
+def stretch_crack_of_cells(
+    device_span: DeviceSpan, elastic_facets: ElasticFacets, yielding_cells: YieldingCells, cohesive_cracks:
+    CohesiveCracks
+) -> Kernel:
+    """Launched for `stretch_walls_and_cracks`: stretches levers of walls and cracks with the plastic deformation
+    of their cells, where it has grown.
+
+    Over one index.
+    """
+    return Kernel("stretch_crack_of_cells", (device_span, elastic_facets, yielding_cells, cohesive_cracks))
+
+
+def stretch_growing_cell(
+    device_span: DeviceSpan, elastic_facets: ElasticFacets, facets_of_cells: FacetsOfCells, yielding_cells:
+    YieldingCells
+) -> Kernel:
+    """Stretches levers of facets with the plastic deformation of their cells, where it has grown.
+
+    Over one index.
+    """
+    return Kernel("stretch_growing_cell", (device_span, elastic_facets, facets_of_cells, yielding_cells))
+
+
+def stretch_wall_anew(
+    cell_strains: CellStrains, wall_constraints: WallConstraints, yielding_cells: YieldingCells
+) -> Kernel:
+    """Launched for `stretch_anew`: stretches levers with the plastic deformation of their cells, where stress-free
+    strains have set them anew.
+
+    Over one index.
+    """
+    return Kernel("stretch_wall_anew", (cell_strains, wall_constraints, yielding_cells))
+
+
+def stretch_wall_of_cell(
+    device_span: DeviceSpan, wall_constraints: WallConstraints, yielding_cells: YieldingCells
+) -> Kernel:
+    """Launched for `stretch_walls_and_cracks`: stretches levers of walls and cracks with the plastic deformation
+    of their cells, where it has grown.
+
+    Over one index.
+    """
+    return Kernel("stretch_wall_of_cell", (device_span, wall_constraints, yielding_cells))
+
+
+def stretch_yielded_cell(
+    elastic_facets: ElasticFacets, facets_of_cells: FacetsOfCells, yielding_cells: YieldingCells
+) -> Kernel:
+    """Stretches levers of all facets with the plastic deformation of their cells, as a run begins.
+
+    Over one index.
+    """
+    return Kernel("stretch_yielded_cell", (elastic_facets, facets_of_cells, yielding_cells))
+
+
+def sum_portion_of_crack_powers(
+    device_span: DeviceSpan, moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets,
+    cohesive_cracks: CohesiveCracks, strain_portions: StrainPortions
+) -> Kernel:
+    """Launched for `sum_crack_powers`: sets ∂U/∂factor of the stress-free strains at cracks that are treated one
+    by one, where it is needed.
+
+    Over one index.
+    """
+    return Kernel("sum_portion_of_crack_powers", (
+        device_span, moving, cell_strains, elastic_facets, cohesive_cracks, strain_portions
+    ))
+
+
+def sum_portion_of_heat(
+    device_span: DeviceSpan, stresses_of_cells: StressesOfCells, yielding_cells: YieldingCells, crack_energies:
+    CrackEnergies
+) -> Kernel:
+    """Sums the energy that the cells of a portion have dissipated by yielding [J].
+
+    Over one index.
+    """
+    return Kernel("sum_portion_of_heat", (device_span, stresses_of_cells, yielding_cells, crack_energies))
+
+
+def yield_cell(
+    device_span: DeviceSpan, moving: Moving, stresses_of_cells: StressesOfCells, yielding_cells: YieldingCells,
+    crack_onset: CrackOnset
+) -> Kernel:
+    """Lets the cells of a portion yield whose stress reaches their yield surface.
+
+    Over one index.
+    """
+    return Kernel("yield_cell", (device_span, moving, stresses_of_cells, yielding_cells, crack_onset))

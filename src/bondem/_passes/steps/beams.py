@@ -1,0 +1,133 @@
+"""Passes that steps are composed of, of `core/passes/beams`; written by `python -m tests.core.passes`."""
+
+from bondem._passes import StepEntry
+from bondem._tables.beam_softening_tables import SofteningBounds
+from bondem._tables.damage_tables import Candidates, FailureBounds
+from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, Portions, StepCut
+
+
+def add_alike_beam_loads(moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_cut: StepCut) -> StepEntry:
+    """Adds forces and torques of beams that differ in length only.
+
+    Over bonds of a block.
+    """
+    return StepEntry("add_alike_beam_loads", (moving, beams, alike_beams, step_cut))
+
+
+def add_alike_beam_loads_softening_by_mohr_coulomb(
+    moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_cut: StepCut, softening_bounds: SofteningBounds,
+    candidates: Candidates
+) -> StepEntry:
+    """Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened
+    ones.
+
+    Over bonds of a block.
+    """
+    return StepEntry("add_alike_beam_loads_softening_by_mohr_coulomb", (
+        moving, beams, alike_beams, step_cut, softening_bounds, candidates
+    ))
+
+
+def add_alike_beam_loads_softening_by_peripheral_stress(
+    moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_cut: StepCut, softening_bounds: SofteningBounds,
+    candidates: Candidates
+) -> StepEntry:
+    """Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened
+    ones.
+
+    Over bonds of a block.
+    """
+    return StepEntry("add_alike_beam_loads_softening_by_peripheral_stress", (
+        moving, beams, alike_beams, step_cut, softening_bounds, candidates
+    ))
+
+
+def add_beam_loads(moving: Moving, beams: Beams, step_cut: StepCut) -> StepEntry:
+    """Adds forces and torques of the beams of a block to the sums of their elements.
+
+    Over bonds of a block.
+    """
+    return StepEntry("add_beam_loads", (moving, beams, step_cut))
+
+
+def add_beam_loads_softening_by_mohr_coulomb(
+    moving: Moving, beams: Beams, step_cut: StepCut, softening_bounds: SofteningBounds, candidates: Candidates
+) -> StepEntry:
+    """Adds forces and torques of beams that may soften, with the pressure on softened ones.
+
+    Over bonds of a block.
+    """
+    return StepEntry("add_beam_loads_softening_by_mohr_coulomb", (
+        moving, beams, step_cut, softening_bounds, candidates
+    ))
+
+
+def add_beam_loads_softening_by_peripheral_stress(
+    moving: Moving, beams: Beams, step_cut: StepCut, softening_bounds: SofteningBounds, candidates: Candidates
+) -> StepEntry:
+    """Adds forces and torques of beams that may soften, with the pressure on softened ones.
+
+    Over bonds of a block.
+    """
+    return StepEntry("add_beam_loads_softening_by_peripheral_stress", (
+        moving, beams, step_cut, softening_bounds, candidates
+    ))
+
+
+def add_dashpot_loads(moving: Moving, beams: Beams, dashpots: Dashpots, step_cut: StepCut) -> StepEntry:
+    """Adds forces and torques of the dashpots of beams to sums of their own.
+
+    Over bonds of a block.
+    """
+    return StepEntry("add_dashpot_loads", (moving, beams, dashpots, step_cut))
+
+
+def add_marked_alike_beam_loads(
+    moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_cut: StepCut, failure_bounds: FailureBounds,
+    candidates: Candidates
+) -> StepEntry:
+    """Adds forces and torques of beams that differ in length only, and marks beams near to failure.
+
+    Over bonds of a block.
+    """
+    return StepEntry("add_marked_alike_beam_loads", (
+        moving, beams, alike_beams, step_cut, failure_bounds, candidates
+    ))
+
+
+def add_marked_beam_loads(
+    moving: Moving, beams: Beams, step_cut: StepCut, failure_bounds: FailureBounds, candidates: Candidates
+) -> StepEntry:
+    """Adds forces and torques of the beams of a block, and marks beams near to failure.
+
+    Over bonds of a block.
+    """
+    return StepEntry("add_marked_beam_loads", (moving, beams, step_cut, failure_bounds, candidates))
+
+
+def check_beams(moving: Moving, beams: Beams, portions: Portions) -> StepEntry:
+    """Counts unbroken beams of a portion that are turned beyond the range of their energy, and beyond its end.
+
+    Over bonds, in portions.
+    """
+    return StepEntry("check_beams", (moving, beams, portions))
+
+
+def sum_beam_energies(moving: Moving, beams: Beams, portions: Portions) -> StepEntry:
+    """Sums normal, shear, bending and twisting energy of a portion [J].
+
+    Over bonds, in portions.
+    """
+    return StepEntry("sum_beam_energies", (moving, beams, portions))
+
+
+#: Passes `add_alike_beam_loads_softening_by_…` by the name of their criterion.
+ADD_ALIKE_BEAM_LOADS_SOFTENING_BY = {
+    "mohr_coulomb": add_alike_beam_loads_softening_by_mohr_coulomb,
+    "peripheral_stress": add_alike_beam_loads_softening_by_peripheral_stress,
+}
+#: Passes `add_beam_loads_softening_by_…` by the name of their criterion.
+ADD_BEAM_LOADS_SOFTENING_BY = {
+    "mohr_coulomb": add_beam_loads_softening_by_mohr_coulomb,
+    "peripheral_stress": add_beam_loads_softening_by_peripheral_stress,
+}

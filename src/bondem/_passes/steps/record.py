@@ -1,0 +1,36 @@
+"""Passes that steps are composed of, of `core/passes/record`; written by `python -m tests.core.passes`."""
+
+from bondem._passes import StepEntry
+from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, Rows
+
+
+def judge_energy(rows: Rows, portions: Portions) -> StepEntry:
+    """Finds whether a number is not finite, or the motion has more energy than can have come in.
+
+    Over numbers that a body has once, such as those of a record.
+    """
+    return StepEntry("judge_energy", (rows, portions))
+
+
+def read_gauges(moving: Moving, rows: Rows, gauges: Gauges, history_rows: HistoryRows) -> StepEntry:
+    """Writes three components of each gauge of elements.
+
+    Over rows of a table, in the order of the table.
+    """
+    return StepEntry("read_gauges", (moving, rows, gauges, history_rows))
+
+
+def sum_element_energies(moving: Moving, portions: Portions) -> StepEntry:
+    """Sums kinetic energies and losses of a portion [J].
+
+    Over elements, in portions.
+    """
+    return StepEntry("sum_element_energies", (moving, portions))
+
+
+def write_ledger(rows: Rows, portions: Portions, history_rows: HistoryRows) -> StepEntry:
+    """Writes time and the entries of the energy balance.
+
+    Over numbers that a body has once, such as those of a record.
+    """
+    return StepEntry("write_ledger", (rows, portions, history_rows))
