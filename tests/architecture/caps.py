@@ -32,8 +32,10 @@ _NON_LOCAL = re.compile(r"non_local|NonLocal")
 _OWN_OF_NON_LOCAL = re.compile(r"interactions/non_local/|/_(?:tables|passes)/")
 _KIND_OF_PASS = re.compile(r"^ *BONDEM_PASS(?:_AS)?\(\w+(?:##\w+)?, (\w+)")
 _LOWERED = re.compile(r"\bintegrity\(\w+\) [-*]?= ")
-# Sources that a command writes: the stub of the public names, the version, tables and passes.
-_GENERATED = re.compile(r"__init__\.pyi|_version\.py|/_(?:tables|passes)/|core/(?:described_tables|table_names)\.hpp")
+# Sources that a command writes: the stub of the public names, the version, tables, passes and lists of criteria.
+_GENERATED = re.compile(
+    r"__init__\.pyi|_version\.py|/_(?:tables|passes)/|core/(?:described_tables|table_names|laws/criteria/bond_criteria)\.hpp"
+)
 
 
 @dataclass(frozen=True)

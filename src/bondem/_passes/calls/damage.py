@@ -31,9 +31,11 @@ def find_softening_factors(
     return Call("find_softening_factors", (loaded_facets, facet_strengths, softening_search))
 
 
-def index_beams_by_ellipse(poses: Poses, beams: Beams, strengths: Strengths, failure_indices: FailureIndices) -> Call:
+def index_beams_by_elliptic(
+    poses: Poses, beams: Beams, strengths: Strengths, failure_indices: FailureIndices
+) -> Call:
     """Finds the index of every beam by a criterion, in any poses, as many at once as there are lanes."""
-    return Call("index_beams_by_ellipse", (poses, beams, strengths, failure_indices))
+    return Call("index_beams_by_elliptic", (poses, beams, strengths, failure_indices))
 
 
 def index_beams_by_linear_sum(
@@ -74,7 +76,7 @@ def index_stresses_by_mean_stress(stress_candidates: StressCandidates, stress_fu
 
 #: Passes `index_beams_by_…` by the name of their criterion.
 INDEX_BEAMS_BY = {
-    "ellipse": index_beams_by_ellipse,
+    "elliptic": index_beams_by_elliptic,
     "linear_sum": index_beams_by_linear_sum,
     "mohr_coulomb": index_beams_by_mohr_coulomb,
     "peripheral_stress": index_beams_by_peripheral_stress,

@@ -26,7 +26,7 @@ def end_all_failures(candidates: Candidates) -> Kernel:
     return Kernel("end_all_failures", (candidates,))
 
 
-def judge_beam_by_ellipse(
+def judge_beam_by_elliptic(
     device_span: DeviceSpan, moving: Moving, beams: Beams, strengths: Strengths, bond_marks: BondMarks,
     candidates: Candidates, postponed: Postponed
 ) -> Kernel:
@@ -35,7 +35,9 @@ def judge_beam_by_ellipse(
 
     Over one index.
     """
-    return Kernel("judge_beam_by_ellipse", (device_span, moving, beams, strengths, bond_marks, candidates, postponed))
+    return Kernel("judge_beam_by_elliptic", (
+        device_span, moving, beams, strengths, bond_marks, candidates, postponed
+    ))
 
 
 def judge_beam_by_linear_sum(
@@ -224,7 +226,7 @@ def write_released_energy(device_span: DeviceSpan, event_log: EventLog, history_
 
 #: Passes `judge_beam_by_…` by the name of their criterion.
 JUDGE_BEAM_BY = {
-    "ellipse": judge_beam_by_ellipse,
+    "elliptic": judge_beam_by_elliptic,
     "linear_sum": judge_beam_by_linear_sum,
     "mohr_coulomb": judge_beam_by_mohr_coulomb,
     "peripheral_stress": judge_beam_by_peripheral_stress,

@@ -62,14 +62,14 @@ def index_candidates_by_mean_stress(
     return StepEntry("index_candidates_by_mean_stress", (stress_candidates, stress_function))
 
 
-def judge_beams_by_ellipse(
+def judge_beams_by_elliptic(
     moving: Moving, beams: Beams, strengths: Strengths, candidates: Candidates, postponed: Postponed
 ) -> StepEntry:
     """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 
     Over bonds of a block.
     """
-    return StepEntry("judge_beams_by_ellipse", (moving, beams, strengths, candidates, postponed))
+    return StepEntry("judge_beams_by_elliptic", (moving, beams, strengths, candidates, postponed))
 
 
 def judge_beams_by_linear_sum(
@@ -201,7 +201,7 @@ INDEX_CANDIDATES_BY = {
 }
 #: Passes `judge_beams_by_…` by the name of their criterion.
 JUDGE_BEAMS_BY = {
-    "ellipse": judge_beams_by_ellipse,
+    "elliptic": judge_beams_by_elliptic,
     "linear_sum": judge_beams_by_linear_sum,
     "mohr_coulomb": judge_beams_by_mohr_coulomb,
     "peripheral_stress": judge_beams_by_peripheral_stress,

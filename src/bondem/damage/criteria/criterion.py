@@ -116,7 +116,7 @@ class BondCriterion(Criterion):
     """A criterion for single bonds or facets, which break at once, or soften if beams have a fracture energy.
 
     Attributes:
-        kind: name of the criterion in passes of the core (class attribute; `core/laws/criteria/bond_criteria.hpp`).
+        kind: name of the header of the criterion in `core/laws/criteria/`, and of its passes (class attribute).
         needs_beams: True if it applies to beams only, not to facets of cells (class attribute).
     """
 
@@ -151,6 +151,17 @@ class BondCriterion(Criterion):
             joint: geometry of the bonds.
             coefficients: result of `coefficients`, (m, 4).
         """
+
+    def pulled(self, joint: Joint, coefficients: Floats) -> PerBond:
+        """Return the tensile force that alone makes each bond fail [N], (m,): the inverse of its first coefficient.
+
+        A criterion that has another first coefficient overrides this.
+
+        Args:
+            joint: geometry of the bonds.
+            coefficients: result of `coefficients`, (m, 4).
+        """
+        return 1.0 / coefficients[:, 0]
 
     def pulled_and_sheared(self, joint: Joint, factor: PerBond, arm: PerBond) -> tuple[PerBond, PerBond]:
         """Return the tensile force and the shear force that alone make each beam soften [N], (m,) each.

@@ -36,7 +36,7 @@ class Elliptic(BondCriterion):
         InputError: A limit is not positive.
     """
 
-    kind: ClassVar[str] = "ellipse"
+    kind: ClassVar[str] = "elliptic"
 
     elongation: float
     rotation: float
@@ -59,3 +59,6 @@ class Elliptic(BondCriterion):
             soft = np.where(soft > 1e-9 * (a + c), soft, 0.0)
             # (ε / ε_c)² + … ≥ 1 only where ε / ε_c + … ≥ 1
             return s[0] / (k.kn * L * _MARGIN), s[1] / (soft * _MARGIN)
+
+    def pulled(self, joint: Joint, coefficients: Floats) -> PerBond:
+        return joint.beam.kn * joint.length / coefficients[:, 0]

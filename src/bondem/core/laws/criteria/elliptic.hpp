@@ -11,9 +11,8 @@
 
 namespace bondem {
 
-struct Elliptic {
-    static constexpr bool sees_angles = true;  // which take time to find
-
+struct Elliptic : BondCriterion {
+    static constexpr bool sees_angles = true;
     template <class T> static BONDEM_INLINE Verdict<T> verdict(const BondLoads<T> &load, const Coefficients<T> &s) {
         const T zero = {}, strain = load.strain > zero ? load.strain : zero;
         const T stretch = strain * s.a, along = stretch * stretch, about = load.angle * s.b;

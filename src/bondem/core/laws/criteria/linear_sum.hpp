@@ -12,9 +12,7 @@
 
 namespace bondem {
 
-struct LinearSum {
-    static constexpr bool sees_angles = false;  // which take time to find
-
+struct LinearSum : BondCriterion {
     template <class T> static BONDEM_INLINE Verdict<T> verdict(const BondLoads<T> &load, const Coefficients<T> &s) {
         const T n = load.axial * s.a, q = load.shear * s.b, m = load.bending * s.c, t = load.twisting * s.d;
         T mode = constant<T>(failure_mode::tension), largest = n;

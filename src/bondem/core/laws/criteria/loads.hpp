@@ -21,6 +21,12 @@ template <class T> struct BondLoads {
 template <class T> struct Coefficients {
     T a, b, c, d;
 };
+// A criterion on the loads of single bonds, and what it differs in.
+struct BondCriterion {
+    static constexpr bool sees_angles = false;  // needs the angles of the ends of a beam, which take time to find
+    static constexpr bool of_facets = false;  // applies to facets of cells too (`needs_beams` is false in Python)
+    static constexpr bool softens = false;  // beams may soften from it on (`pulled_and_sheared` in Python)
+};
 // Index and mode that a criterion returns.
 template <class T> struct Verdict {
     T index;  // the bond fails at 1 [-]

@@ -11,9 +11,8 @@
 
 namespace bondem {
 
-struct MohrCoulomb {
-    static constexpr bool sees_angles = false;  // which take time to find
-
+struct MohrCoulomb : BondCriterion {
+    static constexpr bool of_facets = true, softens = true;
     template <class T> static BONDEM_INLINE Verdict<T> verdict(const BondLoads<T> &load, const Coefficients<T> &s) {
         const T along = load.axial * s.a, across = (load.shear + load.axial * s.c) * s.b;
         const T tension = constant<T>(failure_mode::tension), shear = constant<T>(failure_mode::shear);

@@ -15,9 +15,8 @@
 
 namespace bondem {
 
-struct PeripheralStress {
-    static constexpr bool sees_angles = false;  // which take time to find
-
+struct PeripheralStress : BondCriterion {
+    static constexpr bool softens = true;
     template <class T> static BONDEM_INLINE Verdict<T> verdict(const BondLoads<T> &load, const Coefficients<T> &s) {
         const T along = load.axial * s.a + load.bending * s.b, across = load.shear * s.c + load.twisting * s.d;
         const T tension = constant<T>(failure_mode::tension), shear = constant<T>(failure_mode::shear);
