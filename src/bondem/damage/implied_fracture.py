@@ -7,8 +7,6 @@ import numpy as np
 
 from bondem._types import PerBond, PerElement
 from bondem.damage.criteria.criterion import BondCriterion, Criterion, Joint
-from bondem.damage.criteria.elliptic import Elliptic
-from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
 from bondem.damage.failure_assignment import FailurePart
 from bondem.damage.failure_table import joint_of
 from bondem.interactions.interaction import Interaction
@@ -120,9 +118,4 @@ def _tensile_force(part: FailurePart, joint: Joint, law: Interaction) -> PerBond
     if failure.softening is not None and joint.stiffness is None:
         return joint.area * failure.softening.tension * factor
     assert isinstance(failure, BondCriterion)
-    each = failure.coefficients(joint, factor).T
-    if isinstance(failure, Elliptic):
-        return joint.beam.kn * joint.length / each[0]
-    if isinstance(failure, MohrCoulomb):  # where tension is beyond the tip of the cone, it is the tip
-        return 1.0 / np.maximum(each[0], each[1] * each[2])
-    return 1.0 / each[0]
+    return failure.pulled(joint, failure.coefficients(joint, factor))

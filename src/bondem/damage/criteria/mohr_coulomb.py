@@ -118,6 +118,10 @@ class MohrCoulomb(BondCriterion):
         s = coefficients.T
         return np.maximum(s[0], s[1] * np.sqrt(1.0 + s[2] ** 2)), np.zeros_like(s[0])
 
+    def pulled(self, joint: Joint, coefficients: Floats) -> PerBond:
+        s = coefficients.T
+        return 1.0 / np.maximum(s[0], s[1] * s[2])  # beyond the tip of the cone it is the tip
+
     def pulled_and_sheared(self, joint: Joint, factor: PerBond, arm: PerBond) -> tuple[PerBond, PerBond]:
-        s = self.coefficients(joint, factor).T
-        return 1.0 / np.maximum(s[0], s[1] * s[2]), 1.0 / s[1]
+        each = self.coefficients(joint, factor)
+        return self.pulled(joint, each), 1.0 / each[:, 1]
