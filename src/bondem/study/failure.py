@@ -1,75 +1,47 @@
 """Table [failure] of a study: failure criterion of the material."""
 
+from dataclasses import MISSING, Field, fields
 from typing import Any
 
 from bondem.damage.bilinear import Bilinear
 from bondem.damage.criteria.criterion import BondCriterion, Criterion
-from bondem.damage.criteria.drucker_prager import DruckerPrager
-from bondem.damage.criteria.elliptic import Elliptic
-from bondem.damage.criteria.hydrostatic import Hydrostatic
-from bondem.damage.criteria.linear_sum import LinearSum
+from bondem.damage.criteria.criterion_catalogue import CRITERIA as EVERY
 from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
-from bondem.damage.criteria.peripheral_stress import PeripheralStress
-from bondem.damage.criteria.rankine import Rankine
+from bondem.damage.criteria.stress_criterion import StressCriterion
 from bondem.errors import InputError, StudyError
 from bondem.labtests.failure_tests import FAILURE_TESTS
 from bondem.study.toml_table import TomlTable
 
-#: Criteria of bonds between spheres, with their keys; the first ones are needed.
-_OF_BONDS: dict[type[BondCriterion], tuple[str, ...]] = {
-    PeripheralStress: ("tension", "shear"), LinearSum: ("force", "shear_force", "bending", "twisting"),
-    Elliptic: ("elongation", "rotation"),
-}  # fmt: skip
-#: Criteria by name.
-CRITERIA = (Rankine, Hydrostatic, DruckerPrager, MohrCoulomb, *_OF_BONDS)
+#: Criteria of studies by name: all but those that are functions of Python.
+CRITERIA = {name: kind for name, kind in EVERY.items() if kind is not StressCriterion}
+# Arguments of a criterion that a study does not give.
+_LEFT_OUT = ("scatter", "on")
+# Keys of arguments that differ from the name of the argument, and units that differ from that of the key.
+_KEYS, _UNITS = {"LinearSum.shear": "shear_force"}, {"DruckerPrager.dilatancy": "-"}
 
 
 def read_failure(table: TomlTable) -> Criterion:
-    """Read the failure criterion of a table.
+    """Read the failure criterion of a table, whose keys are the arguments of its class.
 
     Raises:
         StudyError: a key that is unknown, missing or out of range.
     """
     with table:
-        name = table.text("criterion")
-        for kind, keys in _OF_BONDS.items():
-            if name == kind.__name__:
-                given: dict[str, Any] = {key.removesuffix("_force"): table.number(key) for key in keys}
-                if kind is PeripheralStress:
-                    given["beta"] = table.number("beta", default=PeripheralStress.beta)
-                    given |= {key: table.number(key, default=None) for key in _ENERGIES}
-                return _made(table, kind, given)
-        if name == DruckerPrager.__name__:
-            strengths = ("tension", "compression", "hydrostatic")
-            given = {one: table.number(one, default=None) for one in strengths}
-            given |= _cracks(table)
-            given["fracture_energy_shear"] = table.number("fracture_energy_shear", default=None)
-            given["dilatancy"] = table.number("dilatancy", unit="-", default=0.0)
-            given["band_width"] = table.number("band_width", default=None)
-            return _made(table, DruckerPrager, given)
-        given = {"tension": table.number("tension")}
-        if name in (Rankine.__name__, Hydrostatic.__name__):
-            return _made(table, Rankine if name == Rankine.__name__ else Hydrostatic, given | _cracks(table))
-        given["cohesion"] = table.number("cohesion")
-        given["friction_angle"] = table.number("friction_angle")
-        given["fracture_energy"] = table.number("fracture_energy", default=None)
-        given["fracture_energy_shear"] = table.number("fracture_energy_shear", default=None)
-        given["dilatancy"] = table.number("dilatancy", default=0.0)
-        given["band_width"] = table.number("band_width", default=None)
-        return _made(table, MohrCoulomb, given | {"curve": _curve(table)})
+        kind = CRITERIA[table.text("criterion")]
+        given = {one.name: _argument(table, kind, one) for one in fields(kind) if one.name not in _LEFT_OUT}
+        try:
+            return kind(**given)
+        except InputError as error:
+            raise StudyError(f"'{table.name('criterion')}': {error}") from None
 
 
-# Fracture energies of bonds that soften.
-_ENERGIES = ("fracture_energy", "fracture_energy_shear")
-
-
-def _cracks(table: TomlTable) -> dict[str, Any]:
-    """Options of facets that crack under the stress of the material."""
-    return {
-        "fracture_energy": table.number("fracture_energy", default=None),
-        "friction": table.number("friction", default=0.0),
-        "curve": _curve(table),
-    }
+def _argument(table: TomlTable, kind: type[Criterion], argument: Field[Any]) -> object:
+    """Return an argument of a criterion, or its default."""
+    if argument.name == "curve":
+        return _curve(table)
+    name = f"{kind.__name__}.{argument.name}"
+    default = {} if argument.default is MISSING else {"default": argument.default}
+    return table.number(_KEYS.get(name, argument.name), unit=_UNITS.get(name), **default)
 
 
 def _curve(table: TomlTable) -> Bilinear | None:
@@ -82,13 +54,6 @@ def _curve(table: TomlTable) -> Bilinear | None:
         return Bilinear(**kink)
     except InputError as error:
         raise StudyError(f"'{table.name('curve')}': {error}") from None
-
-
-def _made(table: TomlTable, kind: type[Criterion], given: dict[str, Any]) -> Criterion:
-    try:
-        return kind(**given)
-    except InputError as error:
-        raise StudyError(f"'{table.name('criterion')}': {error}") from None
 
 
 def require_strength(tests: tuple[str, ...], failure: Criterion | None, cells: bool) -> None:
@@ -112,7 +77,7 @@ def require_strength(tests: tuple[str, ...], failure: Criterion | None, cells: b
         if not isinstance(failure, BondCriterion):
             raise StudyError(
                 f'\'failure.criterion\' = "{name}" is one of cells; set law = "CellBond" in [bond], or a criterion of'
-                f" bonds: {', '.join(kind.__name__ for kind in _OF_BONDS)} or MohrCoulomb"
+                f" bonds: {', '.join(name for name, kind in CRITERIA.items() if issubclass(kind, BondCriterion))}"
             )
         only = [one for one in asked if not FAILURE_TESTS[one].bonded]
         if only:

@@ -69,7 +69,7 @@ BOND = KeyTable("bonds of spheres, or cells", {
     "reach": Number("largest length of a bond over the sum of both radii", "-", above=0.0),
 })  # fmt: skip
 FAILURE = KeyTable("failure criterion", {
-    "criterion": Text("kind of criterion", tuple(kind.__name__ for kind in CRITERIA)),
+    "criterion": Text("kind of criterion", tuple(CRITERIA)),
     "tension": _strength("strength in tension"), "compression": _strength("strength in compression"),
     "hydrostatic": _strength("strength in hydrostatic tension"), "cohesion": _strength("cohesion c"),
     "friction_angle": Number("friction angle φ", "rad"),
