@@ -35,7 +35,7 @@ def read_failure(table: TomlTable) -> Criterion:
             raise StudyError(f"'{table.name('criterion')}': {error}") from None
 
 
-def _argument(table: TomlTable, kind: type[Criterion], argument: Field[Any]) -> object:
+def _argument(table: TomlTable, kind: type[Criterion], argument: Field[Any]) -> Any:
     """Return an argument of a criterion, or its default."""
     if argument.name == "curve":
         return _curve(table)
