@@ -247,6 +247,8 @@ def stale() -> list[str]:
 
 
 if __name__ == "__main__":
+    for name in stale():
+        (FOLDER / name).unlink(missing_ok=True)
     for file, content in written().items():
         file.parent.mkdir(exist_ok=True, parents=True)
         file.write_text(content)
