@@ -1,11 +1,11 @@
 """Write what follows from the headers of the core: named tuples of Python, names and descriptions of C++.
 
 `python -m tests.core.tables` writes `bondem/_tables/*.py`, `core/table_names.hpp` and `core/described_tables.hpp`;
-a test compares them with the headers `core/tables/*.hpp`. It writes `core/laws/criteria/bond_criteria.hpp`, the lists
-of criteria on single bonds, from the headers beside it. A field is `Type name;  // what it is [unit], (n, 8)`: the
+a test compares them with the headers `core/tables/*.hpp`. A field is `Type name;  // what it is [unit], (n, 8)`: the
 last parentheses are its shape, in symbols that mean one length in a call (n, m, …; * for any length). A table is a
 struct with a comment above it. A struct with vectors is the row of a table, and has a description only. The generator
-refuses anything else. What passes are for is written by `tests/core/passes.py`, which needs the compiled library.
+refuses anything else. What passes are for is written by `tests/core/passes.py`, which needs the compiled library. The
+command also writes the lists of `tests/core/lists.py`.
 """
 
 import re
@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from textwrap import wrap
+
+from tests.core import lists
 
 SOURCE = Path(__file__).resolve().parents[2] / "src/bondem"
 COLUMNS = SOURCE / "core/tables/columns.hpp"
@@ -34,7 +36,6 @@ ENUM = re.compile(
 )
 MEMBER = re.compile(r"(\w+)(?: = (\d+))?\s*(?:,|$)")
 COUNT = re.compile(r"(\w+)::count")
-CRITERION = re.compile(r"^struct (\w+) : BondCriterion \{(.*?)^\};", re.DOTALL | re.MULTILINE)
 AXIS = re.compile(r"\*|[a-z_]*(?: \+ \d+)?|\d+")
 
 
@@ -197,26 +198,10 @@ def _names(found: list[Table]) -> str:
     return "\n".join([*lines, "#undef T", "", "}  // namespace bondem", ""])
 
 
-def _criteria() -> tuple[Path, str]:
-    beside = SOURCE / "core/laws/criteria"
-    found = [(of.stem, *one) for of in sorted(beside.glob("*.hpp")) for one in CRITERION.findall(of.read_text())]
-    lines = [
-        "// Lists of criteria on single bonds, written by `python -m tests.core.tables` from the headers beside it.",
-        "//",
-        "// A list calls DO(with, name, Criterion) for each. Names of passes end with `name`, which is that of the",
-        "// header, as in `judge_beams_by_mohr_coulomb`; Python finds the passes by it (`BondCriterion.kind`).",
-        "#pragma once", *(f'#include "{name}.hpp"' for name, *_ in found), "",
-    ]  # fmt: skip
-    for title, flag in (("BEAM", ""), ("FACET", "of_facets = true"), ("SOFTENING", "softens = true")):
-        each = (f"DO(with, {name}, {kind})" for name, kind, body in found if flag in body)
-        lines.append(" \\\n    ".join([f"#define BONDEM_{title}_CRITERIA(DO, with)", *each]))
-    return beside / "bond_criteria.hpp", "\n".join([*lines, ""])
-
-
 def written() -> dict[Path, str]:
     """Return every generated file and its text."""
     headers = sorted((SOURCE / "core/tables").glob("*.hpp"))
-    made, every = {}, []
+    made, every = lists.written(), []
     for path in headers:
         found = list(tables(path))
         every += found
@@ -225,8 +210,6 @@ def written() -> dict[Path, str]:
     made[SOURCE / "_tables/columns.py"] = _columns()
     made[SOURCE / "_tables/__init__.py"] = '"""Tables of the core, written by `python -m tests.core.tables`."""\n'
     made[SOURCE / "core/table_names.hpp"] = _names(every)
-    listed, text = _criteria()
-    made[listed] = text
     made[SOURCE / "core/described_tables.hpp"] = _described(headers, every)
     return made
 
