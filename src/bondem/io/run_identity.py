@@ -41,7 +41,7 @@ def identity_of(model: Model, plan: Plan, initial: State) -> str:
         ("position", lattice.particles.position), ("radius", lattice.particles.radius),
         ("density", model.density), ("pairs", lattice.pairs), ("time", initial.time),
     ]  # fmt: skip
-    items += [(name, getattr(initial, name)) for name in State.ARRAYS]
+    items += [(name, getattr(initial, name)) for name in initial.arrays]
     if len(lattice.names) > 1:
         items += [("body", lattice.body), ("bodies", json.dumps([lattice.names, encode(lattice.bodies.shapes)]))]
     tables = lattice.elements.tables.values()

@@ -118,7 +118,7 @@ class RunFile:
         self.path = place("out", path)
         require_writable(self.path, "run file")
         self._model, self._plan, self._identity = model, plan, identity
-        self._cracks = cracks if model.failure is not None else None
+        self._cracks = cracks if model.fails else None
         self._before = goes_on.seconds if goes_on is not None else 0.0
         self._start = time.perf_counter()
         self._texts = {
@@ -174,7 +174,7 @@ class RunFile:
         """
         file = self._new_file()
         kept = file.require_group("state")
-        for name in State.ARRAYS:
+        for name in state.arrays:
             _put(kept, name, getattr(state, name))
         file.require_group("history")
         _put(file["history"], "records", history.records)
@@ -246,7 +246,7 @@ def _put(group: Any, name: str, values: np.ndarray) -> None:
 
 
 def _digest_of_state(state: State, history: History, schema: int = SCHEMA) -> str:
-    arrays = [(name, getattr(state, name)) for name in State.ARRAYS if _SINCE.get(name, 0) <= schema]
+    arrays = [(name, getattr(state, name)) for name in state.arrays if _SINCE.get(name, 0) <= schema]
     stands = json.dumps([state.step, state.time, bool(state.stale), list(history.gauges)])
     return digest_of([*arrays, ("records", history.records), ("stands", stands)])
 
@@ -350,7 +350,7 @@ def _checkpoint(file: h5py.File, schema: int, failure: Criterion | None) -> Chec
         mass_matrix=made_of.get("mass_matrix", "lumped"),
     )
     state = State(model)
-    for name in State.ARRAYS:
+    for name in state.arrays:
         if schema < _SINCE.get(name, 0):
             continue
         values = np.ascontiguousarray(array_at(file, f"state/{name}"))

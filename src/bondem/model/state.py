@@ -24,7 +24,9 @@ from bondem.model.state_walls import known_walls, rows_of_walls, set_off
 from bondem.specimen.local_origin import local_origin, local_rest
 from bondem.specimen.particles import freeze
 
-_INTERNAL = "ARRAYS", "GROWING", "layout", "local_position", "of_law", "origin", "rest", "rest_strain", "stale"
+_INTERNAL = (
+    "ARRAYS", "GROWING", "arrays", "layout", "local_position", "of_law", "origin", "rest", "rest_strain", "stale",
+)  # fmt: skip
 _SETTABLE = "position", "displacement", "orientation", "velocity", "angular_velocity", "bond_eigenstrain"
 
 
@@ -51,7 +53,7 @@ class State(StateMotion):
     - `history`: what the law stores of each bond: force and moment of the incremental formulation, (6, m), or gap,
       extra force and its work of the non-local law, (7, m); else (6, 0).
     - `stress`: stress of each element in its own frame, xx, yy, zz, xy, xz, yz [Pa], (n, 6), for the non-local law;
-      else (0, 6).
+      else (0, 6). A law may own arrays of other names, which follow all others in run files.
     - `eigenstrain`: ε* of each bond [-], whose rest length is L (1 + ε*); shape (m,), or (0,) if none was set.
     - `reaction`: minus the bond forces on the rows of the boundary [N, N·m], shape (r, 6).
     - `work`: work of loads and drives on each row since the start [J], shape (r,). The works of body forces on each
@@ -141,19 +143,25 @@ class State(StateMotion):
         if isinstance(known, property):
             if known.fset is None:
                 raise InputError(f"State: {name} cannot be set; it follows from {', '.join(_SETTABLE)}; set these")
-        elif name in self.ARRAYS:
+        elif name in self.ARRAYS or (name not in self._SCALARS and name in self.arrays):
             instance("State", name, value, np.ndarray, "an array in the internal order, or set a property")
         elif name not in self._SCALARS:
             raise InputError(f"State: there is no quantity '{name}' to set{meant(name, dir(self))}")
         object.__setattr__(self, name, value)
 
     def __dir__(self) -> list[str]:
-        return [name for name in object.__dir__(self) if name not in {*self.ARRAYS, *_INTERNAL}]
+        return [name for name in object.__dir__(self) if name not in {*self.arrays, *_INTERNAL}]
+
+    @property
+    def arrays(self) -> tuple[str, ...]:
+        """Names of the arrays, those that only the law of the model owns last."""
+        own = (field.name for field in self.model.interaction.fields)
+        return *self.ARRAYS, *(name for name in own if name not in self.ARRAYS)
 
     def copy(self) -> "State":
         """Return an independent copy."""
         twin = State.__new__(State)
-        twin.__dict__.update(self.__dict__ | {name: getattr(self, name).copy() for name in self.ARRAYS})
+        twin.__dict__.update(self.__dict__ | {name: getattr(self, name).copy() for name in self.arrays})
         return twin
 
     __copy__ = copy  # the module copy would share the arrays
@@ -304,7 +312,7 @@ class State(StateMotion):
         Raises:
             InputError: The array has the wrong shape, a value is at or below -1, or the formulation is incremental.
         """
-        if self.history.shape[1] > 0:
+        if not self.model.interaction.strains:
             raise InputError("eigenstrain needs stored rest lengths; use formulation='total'")
         count = len(self.integrity)
         values = array("State", "eigenstrain", strain, wanted=f"values above -1, one or ({count},)")

@@ -19,7 +19,7 @@ def check_arrays(state: State) -> None:
     """
     fresh = State(state.model)
     m = len(fresh.integrity)
-    for name in State.ARRAYS:
+    for name in fresh.arrays:
         given, wanted = getattr(state, name), getattr(fresh, name)
         free = name in State.GROWING
         shape = wanted.shape[1:] if free else wanted.shape
