@@ -32,9 +32,10 @@ _NON_LOCAL = re.compile(r"non_local|NonLocal")
 _OWN_OF_NON_LOCAL = re.compile(r"interactions/non_local/|/_(?:tables|passes)/")
 _KIND_OF_PASS = re.compile(r"^ *BONDEM_PASS(?:_AS)?\(\w+(?:##\w+)?, (\w+)")
 _LOWERED = re.compile(r"\bintegrity\(\w+\) [-*]?= ")
-# Sources that a command writes: the stub of the public names, the version, tables, passes and lists of criteria.
+# Sources that a command writes: the stub of the public names, the version, tables, passes and lists.
 _GENERATED = re.compile(
-    r"__init__\.pyi|_version\.py|/_(?:tables|passes)/|core/(?:described_tables|table_names|laws/criteria/bond_criteria)\.hpp"
+    r"__init__\.pyi|_version\.py|/_(?:tables|passes)/|core/(?:described_tables|table_names)\.hpp"
+    r"|criteria/bond_criteria\.hpp|gpu/index_passes\.hpp"
 )
 
 
@@ -222,7 +223,7 @@ CAPS = (
     Cap("questions to a model about its law", lambda: _questions()["model"], 0),
     Cap("questions to a lattice about its shape", lambda: _questions()["lattice"], 20),
     Cap("questions to a study about its law", lambda: _questions()["study"], 11),
-    Cap("tests of a part for None", _tests_for_none, 147),
+    Cap("tests of a part for None", _tests_for_none, 140),
     Cap("files of Python that name the non-local law", _files_of_the_non_local_law, 3),
     Cap("places of the core that lower integrity", lambda: _of_core(_LOWERED.search), 1),
     Cap("passes that are single", lambda: _passes_of_kind("single"), 12),

@@ -16,8 +16,8 @@ from bondem.specimen.lattice import Lattice
 
 # What rounding may take off a bound.
 _ROUNDING = 1e-6
-# Kind of criteria on principal stresses, which no function of forces judges.
-_OF_PRINCIPAL = "principal"
+# Kinds of criteria that no function of forces judges: those on principal stresses, and those of a law itself.
+_OF_PRINCIPAL, _OF_LAW = "principal", "law"
 # Share of the bound of facets at which they are looked at: it is held against stresses of cells a step ago.
 _MARGIN = 0.75
 
@@ -81,6 +81,15 @@ class FailureTable:
         )
 
     @classmethod
+    def of_law(cls, law: Interaction) -> "FailureTable":
+        """Return the table of bonds that their law itself breaks, which has no coefficients."""
+        none = np.full(len(law.layout.i), np.inf)
+        return cls(
+            kind=_OF_LAW, coefficient=np.zeros((len(none), COEFFICIENTS)), station=-none, limit=none, of_force=0.0,
+            of_moment=0.0,
+        )  # fmt: skip
+
+    @classmethod
     def _of_principal(cls, law: Interaction, parts: tuple[FailurePart, ...]) -> "FailureTable":
         """Return the table of bonds that mean stresses break, with the coefficients of `laws.failure.principal`."""
         lattice, layout, joint = law.lattice, law.layout, joint_of(law)
@@ -125,6 +134,8 @@ def check_failure(failure: object, law: Interaction, contact: ContactLaws | None
     Raises:
         InputError: There is no criterion, it applies to other bonds, or the model has features that exclude breakage.
     """
+    if np.isfinite(law.own_strength()).any():
+        raise InputError(f"bonds of {law.name} break by a strength of their own; leave out failure=")
     if law.evaluated == "stress":
         for criterion in criteria_of(failure):
             _check_principal(criterion, law.name)

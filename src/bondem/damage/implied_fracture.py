@@ -62,11 +62,11 @@ class ImpliedFracture:
 def implied_fracture(
     law: Interaction, parts: tuple[FailurePart, ...], mass: PerElement
 ) -> ImpliedFracture | None:
-    """Return the fracture properties that criteria imply for a law, or None without bonds.
+    """Return the fracture properties that criteria, or the law itself, imply, or None without bonds.
 
     Args:
         law: bonds or facets.
-        parts: criteria with their bonds.
+        parts: criteria with their bonds; none if the law itself breaks them.
         mass: masses of the elements [kg], shape (n,).
     """
     lattice, stiffness = law.lattice, law.bonds
@@ -76,7 +76,7 @@ def implied_fracture(
     volume = sum(shape.volume for shape in shapes)
     joint, E = joint_of(law), law.modulus(volume)
     area, length, held = joint.area, joint.length, joint.stiffness
-    pull, given = np.zeros((2, len(area)))
+    pull, given = np.zeros(len(area)) if parts else law.own_strength(), np.zeros(len(area))
     for part in parts:
         pull[part.bonds] = _tensile_force(part, joint, law)
         given[part.bonds] = _given_energy(part.criterion, cells=held is None)
@@ -91,7 +91,8 @@ def implied_fracture(
         energy = strength * strength * L / E
     else:
         energy = float((stored * length).sum() / (2.0 * volume))
-    weakest = min(float(np.median((pull / area)[part.bonds])) for part in parts if len(part.bonds))
+    chosen = [part.bonds for part in parts if len(part.bonds)] or [np.arange(len(area))]
+    weakest = min(float(np.median((pull / area)[bonds])) for bonds in chosen)
     return ImpliedFracture(
         softens=softens, strength=strength, weakest=weakest, E=E, density=float(mass.sum()) / volume, length=L,
         bond_energy=float(np.median(stored / area)), fracture_energy=energy,

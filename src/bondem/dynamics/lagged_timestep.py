@@ -77,7 +77,7 @@ def _of_springs(
     contacts, motions = model.contacts, ((0.0, 0.0),)
     if contacts is not None:
         motions += contacts.laws.stiffest(model.contact_radius, model.mass, contacts.walls.platens)
-        if model.failure is not None and contacts.own is not None:
+        if model.fails and contacts.own is not None:
             soft, _, beta = contacts.of_broken(model.layout)
             springs *= math.sqrt(max(1.0, float(soft.max()) * law.normal_over_shear))
             decay = _fastest_decay(model, law, contacts.own, beta, soft)

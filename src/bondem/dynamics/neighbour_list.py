@@ -73,7 +73,7 @@ class ContactSearch:
         self._contacts = contacts
         self._state = state
         self._period = model.lattice.particles.period
-        self._breaking = model.failure is not None
+        self._breaking = model.fails
         self._joined, self._apart = joints
         self._skin = _SKIN_LEAST
         self._made = state.step - _LASTING

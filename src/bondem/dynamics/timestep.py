@@ -65,7 +65,7 @@ def _limits(
     damped = terms.beta * bonds**2
     if terms.eta > 0.0:
         damped += fastest_decay(model, replace(terms, beta=0.0))
-    if model.failure is not None:
+    if model.fails:
         bonds, decay = _with_broken(model, bonds)
     motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
     if model.contacts is not None:
@@ -219,7 +219,7 @@ def _resolved_step(model: Model) -> tuple[float, int]:
             touching = np.ones_like(free)
         else:
             steps = _PER_FACE
-            touching = free | (lattice.cells.free_area > 0.0) if model.failure is None else np.ones_like(free)
+            touching = free | (lattice.cells.free_area > 0.0) if not model.fails else np.ones_like(free)
     if not touching.any():
         return math.inf, 0
     shortest = contacts.laws.shortest(model.contact_radius, model.mass, touching, contacts.walls.platens)

@@ -124,9 +124,10 @@ def _implied_lines(model: Model, one: ImpliedFracture) -> list[str]:
     if not cells:
         given = f"of {'bonds that soften' if one.softens else 'brittle bonds'}, estimated"
     kind = "cells" if cells else "elements"
+    criteria = dict.fromkeys(type(one.criterion).__name__ for one in model.failure_parts)
     lines = [
         f"Fracture of {len(model.lattice.particles)} {kind} with {len(model.lattice.pairs)} {what}s by"
-        f" {', '.join(dict.fromkeys(type(one.criterion).__name__ for one in model.failure_parts))}",
+        f" {', '.join(criteria) or model.interaction.name}",
         f"  tensile strength of a {what}  {_number(one.strength, 'Pa')}  (median)",
         f"  Young's modulus           {_number(one.E, 'Pa')}" + ("" if cells else "  (affine estimate, from above)"),
         f"  length L                  {_number(one.length, 'm')}  (median)",

@@ -141,6 +141,7 @@ class Interaction(ABC):
         on_facets: whether elements interact, and take loads and conditions on faces, by facets (class attribute).
         corrects_mass: whether it has a dispersion-corrected mass matrix (class attribute).
         isotropic_springs: whether springs are as stiff across as along (class attribute).
+        strains: whether rest lengths of bonds may change (class attribute).
     """
 
     law: ClassVar[type]
@@ -155,6 +156,7 @@ class Interaction(ABC):
     on_facets: ClassVar[bool] = False
     corrects_mass: ClassVar[bool] = False
     isotropic_springs: ClassVar[bool] = False
+    strains: ClassVar[bool] = True
 
     def __init__(self, lattice: Lattice, layout: Layout) -> None:
         self.lattice, self.layout = lattice, layout
@@ -198,6 +200,13 @@ class Interaction(ABC):
     def moments_at_contact(self) -> bool:
         """True if moments count for failure at the contact points."""
         return False
+
+    def own_strength(self) -> PerBond:
+        """Return the tensile force at which the law itself breaks each bond [N], (m,), inf where it breaks none.
+
+        Bonds in the user's order. A law that breaks bonds gives the passes that find and remove them.
+        """
+        return np.full(len(self.lattice.pairs), np.inf)
 
     @property
     @abstractmethod
@@ -351,6 +360,8 @@ class Interaction(ABC):
 
 class SteppingInteraction(Interaction):
     """A law that gives the parts of a step itself."""
+
+    strains: ClassVar[bool] = False
 
     @abstractmethod
     def parts(self, run: Run) -> LawParts:

@@ -99,7 +99,7 @@ class Model:
     # What solvers read, in their own order and types. Neither `dir` nor the reference lists it.
     _INTERNAL = (
         "beam_softening", "bonds", "breaking", "by", "cell_constants", "cell_law", "constraints",
-        "contact_laws", "contacts", "correction",
+        "contact_laws", "contacts", "correction", "fails",
         "failure_parts", "hands_over", "interaction", "layout", "period", "pressed", "softening",
     )  # fmt: skip
 
@@ -152,9 +152,9 @@ class Model:
                 )
 
     def _check_strain(self) -> None:
-        if len(self.constraints.strain_part) and self.formulation == "incremental":
+        if len(self.constraints.strain_part) and not self.interaction.strains:
             raise InputError("Eigenstrain needs stored rest lengths; use formulation='total'")
-        if len(self.constraints.strain_part) and self.failure is not None and self.contact is not None:
+        if len(self.constraints.strain_part) and self.fails and self.contact is not None:
             raise InputError("Eigenstrain shifts where broken bonds touch; leave out contact= or failure= beside it")
         if len(self.constraints.strain_part) and self.beam_softening is not None:
             raise InputError("Eigenstrain does not apply to beams that soften; leave out fracture_energy= beside it")
@@ -232,6 +232,11 @@ class Model:
         return self._elements.equal_radius
 
     @cached_property
+    def fails(self) -> bool:
+        """True if bonds may fail, by a criterion or by their law."""
+        return self.failure is not None or bool(np.isfinite(self.interaction.own_strength()).any())
+
+    @cached_property
     def failure_parts(self) -> tuple[FailurePart, ...]:
         """Criteria with the bonds and elements that they apply to, user's order."""
         return () if self.failure is None else failure_parts(self.lattice, self.failure)
@@ -240,7 +245,7 @@ class Model:
     def breaking(self) -> FailureTable | None:
         """Criteria by which single bonds break or begin to soften, in internal order; None if there are none."""
         if self.failure is None:
-            return None
+            return FailureTable.of_law(self.interaction) if self.fails else None
         check_failure(self.failure, self.interaction, self.contact_laws)
         if self.softening is not None or not self._by_bond:
             return None
@@ -271,7 +276,7 @@ class Model:
     @property
     def implied_fracture(self) -> ImpliedFracture | None:
         """Fracture properties implied by the criterion and these elements; None without a criterion or bonds."""
-        return None if self.failure is None else implied_fracture(self.interaction, self.failure_parts, self.mass)
+        return implied_fracture(self.interaction, self.failure_parts, self.mass) if self.fails else None
 
     @property
     def pressed(self) -> PerElement:
