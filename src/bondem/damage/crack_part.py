@@ -99,8 +99,8 @@ class CrackingBody:
         )  # fmt: skip
         self.stresses = StressesOfCells(constants.volume, lines(n), np.zeros((n, 12)), pressed)
         self.slack = CellSlack(
-            adjacency.in_start, adjacency.out_start, adjacency.out_bond, with_zeros(constants.slack_i),
-            with_zeros(constants.slack_j), constants.weight,
+            adjacency.in_start, adjacency.out_start, adjacency.out_bond, with_zeros(constants.slack[0]),
+            with_zeros(constants.slack[1]), constants.weight,
         )  # fmt: skip
         self.of_cells = FacetsOfCells(*adjacency)
         self.lists = new_crack_lists(n, m)

@@ -86,7 +86,7 @@ def _of_facets(model: Model, state: State, fresh: Floats) -> Floats:
     `fresh` is 1 along the axes along which walls begin to hold them, (g, 3). Loads that continue there act on the
     cell itself from now on, and do not open the facet: its stress becomes that without these loads.
     """
-    grips, constants, q = model.cell_constants.grips, model.cell_constants, state.orientation
+    grips, constants, q = model.interaction.grips, model.cell_constants, state.orientation
     facet, area = grips.holds.facet, body_of(model.lattice)[1].free.area[:, None]
     rigid = state.displacement[grips.cell] + held_arms(model, state) - grips.lever
     going_on = loads_on_facets(model, state.time, q)

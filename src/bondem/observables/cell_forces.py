@@ -162,10 +162,9 @@ def _grown(model: Model, state: State) -> CellConstants:
         constants = replace(constants, grips=constants.grips.taken(state.grips))
     if not strain.size:
         return constants
-    stretch = np.empty((len(strain), 1))
-    stretch[layout.bond_order, 0] = 1.0 + strain
-    grips = constants.grips.grown(layout.of_elements(strain))
-    return replace(constants, lever_i=constants.lever_i * stretch, lever_j=constants.lever_j * stretch, grips=grips)
+    own = np.empty_like(strain)
+    own[layout.bond_order] = strain
+    return replace(constants, strain=own, grips=constants.grips.grown(layout.of_elements(strain)))
 
 
 def held_arms(model: Model, state: State) -> Floats:
@@ -180,6 +179,6 @@ def wall_places(model: Model, state: State, base: Floats | None = None) -> Float
     Their initial places are `base`, (g, 7), or those of the state.
     """
     base = state.grips if base is None else base
-    walls = model.cell_constants.grips.table(model.layout, model.constraints.row_of, 0, base)
+    walls = model.interaction.grips.table(model.layout, model.constraints.row_of, 0, base)
     place_held_walls(walls, state.time)
     return walls.wall

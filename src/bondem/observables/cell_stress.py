@@ -40,7 +40,7 @@ def cell_stress(model: Model, result: SmallMotion | State) -> Floats:
 
 def mean_stress(model: Model, forces: CellForces) -> Floats:
     """Compute the mean stress tensor of every cell from known forces [Pa], shape (n, 3, 3)."""
-    body, grips = model.lattice, model.cell_constants.grips
+    body, grips = model.lattice, model.interaction.grips
     _, cells = body_of(body)
     i, j = body.pairs.T
     moment = np.zeros((len(cells.volume), 6))

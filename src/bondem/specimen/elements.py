@@ -6,7 +6,6 @@ Their differences are methods here, so that no other room asks which shape a lat
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import ClassVar, TypedDict
 
 import numpy as np
@@ -139,13 +138,13 @@ class Elements:
         """Tables of the cells by their place in a run file; empty for spheres."""
         return {}
 
-    @cached_property
+    @property
     def branch(self) -> PerBond3:
         """Vectors from centre i to centre j [m], shape (m, 3)."""
         i, j = self.pairs.T
         return freeze(self.particles.nearest(self.centre[j] - self.centre[i]))
 
-    @cached_property
+    @property
     def length(self) -> PerBond:
         """Distance between the bonded centres [m], shape (m,)."""
         return freeze(np.linalg.norm(self.branch, axis=1))

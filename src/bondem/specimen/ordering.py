@@ -24,6 +24,15 @@ class Adjacency(NamedTuple):
     out_bond: np.ndarray  #: … this, from out_start[p] to out_start[p + 1], uint32, (m,)
 
 
+class Reversed(NamedTuple):
+    """Permutations from internal to user's order, named as those of `Layout`."""
+
+    order: Ints
+    rank: Ints
+    bond_order: Ints
+    flipped: np.ndarray
+
+
 @dataclass(frozen=True, eq=False)
 class Layout:
     """Permutations and adjacency.
@@ -79,6 +88,13 @@ class Layout:
         ends = np.concatenate([self.i, self.j]).astype(np.int64)
         count = np.maximum(np.bincount(ends, minlength=n), 1)
         return (np.bincount(ends, np.concatenate([value, value]), minlength=n) / count)[self.rank]
+
+    @property
+    def reversed(self) -> Reversed:
+        """Permutations from internal to user's order."""
+        place = np.empty_like(self.bond_order)
+        place[self.bond_order] = np.arange(len(place))
+        return Reversed(self.rank, self.order, place, self.flipped[place])
 
     @property
     def adjacency(self) -> Adjacency:

@@ -23,7 +23,7 @@ def body_of_cells(
     law: CellInteraction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
 ) -> BondParts:
     """Return the parts of a body of cells; `dt` is the time step [s]."""
-    body, table = BodyOfCells.of(model, state, shared), model.softening
+    body, table = BodyOfCells.of(model, state, shared, dashed=dashpots is not None), model.softening
     if table is not None:
         cracking = CrackingBody(
             table, body, constants_of(model, state), model.layout, state, shared, dt,

@@ -20,7 +20,8 @@ from bondem._tables.step_tables import Beams, Dashpots, Portions, StepCut
 from bondem._types import Ints
 from bondem.damage.damage_part import DamageTables
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.interactions.beams.beam_tables import beam_tables
+from bondem.interactions.beams.beam_tables import beam_tables, directed_beams
+from bondem.interactions.beams.bond_table import directions
 from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.cells.cell_tables import cell_tables, gradient_tables
 from bondem.interactions.step_part import Part, Passes
@@ -40,16 +41,21 @@ class BodyOfCells(NamedTuple):
     strains: CellStrains | None
 
     @classmethod
-    def of(cls, model: Model, state: State, shared: SharedTables) -> "BodyOfCells":
-        """Return the tables of a run from a state, whose arrays they share."""
-        layout, constants = model.layout, constants_of(model, state)
-        bonds = model.bonds.stretched(state.eigenstrain)
-        beams, _ = beam_tables(bonds, layout, model.period, state.integrity, may_share=False)
+    def of(cls, model: Model, state: State, shared: SharedTables, *, dashed: bool) -> "BodyOfCells":
+        """Return the tables of a run from a state, whose arrays they share; `dashed` with dashpots beside facets."""
+        layout, constants, period = model.layout, constants_of(model, state), model.period
+        if dashed:
+            bonds = model.bonds.stretched(state.eigenstrain)
+            beams, _ = beam_tables(bonds, layout, period, state.integrity, may_share=False)
+        else:
+            beams = directed_beams(directions(model.lattice, layout), layout, period, state.integrity)
         to_i = _places(shared.cut, layout.i, len(layout.order))
-        facets, cells = cell_tables(constants, layout, model.period, state.integrity, to_i)
+        facets, cells = cell_tables(constants, layout, period, state.integrity, to_i)
         held = model.constraints
         walls = constants.grips.table(layout, held.row_of, held.works[2], state.grips)
         integrity = beams.integrity if model.softening is None else beams.integrity.copy()
+        if len(held.strain_part):  # levers change
+            facets = facets._replace(lever_i=facets.lever_i.copy(), lever_j=facets.lever_j.copy())
         return cls(
             beams, facets._replace(integrity=integrity), cells,
             gradient_tables(constants.gradients, len(layout.order), walls, len(shared.portions.elements)), walls,

@@ -47,13 +47,12 @@ class BondTable:
         """Reorder a law's stiffnesses and form the constants of the energy."""
         order, flipped = layout.bond_order, layout.flipped
         L = lattice.length[order]
-        direction = lattice.branch[order] / L[:, None] * np.where(flipped, -1.0, 1.0)[:, None]
         ks, kb, kt = stiffness.ks[order], stiffness.kb[order], stiffness.kt[order]
         a = np.where(flipped, L - stiffness.lever[order], stiffness.lever[order])
         b = L - a
         k = kb - kt
         return cls(
-            direction=np.ascontiguousarray(direction.T),
+            direction=directions(lattice, layout),
             length=L,
             kn=stiffness.kn[order],
             A=ks * a * a + k,
@@ -104,6 +103,12 @@ class BondTable:
             return None
         kn, A, B, _, kt = products.mean(axis=1).tolist()
         return kn, A, B, kt
+
+
+def directions(lattice: Lattice, layout: Layout) -> Floats:
+    """Return the directions from i to j in the reference [-], internal order, (3, m)."""
+    branch, sign = lattice.branch[layout.bond_order], np.where(layout.flipped, -1.0, 1.0)
+    return np.ascontiguousarray((branch / np.linalg.norm(branch, axis=1)[:, None] * sign[:, None]).T)
 
 
 def with_twins(column: np.ndarray) -> np.ndarray:

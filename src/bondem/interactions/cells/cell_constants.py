@@ -15,7 +15,7 @@ from bondem.interactions.cells.dilatation_gradients import GradientConstants
 from bondem.interactions.cells.facet_resistance import resistance, twist_at_walls
 from bondem.interactions.cells.free_walls import FreeWalls
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.ordering import Layout
+from bondem.specimen.ordering import Layout, Reversed
 from bondem.specimen.regions import Region, as_region
 from bondem.specimen.tessellation.facets import Cells, Facets, FreeFacets
 from bondem.specimen.tessellation.raster import LEVER_BITS, on_raster, pitch
@@ -24,6 +24,8 @@ CellAssignment = CellBond | Mapping[Region, CellBond]
 
 # Least 1 + c_p λ/2G. A centre behind the plane of a facet, as beside a slot, has d < 0, and this could be negative.
 _LEAST_SLACK = 0.1
+# Six components of a symmetric tensor among its nine, xx, yy, zz, xy, xz, yz, and the nine among the six.
+_SIX, _NINE = [0, 4, 8, 1, 2, 5], [0, 3, 4, 3, 1, 5, 4, 5, 2]
 # Depth of a centre behind the plane of a facet, over its distance from the centroid, that counts as none.
 _FLAT = 1e-6
 
@@ -36,17 +38,19 @@ class CellConstants:
     the centres of the tessellation. Nothing else differs, because the gap of a facet is that of its two faces.
 
     Shares and H are numbers of single precision and levers multiples of `pitch`: results from them are exact, and
-    passes read half as much.
+    passes read half as much. They are stored as the passes read them. `lever_i`, `share_i`, `normal`, `H` and their
+    like are made when asked.
 
     Attributes:
         k: 2 G A / L, of halves in series between different materials [N/m], shape (m,).
-        lever_i, lever_j: levers from the centres of mass to the centroid of the facet [m], shape (m, 3).
-        H: resistance to relative rotation [N·m], shape (m, 3, 3).
-        share_i, share_j: A w_p m, balanced shares of the facet: V θ of each side is Σ share·δ [m²], shape (m, 3).
+        levers: levers from the centres of mass to the centroid of the facet [pitch], of both sides, int32, (2, 3, m).
+        strain: stress-free strain, by which the levers are longer [-], (m,), or (0,) for none.
+        bend: resistance to relative rotation, xx, yy, zz, xy, xz, yz [N·m], float32, (6, m).
+        shares: A w_p m, balanced shares of the facet: V θ of each side is Σ share·δ [m²], float32, (2, 3, m).
         volume: V [m³], shape (n,).
         weight: λ_p / V_p, the factor from V_p θ_p to the stress λ_p θ_p [Pa/m³], shape (n,).
-        normal: normals of the facets, from i to j [-], shape (m, 3).
-        slack_i, slack_j: increase of 1 / weight of each side if the facet breaks, A d |m|² / 2G [m³/Pa], (m,).
+        direction: normals of the facets, from i to j [-], shape (3, m).
+        slack: increase of 1 / weight of each side if the facet breaks, A d |m|² / 2G [m³/Pa], (2, m).
         G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
         grips: facets that walls hold; their cells in the user's order.
         softness: d / 2 G of each free facet, the opening per traction [m/Pa], shape (k,).
@@ -60,16 +64,14 @@ class CellConstants:
     """
 
     k: PerBond
-    lever_i: PerBond3
-    lever_j: PerBond3
-    H: Floats
-    share_i: PerBond3
-    share_j: PerBond3
+    levers: np.ndarray
+    strain: PerBond
+    bend: np.ndarray
+    shares: np.ndarray
     volume: PerElement
     weight: PerElement
-    normal: PerBond3
-    slack_i: PerBond
-    slack_j: PerBond
+    direction: Floats
+    slack: Floats
     G: PerElement
     lame: PerElement
     grips: Grips
@@ -125,28 +127,17 @@ class CellConstants:
         other = arm - body.branch
         grid = pitch(float(max(np.abs(arm).max(), np.abs(other).max())), body.particles.period, LEVER_BITS)
         arm = on_raster(arm, grid)
+        levers = np.rint(arm / grid), np.rint((arm - body.branch) / grid)
+        slacks = [area * half * (way**2).sum(axis=1) for half, way in ((half_i, way_i), (half_j, way_j))]
         return cls(
-            k=k,
-            lever_i=arm,
-            lever_j=arm - body.branch,
-            H=_single(H),
-            share_i=share_i,
-            share_j=share_j,
-            volume=cells.volume,
-            weight=lame / slack / cells.volume,
-            normal=normal,
-            slack_i=area * half_i * (way_i**2).sum(axis=1),
-            slack_j=area * half_j * (way_j**2).sum(axis=1),
-            G=G,
-            lame=lame,
-            grips=grips,
+            k=k, levers=np.array([each.T for each in levers], dtype=np.int32), strain=np.zeros(0),
+            bend=H.reshape(-1, 9).T[_SIX].astype(np.float32), direction=normal.T, slack=np.array(slacks),
+            shares=np.array([share_i.T, share_j.T], dtype=np.float32), volume=cells.volume,
+            weight=lame / slack / cells.volume, G=G, lame=lame, grips=grips,
             softness=free.depth / (2.0 * G[free.cell]),
-            way=open_axes * (n_free + _along_facets(free, body.particles.position)),
-            free_cell=free.cell,
-            pressed=np.zeros(len(cells.volume)),
-            pitch=grid,
-            gradients=gradients,
-        )
+            way=open_axes * (n_free + _along_facets(free, body.particles.position)), free_cell=free.cell,
+            pressed=np.zeros(len(cells.volume)), pitch=grid, gradients=gradients,
+        )  # fmt: skip
 
     def stress_of(self, swelling: PerElement) -> PerElement:
         """Return σ_p = ∂U/∂θ_p / V_p of each cell [Pa], (n,), for V θ without the openings of free facets [m³], (n,).
@@ -161,33 +152,57 @@ class CellConstants:
         opened = self.softness * (self.way * force).sum(axis=1)
         return np.bincount(self.free_cell, weights=opened, minlength=len(self.pressed)).astype(float)
 
-    def ordered(self, layout: Layout) -> "CellConstants":
-        """Return the constants in internal order."""
-        bond, element, back = layout.bond_order, layout.order, layout.flipped[:, None]
-        lever_i, lever_j = self.lever_i[bond], self.lever_j[bond]
-        share_i, share_j = self.share_i[bond], self.share_j[bond]
-        return CellConstants(
-            k=self.k[bond],
-            lever_i=np.where(back, lever_j, lever_i),
-            lever_j=np.where(back, lever_i, lever_j),
-            H=self.H[bond],
-            share_i=np.where(back, -share_j, share_i),
-            share_j=np.where(back, -share_i, share_j),
-            volume=self.volume[element],
-            weight=self.weight[element],
-            normal=np.where(back, -self.normal[bond], self.normal[bond]),
-            slack_i=np.where(layout.flipped, self.slack_j[bond], self.slack_i[bond]),
-            slack_j=np.where(layout.flipped, self.slack_i[bond], self.slack_j[bond]),
-            G=self.G[element],
-            lame=self.lame[element],
-            grips=self.grips,
-            softness=self.softness,
-            way=self.way,
-            free_cell=self.free_cell,
-            pressed=self.pressed[element],
-            pitch=self.pitch,
-            gradients=self.gradients.ordered(layout),
-        )
+    def ordered(self, layout: Layout | Reversed) -> "CellConstants":
+        """Return the constants in internal order, or by the reversed layout in the user's."""
+        bond, element, back = layout.bond_order, layout.order, layout.flipped
+
+        def sides(columns: np.ndarray) -> np.ndarray:
+            taken = columns.take(bond, axis=-1)
+            return np.where(back, taken[::-1], taken)
+
+        shares, direction = sides(self.shares), self.direction.take(bond, axis=-1)
+        np.negative(shares, out=shares, where=back)
+        np.negative(direction, out=direction, where=back)
+        return replace(
+            self, k=self.k[bond], levers=sides(self.levers), bend=self.bend.take(bond, axis=-1), shares=shares,
+            strain=self.strain[bond] if self.strain.size else self.strain, direction=direction,
+            volume=self.volume[element], weight=self.weight[element], slack=sides(self.slack), G=self.G[element],
+            lame=self.lame[element], pressed=self.pressed[element], gradients=self.gradients.ordered(layout),
+        )  # fmt: skip
+
+    @property
+    def lever_i(self) -> PerBond3:
+        """Levers from the centres of mass of cells i [m], shape (m, 3)."""
+        return self._lever(0)
+
+    @property
+    def lever_j(self) -> PerBond3:
+        """Levers from the centres of mass of cells j [m], shape (m, 3)."""
+        return self._lever(1)
+
+    def _lever(self, side: int) -> PerBond3:
+        lever = _rows(self.levers[side]) * self.pitch
+        return lever * (1.0 + self.strain[:, None]) if self.strain.size else lever
+
+    @property
+    def share_i(self) -> PerBond3:
+        """Shares of the facets in V θ of cells i [m²], shape (m, 3)."""
+        return _rows(self.shares[0])
+
+    @property
+    def share_j(self) -> PerBond3:
+        """Shares of the facets in V θ of cells j [m²], shape (m, 3)."""
+        return _rows(self.shares[1])
+
+    @property
+    def normal(self) -> PerBond3:
+        """Normals of the facets, from i to j [-], shape (m, 3)."""
+        return _rows(self.direction)
+
+    @property
+    def H(self) -> Floats:
+        """Resistance to relative rotation [N·m], shape (m, 3, 3)."""
+        return _rows(self.bend[_NINE]).reshape(-1, 3, 3)
 
     def stretched(self, strain: PerBond, layout: Layout) -> "CellConstants":
         """Return the constants with cells that are larger without stress, by the ε* of their facets.
@@ -200,8 +215,7 @@ class CellConstants:
         """
         if strain.size == 0:
             return self
-        stretch, grips = 1.0 + strain[:, None], self.grips.grown(layout.of_elements(strain))
-        return replace(self, lever_i=self.lever_i * stretch, lever_j=self.lever_j * stretch, grips=grips)
+        return replace(self, strain=strain, grips=self.grips.grown(layout.of_elements(strain)))
 
     def damaged(self, integrity: PerBond, i: Ints, j: Ints) -> "CellConstants":
         """Return the constants with facets of integrity s; the missing part 1 - s acts as free facets of both cells.
@@ -213,7 +227,7 @@ class CellConstants:
         if (integrity == 1.0).all():
             return self
         n, open_share = len(self.weight), 1.0 - integrity
-        slack = np.bincount(j, open_share * self.slack_j, n) + np.bincount(i, open_share * self.slack_i, n)
+        slack = np.bincount(j, open_share * self.slack[1], n) + np.bincount(i, open_share * self.slack[0], n)
         return replace(self, weight=self.weight / (1.0 + self.weight * slack))
 
     def as_bonds(self, body: Lattice) -> BondStiffness:
@@ -224,6 +238,11 @@ class CellConstants:
             kn=self.k, ks=self.k, kb=bend, kt=0.5 * bend, lever=facets.depth_i / facets.span * body.length,
             radius=np.sqrt(facets.area / np.pi),
         )  # fmt: skip
+
+
+def _rows(columns: np.ndarray) -> Floats:
+    """Return columns (…, m) as rows of double precision, (m, …)."""
+    return np.ascontiguousarray(columns.T, dtype=float)
 
 
 def _single(values: Floats) -> Floats:

@@ -1,6 +1,7 @@
 """The cell law as an interaction: facets between cells, and the dilatation of cells."""
 
 from collections.abc import Mapping
+from copy import copy
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, ClassVar, Self
@@ -17,6 +18,7 @@ from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElemen
 from bondem.boundary.wall_constraints import Grips, Holds
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
+from bondem.interactions.beams.bond_table import BondTable
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.cell_bond import CellBond
 from bondem.interactions.cells.cell_constants import CellAssignment, CellConstants
@@ -33,11 +35,7 @@ _NO_LOADS = "bond_forces: facets of cells have no moments of their own; use bd.c
 
 
 class CellInteraction(CellsAtAnyPose):
-    """Facets between cells, with the dilatation of the cells.
-
-    Attributes:
-        by_user: constants, user's order.
-    """
+    """Facets between cells, with the dilatation of the cells."""
 
     law: ClassVar[type] = CellBond
     bond: ClassVar[str] = "facet"
@@ -52,7 +50,7 @@ class CellInteraction(CellsAtAnyPose):
     def __init__(self, lattice: Lattice, layout: Layout, laws: CellAssignment, holds: Holds, may_fail: bool) -> None:
         super().__init__(lattice, layout)
         self._laws, self._may_fail = laws, may_fail
-        self.by_user = CellConstants.of(lattice, laws, holds, may_fail=may_fail)
+        self._own = CellConstants.of(lattice, laws, holds, may_fail=may_fail).ordered(layout)
 
     @classmethod
     def join(cls, lattice: Lattice, layout: Layout, bond: Any, boundary: Boundary, may_fail: bool) -> Self:
@@ -67,32 +65,39 @@ class CellInteraction(CellsAtAnyPose):
         question_cells(self.lattice, self._laws, may_fail=self._may_fail)
 
     def under(self, boundary: Boundary) -> Self:
-        other = self.join(self.lattice, self.layout, self._laws, boundary, self._may_fail)
-        other.bonds = self.bonds
-        return other
+        return self.join(self.lattice, self.layout, self._laws, boundary, self._may_fail)
 
     @property
     def grips(self) -> Grips:
-        return self.by_user.grips
+        return self._own.grips
 
     def strained(self, strain: PerBond, base: Floats, motion: Floats, pressed: PerElement) -> Self:
-        twin, cells = super().strained(strain, base, motion, pressed), self.constants.stretched(strain, self.layout)
+        twin, cells = copy(self), self.constants.stretched(strain, self.layout)
         grips = replace(cells.grips.taken(base), motion=motion)
         twin.__dict__["constants"] = replace(cells, grips=grips, pressed=pressed)
         return twin
 
     def pressed(self, facet: Ints, force: Floats) -> PerElement:
-        every = np.zeros((len(self.by_user.softness), 3))
+        every = np.zeros((len(self._own.softness), 3))
         every[facet] = force
-        return self.by_user.pressed_by(every)
+        return self._own.pressed_by(every)
 
     @cached_property
     def constants(self) -> CellConstants:
-        return self.by_user.ordered(self.layout)
+        return self._own
 
-    @cached_property
+    @property
+    def by_user(self) -> CellConstants:
+        """Constants without strains, user's order, made anew at each call."""
+        return self._own.ordered(self.layout.reversed)
+
+    @property
     def bonds(self) -> BondStiffness:
         return self.by_user.as_bonds(self.lattice)
+
+    @property
+    def table(self) -> BondTable:
+        return BondTable.of(self.lattice, self.layout, self.bonds).stretched(self.constants.strain)
 
     def stiffness(self) -> Stiffness:
         layout, c = self.layout, self.constants
@@ -130,11 +135,11 @@ class CellInteraction(CellsAtAnyPose):
 
     @property
     def _moduli(self) -> PerElement:
-        G, lame = self.by_user.G, self.by_user.lame
+        G, lame = self._own.G, self._own.lame
         return G * (3.0 * lame + 2.0 * G) / (lame + G)
 
     def wave_speed(self, mass: PerElement) -> float:
-        return float(np.median(np.sqrt(self._moduli * self.lattice.element_volume / mass)))
+        return float(np.median(np.sqrt(self._moduli[self.layout.rank] * self.lattice.element_volume / mass)))
 
     # ---- small motions
 

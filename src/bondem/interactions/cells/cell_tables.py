@@ -29,12 +29,10 @@ from bondem.specimen.ordering import Layout
 STRESS = 3
 
 
-
-
 def cell_tables(
     cells: CellConstants, layout: Layout, period: Floats, integrity: PerBond, to_i: np.ndarray
 ) -> tuple[ElasticFacets, CellDilatation]:
-    """Return facets and cells as the core takes them.
+    """Return facets and cells as the core takes them. Facets share the arrays of the constants.
 
     Args:
         cells: constants in the order of the layout.
@@ -43,19 +41,14 @@ def cell_tables(
         integrity: integrity of the facets [-], (m,).
         to_i: place where each facet adds to V θ of its cell i, uint32, (m,).
     """
-
-    def rows(each: Floats, kind: type) -> np.ndarray:
-        return np.ascontiguousarray(with_zeros(each.T.astype(kind)))
-
-    def whole(lever: Floats) -> np.ndarray:
-        return rows(np.rint(lever / cells.pitch), np.int32)
-
+    levers = cells.levers
+    if cells.strain.size:
+        levers = np.array([np.rint(each / cells.pitch).T for each in (cells.lever_i, cells.lever_j)], dtype=np.int32)
     facets = ElasticFacets(
         i=with_twins(layout.i), j=with_twins(layout.j), integrity=with_zeros(integrity), k=with_zeros(cells.k),
-        pitch=cells.pitch, lever_i=whole(cells.lever_i), lever_j=whole(cells.lever_j),
-        share_i=rows(cells.share_i, np.float32), share_j=rows(cells.share_j, np.float32),
-        H=rows(cells.H.reshape(-1, 9)[:, [0, 4, 8, 1, 2, 5]], np.float32), normal=rows(cells.normal, np.float64),
-        period=period,
+        pitch=cells.pitch, lever_i=with_zeros(levers[0]), lever_j=with_zeros(levers[1]),
+        share_i=with_zeros(cells.shares[0]), share_j=with_zeros(cells.shares[1]), H=with_zeros(cells.bend),
+        normal=with_zeros(cells.direction), period=period,
     )  # fmt: skip
     count = max(len(cells.weight), int(to_i.max(initial=0)) + 1)
     return facets, CellDilatation(cells.weight.copy(), cells.pressed.copy(), np.zeros(count), with_twins(to_i))
@@ -111,10 +104,10 @@ def facet_release(
         cells: cells, whose weights are set.
         walls: walls that hold facets of the cells.
     """
-    n = len(constants.weight)
+    n, (slack_i, slack_j) = len(constants.weight), constants.slack
     wall_start = np.concatenate([[0], np.cumsum(np.bincount(walls.cell, minlength=n))]).astype(np.int64)
     release = FacetRelease(
-        constants.weight, cells.weight, cells.given, constants.slack_i, constants.slack_j, layout.in_start,
+        constants.weight, cells.weight, cells.given, slack_i, slack_j, layout.in_start,
         layout.out_start, layout.out_bond, wall_start, np.argsort(walls.cell, kind="stable").astype(np.int64),
         np.zeros(n, dtype=np.uint32), np.zeros(1, dtype=np.int64),
     )  # fmt: skip

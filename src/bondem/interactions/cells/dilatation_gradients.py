@@ -23,7 +23,7 @@ from bondem.boundary.wall_constraints import Grips
 from bondem.interactions.cells.cell_body import body_of
 from bondem.interactions.cells.free_walls import FreeWalls
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.ordering import Layout
+from bondem.specimen.ordering import Layout, Reversed
 
 # Lamé's λ over G from which the gradient between cells does not grow any more.
 _STIFFEST = 2.0
@@ -36,7 +36,7 @@ class GradientConstants:
     """Constants of both terms, user's or internal order.
 
     Attributes:
-        i, j: cells of the facets with a spring, shape (k,).
+        i, j: cells of the facets with a spring, int32, shape (k,).
         spring: c [m³/Pa], shape (k,).
         a, b: cells of the facets within layers, shape (l,).
         facet: numbers of these facets, shape (l,).
@@ -48,8 +48,8 @@ class GradientConstants:
         weight: J λ_p / V² of each cell and direction, shape (n, 2); (0, 2) without layers [Pa/m].
     """
 
-    i: Ints
-    j: Ints
+    i: np.ndarray
+    j: np.ndarray
     spring: PerBond
     a: Ints
     b: Ints
@@ -102,19 +102,19 @@ class GradientConstants:
         if not len(facet) or not weight.any():
             facet, held, weight = facet[:0], held[:0], weight[:0]
         return cls(
-            i[inner], j[inner], spring, i[facet], j[facet], facet, way_a[facet], way_b[facet], held,
-            grips.cell[held], held_way[held], weight,
+            i[inner].astype(np.int32), j[inner].astype(np.int32), spring, i[facet], j[facet], facet, way_a[facet],
+            way_b[facet], held, grips.cell[held], held_way[held], weight,
         )  # fmt: skip
 
-    def ordered(self, layout: Layout) -> "GradientConstants":
+    def ordered(self, layout: Layout | Reversed) -> "GradientConstants":
         """Return the constants in internal order."""
         place = np.empty(len(layout.bond_order), dtype=np.int64)
         place[layout.bond_order] = np.arange(len(place))
         weight = self.weight[layout.order] if len(self.weight) else self.weight
         rank = layout.rank
         return GradientConstants(
-            rank[self.i], rank[self.j], self.spring, rank[self.a], rank[self.b], place[self.facet], self.way_a,
-            self.way_b, self.held, rank[self.held_cell], self.held_way, weight,
+            rank[self.i].astype(np.int32), rank[self.j].astype(np.int32), self.spring, rank[self.a], rank[self.b],
+            place[self.facet], self.way_a, self.way_b, self.held, rank[self.held_cell], self.held_way, weight,
         )  # fmt: skip
 
     def differences(self, stress: PerElement) -> PerElement:

@@ -99,11 +99,11 @@ class DamagedBody:
         self.integrity = np.ones(len(self.i))
         self.closed = np.zeros((len(self.i), 2), dtype=bool)
         c = self.constants
-        weakened = WeakenedFacets(
-            self.i, self.j, c.k, self.area, self._part, c.lever_i, c.lever_j, c.share_i, c.share_j, c.normal,
-            np.ascontiguousarray(c.H), self.integrity, self.closed.view(np.uint8),
+        self.weakened = WeakenedFacets(
+            self.i, self.j, c.k, self.area, self._part, c.lever_i, c.lever_j, c.share_i, c.share_j, c.normal, c.H,
+            self.integrity, self.closed.view(np.uint8),
         )  # fmt: skip
-        self._facets = OpenedFacets(weakened, len(order))
+        self._facets = OpenedFacets(self.weakened, len(order))
         self.matrix = FacetMatrix(system.matrix, layout, root)
         self.system = replace(system, matrix=self.matrix.plain)
         self._slack = np.zeros(len(order))
@@ -184,11 +184,11 @@ class DamagedBody:
 
     def facets(self, found: Loaded) -> LoadedFacets:
         """Return the loads of facets and cells as the criteria take them."""
-        return LoadedFacets(self.i, self.j, self.constants.normal, found.traction, found.bending, found.tensor)
+        return LoadedFacets(self.i, self.j, self.weakened.normal, found.traction, found.bending, found.tensor)
 
     def _halves(self, found: Loaded, factor: float) -> CrackedHalves:
         """Return the halves of cracked facets at a load factor, after `found` was evaluated."""
-        c, k = self.constants, found.cracked
+        c, k = self.weakened, found.cracked
         part, stretched = self._part[k], c.k[k, None] * self._facets.motions.gap[k]
         force = [
             stretched + (found.stress[cell[k]] / of)[:, None] * share[k]
@@ -218,7 +218,7 @@ class DamagedBody:
         self.weaken(other, integrity[other], closed[other])
 
     def _stiffness(self, facets: Ints) -> tuple[Floats, Floats, Floats]:
-        c, shut = self.constants, self.closed[facets]
+        c, shut = self.weakened, self.closed[facets]
         n, s = c.normal[facets], self.integrity[facets, None]
         pressing = np.where(shut[:, 0], self._part[facets], 0.0) + np.where(shut[:, 1], 1.0 - self._part[facets], 0.0)
         D = (pressing[:, None] * (1.0 - s) * n)[:, :, None] * n[:, None, :] + s[:, :, None] * np.eye(3)
@@ -233,19 +233,20 @@ class DamagedBody:
 
     def _weigh(self, facets: Ints, sign: float) -> None:
         """Add the missing part of facets to the slack of their cells, or subtract it."""
-        c, open_part, n = self.constants, sign * (1.0 - self.integrity[facets]), self.constants.normal[facets]
+        c, weight, open_part = self.weakened, self.constants.weight, sign * (1.0 - self.integrity[facets])
+        (slack_i, slack_j), n = self.constants.slack, c.normal[facets]
         for cells, slack, share, shut in (
-            (self.i[facets], c.slack_i[facets], c.share_i[facets], self.closed[facets, 0]),
-            (self.j[facets], c.slack_j[facets], c.share_j[facets], self.closed[facets, 1]),
+            (self.i[facets], slack_i[facets], c.share_i[facets], self.closed[facets, 0]),
+            (self.j[facets], slack_j[facets], c.share_j[facets], self.closed[facets, 1]),
         ):
             along, square = (share * n).sum(axis=1) ** 2, (share**2).sum(axis=1)
             across = np.where(shut, 1.0 - np.divide(along, square, out=np.zeros_like(along), where=shut), 1.0)
             np.add.at(self._slack, cells, open_part * slack * across)
-            self.system.matrix.weight[cells] = c.weight[cells] / (1.0 + c.weight[cells] * self._slack[cells])
+            self.system.matrix.weight[cells] = weight[cells] / (1.0 + weight[cells] * self._slack[cells])
 
     def loaded(self, motion: Floats) -> Loaded:
         """Return the loads of facets and cells under displacements and rotations (6 n,)."""
-        c, grips = self.constants, self.model.cell_constants.grips
+        c, grips = self.constants, self.model.interaction.grips
         u, phi = (np.ascontiguousarray(part) for part in np.hsplit(motion.reshape(-1, 6), 2))
         n, rank = len(u), self.model.layout.rank
         swelling = self._facets.swelling(u, phi, self.given)

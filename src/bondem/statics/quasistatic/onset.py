@@ -51,7 +51,7 @@ class TractionOnset:
 
     def factors(self, found: Loaded, whole: Ints, below: float, close: float) -> tuple[Ints, Floats]:
         """See `FacetOnset`."""
-        index = traction_indices(self._body.constants.normal, found.traction, self._body.area, self._table)[whole]
+        index = traction_indices(self._body.weakened.normal, found.traction, self._body.area, self._table)[whole]
         reached = np.divide(1.0, index, out=np.full(len(whole), np.inf), where=index > 0.0)
         least = min(below, float(reached.min(initial=np.inf)) * (1.0 + close))
         near = reached <= least
