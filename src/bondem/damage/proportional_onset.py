@@ -35,7 +35,9 @@ def onset_factors(
 def softening_along(
     loaded: LoadedFacets, strengths: FacetStrengths, facets: Ints, traction: Floats, integrity: PerBond
 ) -> SofteningSearch:
-    """Return what opens some facets along the principal directions of the stress of their cells, or of a plane.
+    """Find the load factors at which facets that have begun to crack soften further, along each direction.
+
+    Directions are the principal ones of the stress of both cells; a material plane has its own.
 
     Args:
         loaded: loads of facets and cells at a factor of 1.

@@ -187,10 +187,11 @@ class Loop(Protocol):
         ...
 
     def run(self, steps: int) -> tuple[np.ndarray, int, int, int]:
-        """Carry out steps.
+        """Carry out time steps of a run.
 
         Returns:
-            The records, the numbers of bonds turned wide and lost, and FINE, NOT_FINITE or RUNAWAY.
+            Records, the numbers of bonds turned beyond the valid range of their energy and beyond its end, and FINE,
+            NOT_FINITE or RUNAWAY.
         """
         ...
 

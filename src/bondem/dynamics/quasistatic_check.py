@@ -1,8 +1,8 @@
 """Measurement of runs that are meant to be quasi-static: kinetic energy, forces at both ends and of servo walls.
 
 A run counts as meant to be quasi-static if it has a servo wall, or if it squeezes or stretches the specimen between
-two ends, at least one of which is driven, and it either has local or mass damping, or gauges of force and takes its
-time: the largest elastic energy comes late. Impacts, waves, vibrations and pulses of pressure are not checked.
+two ends, at least one of which is driven, and it either has local or mass damping, or gauges of force and
+its largest elastic energy late in the run. Impacts, waves, vibrations and pulses of pressure are not checked.
 """
 
 from collections.abc import Iterator

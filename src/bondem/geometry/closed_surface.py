@@ -168,7 +168,7 @@ def _inside_out(name: str, vertices: Floats, triangles: Ints, part: Ints, volume
 
 
 def _samples(corner: Floats, pairs: int) -> PerElement3:
-    """Points spread over triangles (t, 3, 3), as many as work allows, (k, 3)."""
+    """Points spread over triangles (t, 3, 3), at most as many as a limit of work allows, (k, 3)."""
     count = int(np.clip(_PAIRS // pairs, 2, _SAMPLES))
     area = np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1)
     share = np.cumsum(area) / area.sum()

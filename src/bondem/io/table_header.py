@@ -63,7 +63,7 @@ class Chosen:
 
     Attributes:
         columns: numbers of the columns from 0.
-        halve: whether the last holds diameters.
+        halve: True if the column of radii contains diameters.
         unit: one unit of length [m] for all, or None where the header does not give one.
         factor: factor of each of the four to convert it to that unit.
     """
@@ -83,8 +83,8 @@ def choose(
         path: the file, for messages.
         line: line of the header.
         header: the columns, or None where there is no header.
-        columns: four of them by name or number, or None to go by the names of the header.
-        unit_given: whether the caller knows the unit, so that one which is not known does no harm.
+        columns: names or numbers of the four columns; None to find them by the names of the header.
+        unit_given: True if the caller gives the unit, so that the header may lack it.
 
     Raises:
         InputError: a column is missing, or its unit is not known.
