@@ -76,6 +76,7 @@ class CohesiveCracks(NamedTuple):
     softening: Floats  #: (facets, 8)
     history: Floats  #: (facets, 8)
     pull: Floats  #: force on cell i [N], (facets, 4)
+    lever: Int32s  #: levers of cells i and j in the reference, each and another number [pitch], (facets, 8)
     pitch: Floats  #: unit of levers [m], (3,)
     order: Ints  #: cracked facets in the order in which they began, (facets,)
     listed: Bytes  #: 0 for whole facets, else 1 and the status of the crack, (m,)
@@ -109,20 +110,18 @@ class CrackLists(NamedTuple):
     parted: Ints  #: facets whose faces have parted in this step, (places,)
     cell: Uint32s  #: cells of cracks that are treated one by one, (*,)
     head: Int32s  #: first half of each cell, (n,)
-    number: Int32s  #: of the halves on cells i and j, by place, (places, 2)
-    side: Int32s  #: of a half: twice its facet on cell i, and one more on cell j, (halves,)
-    node: Int32s  #: next half of its cell, and the lever of this one in the reference [pitch], (halves, 4)
+    next: Int32s  #: half of its cell that follows a half, (halves,)
     flag: Bytes  #: what becomes of a crack, by place, (places,)
     waking: Bytes  #: what becomes of a crack, by place, (places,)
     flagged: Ints  #: whether there is a flag in a portion, (crack_portions,)
     woken: Ints  #: whether there is a flag in a portion, (crack_portions,)
     stale: Bytes  #: 1 for cells whose stress is to be found again, (n,)
     base: Floats  #: V θ without cracks that are treated one by one [m³], (n,)
-    #: `SwellingHalf` by the number of the half and, once forces are known, `crack::LoadColumn`, (halves, 16): one
-    #: memory for both, because the data of many cracks exceed the caches., (halves, 16)
+    #: `SwellingHalf` by the number of the half (`half_of`) and, once forces are known, `crack::LoadColumn`, (halves,
+    #: 16): one memory for both, because the data of many cracks exceed the caches., (halves, 16)
     half: Floats
     sum: Floats  #: of the first eight columns of loads over the halves of a cell, (n, 8)
-    slip: Floats  #: by how much the cracks of a cell slip in this step [m], (n, 4)
+    slip: Floats  #: by how much the cracks of a cell slip in this step [m], and `crack::Slipping`, (n, 4)
     lost: Floats  #: energy of portions dissipated, and that of cracks that part [J], (crack_portions, 2)
 
 

@@ -16,6 +16,21 @@ template <class T> struct Row {
     T column[8];
 };
 
+#if !defined(BONDEM_LANES)
+// Four numbers.
+struct Four {
+    double of[4];
+
+    BONDEM_INLINE double operator[](int d) const { return of[d]; }
+    BONDEM_INLINE Four operator-() const { return {{-of[0], -of[1], -of[2], -of[3]}}; }
+    BONDEM_INLINE void operator+=(const Four &a) {
+        for (int d = 0; d < 4; d++) of[d] += a.of[d];
+    }
+};
+BONDEM_INLINE Four operator*(double s, const Four &a) { return {{s * a.of[0], s * a.of[1], s * a.of[2], s * a.of[3]}}; }
+using FourInMemory = Four;
+#endif
+
 #if defined(BONDEM_LANES)
 
 #if defined(__AVX512F__)

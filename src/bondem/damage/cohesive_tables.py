@@ -39,7 +39,8 @@ def new_cohesive_cracks(state: FailingState, listed: np.ndarray, slide: float) -
     """Return the cracks of a state; memory is taken as facets crack."""
     m, count = len(state.integrity), len(state.cracks)
     cracks = CohesiveCracks(
-        lines(m), lines(m), lines(m), lines(m), lines(m), lines(m), lines(m), np.zeros((m, 4)), np.zeros(3),
+        lines(m), lines(m), lines(m), lines(m), lines(m), lines(m), lines(m), np.zeros((m, 4)),
+        np.zeros((m, 8), np.int32), np.zeros(3),
         np.zeros(m, np.int64), listed, state.integrity, np.array([count, 1], dtype=np.int64), slide,
     )  # fmt: skip
     facet = state.cracks[:, FACET].astype(np.int64)
@@ -69,12 +70,18 @@ def keep_cracks(cracks: CohesiveCracks, kept: FacetForces, state: FailingState) 
     facet = cracks.order[: cracks.size[CrackNumber.CRACKS]]
     state.cracks = np.empty((len(facet), CRACK_COLUMNS))
     state.cracks[:, FACET] = facet
+    rows: dict[int, Floats] = {}  # whole rows are copied several times faster than parts of them
     for column, table, of_row in _columns_of_cracks(cracks):
-        state.cracks[:, column] = table[facet, of_row]
+        if id(table) not in rows:
+            rows[id(table)] = table.take(facet, axis=0)
+        state.cracks[:, column] = rows[id(table)][:, of_row]
     state.facet_force[:] = kept.force[:, : state.facet_force.shape[1]]
-    state.facet_force[:, facet[cracks.integrity[facet] == 0.0]] = 0.0
+    broken = facet[cracks.integrity[facet] == 0.0]
     active = facet[state.cracks[:, STATUS] == CrackStatus.ACTIVE]
-    state.facet_force[:, active] = cracks.pull[active, :3].T
+    pull = cracks.pull.take(active, axis=0)
+    for axis, force in enumerate(state.facet_force):
+        force[broken] = 0.0
+        force[active] = pull[:, axis]
 
 
 def new_crack_lists(n: int, m: int) -> CrackLists:
@@ -87,9 +94,9 @@ def new_crack_lists(n: int, m: int) -> CrackLists:
         np.zeros(4, np.int64), numbers, numbers.copy(), shorts, shorts.copy(), shorts.copy(), shorts.copy(),
         numbers.copy(),
         np.zeros(n + _BEHIND, np.uint32), np.zeros(n, np.int32),
-        np.zeros((places, 2), np.int32), np.zeros(halves, np.int32), np.zeros((halves, 4), np.int32), flags,
-        flags.copy(), np.zeros(portions, np.int64), np.zeros(portions, np.int64), np.zeros(n, np.uint8),
-        np.zeros(n), lines(2 * halves).reshape(halves, 16), lines(n),
+        np.zeros(halves, np.int32), flags, flags.copy(),
+        np.zeros(portions, np.int64), np.zeros(portions, np.int64), np.zeros(n, np.uint8), np.zeros(n),
+        lines(2 * halves).reshape(halves, 16), lines(n),
         np.zeros((n, 4)), np.zeros((portions, 2)),
     )  # fmt: skip
 

@@ -88,7 +88,7 @@ inline void mark_facet(Index k, const DeviceSpan &span, const Moving &all, const
     const Row<double> of_i = gather(stresses.tensor.data, i), of_j = gather(stresses.tensor.data, j);
     const double size = of_i.column[7] + of_j.column[7], bends = least(of_i.column[6], of_j.column[6]);
     const auto place = [&] {
-        return facet_in_body(all, facets, kept, mean_stress(of_i, of_j), normal_of(facets, k), k);
+        return facet_in_body(all, facets, kept, mean_stress(gather_sums(stresses.tensor.data, i, j)), normal_of(facets, k), k);
     };
     if (begins_to_crack(traction_of(kept, strengths, k), size, bends, strengths.strength(k), place)) onset.marked(k) = 1;
 }

@@ -63,10 +63,9 @@ BONDEM_INLINE void link_cell(Index p, const CohesiveCracks &cracks, const CrackL
     int32_t first = 0;
     for_each_facet_of(of, p, [&](Index k, bool is_i) {
         if (!is_treated(cracks, k)) return;
-        const Index number = lists.number(k, is_i ? 0 : 1);
-        const CrackShapeRow &shape = shape_of(cracks, k);
-        put_node(lists, number, first, is_i ? 2 * k : 2 * k + 1, is_i ? shape.lever_i : shape.lever_j);
-        first = int32_t(number);
+        const Index half = half_of(k, is_i ? 0 : 1);
+        lists.next(half) = first;
+        first = int32_t(half);
     });
     lists.head(p) = first;
 }
@@ -160,15 +159,15 @@ inline void part_crack(Index k, const Moving &all, const ElasticFacets &facets, 
         const double weight = weight_with(slack, cracks, p, [&](Index other) {
             return treated_as_facet(cracks, other) || left_before(other);
         });
-        return stiffness_without(all, lists, weight, p, half, [&](Index h) { return left_before(lists.side(h) >> 1); });
+        return stiffness_without(all, lists, weight, p, half, [&](Index h) { return left_before(facet_of(h)); });
     };
-    losses.lost(k) = energy_of_parting(SingleCrack(all.pose, facets, cracks, k), facets, cracks, lists, k, k, stiffness);
+    losses.lost(k) = energy_of_parting(SingleCrack(all.pose, facets, cracks, k), facets, cracks, lists, k, stiffness);
     history_of(cracks, k).spent += losses.lost(k);
 }
 inline void leave_crack(Index k, const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists) {
     const Byte flag = lists.flag(k);
     if (leaves(flag))
-        end_treating(facets, cracks, lists, k, k, flag == crack::parts ? crack::parted : crack::resting);
+        end_treating(facets, cracks, lists, k, flag == crack::parts ? crack::parted : crack::resting);
 }
 inline void take_leaving(Index p, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                          const CellDilatation &cells, const CellSlack &slack, const CohesiveCracks &cracks,
@@ -196,7 +195,7 @@ inline void sum_cracks_of_cell(Index p, const StressesOfCells &stresses, const C
 }
 inline void slide_crack_of(Index k, const DeviceSpan &span, const Moving &all, const ElasticFacets &facets,
                            const CohesiveCracks &cracks, const CrackLists &lists) {
-    if (is_treated(cracks, k) && takes_time(span)) slide_crack(all, facets, cracks, lists, k, k);
+    if (is_treated(cracks, k) && takes_time(span)) slide_crack(all, facets, cracks, lists, k);
 }
 constexpr auto add_crack_load = listed_element<add_crack_loads>;
 

@@ -267,9 +267,12 @@ BONDEM_INLINE CrackLoads<T> crack_loads(const FacetCompliance<T> &facet, const C
                                         const CrackHalves<T> &half, OfCells<T> stress, Vector3<T> slip, T friction) {
     const T k = facet.k, w = facet.part, v = 1.0 - w, broken = 1.0 - at.left.grip, zero = {};
     const T limit = -friction * broken * (w * half.i.press() + v * half.j.press());
-    CrackFriction<T> rub = crack_friction(k, at.left.grip, at.gap, at.across(), slip, limit);
-    const Vector3<T> none = {};
-    rub.force = select<T>(at.rubs, rub.force, none);
+    CrackFriction<T> rub = {};
+    if (any(at.rubs)) {
+        const Vector3<T> none = {};
+        rub = crack_friction(k, at.left.grip, at.gap, at.across(), slip, limit);
+        rub = {select<T>(at.rubs, rub.force, none), select<T>(at.rubs, rub.slip, none)};
+    }
     // each direction separately, so that the force is exactly zero at zero integrity
     Vector3<T> f = rub.force;
     for (int d = 0; d < 3; d++) {

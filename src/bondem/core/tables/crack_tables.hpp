@@ -70,6 +70,7 @@ struct CohesiveCracks {
     Array<double, 2> softening;  // (facets, 8)
     Array<double, 2> history;  // (facets, 8)
     Array<double, 2> pull;  // force on cell i [N], (facets, 4)
+    Array<int32_t, 2> lever;  // levers of cells i and j in the reference, each and another number [pitch], (facets, 8)
     Array<double, 1> pitch;  // unit of levers [m], (3,)
     Array<Index, 1> order;  // cracked facets in the order in which they began, (facets,)
     Array<Byte, 1> listed;  // 0 for whole facets, else 1 and the status of the crack, (m,)
@@ -99,20 +100,18 @@ struct CrackLists {
     Array<Index, 1> parted;  // facets whose faces have parted in this step, (places,)
     Array<Short, 1> cell;  // cells of cracks that are treated one by one, (*,)
     Array<int32_t, 1> head;  // first half of each cell, (n,)
-    Array<int32_t, 2> number;  // of the halves on cells i and j, by place, (places, 2)
-    Array<int32_t, 1> side;  // of a half: twice its facet on cell i, and one more on cell j, (halves,)
-    Array<int32_t, 2> node;  // next half of its cell, and the lever of this one in the reference [pitch], (halves, 4)
+    Array<int32_t, 1> next;  // half of its cell that follows a half, (halves,)
     Array<Byte, 1> flag;  // what becomes of a crack, by place, (places,)
     Array<Byte, 1> waking;  // what becomes of a crack, by place, (places,)
     Array<Index, 1> flagged;  // whether there is a flag in a portion, (crack_portions,)
     Array<Index, 1> woken;  // whether there is a flag in a portion, (crack_portions,)
     Array<Byte, 1> stale;  // 1 for cells whose stress is to be found again, (n,)
     Array<double, 1> base;  // V θ without cracks that are treated one by one [m³], (n,)
-    // `SwellingHalf` by the number of the half and, once forces are known, `crack::LoadColumn`, (halves, 16): one
+    // `SwellingHalf` by the number of the half (`half_of`) and, once forces are known, `crack::LoadColumn`, (halves, 16): one
     // memory for both, because the data of many cracks exceed the caches.
     Array<double, 2> half;  // (halves, 16)
     Array<double, 2> sum;  // of the first eight columns of loads over the halves of a cell, (n, 8)
-    Array<double, 2> slip;  // by how much the cracks of a cell slip in this step [m], (n, 4)
+    Array<double, 2> slip;  // by how much the cracks of a cell slip in this step [m], and `crack::Slipping`, (n, 4)
     Array<double, 2> lost;  // energy of portions dissipated, and that of cracks that part [J], (crack_portions, 2)
 };
 // Distances at which elements touch whose facet has parted.

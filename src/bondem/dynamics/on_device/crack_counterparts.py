@@ -45,9 +45,8 @@ def _link(
     cracks.listed[facet] = 1 + cracks.history[facet, 0].astype(np.uint8)
     cracks.history[facet, BEGAN] = np.arange(-count, 0)
     lists.treated[:m] = np.arange(m)
-    lists.number[:m] = np.arange(1, 2 * m + 1).reshape(m, 2)
     run.scratch += [lists.half, lists.sum, lists.slip]
-    run.scratch += [lists.node, lists.side, lists.flag, lists.waking]
+    run.scratch += [lists.next, lists.flag, lists.waking]
 
     def order() -> None:
         """Write the order in which cracks began."""

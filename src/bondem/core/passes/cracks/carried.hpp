@@ -8,17 +8,14 @@ namespace bondem {
 constexpr Index has_cracks = 3;
 
 struct Carried {
-    double sum[12];  // b_x f, b_y f, b_z f, each and another number, b in its pitch
+    Four sum[3];  // b_x f, b_y f, b_z f, each and another number, b in its pitch
 
     // `b` is the lever; `f` has the three components of the force and a fourth number that does not count.
-    BONDEM_INLINE void add(const int32_t *b, const double *f) {
-        for (int r = 0; r < 3; r++) {
-            const double along = b[r];
-            for (int d = 0; d < 4; d++) sum[4 * r + d] += along * f[d];
-        }
+    BONDEM_INLINE void add(const int32_t *b, Four f) {
+        for (int r = 0; r < 3; r++) sum[r] += double(b[r]) * f;
     }
     BONDEM_INLINE void put(const StressesOfCells &stresses, const double *pitch, Index p) const {
-        for (int c = 0; c < 12; c++) stresses.carried(p, c) = pitch[c / 4] * sum[c];
+        for (int c = 0; c < 12; c++) stresses.carried(p, c) = pitch[c / 4] * sum[c / 4][c % 4];
         stresses.carried(p, has_cracks) = 1.0;
     }
 };
@@ -27,11 +24,9 @@ struct Carried {
 inline void carry_cracks_of(const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
                             Index p) {
     Carried sum = {};
-    for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
-        const double *const pull = &cracks.pull(lists.side(h) >> 1, 0);
-        double f[4];
-        for (int d = 0; d < 4; d++) f[d] = lists.side(h) % 2 == 0 ? pull[d] : -pull[d];
-        sum.add(&lists.node(h, 1), f);
+    for (Index h = lists.head(p); h > 0; h = lists.next(h)) {
+        const Four pull = *reinterpret_cast<const FourInMemory *>(&cracks.pull(facet_of(h), 0));
+        sum.add(lever_of(cracks, h), h % 2 == 1 ? pull : -pull);
     }
     sum.put(stresses, cracks.pitch.data, p);
 }

@@ -43,8 +43,8 @@ inline void choose_axes(const Moving &all, const ElasticFacets &facets, const Ce
     StressAround around;
     for (const Short p : cells) {
         around.add_around(facets, of, stresses, p);
-        for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
-            const Index other = lists.side(h) >> 1;
+        for (Index h = lists.head(p); h > 0; h = lists.next(h)) {
+            const Index other = facet_of(h);
             const double s = past_of(cracks, other).left[0];  // a step ago: that of others does not depend on their order
             if (state_of(cracks, other).kind > 0.0 || !(s < least_left || (s == least_left && s < 1.0 && other < leader)))
                 continue;

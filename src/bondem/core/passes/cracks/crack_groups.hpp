@@ -44,11 +44,10 @@ struct OneCrack {
     BONDEM_INLINE Vector pull(const CohesiveCracks &cracks) const {
         return {cracks.pull(crack, 0), cracks.pull(crack, 1), cracks.pull(crack, 2)};
     }
-    BONDEM_INLINE void put_pull(const CohesiveCracks &cracks, Vector f, bool where) const {
-        if (where) cracks.pull(crack, 0) = f.x, cracks.pull(crack, 1) = f.y, cracks.pull(crack, 2) = f.z;
+    BONDEM_INLINE void put_pull(const CohesiveCracks &cracks, Vector f) const {
+        cracks.pull(crack, 0) = f.x, cracks.pull(crack, 1) = f.y, cracks.pull(crack, 2) = f.z;
     }
-    BONDEM_INLINE void prefetch(const Array<double, 2> &) const {}
-    BONDEM_INLINE void prefetch_pull(const CohesiveCracks &) const {}
+    template <class... Tables> BONDEM_INLINE void prefetch(const Tables &...) const {}
     BONDEM_INLINE FacetShape<double> shapes(const CohesiveCracks &cracks) const { return facet_shape(cracks, crack); }
     BONDEM_INLINE CrackSoftening<double> softening(const CohesiveCracks &cracks) const {
         const CrackSofteningRow &of = softening_of(cracks, crack);
@@ -62,10 +61,9 @@ struct OneCrack {
     }
     BONDEM_INLINE void put_halves(const CrackLists &lists, const Row<double> &on_i, const Row<double> &on_j,
                                   Index from = 0) const {
-        *reinterpret_cast<Row<double> *>(&lists.half(lists.number(e, 0), from)) = on_i;
-        *reinterpret_cast<Row<double> *>(&lists.half(lists.number(e, 1), from)) = on_j;
+        *reinterpret_cast<Row<double> *>(&lists.half(half_of(crack, 0), from)) = on_i;
+        *reinterpret_cast<Row<double> *>(&lists.half(half_of(crack, 1), from)) = on_j;
     }
-    BONDEM_INLINE void prefetch_halves(const CrackLists &) const {}
     // Calls on(crack, place, lane) where a mask says so.
     template <class On> BONDEM_INLINE void where(bool mask, On on) const {
         if (mask) on(crack, e, 0);
@@ -124,7 +122,7 @@ BONDEM_INLINE Lanes single_of(const Row<Lanes> &row, int number) {
 struct CrackGroup {
     using Number = Lanes;
     Index e;
-    int known;  // how many there are; lanes behind repeat one, and are not written
+    int known;  // how many there are; lanes behind repeat the last one, with the same results
     const Index *crack;
     const Short *i, *j;
 
@@ -140,8 +138,8 @@ struct CrackGroup {
         return gather_rows(row);
     }
     BONDEM_INLINE void put(const Array<double, 2> &table, const Row<Lanes> &all) const {
-        double *row[lanes], unused[8];
-        for (int n = 0; n < lanes; n++) row[n] = n < known ? table.data + 8 * crack[n] : unused;
+        double *row[lanes];
+        for (int n = 0; n < lanes; n++) row[n] = table.data + 8 * crack[n];
         scatter_rows(row, all);
     }
     // Numbers of a column, one per crack of a group.
@@ -168,28 +166,26 @@ struct CrackGroup {
         }
         return {f[0], f[1], f[2]};
     }
-    BONDEM_INLINE void put_pull(const CohesiveCracks &cracks, Vector3<Lanes> f, Mask<Lanes> where) const {
+    BONDEM_INLINE void put_pull(const CohesiveCracks &cracks, Vector3<Lanes> f) const {
         for (int part = 0; part < lanes; part += 4) {
             Four r[4] = {};
             for (int n = 0; n < 4; n++) r[0][n] = f.x[part + n], r[1][n] = f.y[part + n], r[2][n] = f.z[part + n];
             transpose_four(r);
             for (int n = 0; n < 4; n++)
-                if (part + n < known && where[part + n] != 0)
-                    *reinterpret_cast<FourInMemory *>(cracks.pull.data + 4 * crack[part + n]) = r[n];
+                *reinterpret_cast<FourInMemory *>(cracks.pull.data + 4 * crack[part + n]) = r[n];
         }
     }
     BONDEM_INLINE void put(const Array<double, 2> &table, int column, Lanes all) const {
-        for (int n = 0; n < known; n++) table.data[8 * crack[n] + column] = all[n];
+        for (int n = 0; n < lanes; n++) table.data[8 * crack[n] + column] = all[n];
     }
-    // Prefetches the lines of a table for the crack some places later.
-    BONDEM_INLINE void prefetch(const Array<double, 2> &table) const {
+    // Prefetches the lines of tables for cracks some places later. Behind the end of a list are places too.
+    template <class... Tables> BONDEM_INLINE void prefetch(const Tables &...tables) const {
         constexpr Index ahead = 24;
-        for (int n = 0; n < known; n++) bondem::prefetch(table.data + 8 * crack[known == lanes ? ahead + n : 0]);
-    }
-    BONDEM_INLINE void prefetch_pull(const CohesiveCracks &cracks) const {
-        constexpr Index ahead = 24;
-        for (int n = 0; n < known; n++)
-            bondem::prefetch(cracks.pull.data + 4 * crack[known == lanes ? ahead + n : 0]);
+#pragma clang loop unroll(full)
+        for (int n = 0; n < lanes; n++) {
+            const Index k = crack[ahead + n];
+            (ask(tables, k), ...);
+        }
     }
     // Shapes of the facets of a group of cracks.
     BONDEM_INLINE FacetShape<Lanes> shapes(const CohesiveCracks &cracks) const {
@@ -213,6 +209,8 @@ struct CrackGroup {
     BONDEM_INLINE Mask<Lanes> flagged(const Array<Byte, 1> &flag) const {
         Lanes all;
         for (int n = 0; n < lanes; n++) all[n] = flag.data[e + n];
+        if (known < lanes)
+            for (int n = known; n < lanes; n++) all[n] = all[known - 1];
         return all > Lanes{};
     }
     // Writes flags of known places.
@@ -226,21 +224,13 @@ struct CrackGroup {
     // Writes eight columns of both halves.
     BONDEM_INLINE void put_halves(const CrackLists &lists, const Row<Lanes> &on_i, const Row<Lanes> &on_j,
                                   Index from = 0) const {
-        double *i[lanes], *j[lanes], unused[8];
+        double *i[lanes], *j[lanes];
         for (int n = 0; n < lanes; n++) {
-            i[n] = n < known ? &lists.half(lists.number(e + n, 0), from) : unused;
-            j[n] = n < known ? &lists.half(lists.number(e + n, 1), from) : unused;
+            i[n] = lists.half.data + 16 * half_of(crack[n], 0) + from;
+            j[n] = i[n] + 16;
         }
         scatter_rows(i, on_i);
         scatter_rows(j, on_j);
-    }
-    BONDEM_INLINE void prefetch_halves(const CrackLists &lists) const {
-        constexpr Index ahead = 24;
-        const int32_t *const number = lists.number.data + 2 * (known == lanes ? e + ahead : e);
-        for (int n = 0; n < 2 * known; n++) {
-            bondem::prefetch(lists.half.data + 16 * number[n]);
-            bondem::prefetch(lists.half.data + 16 * number[n] + 8);
-        }
     }
     // Calls on(crack, place, lane) for those that a mask names.
     template <class On> BONDEM_INLINE void where(Mask<Lanes> mask, On on) const {
@@ -249,7 +239,15 @@ struct CrackGroup {
     }
     static BONDEM_INLINE double lane(Lanes a, int n) { return a[n]; }
     BONDEM_INLINE void add(Lanes a, double &total) const {
-        for (int n = 0; n < known; n++) total += a[n];
+        if (any(a != Lanes{}))
+            for (int n = 0; n < known; n++) total += a[n];
+    }
+
+  private:
+    static BONDEM_INLINE void ask(const Array<double, 2> &rows, Index k) { bondem::prefetch(rows.data + 8 * k); }
+    static BONDEM_INLINE void ask(const CohesiveCracks &cracks, Index k) { bondem::prefetch(cracks.pull.data + 4 * k); }
+    static BONDEM_INLINE void ask(const CrackLists &lists, Index k) {
+        for (int line = 0; line < 4; line++) bondem::prefetch(lists.half.data + 16 * half_of(k, 0) + 8 * line);
     }
 };
 

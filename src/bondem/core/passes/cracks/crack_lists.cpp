@@ -1,5 +1,4 @@
-// Lists of cracks in the order of their facets, and the halves of each cell, from the last facet to the first. Levers
-// of the halves are written where the shapes of the cracks are read (`measure_cracks`).
+// Lists of cracks in the order of their facets, and the halves of each cell, from the last facet to the first.
 //
 // Contributions to a cell are added in that order, independent of the place of a crack in a list, so that a pause
 // changes no bit. Consecutive facets are near each other, and so are the data of consecutive cracks of a list.
@@ -52,26 +51,17 @@ void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks
     for (Index q = 0; q < lists.size(list_count::cells); q++) lists.head(lists.cell(q)) = 0;
     // broken cracks stand behind the others, so that groups of lanes have one or the other
     Index treated[2] = {}, resting[2] = {}, cells = 0;
-    const auto count = [&](Short p) {
-        if (lists.head(p)++ == 0) lists.cell(cells++) = p;
-    };
-    for_each_listed(cracks, [&](Index k) {
+    for (Index k = 0, m = cracks.integrity.size(); k < m; k++) {
         const bool whole = cracks.integrity(k) != 0.0;
         treated[1] += whole & (cracks.listed(k) == 1 + crack::active);
-        if (cracks.listed(k) == 1 + crack::active) count(facets.i(k)), count(facets.j(k));
         resting[1] += whole & (cracks.listed(k) == 1 + crack::resting);
-    });
-    // halves of a cell follow each other, of which the first is put last
-    for (Index q = 0, end = 1; q < cells; q++) {
-        int32_t &head = lists.head(lists.cell(q));
-        for (const Index first = end; end < first + head; end++) lists.node(end, 0) = int32_t(end + 1);
-        lists.node(end - 1, 0) = 0;
-        head = int32_t(end);
     }
-    const auto push = [&](Short p, Index side) {
-        const int32_t number = --lists.head(p);
-        lists.side(number) = int32_t(side);
-        return number;
+    const auto push = [&](Short p, Index half) {
+        int32_t &head = lists.head(p);
+        lists.cell(cells) = p;
+        cells += head == 0;
+        lists.next(half) = head;
+        head = int32_t(half);
     };
     const auto put = [&](const Array<Index, 1> &list, const Array<Short, 1> &at_i, const Array<Short, 1> &at_j,
                          Index e, Index k) {
@@ -83,10 +73,9 @@ void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks
         const Byte listed = cracks.listed(k);
         const bool broken = cracks.integrity(k) == 0.0;
         if (listed == 1 + crack::active) {
-            const Index e = treated[broken]++;
-            put(lists.treated, lists.treated_i, lists.treated_j, e, k);
-            lists.number(e, 0) = push(facets.i(k), 2 * k);
-            lists.number(e, 1) = push(facets.j(k), 2 * k + 1);
+            put(lists.treated, lists.treated_i, lists.treated_j, treated[broken]++, k);
+            push(facets.i(k), half_of(k, 0));
+            push(facets.j(k), half_of(k, 1));
         } else if (listed == 1 + crack::resting) {
             put(lists.resting, lists.resting_i, lists.resting_j, resting[broken]++, k);
         }
@@ -112,7 +101,8 @@ void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForce
     clear_half(lists, 0);
     cracks.size(crack_number::out_of_date) = 1;
     list_cracks(turn, facets, cracks, lists);
-    put_levers(cracks, lists, 0, lists.size(list_count::treated));
+    // of the step before nothing is known
+    for (Index p = 0; p < lists.slip.size(); p++) lists.slip(p, crack::slipping) = crack::slips;
 }
 BONDEM_PASS(link_cracks, of_cracks)
 

@@ -17,10 +17,7 @@ template <class T> struct CrackPlace {
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE CrackPlace<T> place_of(const Group &group, const Array<double, 2> &pose, const double *period,
                                      const CohesiveCracks &cracks) {
-    group.prefetch(cracks.shape);
-    group.prefetch(cracks.face);
-    group.prefetch(cracks.state);
-    group.prefetch(cracks.frame);
+    group.prefetch(cracks.shape, cracks.face, cracks.state, cracks.frame);
     const Row<T> a = gather(pose.data, group.i), b = gather(pose.data, group.j);
     const Ends<T> ends = ends_of(a, b, period);
     const Row<T> face = group.lines(cracks.face), frame = group.lines(cracks.frame);
@@ -72,9 +69,9 @@ BONDEM_INLINE CrackJudgement<T> judgement_of(const Group &group, const CohesiveC
     return {of.H, of.bends, of.fastest, {{of.strength, of.brittleness}, more, on_plane}};
 }
 
-// The mean stress of two cells, from rows of their stresses.
-template <class T> BONDEM_INLINE Symmetric3<T> mean_stress(const Row<T> &a, const Row<T> &b) {
-    const auto mean = [&](int c) { return 0.5 * (a.column[c] + b.column[c]); };
+// The mean stress of two cells, from the sum of rows of their stresses.
+template <class T> BONDEM_INLINE Symmetric3<T> mean_stress(const Row<T> &both) {
+    const auto mean = [&](int c) { return 0.5 * both.column[c]; };
     return {mean(0), mean(1), mean(2), mean(3), mean(4), mean(5)};
 }
 // A bound of the opening of a facet by bending, without an angle: σ_3 is at most the least of the diagonal.
@@ -113,10 +110,10 @@ template <class T> BONDEM_INLINE SwellingHalf<T> half_of(const HalfRows<T> &rows
 inline SwellingHalf<double> half_at(const CrackLists &lists, Index number) {
     return lists.half.row<SwellingHalf<double>>(number);
 }
-inline void put_halves_of(const CrackLists &lists, Index place, const FacetCompliance<double> &facet,
+inline void put_halves_of(const CrackLists &lists, Index k, const FacetCompliance<double> &facet,
                           const CrackFaces<double> &at) {
-    lists.half.row<SwellingHalf<double>>(lists.number(place, 0)) = swelling_half(facet.k, facet.part, at, at.share_i);
-    lists.half.row<SwellingHalf<double>>(lists.number(place, 1)) = swelling_half(facet.k, 1.0 - facet.part, at, at.share_j);
+    lists.half.row<SwellingHalf<double>>(half_of(k, 0)) = swelling_half(facet.k, facet.part, at, at.share_i);
+    lists.half.row<SwellingHalf<double>>(half_of(k, 1)) = swelling_half(facet.k, 1.0 - facet.part, at, at.share_j);
 }
 
 }  // namespace bondem

@@ -59,12 +59,20 @@ inline CrackSofteningRow &softening_of(const CohesiveCracks &cracks, Index c) {
 inline CrackHistoryRow &history_of(const CohesiveCracks &cracks,
                                    Index c) { return cracks.history.row<CrackHistoryRow>(c); }
 
+// Number of the half of facet k on cell i (0) or j (1), and the facet of a half. There is no half 0.
+inline Index half_of(Index k, Index side) { return 2 * k + 1 + side; }
+inline Index facet_of(Index half) { return (half - 1) >> 1; }
+
 namespace crack {
 // Changes of the treatment of a crack in a step.
 enum Flag : Byte { unchanged, fell, calmed, parts, wakes };
 // Columns of the loads of a half: force on its cell, energy rubbed away, torque, and N of `slides.hpp`; and the
 // sliding force, K, its present sum Σ, and the transmitted force.
 enum LoadColumn : Index { force = 0, slides = 8 };
+// Column of the slip of a cell that says whether its cracks slip: not in this step and the one before, in that one
+// only, or in this step.
+constexpr Index slipping = 3;
+enum Slipping : int { sticks, slipped, slips };
 // Places of a portion of a list.
 constexpr Index of_portion = 256;
 }  // namespace crack

@@ -74,7 +74,9 @@ template <class T> void soften(const SofteningSamples &samples, Index e) {
     CrackFaces<T> at = {};
     at.at = {{given.vector(), given.vector(), given.vector()}};
     at.left = {{given.number(), given.number(), given.number()}, given.number()};
-    const FacesMoved<T> moved = {given.vector(), given.number()};
+    const Vector3<T> slip = given.vector();
+    const auto apart = [of = given.number()] { return of; };
+    const FacesMoved<T, decltype(apart)> moved = {slip, apart};
     const CurveShape curve = {samples.kink, samples.steep};
     const auto all_at_once = [] { return Vector3<T>{all<T>(1.0), all<T>(1.0), all<T>(1.0)}; };
     const CrackStrength<T> by = {tension, plane, alike};

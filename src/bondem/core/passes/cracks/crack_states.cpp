@@ -29,16 +29,16 @@ void hand_over(const SingleCrack &one, const ElasticFacets &facets, const CellDi
     lists.stale(i) = lists.stale(j) = 1;
 }
 
-// Puts half `number` on the list of its cell, where its order belongs.
-void insert_half(const CrackLists &lists, Short p, Index number, Index side, const int32_t *lever) {
+// Puts a half on the list of its cell, where its order belongs.
+void insert_half(const CrackLists &lists, Short p, Index half) {
     if (lists.head(p) == 0) lists.cell(lists.size(list_count::cells)++) = p;
     Index before = 0, next = lists.head(p);
-    while (next > 0 && lists.side(next) > side) {
+    while (next > half) {
         before = next;
-        next = lists.node(next, 0);
+        next = lists.next(next);
     }
-    put_node(lists, number, next, side, lever);
-    (before == 0 ? lists.head(p) : lists.node(before, 0)) = int32_t(number);
+    lists.next(half) = int32_t(next);
+    (before == 0 ? lists.head(p) : lists.next(before)) = int32_t(half);
 }
 
 // Prefetches the rows of halves in the order in which the cells first … last - 1 of a list read them.
@@ -53,11 +53,11 @@ struct HalvesAhead {
     BONDEM_INLINE void ask() {
         if (half == 0) {
             if (q == last) return;
-            half = lists.head(lists.cell(q++));
+            half = lists.head.data[lists.cell.data[q++]];
         }
         prefetch(lists.half.data + 16 * half);
         prefetch(lists.half.data + 16 * half + 8);
-        half = lists.node(half, 0);
+        half = lists.next.data[half];
     }
 };
 
@@ -70,10 +70,9 @@ void wake(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCra
     lists.treated_i(e) = facets.i(k);
     lists.treated_j(e) = facets.j(k);
     if (e % crack::of_portion == 0) lists.flagged(e / crack::of_portion) = 0;
-    for (Index side = 0; side < 2; side++) lists.number(e, side) = int32_t(2 * e + 1 + side);
     begin_treating(one, facets, cracks, lists, k, e);
-    insert_half(lists, facets.i(k), 2 * e + 1, 2 * k, shape_of(cracks, k).lever_i);
-    insert_half(lists, facets.j(k), 2 * e + 2, 2 * k + 1, shape_of(cracks, k).lever_j);
+    insert_half(lists, facets.i(k), half_of(k, 0));
+    insert_half(lists, facets.j(k), half_of(k, 1));
 }
 
 }  // namespace
@@ -133,18 +132,24 @@ BONDEM_PASS(soften_cracks, of_cracks)
 // Sums the forces of the cracks of each cell, and lets their faces slip by them.
 void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const StressesOfCells &stresses,
                   const CohesiveCracks &cracks, const CrackLists &lists) {
+    const bool changes = turn.clock.dt > 0.0;
     over_places(turn, lists.size(list_count::cells), [&](Index first, Index last, Index) {
         HalvesAhead ahead(lists, first, last);
-        for (Index q = first; q < last; q++)
-            sum_cracks_of(stresses, cracks, lists, lists.cell(q), [&]() __attribute__((always_inline)) { ahead.ask(); });
-    });
-    if (!(turn.clock.dt > 0.0)) return;
-    over_places(turn, lists.size(list_count::treated), [&](Index first, Index last, Index) {
-        constexpr Index ahead = 16;
-        for (Index e = first; e < last; e++) {
-            prefetch(&state_of(cracks, lists.treated(least(e + ahead, last - 1))));
-            slide_crack(all, facets, cracks, lists, lists.treated(e), e);
+        for (Index q = first; q < last; q++) {
+            const Short p = lists.cell(q);
+            sum_cracks_of(stresses, cracks, lists, p, [&]() __attribute__((always_inline)) { ahead.ask(); });
+            const double *const b = &lists.slip(p, 0);
+            const bool slips = b[0] != 0.0 || b[1] != 0.0 || b[2] != 0.0;
+            double &state = lists.slip(p, crack::slipping);
+            if (changes) state = slips ? crack::slips : state == crack::slips ? crack::slipped : crack::sticks;
         }
+    });
+    if (!changes) return;
+    over_places(turn, lists.size(list_count::treated), [&](Index first, Index last, Index) {
+        const double *const slipping = lists.slip.data + crack::slipping;
+        for (Index e = first; e < last; e++)
+            if (slipping[4 * lists.treated_i.data[e]] + slipping[4 * lists.treated_j.data[e]] != crack::sticks)
+                slide_crack(all, facets, cracks, lists, lists.treated(e));
     });
 }
 BONDEM_PASS(slide_cracks, of_cracks)
@@ -168,15 +173,15 @@ void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
             }
             const SingleCrack one(all.pose, facets, cracks, k);
             if (flag == crack::parts) {
-                const double lost = energy_of_parting(one, facets, cracks, lists, k, e, [&](Short p, Index half) {
+                const double lost = energy_of_parting(one, facets, cracks, lists, k, [&](Short p, Index half) {
                     return stiffness_without(all, lists, cells.weight(p), p, half, [](Index) { return false; });
                 });
                 lists.lost(q, 1) += lost;
                 history_of(cracks, k).spent += lost;
-                end_treating(facets, cracks, lists, k, e, crack::parted);
+                end_treating(facets, cracks, lists, k, crack::parted);
                 lists.parted(lists.size(list_count::parted)++) = k;
             } else {
-                end_treating(facets, cracks, lists, k, e, crack::resting);
+                end_treating(facets, cracks, lists, k, crack::resting);
             }
             hand_over(one, facets, cells, slack, cracks, lists, k, 1.0);
         }

@@ -11,10 +11,7 @@ template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double *period, const FacetStrengths &strengths,
                              const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
                              Index portion, bool changes, double &total) {
-    group.prefetch(cracks.past);
-    group.prefetch(cracks.softening);
-    group.prefetch_pull(cracks);
-    group.prefetch_halves(lists);
+    group.prefetch(cracks.past, cracks.softening, cracks, lists);
     const T zero = {};
     const CrackPlace<T> at = place_of(group, all.pose, period, cracks);
     const Row<T> past = group.lines(cracks.past);
@@ -27,47 +24,53 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
     CrackRates<T> rates = crack_rates(at.facet, left, half);
     const Mask<T> bound = (s > zero) | (before.least_left() > zero);
     FacetBending<T> bending = {};
+    CrackSoftening<T> of = {};
     if (any(bound)) {
-        bending = facet_bending(at.ends, group.softening(cracks).H);
+        of = group.softening(cracks);
+        bending = facet_bending(at.ends, of.H);
         loads.on_i = plus(loads.on_i, s, bending.torque);
         loads.on_j = minus(loads.on_j, s, bending.torque);
         rates.of[0] = select(bound, rates.of[0] + bending.energy, rates.of[0]);
     }
     const Mask<T> treated = opposite(group.flagged(lists.flag));
     const auto kept = [&](T x) { return select(treated, x, zero); };
-    const Vector3<T> f = loads.force, none = {};
-    const Vector3<T> rub = loads.friction.force;
-    const Vector3<T> now = plus(loads.friction.slip, dot(slip, at.now.across()), at.now.across());
+    const Vector3<T> f = {kept(loads.force.x), kept(loads.force.y), kept(loads.force.z)}, none = {};
+    const Vector3<T> rub = loads.friction.force, e = at.now.across();
     CrackLosses<T> lost = {zero, zero};
     T across = {};  // what pulls across the cracks of a cell that may slip
     if (changes) {
-        const Vector3<T> pull = group.pull(cracks), stored = {state[3], state[4], state[5]};
-        const Vector3<T> came = select<T>(at.now.rubs, now - slip, none), was_rub = select<T>(at.now.rubs, stored, none);
+        const Vector3<T> stored = {state[3], state[4], state[5]};
+        const Vector3<T> now = plus(loads.friction.slip, dot(slip, e), e);
         Mask<T> falls = left.grip < before.grip;
         for (int d = 0; d < 3; d++) falls |= left.s[d] < before.s[d];
         if (any(falls | at.now.rubs)) {
-            const CrackRates<T> was =
-                rates_before(at.facet, at.now, at.alike, half, pull, bending.energy, before, past.column + 4);
+            const Vector3<T> came = select<T>(at.now.rubs, now - slip, none), was_rub = select<T>(at.now.rubs, stored, none);
+            const CrackRates<T> was = rates_before(at.facet, at.now, at.alike, half, group.pull(cracks), bending.energy,
+                                                   before, past.column + 4);
             lost = crack_losses(at.facet.k, CrackStep<T>{before, left, was, rates, was_rub, rub, came});
         }
         // work of the force on the slip of the faces of a crack of the material
-        const Vector3<T> both = pull + f;
-        const T slid = select(at.now.rubs, zero, T(0.5 * dot(both, turned_by(at.ends.i, stored))));
-        const Mask<T> grinds = (slid != zero) & (at.friction > zero);
-        const T rubbed = any(grinds) ? T(friction_share(group, at, both, strengths, cracks) * slid) : zero;
+        T slid = {}, rubbed = {};
+        if (any(opposite(at.now.rubs) & ((stored.x != zero) | (stored.y != zero) | (stored.z != zero)))) {
+            const Vector3<T> both = group.pull(cracks) + loads.force;
+            slid = select(at.now.rubs, zero, T(0.5 * dot(both, turned_by(at.ends.i, stored))));
+            const Mask<T> grinds = (slid != zero) & (at.friction > zero);
+            if (any(grinds)) rubbed = friction_share(at, both, of, strengths) * slid;
+        }
         lost = {kept(lost.cracked + (slid - rubbed)), kept(select(at.now.rubs, lost.rubbed, rubbed))};
-        across = shear_each(group, at, f, treated, strengths, stresses, cracks, lists);
+        across = shear_each(group, at, loads.force, treated, of, strengths, stresses, lists);
         // the spring of friction of a crack that has lost its grip is at rest at the present place of the faces
         const Mask<T> lets_go = opposite(at.now.rubs) & (left.grip == zero);
-        const Vector3<T> e = at.now.across(), beside = plus(minus(at.now.gap, dot(at.now.gap, e), e), dot(slip, e), e);
-        const Vector3<T> end = select<T>(lets_go, beside, now), back = turned_by(inverse(at.ends.i), end);
-        const Vector3<T> own = select<T>(at.now.rubs | lets_go, back, Vector3<T>{state[0], state[1], state[2]});
-        const T kind = select(lets_go, bondem::all<T>(double(crack::let_go)), state[7]);
-        const Vector3<T> own_kept = select<T>(treated, own, none), went = select<T>(at.now.rubs, rub, stored);
-        const Vector3<T> rub_kept = select<T>(treated & opposite(lets_go), went, none);
-        if (any(at.now.rubs | lets_go | (state[6] > zero) | opposite(treated)))
+        if (any(at.now.rubs | lets_go | (state[6] > zero) | opposite(treated))) {
+            const Vector3<T> beside = plus(minus(at.now.gap, dot(at.now.gap, e), e), dot(slip, e), e);
+            const Vector3<T> end = select<T>(lets_go, beside, now), back = turned_by(inverse(at.ends.i), end);
+            const Vector3<T> own = select<T>(at.now.rubs | lets_go, back, Vector3<T>{state[0], state[1], state[2]});
+            const T kind = select(lets_go, bondem::all<T>(double(crack::let_go)), state[7]);
+            const Vector3<T> own_kept = select<T>(treated, own, none), went = select<T>(at.now.rubs, rub, stored);
+            const Vector3<T> rub_kept = select<T>(treated & opposite(lets_go), went, none);
             group.put(cracks.state, {{own_kept.x, own_kept.y, own_kept.z, rub_kept.x, rub_kept.y, rub_kept.z, zero,
                                       kind}});
+        }
         group.put(cracks.past, {{left.s[0], left.s[1], left.s[2], left.grip, rates.of[0], rates.of[1], rates.of[2],
                                  rates.of[3]}});
         if (any(lost.cracked != zero)) {
@@ -79,11 +82,11 @@ BONDEM_INLINE void load_each(const Group &group, const Moving &all, const double
         const Mask<T> breaks = treated & (s == zero) & (before.least_left() > zero);
         group.flag(lists.flag, lists.flagged, portion, breaks, crack::fell, 2);
     }
-    group.put_pull(cracks, f, treated);
+    group.put_pull(cracks, f);
     const Vector3<T> p = loads.on_i, q = loads.on_j;
     group.put_halves(lists,
-                     {{kept(f.x), kept(f.y), kept(f.z), lost.rubbed, kept(p.x), kept(p.y), kept(p.z), across}},
-                     {{kept(-f.x), kept(-f.y), kept(-f.z), zero, kept(q.x), kept(q.y), kept(q.z), across}});
+                     {{f.x, f.y, f.z, lost.rubbed, kept(p.x), kept(p.y), kept(p.z), across}},
+                     {{-f.x, -f.y, -f.z, zero, kept(q.x), kept(q.y), kept(q.z), across}});
     group.add(lost.cracked, total);
 }
 

@@ -59,8 +59,8 @@ void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFace
             const double *const normal = facets.normal.data + k;
             const Vector3<Lanes> n = {load(normal), load(normal + m), load(normal + 2 * m)};
             const Symmetric3<Lanes> H = columns.stiffness<Lanes>(k, bondem::all<Lanes>(1.0)).H;
-            const Row<Lanes> of_i = gather(stresses.tensor.data, i), of_j = gather(stresses.tensor.data, j);
-            return {turned_by(ends.i, n), mean_stress(of_i, of_j), bending_traction(ends, load(kept.bends.data + k), H)};
+            const Symmetric3<Lanes> mean = mean_stress(gather_sums(stresses.tensor.data, i, j));
+            return {turned_by(ends.i, n), mean, bending_traction(ends, load(kept.bends.data + k), H)};
         };
         const Mask<Lanes> begin = begins_to_crack(t, size, bends, strength, place);
         for (int n = group.known; n < lanes; n++) {

@@ -12,7 +12,7 @@ namespace {
 // Prefetches the first two halves of a cell.
 inline void ask_for_halves(const CrackLists &lists, Short p) {
     Index h = lists.head(p);
-    for (int links = 0; links < 2; links++, h = lists.node(h, 0)) {
+    for (int links = 0; links < 2; links++, h = lists.next(h)) {
         prefetch(lists.half.data + 16 * h);
         prefetch(lists.half.data + 16 * h + 8);
     }
@@ -43,7 +43,6 @@ void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fa
                  },
                  [&](const CrackGroup &group, Index portion) {
                      measure_each(group, all, facets, slack, stresses, cracks, lists, portion, changes);
-                     put_levers(cracks, lists, group.e, group.e + group.known);
                  });
 }
 BONDEM_PASS(measure_cracks, of_cracks)

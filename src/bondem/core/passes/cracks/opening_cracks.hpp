@@ -12,7 +12,7 @@ template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const ElasticFacets &facets, const CellSlack &slack,
                                 const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
                                 Index portion, bool changes) {
-    group.prefetch_halves(lists);
+    group.prefetch(lists);
     const CrackPlace<T> at = place_of(group, all.pose, facets.period.data, cracks);
     const HalfRows<T> i = rows_of(swelling_half(at.facet.k, at.facet.part, at.now, at.now.share_i));
     const HalfRows<T> j = rows_of(swelling_half(at.facet.k, T(1.0 - at.facet.part), at.now, at.now.share_j));
@@ -24,6 +24,7 @@ BONDEM_INLINE void measure_each(const Group &group, const Moving &all, const Ela
     if (any(whole))
         group.where(whole, [&](Index k, Index, int) { choose_axes(all, facets, slack, stresses, cracks, lists, k); });
     const Mask<T> gone = (left.s[0] == T{}) & (left.grip == T{});
+    if (!any(gone)) return;
     const Mask<T> slid = gone & turned_away(at.now, at.area, cracks.slide);
     Mask<T> away = gone & turned_away(at.now, at.area, 1.0);
     if (any(slid)) away = away | (slid & (group.softening(cracks).plane > T{}));
@@ -50,7 +51,7 @@ struct OneCell {
         BONDEM_INLINE bool next(SwellingHalf<double> &of) {
             if (half == 0) return false;
             of = half_at(lists, half);
-            half = lists.node(half, 0);
+            half = lists.next(half);
             return true;
         }
     };
@@ -85,7 +86,7 @@ struct CellGroup {
                 row[n] = lists.half.data + 16 * half[n];
                 second[n] = row[n] + 8;
                 more |= half[n];
-                half[n] = half[n] == 0 ? 0 : lists.node(half[n], 0);
+                half[n] = lists.next(half[n]);
                 prefetch(lists.half.data + 16 * half[n]);
                 prefetch(lists.half.data + 16 * half[n] + 8);
             }

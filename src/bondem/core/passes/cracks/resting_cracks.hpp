@@ -16,7 +16,7 @@ inline void begin_treating(const SingleCrack &one, const ElasticFacets &facets, 
                            const CrackLists &lists, Index k, Index e) {
     treat(facets, cracks, k, crack::active);
     lists.flag(e) = crack::unchanged;
-    put_halves_of(lists, e, one.stiffness, one.now);
+    put_halves_of(lists, k, one.stiffness, one.now);
     state_of(cracks, k).fresh = 1.0;
     CrackPastRow &past = past_of(cracks, k);
     for (int d = 0; d < 4; d++) past.left[d] = frame_of(cracks, k).left[d], past.rate[d] = 0.0;
@@ -27,9 +27,9 @@ inline void part_resting(const ElasticFacets &facets, const CohesiveCracks &crac
     treat(facets, cracks, k, crack::parted);
     shape_of(cracks, k).top = infinity;
 }
-// The crack of facet k, at place e, is no longer treated one by one.
+// The crack of facet k is no longer treated one by one.
 inline void end_treating(const ElasticFacets &facets, const CohesiveCracks &cracks, const CrackLists &lists, Index k,
-                         Index e, int status) {
+                         int status) {
     treat(facets, cracks, k, status);
     // faces that were far apart touch as facets: along their own normal, not that of the crack
     const double *const n = face_of(cracks, k).normal;
@@ -38,7 +38,7 @@ inline void end_treating(const ElasticFacets &facets, const CohesiveCracks &crac
     CrackStateRow &state = state_of(cracks, k);
     for (int d = 0; d < 3; d++) state.slip[d] = state.rub[d] = 0.0;
     for (Index d = 0; d < 4; d++) cracks.pull(k, d) = 0.0;
-    for (Index side = 0; side < 2; side++) clear_half(lists, lists.number(e, side));
+    for (Index side = 0; side < 2; side++) clear_half(lists, half_of(k, side));
 }
 
 // ---- parting
@@ -49,7 +49,7 @@ template <class Gone>
 inline double stiffness_without(const Moving &all, const CrackLists &lists, double weight, Short p, Index without,
                                 Gone gone) {
     double softness = 0.0;
-    for (Index h = lists.head(p); h > 0; h = lists.node(h, 0)) {
+    for (Index h = lists.head(p); h > 0; h = lists.next(h)) {
         if (gone(h)) continue;
         SwellingHalf<double> half = half_at(lists, h);
         if (h == without) {  // open along all directions, which have lost everything
@@ -68,7 +68,7 @@ inline double stiffness_without(const Moving &all, const CrackLists &lists, doub
 //     stiffness(p, number)    how much the stress of a cell changes with V θ, with the half of that number open
 template <class Stiffness>
 inline double energy_of_parting(const SingleCrack &one, const ElasticFacets &facets, const CohesiveCracks &cracks,
-                                const CrackLists &lists, Index at, Index e, Stiffness stiffness) {
+                                const CrackLists &lists, Index at, Stiffness stiffness) {
     const double *const rub = state_of(cracks, at).rub;
     const double k = one.stiffness.k, w = one.stiffness.part;
     const CrackHalves<double> half = crack_halves(one.stiffness, one.now, one.stress);
@@ -78,8 +78,8 @@ inline double energy_of_parting(const SingleCrack &one, const ElasticFacets &fac
         const double more = press / k * half_at(lists, number).along[0];
         lost += 0.5 * (part * press * press / k - more * more * stiffness(p, number));
     };
-    add(facets.i(at), w, half.i.press(), lists.number(e, 0));
-    add(facets.j(at), 1.0 - w, half.j.press(), lists.number(e, 1));
+    add(facets.i(at), w, half.i.press(), half_of(at, 0));
+    add(facets.j(at), 1.0 - w, half.j.press(), half_of(at, 1));
     return lost;
 }
 

@@ -46,22 +46,8 @@ inline void put_axes(const CohesiveCracks &cracks, Index k, Quaternion<double> c
 // Largest slip of the faces of facet k that face each other, over √A.
 inline double slide_of(const CohesiveCracks &cracks, Index k) { return softening_of(cracks, k).plane > 0.0f ? cracks.slide : 1.0; }
 
-BONDEM_INLINE void put_lever(const CrackLists &lists, Index number, const int32_t *lever) {
-    for (int d = 0; d < 3; d++) lists.node(number, 1 + d) = lever[d];
-}
-inline void put_node(const CrackLists &lists, Index number, Index next, Index side, const int32_t *lever) {
-    lists.node(number, 0) = int32_t(next);
-    lists.side(number) = int32_t(side);
-    put_lever(lists, number, lever);
-}
-// Levers of the halves at places first … last - 1 of a list.
-inline void put_levers(const CohesiveCracks &cracks, const CrackLists &lists, Index first, Index last) {
-    for (Index e = first; e < last; e++) {
-        const CrackShapeRow &of = shape_of(cracks, lists.treated(e));
-        put_lever(lists, lists.number(e, 0), of.lever_i);
-        put_lever(lists, lists.number(e, 1), of.lever_j);
-    }
-}
+// Lever of a half in the reference [pitch].
+BONDEM_INLINE const int32_t *lever_of(const CohesiveCracks &cracks, Index half) { return cracks.lever.data + 4 * (half - 1); }
 // A half that adds nothing.
 inline void clear_half(const CrackLists &lists, Index number) {
     SwellingHalf<double> &half = lists.half.row<SwellingHalf<double>>(number);
@@ -105,10 +91,9 @@ inline double crushed_by_facet(const FacetStrengths &strengths, const CohesiveCr
 inline void write_levers(const ElasticFacets &facets, const CohesiveCracks &cracks, Index k) {
     CrackShapeRow &of = shape_of(cracks, k);
     for (Index d = 0; d < 3; d++) {
-        of.lever_i[d] = facets.lever_i(d, k);
-        of.lever_j[d] = facets.lever_j(d, k);
+        of.lever_i[d] = cracks.lever(k, d) = facets.lever_i(d, k);
+        of.lever_j[d] = cracks.lever(k, 4 + d) = facets.lever_j(d, k);
     }
-    put_shared(cracks.size(crack_number::out_of_date), Index(1));  // lists have levers too
 }
 
 // True if a crack with a given dissipation may slip: it absorbs one fracture energy by opening and one by slip.

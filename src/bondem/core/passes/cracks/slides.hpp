@@ -26,10 +26,10 @@ constexpr double kept_slip = 0.8;
 template <class T> struct Cohesion {
     T share, force;
 };
-template <class Group, class T = typename Group::Number>
-BONDEM_INLINE Cohesion<T> cohesion_of(const Group &group, const CrackPlace<T> &at, const FacetStrengths &strengths,
-                                      const CohesiveCracks &cracks) {
-    const Softening<T> facet = {group.number(cracks.softening, 7), group.number(cracks.softening, 5)};
+template <class T>
+BONDEM_INLINE Cohesion<T> cohesion_of(const CrackPlace<T> &at, const CrackSoftening<T> &of, const FacetStrengths &strengths) {
+    if (!any(at.now.left.s[0] > T{})) return {T{}, T{}};
+    const Softening<T> facet = {of.strength, of.brittleness};
     const T slope = absolute(dot(at.now.normal, at.now.across()));
     const T share = borne_of(at.now.left.s[0], most(slope, all<T>(least_slope)), facet,
                              CurveShape{strengths.kink, strengths.steep});
@@ -38,25 +38,25 @@ BONDEM_INLINE Cohesion<T> cohesion_of(const Group &group, const CrackPlace<T> &a
 
 // Share of friction in the work of slip of a crack [-]: μ times its pressure over that and its cohesion; `both` is the sum
 // of its forces before and after [N].
-template <class Group, class T = typename Group::Number>
-BONDEM_INLINE T friction_share(const Group &group, const CrackPlace<T> &at, Vector3<T> both, const FacetStrengths &strengths,
-                               const CohesiveCracks &cracks) {
+template <class T>
+BONDEM_INLINE T friction_share(const CrackPlace<T> &at, Vector3<T> both, const CrackSoftening<T> &of,
+                               const FacetStrengths &strengths) {
     const T rubs = at.friction * positive(T(-0.5 * dot(both, at.now.across()))), zero = {};
-    return select(rubs > zero, T(rubs / (rubs + cohesion_of(group, at, strengths, cracks).force)), zero);
+    return select(rubs > zero, T(rubs / (rubs + cohesion_of(at, of, strengths).force)), zero);
 }
 
 // Sliding force of the cracks of a group, per half; 0 for cracks with a spring of friction. Returns their part of N.
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<T> f, Mask<T> treated,
-                              const FacetStrengths &strengths, const StressesOfCells &stresses,
-                              const CohesiveCracks &cracks, const CrackLists &lists) {
+                              const CrackSoftening<T> &of, const FacetStrengths &strengths,
+                              const StressesOfCells &stresses, const CrackLists &lists) {
     const T zero = {}, one = all<T>(1.0), s = at.now.left.s[0];
     const Mask<T> slides = treated & opposite(at.now.rubs) & (s < one) & (at.slips > zero);
     Row<T> i = {}, j = {};
     T across = {};
     if (any(slides)) {
         const Vector3<T> e = at.now.across(), n = at.now.normal;
-        const Cohesion<T> cohesion = cohesion_of(group, at, strengths, cracks);
+        const Cohesion<T> cohesion = cohesion_of(at, of, strengths);
         const T loose = select(slides, T(one - cohesion.share), zero), along = dot(f, e);
         const Vector3<T> shear = loose * minus(f, along, e), flat = minus(n, dot(n, e), e);
         const auto of_stress = [&](const Row<T> &row) {
@@ -79,40 +79,39 @@ BONDEM_INLINE T shear_each(const Group &group, const CrackPlace<T> &at, Vector3<
 template <class OnHalf>
 inline void sum_cracks_of(const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists,
                           Index p, OnHalf on_half) {
-    double sum[8] = {}, output[8] = {};
+    Four sum[4] = {};  // forces, torques, and the two parts of `crack::slides`
     Carried carried = {};
     for (Index h = lists.head(p); h > 0;) {
-        const double *const out = &lists.half(h, 0), *const of = out + crack::slides;
-        const int32_t *const node = &lists.node(h, 0);
-        h = node[0];
+        const FourInMemory *const half = reinterpret_cast<const FourInMemory *>(lists.half.data + 16 * h);
         on_half();
-        for (int c = 0; c < 8; c++) sum[c] += of[c], output[c] += out[c];
-        carried.add(node + 1, out);
+        for (int c = 0; c < 4; c++) sum[c] += half[c];
+        carried.add(lever_of(cracks, h), half[0]);
+        h = lists.next.data[h];
     }
-    for (int c = 0; c < 8; c++) lists.sum(p, c) = output[c];
+    double *const output = lists.sum.data + 8 * p;
+    for (int c = 0; c < 8; c++) output[c] = sum[c / 4][c % 4];
     carried.put(stresses, cracks.pitch.data, p);
     const double across = output[7];
-    const Vector R = {sum[0], sum[1], sum[2]}, as_is = {sum[4], sum[5], sum[6]};
-    const double size = length(R), stiff = sum[3], cohesion = sum[7], pull = positive(across);
-    const double friction = across < 0.0 ? face_of(cracks, lists.side(lists.head(p)) >> 1).friction : 0.0;
+    const Vector R = {sum[2][0], sum[2][1], sum[2][2]}, as_is = {sum[3][0], sum[3][1], sum[3][2]};
+    const double size = length(R), stiff = sum[2][3], cohesion = sum[3][3], pull = positive(across);
+    const double friction = across < 0.0 ? face_of(cracks, facet_of(lists.head(p))).friction : 0.0;
     const double bears = root(positive(cohesion * cohesion - pull * pull)) - friction * least(across, 0.0);
     const bool slides = size > bears && dot(R, as_is) > 0.0;
     const Vector b = slides ? (0.5 * (1.0 - bears / size) / stiff) * R : Vector{};
     for (int d = 0; d < 3; d++) lists.slip(p, d) = b[d];
 }
 
-// The crack at place e of a list, that of facet k, slips with its cells.
+// The crack of facet k slips with its cells.
 inline void slide_crack(const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
-                        const CrackLists &lists, Index k, Index e) {
+                        const CrackLists &lists, Index k) {
     CrackStateRow &state = state_of(cracks, k);
     if (state.kind != crack::of_material) return;
     const Short i = facets.i(k), j = facets.j(k);
     const double *const a = &lists.slip(i, 0), *const b = &lists.slip(j, 0);
     const Vector apart = {a[0] - b[0], a[1] - b[1], a[2] - b[2]}, before = {state.rub[0], state.rub[1], state.rub[2]};
-    // lines that are only read need not be written back
     if (dot(before, before) != 0.0) state.rub[0] = state.rub[1] = state.rub[2] = 0.0;
     if (dot(apart, apart) == 0.0) return;
-    const double stiff = lists.half(lists.number(e, 0), crack::slides + 3);
+    const double stiff = lists.half(half_of(k, 0), crack::slides + 3);
     if (stiff == 0.0) return;
     const Quaternion<double> turn = orientation(gather(all.pose.data, i));
     const Vector across = axes_of(turn, quaternion_of(frame_of(cracks, k).axes)).e[0];

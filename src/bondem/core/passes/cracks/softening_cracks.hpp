@@ -18,7 +18,7 @@ constexpr double apart = 0.05, far_apart = 0.1, lets_go = 2.0, has_let_go = 4.0,
 
 template <class Group, class T = typename Group::Number>
 BONDEM_INLINE Symmetric3<T> mean_of_cells(const Group &group, const StressesOfCells &stresses) {
-    return mean_stress(gather(stresses.tensor.data, group.i), gather(stresses.tensor.data, group.j));
+    return mean_stress(gather_sums(stresses.tensor.data, group.i, group.j));
 }
 
 // ---- rest
@@ -27,8 +27,7 @@ template <class Group, class T = typename Group::Number>
 BONDEM_INLINE void watch_each(const Group &group, const Moving &all, const double *period,
                               const FacetStrengths &strengths, const CohesiveCracks &cracks, const CrackLists &lists,
                               Index portion) {
-    group.prefetch(cracks.shape);
-    group.prefetch(cracks.frame);
+    group.prefetch(cracks.shape, cracks.frame);
     const T zero = {}, endless = bondem::all<T>(infinity);
     const Row<T> a = gather(all.pose.data, group.i), b = gather(all.pose.data, group.j);
     const Ends<T> ends = ends_of(a, b, period);
@@ -81,6 +80,7 @@ template <class T> struct Softened {
 };
 // Directions 2 and 3, if both are intact, as the principal directions of the stress in their plane.
 template <class T> BONDEM_INLINE void turn_in_plane(CrackAxes<T> &at, const Symmetric3<T> &s, Mask<T> turns) {
+    if (!any(turns)) return;
     const Vector3<T> a = at.e[1], b = at.e[2], sa = s * a;
     const T ab = dot(b, sa), d = 0.5 * (dot(b, s * b) - dot(a, sa)), size = absolute(d) + root(d * d + ab * ab), zero = {};
     const T t = select(turns & (size > zero), T(select(d >= zero, ab, T(-ab)) / size), zero);
@@ -89,18 +89,18 @@ template <class T> BONDEM_INLINE void turn_in_plane(CrackAxes<T> &at, const Symm
     at.e[2] = plus(sine * a, c, b);
 }
 // Motion of the faces of a crack: their slip, as the traction of a whole facet [Pa], and how far they are apart over
-// the distance of their cells [-].
-template <class T> struct FacesMoved {
+// the distance of their cells, which few of them have to know [-].
+template <class T, class Apart> struct FacesMoved {
     Vector3<T> slip;
-    T apart;
+    Apart apart;
 };
 // Cracks of the material under the traction t of whole facets. Slip along a crack opens it as much as opening across,
 // and along a softening direction as much as a pull along it. `losses()` are the largest ones in a step of each
 // direction; most cracks soften in few steps, and need none.
-template <class T, class Losses>
+template <class T, class Losses, class Apart>
 BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTraction<T> &load,
                                        const Symmetric3<T> &mean, Losses losses, const Softening<T> &facet,
-                                       const FacesMoved<T> &moved, const CurveShape &curve, Mask<T> away) {
+                                       const FacesMoved<T, Apart> &moved, const CurveShape &curve, Mask<T> away) {
     const T zero = {}, one = all<T>(1.0);
     Softened<T> found = {faces.at, faces.left};
     T *const s = found.left.s;
@@ -135,14 +135,15 @@ BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTr
         left[d] = select(away, zero, left_along(s[d], along, facet, curve));
         falls |= left[d] < s[d];
     }
-    const T by_size = (moved.apart - crack::apart) * (1.0 / (crack::far_apart - crack::apart));
+    const Mask<T> open = (dot(load.t, load.normal) > zero) | away, loose = (s[0] == zero) & open;
+    if (!any(falls | loose)) return found;
+    const T by_size = (moved.apart() - crack::apart) * (1.0 / (crack::far_apart - crack::apart));
     const T by_opening = (opened - crack::lets_go) * (1.0 / (crack::has_let_go - crack::lets_go));
     const Mask<T> at_once = facet.brittleness == all<T>(infinity);
     const Mask<T> broken_up = most(s[1], s[2]) <= all<T>(1.0 - crack::rubble);
     const T far = select(at_once | broken_up, by_opening, by_size);
     const T grip = select(away, zero, select(far > zero, positive(T(one - far)), one));
-    const Mask<T> open = (dot(load.t, load.normal) > zero) | away;
-    if (!any(falls | ((s[0] == zero) & open & (grip < found.left.grip)))) return found;
+    if (!any(falls | (loose & (grip < found.left.grip)))) return found;
     const Vector3<T> most_lost = losses();
     const T loss[3] = {most_lost.x, most_lost.y, most_lost.z};
     for (int d = 0; d < 3; d++) s[d] = fallen(s[d], left[d], loss[d]);
@@ -152,7 +153,7 @@ BONDEM_INLINE Softened<T> soften_along(const CrackFaces<T> &faces, const FacetTr
 
 // Writes axes of crack k that have turned; the direction that has lost most is the first.
 inline void put_turned(const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
-                       const CrackLists &lists, Softened<double> found, Index k, Index e) {
+                       const CrackLists &lists, Softened<double> found, Index k) {
     CrackFrameRow &frame = frame_of(cracks, k);
     CrackPastRow &past = past_of(cracks, k);
     double *const s = found.left.s;
@@ -166,7 +167,7 @@ inline void put_turned(const Moving &all, const ElasticFacets &facets, const Coh
     put_axes(cracks, k, orientation(gather(all.pose.data, facets.i(k))), found.at);
     for (int d = 0; d < 3; d++) frame.left[d] = s[d];
     const SingleCrack one(all.pose, facets, cracks, k);
-    put_halves_of(lists, e, one.stiffness, one.now);
+    put_halves_of(lists, k, one.stiffness, one.now);
 }
 // Stores axes and integrities of the cracks of a group after softening.
 template <class Group, class T = typename Group::Number>
@@ -186,9 +187,9 @@ BONDEM_INLINE void put_softened(const Group &group, const Moving &all, const Ela
     const HalfRows<T> i = rows_of(swelling_half(facet.k, facet.part, now, now.share_i));
     const HalfRows<T> j = rows_of(swelling_half(facet.k, T(one - facet.part), now, now.share_j));
     const T least_left = now.left.least_left();
-    group.where(falls, [&](Index k, Index e, int n) {
+    group.where(falls, [&](Index k, Index, int n) {
         put_integrity(cracks, k, group.lane(least_left, n));
-        double *const on_i = &lists.half(lists.number(e, 0), 0), *const on_j = &lists.half(lists.number(e, 1), 0);
+        double *const on_i = &lists.half(half_of(k, 0), 0), *const on_j = &lists.half(half_of(k, 1), 0);
         for (int c = 0; c < 8; c++) {
             on_i[c] = group.lane(i.first.column[c], n);
             on_i[8 + c] = group.lane(i.second.column[c], n);
@@ -196,7 +197,7 @@ BONDEM_INLINE void put_softened(const Group &group, const Moving &all, const Ela
             on_j[8 + c] = group.lane(j.second.column[c], n);
         }
         if (lane_of(turned, n))
-            put_turned(all, facets, cracks, lists, {lane_of(group, found.at, n), lane_of(group, found.left, n)}, k, e);
+            put_turned(all, facets, cracks, lists, {lane_of(group, found.at, n), lane_of(group, found.left, n)}, k);
     });
 }
 
@@ -235,8 +236,9 @@ BONDEM_INLINE void soften_each(const Group &group, const Moving &all, const Elas
                 return Vector3<T>{loss(0), loss(1), loss(2)};
             };
             const T *const c = at.state.column;
-            const FacesMoved<T> moved = {(at.facet.k / at.area) * turned_by(at.ends.i, Vector3<T>{c[0], c[1], c[2]}),
-                                         dot(now.gap, now.across()) / length(now.arm_i - now.arm_j)};
+            const auto apart = [&]() { return dot(now.gap, now.across()) / length(now.arm_i - now.arm_j); };
+            const FacesMoved<T, decltype(apart)> moved = {
+                (at.facet.k / at.area) * turned_by(at.ends.i, Vector3<T>{c[0], c[1], c[2]}), apart};
             found = soften_along(now, load, mean_of_cells(group, stresses), losses, of.by.tension, moved, curve,
                                  turned_away(now, at.area, 1.0));
         }

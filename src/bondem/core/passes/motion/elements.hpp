@@ -20,6 +20,11 @@ BONDEM_INLINE Row<double> &row_at(double *table, Short place) {
 BONDEM_INLINE Row<double> gather(const double *table, const Short &place) {
     return *reinterpret_cast<const Row<double> *>(table + 8 * uint64_t(place));
 }
+BONDEM_INLINE Row<double> gather_sums(const double *table, const Short &first, const Short &second) {
+    Row<double> sum = gather(table, first);
+    for (int c = 0; c < 8; c++) sum.column[c] += table[8 * uint64_t(second) + c];
+    return sum;
+}
 inline Vector centre(const double *pose, Short p) { return {pose[8 * uint64_t(p)], pose[8 * uint64_t(p) + 1], pose[8 * uint64_t(p) + 2]}; }
 BONDEM_INLINE void scatter(double *table, const Short &place, const Row<double> &row) { row_at(table, place) = row; }
 BONDEM_INLINE void clear(double *table, const Short &place) { row_at(table, place) = {}; }
