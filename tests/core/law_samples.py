@@ -85,14 +85,14 @@ def softened(s: float, traction, strength: float, last: float, kink: float, stee
 
 
 def yielding(stress: np.ndarray, strength: np.ndarray, *, cone: bool) -> np.ndarray:
-    """Return the bound of F [Pa], Δγ, what is held of it, strain and principal stresses [Pa] of cells, (12, m).
+    """Return the bound of F [Pa], Δγ, what is held of it, strain, principal stresses and load [Pa] of cells, (13, m).
 
     Args:
         stress: stresses xx, yy, zz, xy, xz, yz [Pa], (6, m).
         strength: strength [Pa], slope, dilation, stiffness [Pa] and slip held of each cell, (5, m).
         cone: whether by Drucker and Prager.
     """
-    found = np.empty((12, stress.shape[1]))
+    found = np.empty((13, stress.shape[1]))
     evaluate_yielding(YieldSamples(np.ascontiguousarray(stress), np.ascontiguousarray(strength), cone, False, found))
     return found
 

@@ -279,7 +279,7 @@ def assert_step(
     np.testing.assert_allclose(found[1], gamma, rtol=1e-9, atol=1e-16)
     np.testing.assert_allclose(found[2], held, rtol=1e-9, atol=1e-16)
     assert (np.abs(matrices(found[3:9]) - strain).max(axis=(1, 2)) <= 1e-9 * gamma).all()
-    np.testing.assert_allclose(np.sort(found[9:].T), principal, rtol=1e-12, atol=1e-6)
+    np.testing.assert_allclose(np.sort(found[9:12].T), principal, rtol=1e-12, atol=1e-6)
     assert 0.1 < (found[1] > 0.0).mean() < 0.9
 
 
@@ -309,6 +309,7 @@ def test_a_step_of_slip():
     deviator = np.sqrt(0.5 * ((principal - mean[:, None]) ** 2).sum(axis=1))
     bound = deviator + slope * (mean + deviator / math.sqrt(3.0)) - cohesion
     np.testing.assert_allclose(found[0], bound, rtol=1e-12, atol=1e-3)
+    np.testing.assert_allclose(found[12], F + cohesion, rtol=1e-12, atol=1e-3)
 
 
 def test_a_step_on_the_cone():
@@ -324,11 +325,12 @@ def test_a_step_on_the_cone():
     gamma, held = slip_of(F, np.where(mean > 0.0, 0.0, deviator / stiffness), stiffness, before)
     strain = gamma[:, None, None] * (s / (2.0 * deviator[:, None, None]) + dilation[:, None, None] * one)
     assert_step(found, gamma, held, strain, np.linalg.eigvalsh(full))
+    np.testing.assert_allclose(found[12], np.where(mean > 0.0, 0.0, F + cohesion), rtol=1e-12, atol=1e-3)
 
 
 @pytest.mark.parametrize("cone", [False, True], ids=["mohr-coulomb", "drucker-prager"])
 def test_lanes_yield_as_single_cells(cone):
-    one, several = (YieldSamples(*yielding_cells(), cone, wide, np.empty((12, COUNT))) for wide in (False, True))
+    one, several = (YieldSamples(*yielding_cells(), cone, wide, np.empty((13, COUNT))) for wide in (False, True))
     evaluate_yielding(one)
     evaluate_yielding(several)
     np.testing.assert_array_equal(several.found, one.found)

@@ -39,8 +39,8 @@ class YieldSamples(NamedTuple):
     strength: Floats  #: cohesion [Pa], slope, dilation, stiffness [Pa], slip held, (5, m)
     cone: int  #: whether by Drucker and Prager
     wide: int
-    #: bound of F [Pa], Δγ, its part for the next step, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa], (12,
-    #: m)
+    #: bound of F [Pa], Δγ, its part for the next step, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa]; F and
+    #: the cohesion [Pa], (13, m)
     found: Floats
 
 

@@ -21,7 +21,9 @@ class PackingWalls(NamedTuple):
 
     lower: Floats  #: corner of the box [m], (3,)
     upper: Floats  #: corner of the box [m], (3,)
-    weight: Floats  #: 1 for the axes in the distance from the centre line or centre of the round wall, (3,)
+    #: 1 for the axes along which the distance from the centre, or the centre line, of the round wall counts, else 0,
+    #: (3,)
+    weight: Floats
     radius: float  #: of the round wall [m], infinite without one
     corner: Floats  #: first node of the grid [m], (3,)
     spacing: float  #: of its nodes [m]

@@ -2,6 +2,9 @@
 
 import numpy as np
 
+from bondem._core import run_pass
+from bondem._passes import calls
+from bondem._tables.crack_sample_tables import YieldSamples
 from bondem._tables.stress_onset_tables import LoadedFacets
 from bondem._types import PerBond, PerElement
 from bondem.damage.proportional_onset import agreed_stresses, onset_factors
@@ -72,17 +75,12 @@ def yield_index(model: Model, state: State) -> PerElement:
     slip = table.slip
     if slip is None:
         return np.zeros(len(model.lattice.particles))
-    principal = np.linalg.eigvalsh(mean_stress(model, CellForces.of(model, state)))
-    low, high, first = principal[:, 0], principal[:, 2], principal.sum(axis=1)
-    rank = model.layout.rank
-    slope, lost = slip.slope[rank], slip.spent(state.slipped[model.layout.order])[rank]
-    bears = slip.strength[rank] * (1.0 - lost)
-    if slip.cone:
-        shear = np.sqrt(0.5 * ((principal - first[:, None] / 3.0) ** 2).sum(axis=1))
-        load = np.where(first <= 0.0, shear + slope * first, 0.0)
-    else:
-        load = 0.5 * (high - low) + 0.5 * (high + low) * slope
-    return np.where(bears > 0.0, np.maximum(load, 0.0) / np.where(bears > 0.0, bears, 1.0), 1.0)
+    stress = mean_stress(model, CellForces.of(model, state)).reshape(-1, 9)[:, _COMPONENTS].T
+    rank, given, found = model.layout.rank, np.ones((5, stress.shape[1])), np.empty((13, stress.shape[1]))
+    given[1] = slip.slope[rank]
+    bears = slip.strength[rank] * (1.0 - slip.spent(state.slipped[model.layout.order])[rank])
+    run_pass(calls.evaluate_yielding(YieldSamples(np.ascontiguousarray(stress), given, slip.cone, True, found)))
+    return np.where(bears > 0.0, np.maximum(found[-1], 0.0) / np.where(bears > 0.0, bears, 1.0), 1.0)
 
 
 def _table(model: Model) -> SofteningTable:

@@ -51,6 +51,15 @@ BONDEM_INLINE T yield_bound(const StressInvariants<T> &s, const YieldStrength<T>
     return s.deviator + by.slope * (s.mean + 0.57735026918962576 * s.deviator) - by.cohesion;
 }
 
+// Sum of F and the cohesion [Pa]: of the largest and the least principal stress by Mohr and Coulomb, or by the cone,
+// where it is 0 in tension.
+template <class T> BONDEM_INLINE T sheared(T high, T low, T slope) { return 0.5 * (high - low) + 0.5 * (high + low) * slope; }
+template <class T>
+BONDEM_INLINE T yield_load(const PrincipalStress<T> &s, const StressInvariants<T> &at, T slope, bool cone) {
+    if (cone) return select(at.mean > T{}, T{}, T(at.deviator + 3.0 * slope * at.mean));
+    return sheared(largest_of(s), least_of(s), slope);
+}
+
 // A step of plastic strain: Δγ, the part of Δγ that the next step starts from, and Δε along the principal directions
 // of the stress.
 template <class T> struct PlasticStep {
@@ -66,7 +75,7 @@ template <class T> BONDEM_INLINE PlasticStep<T> slip_after(T F, T most_slip, con
 template <class T>
 BONDEM_INLINE PlasticStep<T> slip_step(const PrincipalStress<T> &s, const YieldStrength<T> &by) {
     const T high = largest_of(s), low = least_of(s), zero = {};
-    const T F = 0.5 * (high - low) + 0.5 * (high + low) * by.slope - by.cohesion;
+    const T F = sheared(high, low, by.slope) - by.cohesion;
     const auto [gamma, held, none] = slip_after(F, T(0.25 * (high - low) / by.stiffness), by);
     const T up = 0.5 * gamma * (1.0 + by.dilation), down = -0.5 * gamma * (1.0 - by.dilation);
     // of equal stresses the first is the largest and the last the least

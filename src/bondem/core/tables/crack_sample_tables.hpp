@@ -34,8 +34,9 @@ struct YieldSamples {
     Array<const double, 2> strength;  // cohesion [Pa], slope, dilation, stiffness [Pa], slip held, (5, m)
     Index cone;  // whether by Drucker and Prager
     Index wide;
-    // bound of F [Pa], Δγ, its part for the next step, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa]
-    Array<double, 2> found;  // (12, m)
+    // bound of F [Pa], Δγ, its part for the next step, strain xx, yy, zz, xy, xz, yz; principal stresses [Pa]; F and
+    // the cohesion [Pa]
+    Array<double, 2> found;  // (13, m)
 };
 // Bounds of principal stresses, and of the opening traction of bending (`laws/stress.hpp`).
 struct StressBoundSamples {

@@ -18,7 +18,7 @@ struct Spheres {
 struct PackingWalls {
     Array<const double, 1> lower;  // corner of the box [m], (3,)
     Array<const double, 1> upper;  // corner of the box [m], (3,)
-    // 1 for the axes in the distance from the centre line or centre of the round wall
+    // 1 for the axes along which the distance from the centre, or the centre line, of the round wall counts, else 0
     Array<const double, 1> weight;  // (3,)
     double radius;  // of the round wall [m], infinite without one
     Array<const double, 1> corner;  // first node of the grid [m], (3,)

@@ -137,6 +137,7 @@ template <class T> void flow(const YieldSamples &samples, Index e) {
     found(yield_bound(at, by, samples.cone != 0)), found(step.gamma), found(step.held);
     found(Vector3<T>{strain.xx, strain.yy, strain.zz}), found(Vector3<T>{strain.xy, strain.xz, strain.yz});
     found(Vector3<T>{p.stress[0], p.stress[1], p.stress[2]});
+    found(yield_load(p, at, by.slope, samples.cone != 0));
 }
 
 template <class T> void bound(const StressBoundSamples &samples, Index e) {

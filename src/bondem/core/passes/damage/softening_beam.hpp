@@ -92,8 +92,8 @@ __attribute__((noinline)) Verdict<double> verdict_apart(const Ends<double> &ends
 
 // Softens whole beam k if it has reached its criterion within the last step; returns index and mode.
 //
-// The criterion was reached where its index, which grows on a line, was 1; that of pressure counts as none. A beam that loses all keeps half of the least
-// integrity until the next step, which treats it as any other that breaks.
+// Within the step the index is taken to grow on a line, from 0 for a beam under pressure, and the criterion is reached
+// where it is 1. A beam that has nothing left keeps half of the least integrity until the next step, in which it breaks.
 template <class Criterion>
 inline Verdict<double> begin_beam(const Moving &all, const Beams &beams, const SofteningBounds &bounds, double dt, Index k) {
     const Ends<double> now = ends_of(all.pose.data, beams, k);
