@@ -33,6 +33,7 @@ __all__ = [
     "checked_fields",
     "compiled_level",
     "core_lanes",
+    "declared_columns",
     "filled_table",
     "index_loop",
     "pass_tables",
@@ -125,7 +126,7 @@ class _TableDescription(ctypes.Structure):
 
 class _PassDescription(ctypes.Structure):
     _fields_ = (
-        ("name", ctypes.c_char_p), ("outcomes", ctypes.c_char_p), ("kind", ctypes.c_int64),
+        ("name", ctypes.c_char_p), ("words", ctypes.c_char_p), ("kind", ctypes.c_int64),
         ("address", ctypes.c_void_p), ("tables", ctypes.POINTER(ctypes.c_char_p)), ("count", ctypes.c_int64),
         ("next", ctypes.c_void_p),
     )  # fmt: skip
@@ -145,6 +146,7 @@ class _Library:
         tables: fields of each table.
         passes: function, tables and endings of each pass.
         step_passes: address, kind and tables of each pass of a step.
+        columns: columns of elements that each of these reads and writes, as text.
         index_passes: tables of each pass over an index.
         index_loops: the loop on the CPU of each pass over an index; none in a wheel.
         lanes: numbers of a register.
@@ -154,6 +156,7 @@ class _Library:
     tables: dict[str, tuple[Field, ...]]
     passes: dict[str, tuple[Any, tuple[str, ...], tuple[str, ...]]]
     step_passes: dict[str, tuple[tuple[int, int], tuple[str, ...]]]
+    columns: dict[str, str]
     index_passes: dict[str, tuple[str, ...]]
     index_loops: dict[str, Any]
     lanes: int
@@ -175,14 +178,14 @@ def _library() -> _Library:
         fields = tuple(Field.of(table.fields[k]) for k in range(table.count))
         _check_layout(table.name.decode(), fields, table.size)
         tables[table.name.decode()] = fields
-    passes, step_passes = {}, {}
+    passes, step_passes, columns = {}, {}, {}
     for one in _registered(loaded.bondem_passes):
         name, names = one.named
-        if one.outcomes is None:
-            step_passes[name] = (one.address, one.kind), names
+        if one.kind >= 0:
+            step_passes[name], columns[name] = ((one.address, one.kind), names), one.words.decode()
         else:
             kind = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, *[ctypes.c_void_p] * one.count)
-            passes[name] = kind(one.address), names, tuple(one.outcomes.decode().split())
+            passes[name] = kind(one.address), names, tuple(one.words.decode().split())
     index_passes = dict(one.named for one in _described(loaded.bondem_index_passes, _PassDescription))
     index_loops = {}
     if hasattr(loaded, "bondem_index_loops"):
@@ -190,7 +193,8 @@ def _library() -> _Library:
         loaded.bondem_index_loops.restype = ctypes.POINTER(ctypes.c_void_p)
         addresses = loaded.bondem_index_loops()
         index_loops = {name: loop(addresses[k]) for k, name in enumerate(index_passes)}
-    return _Library(level, tables, passes, step_passes, index_passes, index_loops, int(loaded.bondem_lanes()))
+    lanes = int(loaded.bondem_lanes())
+    return _Library(level, tables, passes, step_passes, columns, index_passes, index_loops, lanes)
 
 
 def _described(function: Any, kind: type[ctypes.Structure]) -> Iterable[Any]:
@@ -304,6 +308,11 @@ def fields_of(table: tuple[Any, ...], name: str) -> tuple[Field, ...]:
 def step_pass(name: str) -> tuple[tuple[int, int], tuple[str, ...]]:
     """Address and kind of a pass that steps are composed of, and names of its tables."""
     return _library().step_passes[name]
+
+
+def declared_columns(name: str) -> str:
+    """Columns of elements that a pass of a step reads and writes, as `core/registered.hpp` has them."""
+    return _library().columns[name]
 
 
 def pass_tables(kind: str) -> dict[str, tuple[str, ...]]:

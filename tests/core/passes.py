@@ -5,7 +5,7 @@
 is registered behind its definition (`core/registered.hpp`), and the first sentence of the comment above it says what
 it is for: the one of its header where a header declares it for other sources. A pass without a sentence of its own is
 refused. A pass over an index without one takes that of the pass of a step whose counterpart launches it, if there is
-one such pass.
+one such pass. Behind the sentence of a pass of a step are the columns of elements that it reads and writes.
 """
 
 import re
@@ -16,6 +16,7 @@ from textwrap import wrap
 from bondem import _core
 from bondem._core import pass_tables
 from tests.core.launched_passes import launched
+from tests.core.pass_columns import words_of
 from tests.core.tables import SOURCE
 
 FOLDER = SOURCE / "_passes"
@@ -33,7 +34,7 @@ FUNCTION = re.compile(
     re.MULTILINE,
 )
 REGISTERED = re.compile(r"BONDEM_(?:PASS|CALL)(?:_AS)?\((\w+)")
-MADE = re.compile(r"BONDEM_(?:PASS|CALL)_AS\((\w+?)(?:##name)?, [^,]+, (\w+)")
+MADE = re.compile(r'BONDEM_(?:PASS|CALL)_AS\((\w+?)(?:##name)?, [^,]+, (?:"[^"]*", )?(\w+)')
 KIND = re.compile(r"^    (\w+),?  // (.+)$", re.MULTILINE)
 INIT = '''"""Passes of the core with their tables, written by `python -m tests.core.passes` from the library."""
 
@@ -111,7 +112,7 @@ def _function(kind: str, name: str, tables: tuple[str, ...], words: str, named: 
     arguments = [f"{one}: {table}" for one, table in zip(given, tables, strict=True)]
     lines = _wrapped(f"def {name}(", arguments, f") -> {kind}:", "    ")
     doc = wrap(sentence(name, words), 108)
-    more = ["", f"    Over {over}."] if over else []
+    more = ["", *(f"    {line}" for line in wrap(f"Over {over}.", 108))] if over else []
     if len(doc) == 1 and not more:
         lines.append(f'    """{doc[0]}"""')
     else:
@@ -230,7 +231,10 @@ def _modules_of_tables() -> dict[str, str]:
 def written() -> dict[Path, str]:
     """Return every generated file and its text."""
     words = pass_kinds()
-    over = {name: words[_core.step_pass(name)[0][1]] for name in pass_tables("steps")}
+    over = {
+        name: ". ".join(filter(None, (words[_core.step_pass(name)[0][1]], words_of(name))))
+        for name in pass_tables("steps")
+    }
     made = {"__init__": INIT}
     for module in KINDS:
         files = _package(module, pass_tables(module), over if module == "steps" else {})

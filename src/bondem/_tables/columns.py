@@ -9,6 +9,7 @@ PORTIONS_OF_GROUP = 64  #: portions that a device sums first
 DEVICE_SUMS = 13  #: columns of a record on a device that are sums over portions
 CRACKS_OF_PORTION = 256  #: facets of a portion of what cracks dissipate on a device
 PORTIONS_OF_LOSSES = 64  #: portions of what cracks dissipate that a device sums first
+STRESS_COLUMN = 3  #: column of a pose, `pose.stress`, that holds the stress λ θ of a cell [Pa]
 
 
 class HistoryColumn(IntEnum):

@@ -1,10 +1,9 @@
 // A pass registers itself where it is defined: names of its tables follow from the type of the function.
 //
-//     BONDEM_PASS(stress_cells, elements_of_blocks)    behind a pass of a step: what it runs over
-//     BONDEM_CALL(relax_spheres, "converged loose")    behind a pass that Python calls: names of what it may return,
-//     from
-//                                                      0 on, or "" where there is one only
+//     BONDEM_PASS(stress_cells, elements_of_blocks, "own swelling; writes pose.stress")    behind a pass of a step
+//     BONDEM_CALL(relax_spheres, "converged loose")    behind a pass that Python calls: names of what it may return, or ""
 //
+// A pass of a step says what it runs over, and which columns of elements it reads and writes (decision 0065).
 // Each adds a node to a list before main. Nodes are never destroyed and refer to no library of C++; Python reads the list
 // and finds passes by their names, so that the order of the list does not matter. A device needs no list.
 #pragma once
@@ -16,8 +15,8 @@ namespace bondem {
 // Description of a pass that Python reads.
 struct PassDescription {
     const char *name;
-    const char *outcomes;  // of a pass that Python calls, else null
-    Index kind;  // of a pass of a step (`PassKind`)
+    const char *words;  // columns that a pass of a step reads and writes; outcomes of one that Python calls
+    Index kind;  // of a pass of a step (`PassKind`); else -1
     void *address;
     const char *const *tables;
     Index count;
@@ -30,15 +29,15 @@ template <class... Tables> struct TableNames {
 
 // A pass of a step is called with a turn and with pointers to its tables.
 template <auto pass, class... Tables>
-PassDescription described(const char *name, PassKind kind, void (*)(const Turn &, const Tables &...)) {
+PassDescription described(const char *name, PassKind kind, const char *columns, void (*)(const Turn &, const Tables &...)) {
     void *const address = reinterpret_cast<void *>(Called<pass>::call);
-    return {name, nullptr, kind, address, TableNames<Tables...>::names, Index(sizeof...(Tables)), nullptr};
+    return {name, columns, kind, address, TableNames<Tables...>::names, Index(sizeof...(Tables)), nullptr};
 }
 // Other passes are called with the number of threads and with a pointer to each table.
 template <auto pass, class... Tables>
 PassDescription described(const char *name, const char *outcomes, Index (*)(Index, const Tables &...)) {
     void *const address = reinterpret_cast<void *>(pass);
-    return {name, outcomes, 0, address, TableNames<Tables...>::names, Index(sizeof...(Tables)), nullptr};
+    return {name, outcomes, -1, address, TableNames<Tables...>::names, Index(sizeof...(Tables)), nullptr};
 }
 
 struct Registered {
@@ -56,15 +55,15 @@ struct Registered {
 
 // The second forms are for passes made of a template, which are named after its argument.
 #if defined(__CUDACC__)
-#define BONDEM_PASS_AS(name, kind, ...)
+#define BONDEM_PASS_AS(name, kind, columns, ...)
 #define BONDEM_CALL_AS(name, outcomes, ...)
 #else
-#define BONDEM_PASS_AS(name, kind, ...) \
-    static const Registered registered_##name(described<&__VA_ARGS__>(#name, kind, &__VA_ARGS__));
+#define BONDEM_PASS_AS(name, kind, columns, ...) \
+    static const Registered registered_##name(described<&__VA_ARGS__>(#name, kind, columns, &__VA_ARGS__));
 #define BONDEM_CALL_AS(name, outcomes, ...) \
     static const Registered registered_##name(described<&__VA_ARGS__>(#name, outcomes, &__VA_ARGS__));
 #endif
-#define BONDEM_PASS(name, kind) BONDEM_PASS_AS(name, kind, name)
+#define BONDEM_PASS(name, kind, columns) BONDEM_PASS_AS(name, kind, columns, name)
 #define BONDEM_CALL(name, outcomes) BONDEM_CALL_AS(name, outcomes, name)
 
 }  // namespace bondem

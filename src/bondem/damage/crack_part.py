@@ -186,7 +186,8 @@ class CrackingBody:
             steps.leave_cracks(moving, body.facets, body.cells, self.slack, cracks, lists),
             again,
             steps.load_cracks(moving, body.facets, strengths, stresses, cracks, lists),
-            steps.slide_cracks(moving, body.facets, stresses, cracks, lists),
+            steps.sum_cracks(stresses, cracks, lists),
+            steps.slide_cracks(moving, body.facets, cracks, lists),
             steps.log_cracks(moving, body.facets, cracks, lists, self.log),
             *powers,
         ]

@@ -150,7 +150,7 @@ def slide_crack_of(
     device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks,
     crack_lists: CrackLists
 ) -> Kernel:
-    """Launched for `slide_cracks`: sums the forces of the cracks of each cell, and lets their faces slip by them.
+    """Lets the faces of cracks slip with their two cells.
 
     Over one index.
     """
@@ -173,7 +173,7 @@ def soften_crack(
 def sum_cracks_of_cell(
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Launched for `slide_cracks`: sums the forces of the cracks of each cell, and lets their faces slip by them.
+    """Sums the forces of the cracks of each cell, and finds how far their faces slip by them.
 
     Over one index.
     """

@@ -9,7 +9,7 @@ from bondem._tables.step_tables import AlikeBeams, Beams, Dashpots, Moving, Port
 def add_alike_beam_loads(moving: Moving, beams: Beams, alike_beams: AlikeBeams, step_cut: StepCut) -> StepEntry:
     """Adds forces and torques of beams that differ in length only.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_alike_beam_loads", (moving, beams, alike_beams, step_cut))
 
@@ -21,7 +21,7 @@ def add_alike_beam_loads_softening_by_mohr_coulomb(
     """Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened
     ones.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_alike_beam_loads_softening_by_mohr_coulomb", (
         moving, beams, alike_beams, step_cut, softening_bounds, candidates
@@ -35,7 +35,7 @@ def add_alike_beam_loads_softening_by_peripheral_stress(
     """Adds forces and torques of beams that may soften and differ in length only, with the pressure on softened
     ones.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_alike_beam_loads_softening_by_peripheral_stress", (
         moving, beams, alike_beams, step_cut, softening_bounds, candidates
@@ -45,7 +45,7 @@ def add_alike_beam_loads_softening_by_peripheral_stress(
 def add_beam_loads(moving: Moving, beams: Beams, step_cut: StepCut) -> StepEntry:
     """Adds forces and torques of the beams of a block to the sums of their elements.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_beam_loads", (moving, beams, step_cut))
 
@@ -55,7 +55,7 @@ def add_beam_loads_softening_by_mohr_coulomb(
 ) -> StepEntry:
     """Adds forces and torques of beams that may soften, with the pressure on softened ones.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_beam_loads_softening_by_mohr_coulomb", (
         moving, beams, step_cut, softening_bounds, candidates
@@ -67,7 +67,7 @@ def add_beam_loads_softening_by_peripheral_stress(
 ) -> StepEntry:
     """Adds forces and torques of beams that may soften, with the pressure on softened ones.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_beam_loads_softening_by_peripheral_stress", (
         moving, beams, step_cut, softening_bounds, candidates
@@ -77,7 +77,7 @@ def add_beam_loads_softening_by_peripheral_stress(
 def add_dashpot_loads(moving: Moving, beams: Beams, dashpots: Dashpots, step_cut: StepCut) -> StepEntry:
     """Adds forces and torques of the dashpots of beams to sums of their own.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `motion`, `pose` at both ends; adds `Dashpots.sums` to elements.
     """
     return StepEntry("add_dashpot_loads", (moving, beams, dashpots, step_cut))
 
@@ -88,7 +88,7 @@ def add_marked_alike_beam_loads(
 ) -> StepEntry:
     """Adds forces and torques of beams that differ in length only, and marks beams near to failure.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_marked_alike_beam_loads", (
         moving, beams, alike_beams, step_cut, failure_bounds, candidates
@@ -100,7 +100,7 @@ def add_marked_beam_loads(
 ) -> StepEntry:
     """Adds forces and torques of the beams of a block, and marks beams near to failure.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_marked_beam_loads", (moving, beams, step_cut, failure_bounds, candidates))
 
@@ -108,7 +108,7 @@ def add_marked_beam_loads(
 def check_beams(moving: Moving, beams: Beams, portions: Portions) -> StepEntry:
     """Counts unbroken beams of a portion that are turned beyond the range of their energy, and beyond its end.
 
-    Over bonds, in portions.
+    Over bonds, in portions. Reads `pose` at both ends.
     """
     return StepEntry("check_beams", (moving, beams, portions))
 
@@ -116,7 +116,7 @@ def check_beams(moving: Moving, beams: Beams, portions: Portions) -> StepEntry:
 def sum_beam_energies(moving: Moving, beams: Beams, portions: Portions) -> StepEntry:
     """Sums normal, shear, bending and twisting energy of a portion [J].
 
-    Over bonds, in portions.
+    Over bonds, in portions. Reads `pose` at both ends.
     """
     return StepEntry("sum_beam_energies", (moving, beams, portions))
 

@@ -7,7 +7,7 @@ from bondem._tables.step_tables import Beams, CoupleTable, Drives, Moving, RowLo
 def clear_row_forces(rows: Rows) -> StepEntry:
     """Sets the forces of all rows to zero, before loads are added.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Writes `force` of an element.
     """
     return StepEntry("clear_row_forces", (rows,))
 
@@ -15,7 +15,7 @@ def clear_row_forces(rows: Rows) -> StepEntry:
 def follow_couples(timeline: Timeline, couple_table: CoupleTable, moving: Moving, rows: Rows) -> StepEntry:
     """Adds moments on regions as forces and torques of their elements.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Reads `pose` at both ends; adds `force` to elements.
     """
     return StepEntry("follow_couples", (timeline, couple_table, moving, rows))
 
@@ -23,7 +23,7 @@ def follow_couples(timeline: Timeline, couple_table: CoupleTable, moving: Moving
 def follow_drives(timeline: Timeline, drives: Drives, rows: Rows) -> StepEntry:
     """Sets prescribed velocities at the time of the clock, and over the step that begins there.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Changes `full`, `half` of an element.
     """
     return StepEntry("follow_drives", (timeline, drives, rows))
 
@@ -31,7 +31,7 @@ def follow_drives(timeline: Timeline, drives: Drives, rows: Rows) -> StepEntry:
 def follow_loads(timeline: Timeline, row_loads: RowLoads, moving: Moving, rows: Rows) -> StepEntry:
     """Adds forces and torques of loads to their rows, turned with the element if they follow it.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Changes `force` of an element.
     """
     return StepEntry("follow_loads", (timeline, row_loads, moving, rows))
 

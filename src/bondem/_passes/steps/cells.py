@@ -24,7 +24,7 @@ def accumulate_and_mark(
 ) -> StepEntry:
     """Adds contributions of facets to V θ of their cells, and marks facets near to failure.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose`, `pose.stress` at both ends; adds `swelling` to elements.
     """
     return StepEntry("accumulate_and_mark", (moving, elastic_facets, cell_dilatation, failure_bounds, candidates))
 
@@ -34,7 +34,7 @@ def accumulate_dilatation(
 ) -> StepEntry:
     """Adds contributions of the facets of a block to V θ of their cells.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose` at both ends; adds `swelling` to elements.
     """
     return StepEntry("accumulate_dilatation", (moving, elastic_facets, cell_dilatation))
 
@@ -44,7 +44,7 @@ def accumulate_left_dilatation(
 ) -> StepEntry:
     """Adds contributions of facets to V θ of their cells in bodies with many broken facets.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose` at both ends; adds `swelling` to elements.
     """
     return StepEntry("accumulate_left_dilatation", (moving, elastic_facets, cell_dilatation))
 
@@ -54,7 +54,8 @@ def add_and_keep_facet_loads(
 ) -> StepEntry:
     """Adds and stores the forces of the facets of a block, and adds up the moments V σ of their cells.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose`, `pose.stress` at both ends; adds `FacetForces.sums`, `StepCut.sums` to
+    elements.
     """
     return StepEntry("add_and_keep_facet_loads", (moving, elastic_facets, facet_forces, step_cut))
 
@@ -73,7 +74,7 @@ def add_cell_energies(
 def add_facet_loads(moving: Moving, elastic_facets: ElasticFacets, step_cut: StepCut) -> StepEntry:
     """Adds forces and torques of the facets of a block to the sums of their cells, whose stresses are known.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose`, `pose.stress` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_facet_loads", (moving, elastic_facets, step_cut))
 
@@ -89,7 +90,7 @@ def add_gradient_energies(dilatation_gradients: DilatationGradients, portions: P
 def add_inertia_forces(corrected_mass: CorrectedMass, step_cut: StepCut) -> StepEntry:
     """Adds the forces of the correction to the sums of the elements.
 
-    Over elements of a block, then shared ones.
+    Over elements of a block, then shared ones. Reads `force` of an element; changes `sums` of an element.
     """
     return StepEntry("add_inertia_forces", (corrected_mass, step_cut))
 
@@ -97,7 +98,7 @@ def add_inertia_forces(corrected_mass: CorrectedMass, step_cut: StepCut) -> Step
 def add_layer_torques(dilatation_gradients: DilatationGradients, step_cut: StepCut) -> StepEntry:
     """Adds the torques of bent layers to the sums of the cells.
 
-    Over elements of a block, then shared ones.
+    Over elements of a block, then shared ones. Reads `torque` of an element; changes `sums` of an element.
     """
     return StepEntry("add_layer_torques", (dilatation_gradients, step_cut))
 
@@ -117,7 +118,8 @@ def add_stress_differences(
 ) -> StepEntry:
     """Adds the forces of the springs between cells to their stresses.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `CellDilatation.weight`, `difference` of an element; changes `pose.stress`
+    of an element.
     """
     return StepEntry("add_stress_differences", (moving, cell_dilatation, dilatation_gradients))
 
@@ -135,7 +137,8 @@ def add_wall_dilatation(
 ) -> StepEntry:
     """Adds contributions of walls to V θ of their cells.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Reads `arm`, `pose`, `wall` of an element; changes
+    `swelling` of an element.
     """
     return StepEntry("add_wall_dilatation", (moving, wall_constraints, cell_dilatation))
 
@@ -143,7 +146,7 @@ def add_wall_dilatation(
 def add_wall_loads(rows: Rows, step_cut: StepCut) -> StepEntry:
     """Adds the forces of walls to the sums of their cells.
 
-    Over elements of a block, then shared ones.
+    Over elements of a block, then shared ones. Reads `grip` of an element; changes `sums` of an element.
     """
     return StepEntry("add_wall_loads", (rows, step_cut))
 
@@ -152,7 +155,8 @@ def apply_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -
     """Sets the forces of walls on the rows of their cells, whose stresses are known, and adds the work of walls
     that move: the trapezoid of the force over the displacement.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Reads `arm`, `pose`, `pose.stress` of an element; changes
+    `base`, `load`, `loss`, `wall` of an element; writes `grip` of an element.
     """
     return StepEntry("apply_walls", (moving, wall_constraints, rows))
 
@@ -172,7 +176,7 @@ def bend_layers(
 ) -> StepEntry:
     """Computes how layers one cell thick are bent at each cell.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `base` of an element; reads `pose` at both ends; adds `bend` to elements.
     """
     return StepEntry("bend_layers", (moving, wall_constraints, dilatation_gradients))
 
@@ -183,7 +187,8 @@ def break_facets(
 ) -> StepEntry:
     """Removes the facets that fail, and brings the stresses of their cells up to date.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `arm`, `given`, `wall`, `weight` at both
+    ends; reads `pose` at both ends and at their neighbours; adds `pose.stress`, `weight` to elements.
     """
     return StepEntry("break_facets", (moving, elastic_facets, wall_constraints, facet_release, candidates, event_log))
 
@@ -191,7 +196,7 @@ def break_facets(
 def check_facets(moving: Moving, beams: Beams, elastic_facets: ElasticFacets, portions: Portions) -> StepEntry:
     """Counts unbroken facets of a portion that are turned beyond the range of their energy, and beyond its end.
 
-    Over bonds, in portions.
+    Over bonds, in portions. Reads `pose` at both ends.
     """
     return StepEntry("check_facets", (moving, beams, elastic_facets, portions))
 
@@ -199,7 +204,7 @@ def check_facets(moving: Moving, beams: Beams, elastic_facets: ElasticFacets, po
 def collect_dilatation(step_cut: StepCut, cell_dilatation: CellDilatation) -> StepEntry:
     """Adds contributions of facets of other domains to V θ of shared cells, and sets their rows to zero.
 
-    Over elements that domains share.
+    Over elements that domains share. Changes `swelling` of an element.
     """
     return StepEntry("collect_dilatation", (step_cut, cell_dilatation))
 
@@ -207,7 +212,7 @@ def collect_dilatation(step_cut: StepCut, cell_dilatation: CellDilatation) -> St
 def collect_facet_moments(step_cut: StepCut, facet_forces: FacetForces) -> StepEntry:
     """Adds moments of facets of other domains to the sums of shared cells, and sets their rows to zero.
 
-    Over elements that domains share.
+    Over elements that domains share. Changes `FacetForces.sums` of an element.
     """
     return StepEntry("collect_facet_moments", (step_cut, facet_forces))
 
@@ -215,7 +220,8 @@ def collect_facet_moments(step_cut: StepCut, facet_forces: FacetForces) -> StepE
 def find_accelerations(moving: Moving, rows: Rows, step_cut: StepCut, corrected_mass: CorrectedMass) -> StepEntry:
     """Computes the accelerations of the elements by their loads alone.
 
-    Over elements of a block, then shared ones.
+    Over elements of a block, then shared ones. Reads `Rows.force`, `motion`, `sums` of an element; writes
+    `CorrectedMass.acceleration` of an element.
     """
     return StepEntry("find_accelerations", (moving, rows, step_cut, corrected_mass))
 
@@ -226,7 +232,8 @@ def find_dilatation_inertia(
 ) -> StepEntry:
     """Computes ρ β θ̈ of the cells by the accelerations of the elements.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `arm` of an element; reads `CorrectedMass.acceleration`, `pose` at both
+    ends; adds `inertia` to elements.
     """
     return StepEntry("find_dilatation_inertia", (moving, elastic_facets, wall_constraints, corrected_mass))
 
@@ -237,7 +244,8 @@ def find_inertia_forces(
 ) -> StepEntry:
     """Computes the forces of the correction on the elements.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `arm` of an element; reads `inertia`, `pose` at both ends; adds `force` to
+    elements.
     """
     return StepEntry("find_inertia_forces", (moving, elastic_facets, wall_constraints, corrected_mass))
 
@@ -248,7 +256,7 @@ def follow_cell_strains(
 ) -> StepEntry:
     """Sets stress-free strains, and with them the levers of facets and walls, to the time of the clock.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Writes `arm` of an element.
     """
     return StepEntry("follow_cell_strains", (timeline, cell_strains, elastic_facets, wall_constraints))
 
@@ -258,7 +266,7 @@ def follow_tractions(
 ) -> StepEntry:
     """Brings tractions to the time of the clock.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Writes `given` of an element.
     """
     return StepEntry("follow_tractions", (timeline, facet_tractions, cell_dilatation))
 
@@ -266,7 +274,8 @@ def follow_tractions(
 def follow_walls(moving: Moving, wall_constraints: WallConstraints, rows: Rows) -> StepEntry:
     """Brings walls to the time of the clock; at a time that no step has reached, their forces are updated as well.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Reads `base` of an element; changes `came`, `wall` of an
+    element.
     """
     return StepEntry("follow_walls", (moving, wall_constraints, rows))
 
@@ -278,7 +287,8 @@ def judge_facets_by_mohr_coulomb(
     """Evaluates marked facets by a criterion at the present stresses, and postpones cells that lose facets and
     their neighbours.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `pose`, `pose.stress` at both ends; adds
+    `held` to elements.
     """
     return StepEntry("judge_facets_by_mohr_coulomb", (
         moving, elastic_facets, facet_release, strengths, candidates, postponed
@@ -288,7 +298,7 @@ def judge_facets_by_mohr_coulomb(
 def renew_wall_rows(wall_constraints: WallConstraints, rows: Rows, candidates: Candidates) -> StepEntry:
     """Updates the forces of walls on the rows of their cells.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Reads `load` of an element; writes `grip` of an element.
     """
     return StepEntry("renew_wall_rows", (wall_constraints, rows, candidates))
 
@@ -299,7 +309,9 @@ def restore_facets(
 ) -> StepEntry:
     """Adds the loads of the remaining facets and of walls to the kept sums.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `arm`, `base`, `wall` of an element; reads
+    `held`, `pose.stress` at both ends; reads `pose` at both ends, of elements that are postponed; adds `kept`,
+    `load` to elements.
     """
     return StepEntry("restore_facets", (
         moving, elastic_facets, wall_constraints, facet_release, candidates, postponed
@@ -309,7 +321,8 @@ def restore_facets(
 def stress_cells(moving: Moving, cell_dilatation: CellDilatation) -> StepEntry:
     """Sets the stresses of cells by their complete V θ, which is set to zero.
 
-    Over elements of a block, then shared ones.
+    Over elements of a block, then shared ones. Reads `given`, `weight` of an element; changes `swelling` of an
+    element; writes `pose.stress` of an element.
     """
     return StepEntry("stress_cells", (moving, cell_dilatation))
 
@@ -330,7 +343,7 @@ def subtract_dilatation_energies(
 def sum_dilatation_energies(cell_dilatation: CellDilatation, dilatation_energy: DilatationEnergy) -> StepEntry:
     """Sums the energy of dilatation of a portion of cells, whose V θ is complete and is set to zero [J].
 
-    Over elements, in portions.
+    Over elements, in portions. Writes `swelling` of an element.
     """
     return StepEntry("sum_dilatation_energies", (cell_dilatation, dilatation_energy))
 
@@ -338,7 +351,7 @@ def sum_dilatation_energies(cell_dilatation: CellDilatation, dilatation_energy: 
 def sum_facet_energies(moving: Moving, elastic_facets: ElasticFacets, portions: Portions) -> StepEntry:
     """Sums normal, shear, bending and twisting energy of the facets of a portion, without dilatation [J].
 
-    Over bonds, in portions.
+    Over bonds, in portions. Reads `pose` at both ends.
     """
     return StepEntry("sum_facet_energies", (moving, elastic_facets, portions))
 
@@ -349,7 +362,7 @@ def sum_gradient_energies(
 ) -> StepEntry:
     """Sums the energies of gradients in portions of cells, for the dilatation that facets have added up.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `pose` at both ends; adds `bend` to elements.
     """
     return StepEntry("sum_gradient_energies", (moving, cell_dilatation, wall_constraints, dilatation_gradients))
 
@@ -359,7 +372,7 @@ def sum_moments(
 ) -> StepEntry:
     """Finds V σ of cells from stored forces at the start of a run, with the bits of the sums of a step.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `pose` at both ends; adds `moment` to elements.
     """
     return StepEntry("sum_moments", (moving, elastic_facets, facets_of_cells, facet_forces))
 
@@ -367,7 +380,7 @@ def sum_moments(
 def sum_strain_powers(moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets) -> StepEntry:
     """Sums ∂U/∂factor of the facets of a portion, where it is needed.
 
-    Over bonds, in portions.
+    Over bonds, in portions. Reads `pose`, `pose.stress` at both ends.
     """
     return StepEntry("sum_strain_powers", (moving, cell_strains, elastic_facets))
 
@@ -375,7 +388,7 @@ def sum_strain_powers(moving: Moving, cell_strains: CellStrains, elastic_facets:
 def sum_stress_differences(moving: Moving, dilatation_gradients: DilatationGradients) -> StepEntry:
     """Sums the differences between the stresses of each cell and those of its neighbours.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `pose.stress` at both ends; adds `difference` to elements.
     """
     return StepEntry("sum_stress_differences", (moving, dilatation_gradients))
 
@@ -383,7 +396,7 @@ def sum_stress_differences(moving: Moving, dilatation_gradients: DilatationGradi
 def take_moments(facet_forces: FacetForces) -> StepEntry:
     """Sets V σ and Σ `bending_square` of cells from their complete sums, which are set to zero.
 
-    Over elements of a block, then shared ones.
+    Over elements of a block, then shared ones. Changes `sums` of an element; writes `moment` of an element.
     """
     return StepEntry("take_moments", (facet_forces,))
 
@@ -393,7 +406,8 @@ def twist_layers(
 ) -> StepEntry:
     """Computes the torques of bent layers on each cell.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `base` of an element; reads `bend`, `pose` at both ends; adds `torque` to
+    elements.
     """
     return StepEntry("twist_layers", (moving, wall_constraints, dilatation_gradients))
 
@@ -404,7 +418,9 @@ def withdraw_facets(
 ) -> StepEntry:
     """Lists the cells whose loads change, and subtracts the loads of their facets and walls from the kept sums.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `load` of an element; reads `held`,
+    `pose.stress` at both ends; reads `pose` at both ends, of elements that are postponed; adds `held`, `kept`
+    to elements.
     """
     return StepEntry("withdraw_facets", (
         moving, elastic_facets, wall_constraints, facet_release, candidates, postponed

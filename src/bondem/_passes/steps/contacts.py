@@ -27,7 +27,7 @@ def add_adhesion_loads(
 ) -> StepEntry:
     """Adds adhesion to the elements of a range.
 
-    Over elements, in a range a thread.
+    Over elements, in a range a thread. Adds `sums` to elements.
     """
     return StepEntry("add_adhesion_loads", (contact_pairs, near_pairs, adhering_pairs, contact_sums))
 
@@ -35,7 +35,8 @@ def add_adhesion_loads(
 def add_contact_loads(moving: Moving, step_cut: StepCut, contact_sums: ContactSums) -> StepEntry:
     """Adds forces and losses of contacts to those of the elements, and sets the former to zero.
 
-    Over elements of a block, then shared ones.
+    Over elements of a block, then shared ones. Changes `ContactSums.sums`, `StepCut.sums`, `loss` of an
+    element.
     """
     return StepEntry("add_contact_loads", (moving, step_cut, contact_sums))
 
@@ -43,7 +44,7 @@ def add_contact_loads(moving: Moving, step_cut: StepCut, contact_sums: ContactSu
 def add_face_loads(contact_pairs: ContactPairs, face_pairs: FacePairs, contact_sums: ContactSums) -> StepEntry:
     """Adds forces of faces to the elements of a range.
 
-    Over elements, in a range a thread.
+    Over elements, in a range a thread. Adds `sums` to elements.
     """
     return StepEntry("add_face_loads", (contact_pairs, face_pairs, contact_sums))
 
@@ -54,7 +55,7 @@ def add_pair_loads(
 ) -> StepEntry:
     """Adds forces of pairs to the elements of a range, in the order of the pairs.
 
-    Over elements, in a range a thread.
+    Over elements, in a range a thread. Adds `sums` to elements.
     """
     return StepEntry("add_pair_loads", (contact_constants, contact_pairs, near_pairs, contact_sums))
 
@@ -64,7 +65,7 @@ def add_rolling_loads(
 ) -> StepEntry:
     """Adds moments of resistance to rolling to the elements of a range.
 
-    Over elements, in a range a thread.
+    Over elements, in a range a thread. Adds `sums` to elements.
     """
     return StepEntry("add_rolling_loads", (contact_pairs, near_pairs, rolled_pairs, contact_sums))
 
@@ -75,7 +76,7 @@ def adhere_at_walls(
 ) -> StepEntry:
     """Finds the adhesion of a portion of elements at walls.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `pose` of an element; changes `sums` of an element.
     """
     return StepEntry("adhere_at_walls", (moving, contact_constants, wall_contacts, walls, contact_sums))
 
@@ -86,7 +87,7 @@ def adhere_pairs(
 ) -> StepEntry:
     """Finds the adhesion of the near pairs of a portion of elements.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `pose` at both ends.
     """
     return StepEntry("adhere_pairs", (moving, contact_constants, contact_pairs, near_pairs, adhering_pairs))
 
@@ -97,7 +98,8 @@ def begin_contacts(
 ) -> StepEntry:
     """Begins contact where beams have broken in this step, on the sums that are kept for their ends.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `motion` at both ends; reads `pose` at both
+    ends, of elements that are postponed; adds `kept` to elements.
     """
     return StepEntry("begin_contacts", (moving, contact_constants, contact_pairs, near_pairs, event_log, postponed))
 
@@ -119,7 +121,8 @@ def begin_softened_contacts(
 ) -> StepEntry:
     """Begins contact where softening beams have broken at the beginning of this step.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `motion`, `pose` at both ends; adds `sums` to
+    elements.
     """
     return StepEntry("begin_softened_contacts", (
         moving, contact_constants, contact_pairs, near_pairs, event_log, contact_sums
@@ -193,7 +196,7 @@ def press_pairs(
     """Finds forces and memory of the pairs of a portion of elements; renews the list of near pairs where elements
     have moved too far.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `motion`, `pose` at both ends; writes `measured` of an element.
     """
     return StepEntry("press_pairs", (moving, contact_constants, contact_pairs, near_pairs, travel))
 
@@ -204,7 +207,7 @@ def press_pairs_and_faces(
 ) -> StepEntry:
     """Finds forces and memory of the pairs of a portion of cells with cracks, which touch by faces too.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `faced`, `motion`, `pose` at both ends; writes `measured` of an element.
     """
     return StepEntry("press_pairs_and_faces", (
         moving, contact_constants, contact_pairs, near_pairs, travel, face_pairs
@@ -217,7 +220,7 @@ def press_walls(
 ) -> StepEntry:
     """Adds forces of walls to the elements of a portion, and keeps their memory.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `motion`, `pose` of an element; changes `sums` of an element.
     """
     return StepEntry("press_walls", (moving, contact_constants, wall_contacts, walls, contact_sums))
 
@@ -236,7 +239,7 @@ def roll_at_walls(
 ) -> StepEntry:
     """Finds moments of resistance to rolling of a portion of elements at walls.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `motion` of an element; changes `sums` of an element.
     """
     return StepEntry("roll_at_walls", (moving, contact_constants, wall_contacts, walls, rolled_walls, contact_sums))
 
@@ -247,7 +250,7 @@ def roll_pairs(
 ) -> StepEntry:
     """Finds moments and memory of the pairs of a portion of elements that touch and may roll.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `motion`, `pose` at both ends.
     """
     return StepEntry("roll_pairs", (moving, contact_constants, contact_pairs, near_pairs, rolled_pairs))
 
@@ -335,7 +338,7 @@ def touch_parted_faces(
 ) -> StepEntry:
     """Makes pairs of the cells whose faces have parted in this step.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `pose` at both ends.
     """
     return StepEntry("touch_parted_faces", (
         moving, contact_pairs, near_pairs, cohesive_cracks, crack_lists, parted_reach

@@ -38,7 +38,7 @@ def add_crack_energies(
 def add_crack_loads(moving: Moving, crack_lists: CrackLists, step_cut: StepCut) -> StepEntry:
     """Adds the forces of cracks that are treated one by one to the sums of their cells.
 
-    Over elements of a block, then shared ones.
+    Over elements of a block, then shared ones. Reads `sum` of an element; changes `loss`, `sums` of an element.
     """
     return StepEntry("add_crack_loads", (moving, crack_lists, step_cut))
 
@@ -50,7 +50,8 @@ def add_still_surface_stresses(
     """Adds forces of walls and of loads on free facets to stresses of surface cells that were found without a
     step.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Reads `arm`, `load`, `pose` of an element; changes `tensor`
+    of an element.
     """
     return StepEntry("add_still_surface_stresses", (moving, wall_constraints, facet_tractions, stresses_of_cells))
 
@@ -61,7 +62,8 @@ def add_surface_stresses(
 ) -> StepEntry:
     """Adds forces of walls and of loads on free facets to the stresses of surface cells.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Reads `arm`, `load`, `pose` of an element; changes `tensor`
+    of an element.
     """
     return StepEntry("add_surface_stresses", (moving, wall_constraints, facet_tractions, stresses_of_cells))
 
@@ -79,7 +81,7 @@ def add_yielding_work(
 def begin_bases(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> StepEntry:
     """Stores V θ of cells without their cracks.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `pose.stress`, `weight` of an element; writes `base` of an element.
     """
     return StepEntry("begin_bases", (moving, cell_dilatation, crack_lists))
 
@@ -90,7 +92,7 @@ def begin_crack_powers(
     """Sets ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was
     not reached by a step.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends.
     """
     return StepEntry("begin_crack_powers", (moving, cell_strains, elastic_facets, cohesive_cracks))
 
@@ -101,7 +103,7 @@ def begin_cracks(
 ) -> StepEntry:
     """Begins the cracks of facets that are marked.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Adds `cracked` to elements.
     """
     return StepEntry("begin_cracks", (elastic_facets, facet_forces, facet_strengths, crack_onset, cohesive_cracks))
 
@@ -111,7 +113,7 @@ def carry_cracks(
 ) -> StepEntry:
     """Sums b⊗f of the cracks of each cell from their forces of the last step.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Adds `carried` to elements.
     """
     return StepEntry("carry_cracks", (stresses_of_cells, cohesive_cracks, crack_lists))
 
@@ -119,7 +121,7 @@ def carry_cracks(
 def find_cell_stresses(moving: Moving, facet_forces: FacetForces, stresses_of_cells: StressesOfCells) -> StepEntry:
     """Finds the mean stresses of cells from the forces of the last step on their facets and cracks.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `carried`, `moment`, `pose` of an element; writes `tensor` of an element.
     """
     return StepEntry("find_cell_stresses", (moving, facet_forces, stresses_of_cells))
 
@@ -127,7 +129,7 @@ def find_cell_stresses(moving: Moving, facet_forces: FacetForces, stresses_of_ce
 def find_still_stresses(moving: Moving, facet_forces: FacetForces, stresses_of_cells: StressesOfCells) -> StepEntry:
     """Finds the mean stresses of cells from present forces that were found without a step.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `carried`, `moment`, `pose` of an element; writes `tensor` of an element.
     """
     return StepEntry("find_still_stresses", (moving, facet_forces, stresses_of_cells))
 
@@ -147,7 +149,7 @@ def find_stress_candidates(
     """Writes the stresses of facets in tension, as candidates of a portion; marks facets of cells without
     cohesion.
 
-    Over bonds, in portions.
+    Over bonds, in portions. Reads `judged`, `pose`, `tensor` at both ends.
     """
     return StepEntry("find_stress_candidates", (
         moving, elastic_facets, facet_forces, stresses_of_cells, crack_onset, candidate_facets
@@ -169,7 +171,7 @@ def judge_cells(
 ) -> StepEntry:
     """Finds the cells whose facets may crack: those with cracks, and those whose stress may reach their strength.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `cracked`, `tensor` of an element; writes `judged` of an element.
     """
     return StepEntry("judge_cells", (facet_strengths, stresses_of_cells, crack_onset))
 
@@ -180,7 +182,7 @@ def judge_cells_by_cone(
 ) -> StepEntry:
     """Finds the cells whose facets are evaluated: those whose stress may reach the criterion.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `cracked`, `tensor` of an element; writes `judged` of an element.
     """
     return StepEntry("judge_cells_by_cone", (stresses_of_cells, stress_function, candidate_facets, crack_onset))
 
@@ -191,7 +193,7 @@ def judge_cells_by_mean_stress(
 ) -> StepEntry:
     """Finds the cells whose facets are evaluated: those whose stress may reach the criterion.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `cracked`, `tensor` of an element; writes `judged` of an element.
     """
     return StepEntry("judge_cells_by_mean_stress", (
         stresses_of_cells, stress_function, candidate_facets, crack_onset
@@ -203,7 +205,7 @@ def judge_cells_by_size(
 ) -> StepEntry:
     """Finds the cells whose facets are evaluated: those whose stress is large enough for the criterion of a user.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `cracked`, `tensor` of an element; writes `judged` of an element.
     """
     return StepEntry("judge_cells_by_size", (stresses_of_cells, candidate_facets, crack_onset))
 
@@ -214,7 +216,8 @@ def leave_cracks(
 ) -> StepEntry:
     """Puts cracks to rest, or parts their faces, as `soften_cracks` has found.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Reads `CellDilatation.weight`, `half`,
+    `pose`, `pose.stress` at both ends; adds `CellDilatation.weight`, `base`, `half`, `stale` to elements.
     """
     return StepEntry("leave_cracks", (
         moving, elastic_facets, cell_dilatation, cell_slack, cohesive_cracks, crack_lists
@@ -228,7 +231,7 @@ def link_cracks(
     """Prepares the cracks of a state at the start of a run: constants, weights of cells, lists, and forces of
     cracks.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Adds `half`, `slip` to elements.
     """
     return StepEntry("link_cracks", (elastic_facets, facet_forces, facet_strengths, cohesive_cracks, crack_lists))
 
@@ -247,7 +250,8 @@ def load_cracks(
 ) -> StepEntry:
     """Computes forces, torques and dissipation of the cracks that are treated one by one.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Reads `tensor` of an element; reads `pose`,
+    `pose.stress` at both ends; adds `half` to elements.
     """
     return StepEntry("load_cracks", (
         moving, elastic_facets, facet_strengths, stresses_of_cells, cohesive_cracks, crack_lists
@@ -260,7 +264,7 @@ def log_cracks(
 ) -> StepEntry:
     """Adds up the dissipation of cracks, and logs cracks without integrity.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `pose` at both ends.
     """
     return StepEntry("log_cracks", (moving, elastic_facets, cohesive_cracks, crack_lists, event_log))
 
@@ -271,7 +275,7 @@ def mark_cracking_facets(
 ) -> StepEntry:
     """Marks facets of the material that begin to crack.
 
-    Over bonds, in portions.
+    Over bonds, in portions. Reads `judged`, `pose`, `tensor` at both ends.
     """
     return StepEntry("mark_cracking_facets", (
         moving, elastic_facets, facet_forces, facet_strengths, stresses_of_cells, crack_onset
@@ -284,7 +288,7 @@ def mark_cracking_planes(
 ) -> StepEntry:
     """Marks facets of planes, such as joints, that begin to crack.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Reads `pose` at both ends.
     """
     return StepEntry("mark_cracking_planes", (moving, elastic_facets, facet_forces, facet_strengths, crack_onset))
 
@@ -296,7 +300,7 @@ def mark_failing_facets(
     """Marks candidates that fail, and leaves these with the mean stress of their cells, of which the index gives
     their strength.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `pose`, `tensor` at both ends.
     """
     return StepEntry("mark_failing_facets", (
         moving, elastic_facets, facet_forces, stresses_of_cells, crack_onset, candidate_facets
@@ -310,7 +314,8 @@ def measure_cracks(
     """Finds faces and halves of the cracks that are treated one by one, and axes of cracks before any loss of
     integrity.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Reads `pose`, `tensor` at both ends and at
+    their neighbours; adds `half` to elements.
     """
     return StepEntry("measure_cracks", (
         moving, elastic_facets, cell_slack, stresses_of_cells, cohesive_cracks, crack_lists
@@ -320,7 +325,8 @@ def measure_cracks(
 def relax_cracked_cells(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> StepEntry:
     """Finds the stresses of all cells with cracks that are treated one by one.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Reads `base`, `half`, `weight` of an
+    element; adds `pose.stress` to elements.
     """
     return StepEntry("relax_cracked_cells", (moving, cell_dilatation, crack_lists))
 
@@ -328,20 +334,20 @@ def relax_cracked_cells(moving: Moving, cell_dilatation: CellDilatation, crack_l
 def relax_stale_cells(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> StepEntry:
     """Finds the stresses of cells with cracks that are out of date.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Reads `base`, `half`, `weight` of an
+    element; adds `pose.stress`, `stale` to elements.
     """
     return StepEntry("relax_stale_cells", (moving, cell_dilatation, crack_lists))
 
 
 def slide_cracks(
-    moving: Moving, elastic_facets: ElasticFacets, stresses_of_cells: StressesOfCells, cohesive_cracks:
-    CohesiveCracks, crack_lists: CrackLists
+    moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> StepEntry:
-    """Sums the forces of the cracks of each cell, and lets their faces slip by them.
+    """Lets the faces of cracks slip with their two cells.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Reads `pose`, `slip` at both ends.
     """
-    return StepEntry("slide_cracks", (moving, elastic_facets, stresses_of_cells, cohesive_cracks, crack_lists))
+    return StepEntry("slide_cracks", (moving, elastic_facets, cohesive_cracks, crack_lists))
 
 
 def soften_cracks(
@@ -350,7 +356,8 @@ def soften_cracks(
 ) -> StepEntry:
     """Lowers the integrities of cracks, and finds those that go to rest.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Reads `pose`, `pose.stress`, `tensor` at
+    both ends; adds `half` to elements.
     """
     return StepEntry("soften_cracks", (
         moving, elastic_facets, facet_strengths, stresses_of_cells, cohesive_cracks, crack_lists
@@ -362,7 +369,7 @@ def stretch_all_cells(
 ) -> StepEntry:
     """Stretches levers of all facets with the plastic deformation of their cells, as a run begins.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `plastic` at both ends; changes `slipped` of an element.
     """
     return StepEntry("stretch_all_cells", (elastic_facets, facets_of_cells, yielding_cells))
 
@@ -373,7 +380,8 @@ def stretch_anew(
 ) -> StepEntry:
     """Stretches levers with the plastic deformation of their cells, where stress-free strains have set them anew.
 
-    Over rows of a table, in the order of the table.
+    Over rows of a table, in the order of the table. Reads `plastic` at both ends; changes `arm`, `slipped` of
+    an element; writes `base_wall` of an element.
     """
     return StepEntry("stretch_anew", (
         cell_strains, elastic_facets, facets_of_cells, wall_constraints, yielding_cells
@@ -385,7 +393,7 @@ def stretch_cells(
 ) -> StepEntry:
     """Stretches levers of facets with the plastic deformation of their cells, where it has grown.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `plastic` at both ends; changes `slipped` of an element.
     """
     return StepEntry("stretch_cells", (elastic_facets, facets_of_cells, yielding_cells))
 
@@ -396,7 +404,8 @@ def stretch_walls_and_cracks(
 ) -> StepEntry:
     """Stretches levers of walls and cracks with the plastic deformation of their cells, where it has grown.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Reads `base_wall` of an element; reads
+    `plastic` at both ends; adds `arm` to elements.
     """
     return StepEntry("stretch_walls_and_cracks", (elastic_facets, wall_constraints, yielding_cells, cohesive_cracks))
 
@@ -406,7 +415,7 @@ def sum_crack_energies(
 ) -> StepEntry:
     """Sums the energies of the cracks that are treated one by one [J].
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Reads `pose`, `pose.stress` at both ends.
     """
     return StepEntry("sum_crack_energies", (moving, elastic_facets, cohesive_cracks, crack_energies))
 
@@ -416,9 +425,20 @@ def sum_crack_powers(
 ) -> StepEntry:
     """Sets ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends.
     """
     return StepEntry("sum_crack_powers", (moving, cell_strains, elastic_facets, cohesive_cracks))
+
+
+def sum_cracks(
+    stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> StepEntry:
+    """Sums the forces of the cracks of each cell, and finds how far their faces slip by them.
+
+    Over cracks or their cells, of which threads may share portions. Reads `half` of an element; adds `carried`,
+    `slip`, `sum` to elements.
+    """
+    return StepEntry("sum_cracks", (stresses_of_cells, cohesive_cracks, crack_lists))
 
 
 def sum_heat(
@@ -447,7 +467,8 @@ def wake_cracks(
 ) -> StepEntry:
     """Treats resting cracks one by one again that are about to soften or close.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends; adds
+    `CellDilatation.weight`, `base`, `half`, `stale` to elements.
     """
     return StepEntry("wake_cracks", (
         moving, elastic_facets, cell_dilatation, cell_slack, cohesive_cracks, crack_lists
@@ -460,7 +481,7 @@ def watch_resting_cracks(
 ) -> StepEntry:
     """Finds the resting cracks that are about to soften or close.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Reads `pose`, `pose.stress` at both ends.
     """
     return StepEntry("watch_resting_cracks", (moving, elastic_facets, facet_strengths, cohesive_cracks, crack_lists))
 
@@ -471,7 +492,7 @@ def weigh_cracked_cells(
 ) -> StepEntry:
     """Computes the weights of the cells of all cracks at the start of a run.
 
-    Over cracks or their cells, of which threads may share portions.
+    Over cracks or their cells, of which threads may share portions. Adds `CellDilatation.weight` to elements.
     """
     return StepEntry("weigh_cracked_cells", (elastic_facets, cell_dilatation, cell_slack, cohesive_cracks))
 
@@ -501,6 +522,7 @@ def yield_cells(
 ) -> StepEntry:
     """Lets the cells of a portion yield whose stress reaches their yield surface.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `pose`, `tensor` of an element; reads `slipped` at both ends; adds `held`,
+    `plastic` to elements; writes `judged` of an element.
     """
     return StepEntry("yield_cells", (moving, facet_strengths, stresses_of_cells, yielding_cells, crack_onset))

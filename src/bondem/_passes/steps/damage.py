@@ -31,7 +31,8 @@ def break_beams(
 ) -> StepEntry:
     """Removes the beams that fail.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `pose` at both ends, of elements that are
+    postponed; adds `kept` to elements.
     """
     return StepEntry("break_beams", (moving, beams, beam_integrity, candidates, postponed, event_log))
 
@@ -67,7 +68,7 @@ def judge_beams_by_elliptic(
 ) -> StepEntry:
     """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose` at both ends; adds `held` to elements.
     """
     return StepEntry("judge_beams_by_elliptic", (moving, beams, strengths, candidates, postponed))
 
@@ -77,7 +78,7 @@ def judge_beams_by_linear_sum(
 ) -> StepEntry:
     """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose` at both ends; adds `held` to elements.
     """
     return StepEntry("judge_beams_by_linear_sum", (moving, beams, strengths, candidates, postponed))
 
@@ -87,7 +88,7 @@ def judge_beams_by_mohr_coulomb(
 ) -> StepEntry:
     """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose` at both ends; adds `held` to elements.
     """
     return StepEntry("judge_beams_by_mohr_coulomb", (moving, beams, strengths, candidates, postponed))
 
@@ -97,7 +98,7 @@ def judge_beams_by_peripheral_stress(
 ) -> StepEntry:
     """Evaluates marked beams of a block by a criterion, and postpones the elements of failed ones.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose` at both ends; adds `held` to elements.
     """
     return StepEntry("judge_beams_by_peripheral_stress", (moving, beams, strengths, candidates, postponed))
 
@@ -105,7 +106,7 @@ def judge_beams_by_peripheral_stress(
 def keep_dashpots(dashpots: Dashpots, postponed: Postponed) -> StepEntry:
     """Keeps the sums of the dashpots of postponed elements.
 
-    Over postponed elements of a block.
+    Over postponed elements of a block. Reads `held` of an element; changes `sums` of an element.
     """
     return StepEntry("keep_dashpots", (dashpots, postponed))
 
@@ -113,7 +114,7 @@ def keep_dashpots(dashpots: Dashpots, postponed: Postponed) -> StepEntry:
 def keep_sums(step_cut: StepCut, postponed: Postponed) -> StepEntry:
     """Keeps the sums of postponed elements.
 
-    Over postponed elements of a block.
+    Over postponed elements of a block. Reads `held`, `sums` of an element; changes `kept` of an element.
     """
     return StepEntry("keep_sums", (step_cut, postponed))
 
@@ -121,7 +122,7 @@ def keep_sums(step_cut: StepCut, postponed: Postponed) -> StepEntry:
 def list_postponed(rows: Rows, candidates: Candidates, postponed: Postponed) -> StepEntry:
     """Lists all postponed elements, those with rows of the boundary last, and ends the failures of the step.
 
-    Over elements of a block, which it divides.
+    Over elements of a block, which it divides. Writes `held` of an element.
     """
     return StepEntry("list_postponed", (rows, candidates, postponed))
 
@@ -131,7 +132,7 @@ def log_softened_beams(
 ) -> StepEntry:
     """Adds up the dissipation of all portions, and logs broken beams.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `pose` at both ends.
     """
     return StepEntry("log_softened_beams", (moving, beams, softening_beams, event_log))
 
@@ -149,7 +150,7 @@ def soften_beams(
 ) -> StepEntry:
     """Lowers the integrity of beams of a portion that soften, before the forces.
 
-    Over bonds, in portions.
+    Over bonds, in portions. Reads `motion`, `pose` at both ends.
     """
     return StepEntry("soften_beams", (moving, beams, softening_bounds, softening_beams))
 
@@ -159,7 +160,7 @@ def sum_pressed_energies(
 ) -> StepEntry:
     """Adds the energy of the pressure on softened beams of a portion to their normal energy.
 
-    Over bonds, in portions.
+    Over bonds, in portions. Reads `pose` at both ends.
     """
     return StepEntry("sum_pressed_energies", (moving, beams, softening_bounds, portions))
 
@@ -169,7 +170,8 @@ def withdraw_dashpots(
 ) -> StepEntry:
     """Subtracts dashpots of failed beams from the kept sums of their ends, before the beams are removed.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `motion` at both ends; reads `pose` at both
+    ends, of elements that are postponed; adds `kept`, `sums` to elements.
     """
     return StepEntry("withdraw_dashpots", (moving, beams, dashpots, candidates, postponed))
 

@@ -9,7 +9,7 @@ def add_stored_loads(moving: Moving, beams: Beams, stored_loads: StoredLoads, st
     """Integrates the stored forces and moments of the beams of a block over the step, and adds them to the sums of
     their elements.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `motion`, `pose` at both ends; adds `sums` to elements.
     """
     return StepEntry("add_stored_loads", (moving, beams, stored_loads, step_cut))
 
@@ -17,6 +17,6 @@ def add_stored_loads(moving: Moving, beams: Beams, stored_loads: StoredLoads, st
 def sum_stored_energies(moving: Moving, beams: Beams, stored_loads: StoredLoads, portions: Portions) -> StepEntry:
     """Sums normal, shear, bending and twisting energy of a portion [J].
 
-    Over bonds, in portions.
+    Over bonds, in portions. Reads `pose` at both ends.
     """
     return StepEntry("sum_stored_energies", (moving, beams, stored_loads, portions))

@@ -14,7 +14,8 @@ def add_begun_contacts(
     """Adds new contacts to the stresses of the ends of bonds that have failed in this step, after these contacts
     have begun.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `motion` at both ends; reads `pose` at both
+    ends, of elements that are postponed; adds `stress` to elements.
     """
     return StepEntry("add_begun_contacts", (moving, contact_constants, contact_pairs, lagged_stresses, event_log))
 
@@ -25,7 +26,7 @@ def add_lasting_loads(
 ) -> StepEntry:
     """Finds and adds forces and torques of bonds that cannot fail, without keeping them.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose`, `space` at both ends; adds `moment`, `sums` to elements.
     """
     return StepEntry("add_lasting_loads", (moving, beams, non_local_bonds, lagged_stresses, step_cut))
 
@@ -33,7 +34,7 @@ def add_lasting_loads(
 def add_non_local_loads(non_local_bonds: NonLocalBonds, step_cut: StepCut) -> StepEntry:
     """Adds forces and torques of the bonds to the sums of the elements, in the order of the bonds.
 
-    Over bonds of a block.
+    Over bonds of a block. Adds `sums` to elements.
     """
     return StepEntry("add_non_local_loads", (non_local_bonds, step_cut))
 
@@ -44,7 +45,7 @@ def add_pair_moments(
 ) -> StepEntry:
     """Adds contacts of pairs to the stresses of the elements of a range, in the order of the pairs.
 
-    Over elements, in a range a thread.
+    Over elements, in a range a thread. Reads `pose` at both ends; adds `moment` to elements.
     """
     return StepEntry("add_pair_moments", (moving, contact_constants, contact_pairs, near_pairs, lagged_stresses))
 
@@ -55,7 +56,7 @@ def add_wall_moments(
 ) -> StepEntry:
     """Adds contacts with walls to the stresses of the elements of a portion.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `pose` of an element; changes `moment` of an element.
     """
     return StepEntry("add_wall_moments", (moving, contact_constants, wall_contacts, walls, lagged_stresses))
 
@@ -66,7 +67,8 @@ def break_pairs(
 ) -> StepEntry:
     """Removes the bonds that fail: their force from the kept sums, and the energy of their springs.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `pose` at both ends, of elements that are
+    postponed; adds `kept` to elements.
     """
     return StepEntry("break_pairs", (moving, beams, non_local_bonds, candidates, postponed, event_log))
 
@@ -74,7 +76,7 @@ def break_pairs(
 def collect_moments(step_cut: StepCut, lagged_stresses: LaggedStresses) -> StepEntry:
     """Adds moments of bonds of other domains to the stresses of shared elements, and sets their rows to zero.
 
-    Over elements that domains share.
+    Over elements that domains share. Changes `moment` of an element.
     """
     return StepEntry("collect_moments", (step_cut, lagged_stresses))
 
@@ -85,7 +87,7 @@ def find_non_local_forces(
     """Finds forces and torques of the bonds of a block, integrates their stored values over the step, and adds
     their moments to the stresses of their elements.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `pose`, `space` at both ends; adds `moment` to elements.
     """
     return StepEntry("find_non_local_forces", (moving, beams, non_local_bonds, lagged_stresses))
 
@@ -94,7 +96,8 @@ def find_stresses(moving: Moving, lagged_stresses: LaggedStresses) -> StepEntry:
     """Finds the stresses of a portion of elements, and bounds of their principal stresses; sets the moments to
     zero.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `pose` of an element; changes `moment` of an element; writes `space`,
+    `stress` of an element.
     """
     return StepEntry("find_stresses", (moving, lagged_stresses))
 
@@ -103,7 +106,8 @@ def find_stresses_of_block(moving: Moving, lagged_stresses: LaggedStresses) -> S
     """Finds the stresses of the elements of a block, and bounds of their principal stresses; sets the moments to
     zero.
 
-    Over elements of a block, then shared ones.
+    Over elements of a block, then shared ones. Reads `pose` of an element; changes `moment` of an element;
+    writes `space`, `stress` of an element.
     """
     return StepEntry("find_stresses_of_block", (moving, lagged_stresses))
 
@@ -114,7 +118,7 @@ def judge_pairs(
 ) -> StepEntry:
     """Evaluates marked bonds of a block, and postpones the elements of failed ones.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `space` at both ends; adds `held` to elements.
     """
     return StepEntry("judge_pairs", (beams, lagged_stresses, strengths, candidates, postponed))
 
@@ -124,7 +128,7 @@ def mark_pairs(
 ) -> StepEntry:
     """Marks the bonds of a block that reach their criterion by bounds of the principal stresses of both elements.
 
-    Over bonds of a block.
+    Over bonds of a block. Reads `space` at both ends.
     """
     return StepEntry("mark_pairs", (beams, lagged_stresses, strengths, candidates))
 
@@ -136,7 +140,8 @@ def relieve_pairs(
     """Subtracts the force of failed bonds from the stresses of their elements, and sets their integrity to 0;
     after `break_pairs`.
 
-    Over what begins, changes or ends in the step, in order.
+    Over what begins, changes or ends in the step, in order. Reads `pose` of an element; adds `stress` to
+    elements.
     """
     return StepEntry("relieve_pairs", (moving, beams, non_local_bonds, lagged_stresses, beam_integrity, candidates))
 
@@ -146,7 +151,7 @@ def sum_non_local_energies(
 ) -> StepEntry:
     """Sums normal and shear energy of the springs of a portion, and the work of extra forces [J].
 
-    Over bonds, in portions.
+    Over bonds, in portions. Reads `pose` at both ends.
     """
     return StepEntry("sum_non_local_energies", (moving, beams, non_local_bonds, portions, non_local_work))
 
@@ -154,7 +159,7 @@ def sum_non_local_energies(
 def turn_stresses(moving: Moving, lagged_stresses: LaggedStresses) -> StepEntry:
     """Turns the stresses of a step ago with their elements.
 
-    Over elements, in portions.
+    Over elements, in portions. Reads `pose`, `stress` of an element; writes `space` of an element.
     """
     return StepEntry("turn_stresses", (moving, lagged_stresses))
 

@@ -12,6 +12,7 @@ constexpr Index portions_of_group = 64;  // portions that a device sums first
 constexpr Index device_sums = 13;  // columns of a record on a device that are sums over portions
 constexpr Index cracks_of_portion = 256;  // facets of a portion of what cracks dissipate on a device
 constexpr Index portions_of_losses = 64;  // portions of what cracks dissipate that a device sums first
+constexpr Index stress_column = 3;  // column of a pose, `pose.stress`, that holds the stress λ θ of a cell [Pa]
 
 // Columns of a record of the history before those of gauges.
 namespace history_column {

@@ -95,7 +95,8 @@ COUNTERPARTS: dict[str, Counterpart] = {
     ),
     "touch_parted_faces": over(kernels.touch_parted_face, bonds),
     "load_cracks": over(kernels.load_crack, bonds, _LOSSES),
-    "slide_cracks": in_order(over(kernels.sum_cracks_of_cell, elements), over(kernels.slide_crack_of, bonds)),
+    "sum_cracks": over(kernels.sum_cracks_of_cell, elements),
+    "slide_cracks": over(kernels.slide_crack_of, bonds),
     "log_cracks": _log,
     "add_crack_loads": over(kernels.add_crack_load, elements),
 }

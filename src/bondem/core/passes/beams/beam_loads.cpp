@@ -127,28 +127,28 @@ BONDEM_INLINE void add_marked_loads(const Turn &turn, const double *pose, const 
 void add_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut) {
     add_loads(turn.first, turn.last, all.pose.data, beams, cut, Own{beams});
 }
-BONDEM_PASS(add_beam_loads, bonds_of_blocks)
+BONDEM_PASS(add_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 // Adds forces and torques of beams that differ in length only.
 void add_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
                           const StepCut &cut) {
     add_loads(turn.first, turn.last, all.pose.data, beams, cut, all_alike(alike));
 }
-BONDEM_PASS(add_alike_beam_loads, bonds_of_blocks)
+BONDEM_PASS(add_alike_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 // Adds forces and torques of the beams of a block, and marks beams near to failure.
 void add_marked_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const StepCut &cut,
                            const FailureBounds &bounds, const Candidates &candidates) {
     add_marked_loads(turn, all.pose.data, beams, cut, Own{beams}, bounds, candidates);
 }
-BONDEM_PASS(add_marked_beam_loads, bonds_of_blocks)
+BONDEM_PASS(add_marked_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 // Adds forces and torques of beams that differ in length only, and marks beams near to failure.
 void add_marked_alike_beam_loads(const Turn &turn, const Moving &all, const Beams &beams, const AlikeBeams &alike,
                                  const StepCut &cut, const FailureBounds &bounds, const Candidates &candidates) {
     add_marked_loads(turn, all.pose.data, beams, cut, all_alike(alike), bounds, candidates);
 }
-BONDEM_PASS(add_marked_alike_beam_loads, bonds_of_blocks)
+BONDEM_PASS(add_marked_alike_beam_loads, bonds_of_blocks, "ends pose; adds sums")
 
 namespace {
 
@@ -179,8 +179,8 @@ void add_alike_softening(const Turn &turn, const Moving &all, const Beams &beams
 }  // namespace
 
 #define BONDEM_SOFTEN(_, name, Criterion)                                                               \
-    BONDEM_PASS_AS(add_beam_loads_softening_by_##name, bonds_of_blocks, add_softening<Criterion>)       \
-    BONDEM_PASS_AS(add_alike_beam_loads_softening_by_##name, bonds_of_blocks, add_alike_softening<Criterion>)
+    BONDEM_PASS_AS(add_beam_loads_softening_by_##name, bonds_of_blocks, "ends motion pose; adds sums", add_softening<Criterion>)       \
+    BONDEM_PASS_AS(add_alike_beam_loads_softening_by_##name, bonds_of_blocks, "ends motion pose; adds sums", add_alike_softening<Criterion>)
 BONDEM_SOFTENING_CRITERIA(BONDEM_SOFTEN, )
 #undef BONDEM_SOFTEN
 
@@ -213,6 +213,6 @@ void add_dashpot_loads(const Turn &turn, const Moving &all, const Beams &beams, 
             dashpot_loads(apart, {b.v - a.v, a.w, b.w}, load(dashpots.share.data + k), dashpot), group.known);
     });
 }
-BONDEM_PASS(add_dashpot_loads, bonds_of_blocks)
+BONDEM_PASS(add_dashpot_loads, bonds_of_blocks, "ends motion pose; adds Dashpots.sums")
 
 }  // namespace bondem

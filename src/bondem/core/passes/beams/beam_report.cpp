@@ -36,7 +36,7 @@ void sum_energies(Index first, Index last, const double *pose, const Beams &beam
 void check_beams(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions) {
     count_turned(turn.first, turn.last, all.pose.data, beams, &portions.turned(turn.block, 0));
 }
-BONDEM_PASS(check_beams, of_bonds)
+BONDEM_PASS(check_beams, of_bonds, "ends pose")
 
 // Counts unbroken beams turned wide and lost among all beams in any poses.
 Index count_turned_beams(Index, const Poses &all, const Beams &beams, const BeamTurns &found) {
@@ -48,7 +48,7 @@ BONDEM_CALL(count_turned_beams, "")
 void sum_beam_energies(const Turn &turn, const Moving &all, const Beams &beams, const Portions &portions) {
     sum_energies(turn.first, turn.last, all.pose.data, beams, &portions.bonds(turn.block, 0));
 }
-BONDEM_PASS(sum_beam_energies, of_bonds)
+BONDEM_PASS(sum_beam_energies, of_bonds, "ends pose")
 
 // Measures normal, shear, bending and twisting energy of all beams in any poses [J].
 Index measure_beam_energies(Index, const Poses &all, const Beams &beams, const BeamEnergies &found) {

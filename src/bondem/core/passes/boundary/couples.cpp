@@ -80,6 +80,6 @@ void follow_couples(const Turn &turn, const Timeline &timeline, const CoupleTabl
     for (Index c = 0; c < couples.schedule.size(); c++)
         add_couple(couples, c, value_at(timeline, couples.schedule(c), turn.clock.time), all, rows);
 }
-BONDEM_PASS(follow_couples, of_rows)
+BONDEM_PASS(follow_couples, of_rows, "ends pose; adds force")
 
 }  // namespace bondem

@@ -35,6 +35,6 @@ void follow_strains(const Turn &turn, const Timeline &timeline, const Strain &st
         factor(2, g) = factor(3, g);
     }
 }
-BONDEM_PASS(follow_strains, of_rows)
+BONDEM_PASS(follow_strains, of_rows, "")
 
 }  // namespace bondem

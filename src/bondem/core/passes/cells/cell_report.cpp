@@ -25,19 +25,19 @@ void check_facets(const Turn &turn, const Moving &all, const Beams &beams, const
     Index *const count = &portions.turned(turn.block, 0);
     count[0] = wide, count[1] = lost, count[2] = not_finite;
 }
-BONDEM_PASS(check_facets, of_bonds)
+BONDEM_PASS(check_facets, of_bonds, "ends pose")
 
 void sum_facet_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Portions &portions) {
     sum_energies(turn.first, turn.last, all.pose.data, facets, &portions.bonds(turn.block, 0));
 }
-BONDEM_PASS(sum_facet_energies, of_bonds)
+BONDEM_PASS(sum_facet_energies, of_bonds, "ends pose")
 
 void sum_dilatation_energies(const Turn &turn, const CellDilatation &cells, const DilatationEnergy &found) {
     double sum = 0.0;
     for (Index p = turn.first; p < turn.last; p++) sum += take_dilatation_energy(cells, p);
     found.energy(turn.block) = sum;
 }
-BONDEM_PASS(sum_dilatation_energies, of_elements)
+BONDEM_PASS(sum_dilatation_energies, of_elements, "writes swelling")
 
 // Adds the energy of dilatation, and that of half facets at walls, to the normal energy of the first portion of facets.
 void add_cell_energies(const Turn &, const Moving &all, const WallConstraints &walls, const DilatationEnergy &found,
@@ -47,6 +47,6 @@ void add_cell_energies(const Turn &, const Moving &all, const WallConstraints &w
     for (Index g = 0; g < walls.cell.size(); g++) sum += energy_of_hold(all.pose, all.rest, walls, g);
     if (portions.bonds.size() > 0) portions.bonds(0, 0) += sum;
 }
-BONDEM_PASS(add_cell_energies, single)
+BONDEM_PASS(add_cell_energies, single, "")
 
 }  // namespace bondem

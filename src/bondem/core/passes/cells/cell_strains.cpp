@@ -31,13 +31,13 @@ void follow_cell_strains(const Turn &turn, const Timeline &timeline, const CellS
     if (changed) stretch(strains, facets, walls);
     strains.due(strain_due::levers) = changed;
 }
-BONDEM_PASS(follow_cell_strains, of_rows)
+BONDEM_PASS(follow_cell_strains, of_rows, "writes arm")
 
 void sum_strain_powers(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets) {
     if (strains.due(strain_due::power))
         sum_powers(turn.first, turn.last, all.pose.data, strains, facets, &strains.power(turn.block, 0));
 }
-BONDEM_PASS(sum_strain_powers, of_bonds)
+BONDEM_PASS(sum_strain_powers, of_bonds, "ends pose pose.stress")
 
 // Finds ∂U/∂factor by the stresses in the poses, where the time of the clock was not reached by a step.
 void begin_strain_work(const Turn &turn, const Moving &all, const CellStrains &strains, const ElasticFacets &facets,
@@ -50,7 +50,7 @@ void begin_strain_work(const Turn &turn, const Moving &all, const CellStrains &s
     sum_all_powers(all, strains, walls);
     for (Index g = 0; g < strains.schedule.size(); g++) strains.factor(before, g) = strains.factor(after, g);
 }
-BONDEM_PASS(begin_strain_work, of_rows)
+BONDEM_PASS(begin_strain_work, of_rows, "")
 
 void add_strain_work(const Turn &, const Moving &all, const CellStrains &strains, const WallConstraints &walls,
                      const Rows &rows) {
@@ -64,6 +64,6 @@ void add_strain_work(const Turn &, const Moving &all, const CellStrains &strains
     }
     strains.due(strain_due::power) = 0;
 }
-BONDEM_PASS(add_strain_work, of_rows)
+BONDEM_PASS(add_strain_work, of_rows, "")
 
 }  // namespace bondem

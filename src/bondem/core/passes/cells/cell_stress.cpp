@@ -28,7 +28,7 @@ void collect_facet_moments(const Turn &turn, const StepCut &cut, const FacetForc
                 kept.sums(q, c) = 0.0;
             }
 }
-BONDEM_PASS(collect_facet_moments, parts_of_shared)
+BONDEM_PASS(collect_facet_moments, parts_of_shared, "changes FacetForces.sums")
 
 // Sets V σ and Σ `bending_square` of cells from their complete sums, which are set to zero.
 void take_moments(const Turn &turn, const FacetForces &kept) {
@@ -38,7 +38,7 @@ void take_moments(const Turn &turn, const FacetForces &kept) {
         for (Index c = 0; c < 8; c++) sums[c] = 0.0;
     }
 }
-BONDEM_PASS(take_moments, elements_of_blocks)
+BONDEM_PASS(take_moments, elements_of_blocks, "changes sums; writes moment")
 
 void sum_moments(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetsOfCells &of_cells,
                  const FacetForces &kept) {
@@ -58,6 +58,6 @@ void sum_moments(const Turn &turn, const Moving &all, const ElasticFacets &facet
             add_facet(Index(of_cells.out_bond(e)), false);
     }
 }
-BONDEM_PASS(sum_moments, of_elements)
+BONDEM_PASS(sum_moments, of_elements, "ends pose; adds moment")
 
 }  // namespace bondem

@@ -15,26 +15,26 @@ void find_accelerations(const Turn &turn, const Moving &all, const Rows &rows, c
         else find_acceleration(all, rows, mass, sum, p);
     }
 }
-BONDEM_PASS(find_accelerations, elements_of_blocks)
+BONDEM_PASS(find_accelerations, elements_of_blocks, "own Rows.force motion sums; writes CorrectedMass.acceleration")
 
 // Computes ρ β θ̈ of the cells by the accelerations of the elements.
 void find_dilatation_inertia(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
     for (Index p = turn.first; p < turn.last; p++) find_inertia(all, facets, walls, mass, p);
 }
-BONDEM_PASS(find_dilatation_inertia, of_elements)
+BONDEM_PASS(find_dilatation_inertia, of_elements, "own arm; ends CorrectedMass.acceleration pose; adds inertia")
 
 // Computes the forces of the correction on the elements.
 void find_inertia_forces(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass) {
     for (Index p = turn.first; p < turn.last; p++) find_inertia_force(all, facets, walls, mass, p);
 }
-BONDEM_PASS(find_inertia_forces, of_elements)
+BONDEM_PASS(find_inertia_forces, of_elements, "own arm; ends inertia pose; adds force")
 
 // Adds the forces of the correction to the sums of the elements.
 void add_inertia_forces(const Turn &turn, const CorrectedMass &mass, const StepCut &cut) {
     for (Index e = turn.first; e < turn.last; e++)
         add_inertia_force(mass, &cut.sums(turn.row[e], 0), turn.element[e]);
 }
-BONDEM_PASS(add_inertia_forces, elements_of_blocks)
+BONDEM_PASS(add_inertia_forces, elements_of_blocks, "own force; changes sums")
 
 // Subtracts the correction of the mass from the kinetic energies of cells.
 void subtract_dilatation_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls, const CorrectedMass &mass,
@@ -44,6 +44,6 @@ void subtract_dilatation_energies(const Turn &turn, const Moving &all, const Ela
         sum += surplus_of_kinetic_energy(all, facets, walls, mass, p);
     portions.elements(turn.block, 0) -= sum;
 }
-BONDEM_PASS(subtract_dilatation_energies, of_elements)
+BONDEM_PASS(subtract_dilatation_energies, of_elements, "")
 
 }  // namespace bondem

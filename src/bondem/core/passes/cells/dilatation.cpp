@@ -25,7 +25,7 @@ void accumulate_dilatation(const Turn &turn, const Moving &all, const ElasticFac
     NoFacetMarks none;
     accumulate(turn.first, turn.last, all.pose.data, facets, cells, none);
 }
-BONDEM_PASS(accumulate_dilatation, bonds_of_blocks)
+BONDEM_PASS(accumulate_dilatation, bonds_of_blocks, "ends pose; adds swelling")
 
 // Adds contributions of facets to V θ of their cells in bodies with many broken facets.
 void accumulate_left_dilatation(const Turn &turn, const Moving &all, const ElasticFacets &facets,
@@ -33,7 +33,7 @@ void accumulate_left_dilatation(const Turn &turn, const Moving &all, const Elast
     LeftFacets left;
     accumulate(turn.first, turn.last, all.pose.data, facets, cells, left);
 }
-BONDEM_PASS(accumulate_left_dilatation, bonds_of_blocks)
+BONDEM_PASS(accumulate_left_dilatation, bonds_of_blocks, "ends pose; adds swelling")
 
 // Adds contributions of facets to V θ of their cells, and marks facets near to failure.
 void accumulate_and_mark(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
@@ -42,7 +42,7 @@ void accumulate_and_mark(const Turn &turn, const Moving &all, const ElasticFacet
     accumulate(turn.first, turn.last, all.pose.data, facets, cells, marked);
     candidates.count(turn.block) = marked.marks.count();
 }
-BONDEM_PASS(accumulate_and_mark, bonds_of_blocks)
+BONDEM_PASS(accumulate_and_mark, bonds_of_blocks, "ends pose pose.stress; adds swelling")
 
 // Adds contributions of facets of other domains to V θ of shared cells, and sets their rows to zero.
 void collect_dilatation(const Turn &turn, const StepCut &cut, const CellDilatation &cells) {
@@ -53,12 +53,12 @@ void collect_dilatation(const Turn &turn, const StepCut &cut, const CellDilatati
             cells.swelling(q) = 0.0;
         }
 }
-BONDEM_PASS(collect_dilatation, parts_of_shared)
+BONDEM_PASS(collect_dilatation, parts_of_shared, "changes swelling")
 
 // Sets the stresses of cells by their complete V θ, which is set to zero.
 void stress_cells(const Turn &turn, const Moving &all, const CellDilatation &cells) {
     for (Index e = turn.first; e < turn.last; e++) stress_cell(all.pose, cells, turn.element[e]);
 }
-BONDEM_PASS(stress_cells, elements_of_blocks)
+BONDEM_PASS(stress_cells, elements_of_blocks, "own given weight; changes swelling; writes pose.stress")
 
 }  // namespace bondem

@@ -10,7 +10,7 @@ void sum_stress_differences(const Turn &turn, const Moving &all, const Dilatatio
     const auto stress = [&](Index q) { return all.pose(q, stress_column); };
     for (Index p = turn.first; p < turn.last; p++) gradients.difference(p) = difference_of(gradients, p, stress);
 }
-BONDEM_PASS(sum_stress_differences, of_elements)
+BONDEM_PASS(sum_stress_differences, of_elements, "ends pose.stress; adds difference")
 
 // Adds the forces of the springs between cells to their stresses.
 void add_stress_differences(const Turn &turn, const Moving &all, const CellDilatation &cells,
@@ -18,21 +18,21 @@ void add_stress_differences(const Turn &turn, const Moving &all, const CellDilat
     for (Index p = turn.first; p < turn.last; p++)
         all.pose(p, stress_column) += cells.weight(p) * gradients.difference(p);
 }
-BONDEM_PASS(add_stress_differences, of_elements)
+BONDEM_PASS(add_stress_differences, of_elements, "own CellDilatation.weight difference; changes pose.stress")
 
 // Computes how layers one cell thick are bent at each cell.
 void bend_layers(const Turn &turn, const Moving &all, const WallConstraints &walls,
                  const DilatationGradients &gradients) {
     for (Index p = turn.first; p < turn.last; p++) bend_cell(all.pose, walls, gradients, p);
 }
-BONDEM_PASS(bend_layers, of_elements)
+BONDEM_PASS(bend_layers, of_elements, "own base; ends pose; adds bend")
 
 // Computes the torques of bent layers on each cell.
 void twist_layers(const Turn &turn, const Moving &all, const WallConstraints &walls,
                  const DilatationGradients &gradients) {
     for (Index p = turn.first; p < turn.last; p++) twist_cell(all.pose, walls, gradients, p);
 }
-BONDEM_PASS(twist_layers, of_elements)
+BONDEM_PASS(twist_layers, of_elements, "own base; ends bend pose; adds torque")
 
 // Adds the torques of bent layers to the sums of the cells.
 void add_layer_torques(const Turn &turn, const DilatationGradients &gradients, const StepCut &cut) {
@@ -40,7 +40,7 @@ void add_layer_torques(const Turn &turn, const DilatationGradients &gradients, c
         for (Index axis = 0; axis < 3; axis++)
             cut.sums(turn.row[e], 4 + axis) += gradients.torque(turn.element[e], axis);
 }
-BONDEM_PASS(add_layer_torques, elements_of_blocks)
+BONDEM_PASS(add_layer_torques, elements_of_blocks, "own torque; changes sums")
 
 // Sums the energies of gradients in portions of cells, for the dilatation that facets have added up.
 void sum_gradient_energies(const Turn &turn, const Moving &all, const CellDilatation &cells,
@@ -49,7 +49,7 @@ void sum_gradient_energies(const Turn &turn, const Moving &all, const CellDilata
     for (Index p = turn.first; p < turn.last; p++) sum += energy_of_gradients(all.pose, cells, walls, gradients, p);
     gradients.energy(turn.block) = sum;
 }
-BONDEM_PASS(sum_gradient_energies, of_elements)
+BONDEM_PASS(sum_gradient_energies, of_elements, "ends pose; adds bend")
 
 // Adds the energies of gradients to those of the facets.
 void add_gradient_energies(const Turn &, const DilatationGradients &gradients, const Portions &portions) {
@@ -57,6 +57,6 @@ void add_gradient_energies(const Turn &, const DilatationGradients &gradients, c
     for (Index q = 0; q < gradients.energy.size(); q++) sum += gradients.energy(q);
     if (portions.bonds.size() > 0) portions.bonds(0, 0) += sum;
 }
-BONDEM_PASS(add_gradient_energies, single)
+BONDEM_PASS(add_gradient_energies, single, "")
 
 }  // namespace bondem

@@ -117,7 +117,7 @@ Removal break_facet(const Moving &all, const ElasticFacets &facets, const WallCo
 }  // namespace
 
 #define BONDEM_CRITERION(_, name, Criterion)                                     \
-    BONDEM_PASS_AS(judge_facets_by_##name, of_events, judge_facets<Criterion>)  \
+    BONDEM_PASS_AS(judge_facets_by_##name, of_events, "ends pose pose.stress; adds held", judge_facets<Criterion>)  \
     BONDEM_CALL_AS(index_facets_by_##name, "", index_facets<Criterion>)         \
     BONDEM_CALL_AS(index_tractions_by_##name, "", index_tractions<Criterion>)
 BONDEM_FACET_CRITERIA(BONDEM_CRITERION, )
@@ -155,14 +155,14 @@ void withdraw_facets(const Turn &, const Moving &all, const ElasticFacets &facet
     for (Index c = 0; c < release.changes(0); c++)
         take_off_changing(1.0, all, facets, walls, release, postponed, release.changed(c));
 }
-BONDEM_PASS(withdraw_facets, of_events)
+BONDEM_PASS(withdraw_facets, of_events, "own load; ends held pose.stress; still pose; adds held kept")
 
 // Removes the facets that fail, and brings the stresses of their cells up to date.
 void break_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
                   const FacetRelease &release, const Candidates &candidates, const EventLog &log) {
     remove(turn, candidates, log, [&](Index k) { return break_facet(all, facets, walls, release, k); });
 }
-BONDEM_PASS(break_facets, of_events)
+BONDEM_PASS(break_facets, of_events, "ends arm given wall weight; around pose; adds pose.stress weight")
 
 // Adds the loads of the remaining facets and of walls to the kept sums.
 void restore_facets(const Turn &, const Moving &all, const ElasticFacets &facets, const WallConstraints &walls,
@@ -171,13 +171,13 @@ void restore_facets(const Turn &, const Moving &all, const ElasticFacets &facets
     for (Index c = 0; c < release.changes(0); c++)
         add_changed(all, facets, walls, release, postponed, release.changed(c));
 }
-BONDEM_PASS(restore_facets, of_events)
+BONDEM_PASS(restore_facets, of_events, "own arm base wall; ends held pose.stress; still pose; adds kept load")
 
 // Updates the forces of walls on the rows of their cells.
 void renew_wall_rows(const Turn &, const WallConstraints &walls, const Rows &rows, const Candidates &candidates) {
     if (any_fails(candidates)) set_rows(walls, rows);
 }
-BONDEM_PASS(renew_wall_rows, of_rows)
+BONDEM_PASS(renew_wall_rows, of_rows, "own load; writes grip")
 
 // Computes the weights of all cells from their unbroken facets at the start of a run.
 Index weigh_cells(Index, const ElasticFacets &facets, const FacetRelease &release) {

@@ -26,7 +26,7 @@ BONDEM_INLINE void keep(double *to, Lanes a, int known) {
 void add_facet_loads(const Turn &turn, const Moving &all, const ElasticFacets &facets, const StepCut &cut) {
     add_loads_of_facets(turn.first, turn.last, all.pose.data, facets, cut.row_i.data, cut.row_j.data, cut.sums.data);
 }
-BONDEM_PASS(add_facet_loads, bonds_of_blocks)
+BONDEM_PASS(add_facet_loads, bonds_of_blocks, "ends pose pose.stress; adds sums")
 
 // Adds and stores the forces of the facets of a block, and adds up the moments V σ of their cells. A facet without
 // integrity has no force, also if an earlier one is stored.
@@ -54,6 +54,6 @@ void add_and_keep_facet_loads(const Turn &turn, const Moving &all, const Elastic
         add_loads_of_facets(cut.sums.data, row_i + k, row_j + k, loads, known);
     });
 }
-BONDEM_PASS(add_and_keep_facet_loads, bonds_of_blocks)
+BONDEM_PASS(add_and_keep_facet_loads, bonds_of_blocks, "ends pose pose.stress; adds FacetForces.sums StepCut.sums")
 
 }  // namespace bondem

@@ -27,7 +27,7 @@ void follow_tractions(const Turn &turn, const Timeline &timeline, const FacetTra
         cells.given(p) = sum;
     }
 }
-BONDEM_PASS(follow_tractions, of_rows)
+BONDEM_PASS(follow_tractions, of_rows, "writes given")
 
 // Adds half the work of tractions that change: once by the stresses before, and once by those after.
 void add_traction_work(const Turn &, const Moving &all, const FacetTractions &tractions, const Rows &rows) {
@@ -38,6 +38,6 @@ void add_traction_work(const Turn &, const Moving &all, const FacetTractions &tr
         rows.work(tractions.place) += 0.5 * tractions.came(l) * power;
     }
 }
-BONDEM_PASS(add_traction_work, of_rows)
+BONDEM_PASS(add_traction_work, of_rows, "")
 
 }  // namespace bondem

@@ -3,12 +3,10 @@
 #include "../../laws/cell.hpp"
 #include "../../select.hpp"
 #include "../../tables/cell_tables.hpp"
+#include "../../tables/columns.hpp"
 #include "../beams/bonds.hpp"
 
 namespace bondem {
-
-// Column of a pose that holds the stress λ θ of a cell [Pa].
-constexpr int stress_column = 3;
 
 BONDEM_INLINE double widened(const int32_t *from, double) { return double(*from); }
 BONDEM_INLINE double widened(const float *from, double) { return double(*from); }

@@ -26,14 +26,14 @@ void follow_walls(const Turn &turn, const Moving &all, const WallConstraints &wa
         for (Index axis = 0; axis < 3; axis++) walls.came(g, axis) = 0.0;
     load_all(all, walls, rows);
 }
-BONDEM_PASS(follow_walls, of_rows)
+BONDEM_PASS(follow_walls, of_rows, "own base; changes came wall")
 
 // Adds contributions of walls to V θ of their cells.
 void add_wall_dilatation(const Turn &, const Moving &all, const WallConstraints &walls, const CellDilatation &cells) {
     for (Index g = 0; g < walls.cell.size(); g++)
         cells.swelling(walls.cell(g)) += dilatation_of_hold(all.pose, all.rest, walls, g);
 }
-BONDEM_PASS(add_wall_dilatation, of_rows)
+BONDEM_PASS(add_wall_dilatation, of_rows, "own arm pose wall; changes swelling")
 
 // Sets the forces of walls on the rows of their cells, whose stresses are known, and adds the work of walls that move:
 // the trapezoid of the force over the displacement.
@@ -44,7 +44,7 @@ void apply_walls(const Turn &, const Moving &all, const WallConstraints &walls, 
     load_all(all, walls, rows);
     add_half_work(walls, rows);
 }
-BONDEM_PASS(apply_walls, of_rows)
+BONDEM_PASS(apply_walls, of_rows, "own arm pose pose.stress; changes base load loss wall; writes grip")
 
 // Adds the forces of walls to the sums of their cells.
 void add_wall_loads(const Turn &turn, const Rows &rows, const StepCut &cut) {
@@ -56,6 +56,6 @@ void add_wall_loads(const Turn &turn, const Rows &rows, const StepCut &cut) {
         }
     }
 }
-BONDEM_PASS(add_wall_loads, elements_of_blocks)
+BONDEM_PASS(add_wall_loads, elements_of_blocks, "own grip; changes sums")
 
 }  // namespace bondem

@@ -28,7 +28,7 @@ void adhere_pairs(const Turn &turn, const Moving &all, const ContactConstants &c
     const Index begin = pairs.start(turn.first), end = begin + near.counts(turn.block, 0);
     for (Index e = begin; e < end; e++) adhere_pair(all, c, pairs, of, near.near(e));
 }
-BONDEM_PASS(adhere_pairs, of_elements)
+BONDEM_PASS(adhere_pairs, of_elements, "ends pose")
 
 // Adds adhesion to the elements of a range.
 void add_adhesion_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const AdheringPairs &of,
@@ -36,7 +36,7 @@ void add_adhesion_loads(const Turn &turn, const ContactPairs &pairs, const NearP
     over_listed_pairs(turn, pairs, near.near, [&](Index q) { return near.counts(q, 0); },
                       [&](Short k, Short p, bool later) { add_adhesion(of, k, later, &to.sums(p, 0)); });
 }
-BONDEM_PASS(add_adhesion_loads, of_ranges)
+BONDEM_PASS(add_adhesion_loads, of_ranges, "adds sums")
 
 void adhere_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                      const Walls &walls, const ContactSums &to) {
@@ -53,7 +53,7 @@ void adhere_at_walls(const Turn &turn, const Moving &all, const ContactConstants
         for (Index x = 0; x < 3; x++) to.sums(near.p, x) += f[x];
     }
 }
-BONDEM_PASS(adhere_at_walls, of_elements)
+BONDEM_PASS(adhere_at_walls, of_elements, "own pose; changes sums")
 
 void sum_adhesion_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                            const ContactEnergies &energies) {
@@ -63,7 +63,7 @@ void sum_adhesion_energies(const Turn &turn, const Moving &all, const ContactCon
             sum += adhesion_of(c, pairs, k).energy(length(branch_of(all.pose.data, pairs, k)) - pairs.reach(k));
     energies.energy(turn.block) += sum;
 }
-BONDEM_PASS(sum_adhesion_energies, of_elements)
+BONDEM_PASS(sum_adhesion_energies, of_elements, "")
 
 void sum_adhesion_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                            const Walls &walls, const ContactEnergies &energies) {
@@ -74,6 +74,6 @@ void sum_adhesion_at_walls(const Turn &turn, const Moving &all, const ContactCon
     }
     energies.energy(turn.block) += sum;
 }
-BONDEM_PASS(sum_adhesion_at_walls, of_elements)
+BONDEM_PASS(sum_adhesion_at_walls, of_elements, "")
 
 }  // namespace bondem

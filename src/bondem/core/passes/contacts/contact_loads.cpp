@@ -164,7 +164,7 @@ void press_pairs(const Turn &turn, const Moving &all, const ContactConstants &c,
     if (measures_anew(turn, near, travel)) list_near(turn, all, c, pairs, near, travel, [](Index) { return 0.0; });
     press_close(turn, all, c, pairs, near, find_close(turn, all, pairs, near));
 }
-BONDEM_PASS(press_pairs, of_elements)
+BONDEM_PASS(press_pairs, of_elements, "ends motion pose; writes measured")
 
 // Finds forces and memory of the pairs of a portion of cells with cracks, which touch by faces too.
 void press_pairs_and_faces(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
@@ -173,7 +173,7 @@ void press_pairs_and_faces(const Turn &turn, const Moving &all, const ContactCon
         list_near(turn, all, c, pairs, near, travel, [&](Index k) { return outer_reach(pairs, faces, k); });
     press_close(turn, all, c, pairs, near, find_close(turn, all, c, pairs, near, faces));
 }
-BONDEM_PASS(press_pairs_and_faces, of_elements)
+BONDEM_PASS(press_pairs_and_faces, of_elements, "ends faced motion pose; writes measured")
 
 // Adds forces of pairs to the elements of a range, in the order of the pairs.
 void add_pair_loads(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs,
@@ -197,7 +197,7 @@ void add_pair_loads(const Turn &turn, const ContactConstants &c, const ContactPa
         }
     }
 }
-BONDEM_PASS(add_pair_loads, of_ranges)
+BONDEM_PASS(add_pair_loads, of_ranges, "adds sums")
 
 #endif
 
@@ -217,7 +217,7 @@ void add_contact_loads(const Turn &turn, const Moving &all, const StepCut &cut, 
         load = {};
     }
 }
-BONDEM_PASS(add_contact_loads, elements_of_blocks)
+BONDEM_PASS(add_contact_loads, elements_of_blocks, "changes ContactSums.sums StepCut.sums loss")
 
 void sum_pair_energies(const Turn &turn, const Moving &all, const ContactConstants &law, const ContactPairs &pairs,
                        const ContactEnergies &energies) {
@@ -226,7 +226,7 @@ void sum_pair_energies(const Turn &turn, const Moving &all, const ContactConstan
         if (pairs.touch(k) == touching) sum += pair_energy(all.pose.data, law, pairs, k);
     energies.energy(turn.block) = sum;
 }
-BONDEM_PASS(sum_pair_energies, of_elements)
+BONDEM_PASS(sum_pair_energies, of_elements, "")
 
 // Adds the energy of contacts to a record.
 void write_contact_energy(const Turn &turn, const ContactEnergies &energies, const HistoryRows &history) {
@@ -234,6 +234,6 @@ void write_contact_energy(const Turn &turn, const ContactEnergies &energies, con
     for (Index q = 0; q < energies.energy.size(); q++) sum += energies.energy(q);
     history.record(turn.clock.record, history_column::contact) = sum;
 }
-BONDEM_PASS(write_contact_energy, single)
+BONDEM_PASS(write_contact_energy, single, "")
 
 }  // namespace bondem

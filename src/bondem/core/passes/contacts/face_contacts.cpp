@@ -8,7 +8,7 @@ void add_face_loads(const Turn &turn, const ContactPairs &pairs, const FacePairs
     over_listed_pairs(turn, pairs, faces.close, [&](Index q) { return faces.count(q); },
                       [&](Short k, Short p, bool later) { add_faces_to(faces, k, later, &to.sums(p, 0)); });
 }
-BONDEM_PASS(add_face_loads, of_ranges)
+BONDEM_PASS(add_face_loads, of_ranges, "adds sums")
 
 void sum_face_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                        const FacePairs &faces, const ContactEnergies &energies) {
@@ -17,7 +17,7 @@ void sum_face_energies(const Turn &turn, const Moving &all, const ContactConstan
         if (pairs.touch(k) == facing) sum += face_energy(all, c, pairs, faces, k);
     energies.energy(turn.block) += sum;
 }
-BONDEM_PASS(sum_face_energies, of_elements)
+BONDEM_PASS(sum_face_energies, of_elements, "")
 
 
 }  // namespace bondem

@@ -63,18 +63,18 @@ void begin_contacts(const Turn &, const Moving &all, const ContactConstants &c, 
         take_over(log, event, hand_over(all, c, pairs, near, bond, postponed.kept.data));
     });
 }
-BONDEM_PASS(begin_contacts, of_events)
+BONDEM_PASS(begin_contacts, of_events, "ends motion; still pose; adds kept")
 
 void release_pressure(const Turn &, const EventLog &log, const SofteningBounds &bounds) {
     for_each_event(log, [&](Index bond, Index) { bounds.press(bond) = 0.0; });
 }
-BONDEM_PASS(release_pressure, of_events)
+BONDEM_PASS(release_pressure, of_events, "")
 
 void begin_softened_contacts(const Turn &, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
                              const NearPairs &near, const EventLog &log, const ContactSums &to) {
     for_each_event(log, [&](Index bond, Index) { hand_over(all, c, pairs, near, bond, to.sums.data); });
 }
-BONDEM_PASS(begin_softened_contacts, of_events)
+BONDEM_PASS(begin_softened_contacts, of_events, "ends motion pose; adds sums")
 
 // Makes pairs of the cells whose faces have parted in this step.
 void touch_parted_faces(const Turn &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
@@ -85,7 +85,7 @@ void touch_parted_faces(const Turn &, const Moving &all, const ContactPairs &pai
         examine(pairs, near, pairs.of_bond(k));
     }
 }
-BONDEM_PASS(touch_parted_faces, of_events)
+BONDEM_PASS(touch_parted_faces, of_events, "ends pose")
 
 // Begins the contact of faces that part in this step.
 void begin_face_contacts(const Turn &, const Moving &all, const ContactPairs &pairs, const NearPairs &near,
@@ -120,6 +120,6 @@ void begin_face_contacts(const Turn &, const Moving &all, const ContactPairs &pa
         if (has_faces(faces, k)) faces.open(k) = faces.faced(a) = faces.faced(b) = 1;
     });
 }
-BONDEM_PASS(begin_face_contacts, of_events)
+BONDEM_PASS(begin_face_contacts, of_events, "")
 
 }  // namespace bondem

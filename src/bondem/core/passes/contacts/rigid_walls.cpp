@@ -173,14 +173,14 @@ void move_walls(const Turn &turn, const WallMotions &motions, const Walls &walls
     for (Index e = 0; e < motions.free_wall.size(); e++) kick_free(motions, walls, e, 0.5 * dt);
     for (Index w = 0; w < walls.body.size(); w++) move_wall(walls, w, dt);
 }
-BONDEM_PASS(move_walls, of_rows)
+BONDEM_PASS(move_walls, of_rows, "")
 
 void press_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                  const Walls &walls, const ContactSums &to) {
     for (Index e = contacts.start(turn.first); e < contacts.start(turn.last); e++)
         press_wall(all, c, contacts, walls, to, e, turn.clock.dt);
 }
-BONDEM_PASS(press_walls, of_elements)
+BONDEM_PASS(press_walls, of_elements, "own motion pose; changes sums")
 
 // Keeps the deepest overlap of the elements of a portion with a wall, over the radius, if distances are measured in
 // this step.
@@ -192,7 +192,7 @@ void measure_wall_overlaps(const Turn &turn, const Moving &all, const ContactCon
         deepest = most(deepest, (contacts.gap(e) - surface_of(all, c, contacts, walls, e).gap) / c.radius(contacts.element(e)));
     travel.portion(turn.block, 2) = deepest;
 }
-BONDEM_PASS(measure_wall_overlaps, of_elements)
+BONDEM_PASS(measure_wall_overlaps, of_elements, "")
 
 void begin_loads(WallRow &row, double half) {
     row.work -= half * (moving_power(row) + turning_power(row));
@@ -225,7 +225,7 @@ void load_walls(const Turn &turn, const WallContacts &contacts, const WallMotion
         show_free_spin(walls, motions.free_wall(e));
     }
 }
-BONDEM_PASS(load_walls, of_rows)
+BONDEM_PASS(load_walls, of_rows, "")
 
 void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                        const Walls &walls, const ContactEnergies &energies) {
@@ -242,7 +242,7 @@ void sum_wall_energies(const Turn &turn, const Moving &all, const ContactConstan
     }
     energies.energy(turn.block) += sum;
 }
-BONDEM_PASS(sum_wall_energies, of_elements)
+BONDEM_PASS(sum_wall_energies, of_elements, "")
 
 // Finds the work supplied by walls, for the guard of the energy.
 void count_wall_work(const Turn &, const Walls &walls, const Portions &portions) {
@@ -250,7 +250,7 @@ void count_wall_work(const Turn &, const Walls &walls, const Portions &portions)
     for (Index w = 0; w < walls.body.size(); w++) supplied += absolute(walls.body.row<const WallRow>(w).work);
     portions.budget(guard_energy::walls) = supplied;
 }
-BONDEM_PASS(count_wall_work, single)
+BONDEM_PASS(count_wall_work, single, "")
 
 // Adds the work of walls to a record, and writes gauges of walls.
 void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, const HistoryRows &history) {
@@ -263,6 +263,6 @@ void write_walls(const Turn &turn, const Walls &walls, const Gauges &gauges, con
                    &history.record(turn.clock.record, history_column::count + 3 * g));
     }
 }
-BONDEM_PASS(write_walls, of_rows)
+BONDEM_PASS(write_walls, of_rows, "")
 
 }  // namespace bondem

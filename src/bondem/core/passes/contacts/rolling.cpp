@@ -11,7 +11,7 @@ void roll_pairs(const Turn &turn, const Moving &all, const ContactConstants &c, 
     for (Index e = begin; e < end; e++)
         roll_pair(all, c, pairs, of, near.close(e), near.output.row<const Vector>(e), turn.clock.dt);
 }
-BONDEM_PASS(roll_pairs, of_elements)
+BONDEM_PASS(roll_pairs, of_elements, "ends motion pose")
 
 // Adds moments of resistance to rolling to the elements of a range.
 void add_rolling_loads(const Turn &turn, const ContactPairs &pairs, const NearPairs &near, const RolledPairs &of,
@@ -19,7 +19,7 @@ void add_rolling_loads(const Turn &turn, const ContactPairs &pairs, const NearPa
     over_listed_pairs(turn, pairs, near.close, [&](Index q) { return near.counts(q, 1); },
                       [&](Short k, Short p, bool later) { add_rolling(of, k, later, &to.sums(p, 0)); });
 }
-BONDEM_PASS(add_rolling_loads, of_ranges)
+BONDEM_PASS(add_rolling_loads, of_ranges, "adds sums")
 
 void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                    const Walls &walls, const RolledWalls &of, const ContactSums &to) {
@@ -46,7 +46,7 @@ void roll_at_walls(const Turn &turn, const Moving &all, const ContactConstants &
         to.sums(p, load_column::rubbed) += loads.rubbed;
     }
 }
-BONDEM_PASS(roll_at_walls, of_elements)
+BONDEM_PASS(roll_at_walls, of_elements, "own motion; changes sums")
 
 void sum_rolling_energies(const Turn &turn, const ContactConstants &c, const ContactPairs &pairs, const RolledPairs &of,
                           const ContactEnergies &energies) {
@@ -57,7 +57,7 @@ void sum_rolling_energies(const Turn &turn, const ContactConstants &c, const Con
     }
     energies.energy(turn.block) += sum;
 }
-BONDEM_PASS(sum_rolling_energies, of_elements)
+BONDEM_PASS(sum_rolling_energies, of_elements, "")
 
 void sum_rolling_at_walls(const Turn &turn, const ContactConstants &c, const WallContacts &contacts, const RolledWalls &of,
                           const ContactEnergies &energies) {
@@ -70,6 +70,6 @@ void sum_rolling_at_walls(const Turn &turn, const ContactConstants &c, const Wal
     }
     energies.energy(turn.block) += sum;
 }
-BONDEM_PASS(sum_rolling_at_walls, of_elements)
+BONDEM_PASS(sum_rolling_at_walls, of_elements, "")
 
 }  // namespace bondem

@@ -32,7 +32,7 @@ void measure_travel(const Turn &turn, const Moving &all, const Travel &travel) {
     }
     travel.portion(turn.block, 0) = finite ? farthest : infinity;
 }
-BONDEM_PASS(measure_travel, of_elements)
+BONDEM_PASS(measure_travel, of_elements, "")
 
 // Finds whether the list may miss a contact by now, also where a centre is not a number.
 void check_travel(const Turn &, const Travel &travel, const Walls &walls, const Portions &portions) {
@@ -43,7 +43,7 @@ void check_travel(const Turn &, const Travel &travel, const Walls &walls, const 
     portions.found(guard_number::out_of_date) = !holds;
     if (travel.far(1) < 0.0) travel.far(0) = infinity;  // distances have not been measured yet
 }
-BONDEM_PASS(check_travel, single)
+BONDEM_PASS(check_travel, single, "")
 
 // Stores distances that were measured in a step.
 void keep_measures(const Turn &turn, const NearPairs &near, const Travel &travel) {
@@ -53,6 +53,6 @@ void keep_measures(const Turn &turn, const NearPairs &near, const Travel &travel
     travel.far(0) = 0.0;
     travel.far(1) = root(farthest);
 }
-BONDEM_PASS(keep_measures, single)
+BONDEM_PASS(keep_measures, single, "")
 
 }  // namespace bondem

@@ -86,7 +86,7 @@ void list_cracks(const Turn &, const ElasticFacets &facets, const CohesiveCracks
     fill_treated(lists);
     fill(lists.resting, lists.resting_i, lists.resting_j, resting[1]);
 }
-BONDEM_PASS(list_cracks, of_cracks)
+BONDEM_PASS(list_cracks, of_cracks, "")
 
 // Prepares the cracks of a state at the start of a run: constants, weights of cells, lists, and forces of cracks.
 void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept,
@@ -104,14 +104,14 @@ void link_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForce
     // of the step before nothing is known
     for (Index p = 0; p < lists.slip.size(); p++) lists.slip(p, crack::slipping) = crack::slips;
 }
-BONDEM_PASS(link_cracks, of_cracks)
+BONDEM_PASS(link_cracks, of_cracks, "adds half slip")
 
 // Copies levers of facets that strains of cells have changed.
 void follow_levers(const Turn &, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks) {
     if (!strains.due(strain_due::levers)) return;
     for (Index c = 0; c < cracks.size(crack_number::cracks); c++) write_levers(facets, cracks, cracks.order(c));
 }
-BONDEM_PASS(follow_levers, of_cracks)
+BONDEM_PASS(follow_levers, of_cracks, "")
 
 // Computes the weights of the cells of all cracks at the start of a run.
 void weigh_cracked_cells(const Turn &, const ElasticFacets &facets, const CellDilatation &cells,
@@ -121,13 +121,13 @@ void weigh_cracked_cells(const Turn &, const ElasticFacets &facets, const CellDi
         weigh_cracked(cells, slack, cracks, facets.j(cracks.order(c)));
     }
 }
-BONDEM_PASS(weigh_cracked_cells, of_cracks)
+BONDEM_PASS(weigh_cracked_cells, of_cracks, "adds CellDilatation.weight")
 
 // Sums b⊗f of the cracks of each cell from their forces of the last step.
 void carry_cracks(const Turn &, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                   const CrackLists &lists) {
     for (Index q = 0; q < lists.size(list_count::cells); q++) carry_cracks_of(stresses, cracks, lists, lists.cell(q));
 }
-BONDEM_PASS(carry_cracks, of_cracks)
+BONDEM_PASS(carry_cracks, of_cracks, "adds carried")
 
 }  // namespace bondem

@@ -20,7 +20,7 @@ void load_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
                                lists.lost(portion, 0));
                  });
 }
-BONDEM_PASS(load_cracks, of_cracks)
+BONDEM_PASS(load_cracks, of_cracks, "own tensor; ends pose pose.stress; adds half")
 
 #endif
 
@@ -41,7 +41,7 @@ void log_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets
     }
     log.released(0) += lost;
 }
-BONDEM_PASS(log_cracks, of_events)
+BONDEM_PASS(log_cracks, of_events, "ends pose")
 
 void add_crack_loads(const Turn &turn, const Moving &all, const CrackLists &lists, const StepCut &cut) {
     for (Index at = turn.first; at < turn.last; at++) {
@@ -53,7 +53,7 @@ void add_crack_loads(const Turn &turn, const Moving &all, const CrackLists &list
         for (int d = 0; d < 3; d++) to[d] += sum[d], to[4 + d] += sum[4 + d];
     }
 }
-BONDEM_PASS(add_crack_loads, elements_of_blocks)
+BONDEM_PASS(add_crack_loads, elements_of_blocks, "own sum; changes loss sums")
 
 void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDilatation &cells,
                              const CrackEnergies &found) {
@@ -64,7 +64,7 @@ void sum_stressed_dilatation(const Turn &turn, const Moving &all, const CellDila
     }
     found.dilatation(turn.block) = sum;
 }
-BONDEM_PASS(sum_stressed_dilatation, of_elements)
+BONDEM_PASS(sum_stressed_dilatation, of_elements, "")
 
 void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingCells &cells,
               const CrackEnergies &found) {
@@ -77,7 +77,7 @@ void sum_heat(const Turn &turn, const StressesOfCells &stresses, const YieldingC
     }
     found.heat(turn.block) = sum;
 }
-BONDEM_PASS(sum_heat, of_elements)
+BONDEM_PASS(sum_heat, of_elements, "")
 
 // Sums the energies of the cracks that are treated one by one [J].
 void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
@@ -89,7 +89,7 @@ void sum_crack_energies(const Turn &, const Moving &all, const ElasticFacets &fa
     }
     for (Index d = 0; d < 3; d++) found.cracked(d) = sum[d];
 }
-BONDEM_PASS(sum_crack_energies, of_cracks)
+BONDEM_PASS(sum_crack_energies, of_cracks, "ends pose pose.stress")
 
 // Adds the energies of cracks and walls to those of the first portion of facets.
 void add_crack_energies(const Turn &, const Moving &all, const WallConstraints &walls, const CrackEnergies &found,
@@ -102,7 +102,7 @@ void add_crack_energies(const Turn &, const Moving &all, const WallConstraints &
     portions.bonds(0, 1) += found.cracked(1);
     portions.bonds(0, 2) += found.cracked(2);
 }
-BONDEM_PASS(add_crack_energies, single)
+BONDEM_PASS(add_crack_energies, single, "")
 
 // Writes the heat of yielding into a record.
 void write_heat(const Turn &turn, const CrackEnergies &found, const HistoryRows &history) {
@@ -110,7 +110,7 @@ void write_heat(const Turn &turn, const CrackEnergies &found, const HistoryRows 
     for (Index q = 0; q < found.heat.size(); q++) heat += found.heat(q);
     history.record(turn.clock.record, history_column::plastic) = heat;
 }
-BONDEM_PASS(write_heat, single)
+BONDEM_PASS(write_heat, single, "")
 
 // Writes the energy that facets have released beyond their fracture energy.
 void write_crushing_of_facets(const Turn &turn, const FacetStrengths &strengths, const CohesiveCracks &cracks,
@@ -119,6 +119,6 @@ void write_crushing_of_facets(const Turn &turn, const FacetStrengths &strengths,
     for (Index c = 0; c < cracks.size(crack_number::cracks); c++) sum += crushed_by_facet(strengths, cracks, cracks.order(c));
     history.record(turn.clock.record, history_column::crushing) = sum - log.crushed(0);
 }
-BONDEM_PASS(write_crushing_of_facets, of_cracks)
+BONDEM_PASS(write_crushing_of_facets, of_cracks, "")
 
 }  // namespace bondem

@@ -90,7 +90,7 @@ void watch_resting_cracks(const Turn &turn, const Moving &all, const ElasticFace
                        facets.period.data, strengths, cracks, lists, portion);
     });
 }
-BONDEM_PASS(watch_resting_cracks, of_cracks)
+BONDEM_PASS(watch_resting_cracks, of_cracks, "ends pose pose.stress")
 
 // Treats resting cracks one by one again that are about to soften or close.
 void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
@@ -114,7 +114,7 @@ void wake_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facet
     }
     if (lists.size(list_count::treated) > before) fill_treated(lists);
 }
-BONDEM_PASS(wake_cracks, of_cracks)
+BONDEM_PASS(wake_cracks, of_cracks, "ends pose; adds CellDilatation.weight base half stale")
 
 // Lowers the integrities of cracks, and finds those that go to rest.
 void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetStrengths &strengths,
@@ -127,11 +127,10 @@ void soften_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fac
                         stresses, cracks, lists, portion);
     });
 }
-BONDEM_PASS(soften_cracks, of_cracks)
+BONDEM_PASS(soften_cracks, of_cracks, "ends pose pose.stress tensor; adds half")
 
-// Sums the forces of the cracks of each cell, and lets their faces slip by them.
-void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const StressesOfCells &stresses,
-                  const CohesiveCracks &cracks, const CrackLists &lists) {
+// Sums the forces of the cracks of each cell, and finds how far their faces slip by them.
+void sum_cracks(const Turn &turn, const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
     const bool changes = turn.clock.dt > 0.0;
     over_places(turn, lists.size(list_count::cells), [&](Index first, Index last, Index) {
         HalvesAhead ahead(lists, first, last);
@@ -144,7 +143,13 @@ void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
             if (changes) state = slips ? crack::slips : state == crack::slips ? crack::slipped : crack::sticks;
         }
     });
-    if (!changes) return;
+}
+BONDEM_PASS(sum_cracks, of_cracks, "own half; adds carried slip sum")
+
+// Lets the faces of cracks slip with their two cells.
+void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CohesiveCracks &cracks,
+                  const CrackLists &lists) {
+    if (!(turn.clock.dt > 0.0)) return;
     over_places(turn, lists.size(list_count::treated), [&](Index first, Index last, Index) {
         const double *const slipping = lists.slip.data + crack::slipping;
         for (Index e = first; e < last; e++)
@@ -152,7 +157,7 @@ void slide_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
                 slide_crack(all, facets, cracks, lists, lists.treated(e));
     });
 }
-BONDEM_PASS(slide_cracks, of_cracks)
+BONDEM_PASS(slide_cracks, of_cracks, "ends pose slip")
 
 // Puts cracks to rest, or parts their faces, as `soften_cracks` has found.
 void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &facets, const CellDilatation &cells,
@@ -187,6 +192,6 @@ void leave_cracks(const Turn &turn, const Moving &all, const ElasticFacets &face
         }
     }
 }
-BONDEM_PASS(leave_cracks, of_cracks)
+BONDEM_PASS(leave_cracks, of_cracks, "ends CellDilatation.weight half pose pose.stress; adds CellDilatation.weight base half stale")
 
 }  // namespace bondem

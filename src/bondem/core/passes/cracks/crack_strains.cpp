@@ -24,7 +24,7 @@ void sum_crack_powers(const Turn &, const Moving &all, const CellStrains &strain
                       const CohesiveCracks &cracks) {
     if (strains.due(strain_due::power)) sum_powers(all, strains, facets, cracks);
 }
-BONDEM_PASS(sum_crack_powers, of_cracks)
+BONDEM_PASS(sum_crack_powers, of_cracks, "ends pose")
 
 // Sets ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was not
 // reached by a step.
@@ -32,6 +32,6 @@ void begin_crack_powers(const Turn &turn, const Moving &all, const CellStrains &
                         const CohesiveCracks &cracks) {
     if (turn.clock.first) sum_powers(all, strains, facets, cracks);
 }
-BONDEM_PASS(begin_crack_powers, of_cracks)
+BONDEM_PASS(begin_crack_powers, of_cracks, "ends pose")
 
 }  // namespace bondem

@@ -72,7 +72,7 @@ void mark_cracking_facets(const Turn &turn, const Moving &all, const ElasticFace
     });
     onset.found(turn.block) = found;
 }
-BONDEM_PASS(mark_cracking_facets, of_bonds)
+BONDEM_PASS(mark_cracking_facets, of_bonds, "ends judged pose tensor")
 
 // Marks facets of planes, such as joints, that begin to crack.
 void mark_cracking_planes(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
@@ -89,7 +89,7 @@ void mark_cracking_planes(const Turn &turn, const Moving &all, const ElasticFace
     }
     onset.found(onset.found.size() - 1) = found;
 }
-BONDEM_PASS(mark_cracking_planes, of_rows)
+BONDEM_PASS(mark_cracking_planes, of_rows, "ends pose")
 
 // Begins the cracks of facets that are marked.
 void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForces &kept,
@@ -111,6 +111,6 @@ void begin_cracks(const Turn &turn, const ElasticFacets &facets, const FacetForc
     }
     onset.found(portions) = 0;
 }
-BONDEM_PASS(begin_cracks, of_events)
+BONDEM_PASS(begin_cracks, of_events, "adds cracked")
 
 }  // namespace bondem

@@ -28,7 +28,7 @@ void begin_bases(const Turn &turn, const Moving &all, const CellDilatation &cell
         lists.base(p) = weight != 0.0 ? all.pose(p, stress_column) / weight : 0.0;
     }
 }
-BONDEM_PASS(begin_bases, of_elements)
+BONDEM_PASS(begin_bases, of_elements, "own pose.stress weight; writes base")
 
 #if defined(BONDEM_LANES)
 
@@ -45,7 +45,7 @@ void measure_cracks(const Turn &turn, const Moving &all, const ElasticFacets &fa
                      measure_each(group, all, facets, slack, stresses, cracks, lists, portion, changes);
                  });
 }
-BONDEM_PASS(measure_cracks, of_cracks)
+BONDEM_PASS(measure_cracks, of_cracks, "around pose tensor; adds half")
 
 // Finds the stresses of all cells with cracks that are treated one by one.
 void relax_cracked_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
@@ -57,7 +57,7 @@ void relax_cracked_cells(const Turn &turn, const Moving &all, const CellDilatati
         }
     });
 }
-BONDEM_PASS(relax_cracked_cells, of_cracks)
+BONDEM_PASS(relax_cracked_cells, of_cracks, "own base half weight; adds pose.stress")
 
 // Finds the stresses of cells with cracks that are out of date.
 void relax_stale_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
@@ -76,7 +76,7 @@ void relax_stale_cells(const Turn &turn, const Moving &all, const CellDilatation
         for (Index n = 0; n < count; n += lanes) relax(CellGroup{stale + n}, all, cells, lists);
     });
 }
-BONDEM_PASS(relax_stale_cells, of_cracks)
+BONDEM_PASS(relax_stale_cells, of_cracks, "own base half weight; adds pose.stress stale")
 
 #endif
 

@@ -20,8 +20,8 @@ void judge_cells_by(const Turn &turn, const StressesOfCells &stresses, const Str
 
 }  // namespace
 
-BONDEM_PASS_AS(judge_cells_by_mean_stress, of_elements, judge_cells_by<MeanStress>)
-BONDEM_PASS_AS(judge_cells_by_cone, of_elements, judge_cells_by<Cone>)
+BONDEM_PASS_AS(judge_cells_by_mean_stress, of_elements, "own cracked tensor; writes judged", judge_cells_by<MeanStress>)
+BONDEM_PASS_AS(judge_cells_by_cone, of_elements, "own cracked tensor; writes judged", judge_cells_by<Cone>)
 
 // Finds the cells whose facets are evaluated: those whose stress is large enough for the criterion of a user.
 void judge_cells_by_size(const Turn &turn, const StressesOfCells &stresses, const CandidateFacets &onset,
@@ -29,7 +29,7 @@ void judge_cells_by_size(const Turn &turn, const StressesOfCells &stresses, cons
     if (turn.clock.dt > 0.0)
         for (Index p = turn.first; p < turn.last; p++) judge_cell_of_user(stresses, onset, cracks, p);
 }
-BONDEM_PASS(judge_cells_by_size, of_elements)
+BONDEM_PASS(judge_cells_by_size, of_elements, "own cracked tensor; writes judged")
 
 // Writes the stresses of facets in tension, as candidates of a portion; marks facets of cells without cohesion.
 void find_stress_candidates(const Turn &turn, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
@@ -50,7 +50,7 @@ void find_stress_candidates(const Turn &turn, const Moving &all, const ElasticFa
     onset.number(turn.block) = next - turn.first;
     cracks.found(turn.block) = marked;
 }
-BONDEM_PASS(find_stress_candidates, of_bonds)
+BONDEM_PASS(find_stress_candidates, of_bonds, "ends judged pose tensor")
 
 // Marks candidates that fail, and leaves these with the mean stress of their cells, of which the index gives their strength.
 void mark_failing_facets(const Turn &, const Moving &all, const ElasticFacets &facets, const FacetForces &kept,
@@ -66,12 +66,12 @@ void mark_failing_facets(const Turn &, const Moving &all, const ElasticFacets &f
     for (Index q = 0; q < onset.number.size(); q++) onset.number(q) = 0;
     if (next > 0) onset.number(0) = next;  // one after the other, as from one portion
 }
-BONDEM_PASS(mark_failing_facets, of_events)
+BONDEM_PASS(mark_failing_facets, of_events, "ends pose tensor")
 
 // Keeps the strengths of facets that begin to crack.
 void find_strengths_along(const Turn &, const CandidateFacets &onset) {
     for (Index c = 0; c < onset.total(0); c++) keep_strength_along(onset, c);
 }
-BONDEM_PASS(find_strengths_along, of_rows)
+BONDEM_PASS(find_strengths_along, of_rows, "")
 
 }  // namespace bondem

@@ -44,27 +44,27 @@ void find_cell_stresses(const Turn &turn, const Moving &all, const FacetForces &
                         const StressesOfCells &stresses) {
     if (turn.clock.dt > 0.0) find_stresses(turn, all, kept, stresses);
 }
-BONDEM_PASS(find_cell_stresses, of_elements)
+BONDEM_PASS(find_cell_stresses, of_elements, "own carried moment pose; writes tensor")
 
 void find_still_stresses(const Turn &turn, const Moving &all, const FacetForces &kept,
                          const StressesOfCells &stresses) {
     if (!(turn.clock.dt > 0.0)) find_stresses(turn, all, kept, stresses);
 }
-BONDEM_PASS(find_still_stresses, of_elements)
+BONDEM_PASS(find_still_stresses, of_elements, "own carried moment pose; writes tensor")
 
 // Adds forces of walls and of loads on free facets to the stresses of surface cells.
 void add_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
                           const FacetTractions &tractions, const StressesOfCells &stresses) {
     if (turn.clock.dt > 0.0) add_of_surface(all, walls, tractions, stresses);
 }
-BONDEM_PASS(add_surface_stresses, of_rows)
+BONDEM_PASS(add_surface_stresses, of_rows, "own arm load pose; changes tensor")
 
 // Adds forces of walls and of loads on free facets to stresses of surface cells that were found without a step.
 void add_still_surface_stresses(const Turn &turn, const Moving &all, const WallConstraints &walls,
                                 const FacetTractions &tractions, const StressesOfCells &stresses) {
     if (!(turn.clock.dt > 0.0)) add_of_surface(all, walls, tractions, stresses);
 }
-BONDEM_PASS(add_still_surface_stresses, of_rows)
+BONDEM_PASS(add_still_surface_stresses, of_rows, "own arm load pose; changes tensor")
 
 void judge_cells(const Turn &turn, const FacetStrengths &strengths, const StressesOfCells &stresses,
                  const CrackOnset &onset) {
@@ -76,6 +76,6 @@ void judge_cells(const Turn &turn, const FacetStrengths &strengths, const Stress
         onset.judged(p) = onset.cracked(p) != 0 || hot;
     }
 }
-BONDEM_PASS(judge_cells, of_elements)
+BONDEM_PASS(judge_cells, of_elements, "own cracked tensor; writes judged")
 
 }  // namespace bondem

@@ -51,7 +51,7 @@ void yield_cells(const Turn &turn, const Moving &all, const FacetStrengths &, co
         });
     flow_together(all, stresses, cells, batch);
 }
-BONDEM_PASS(yield_cells, of_elements)
+BONDEM_PASS(yield_cells, of_elements, "own pose tensor; ends slipped; adds held plastic; writes judged")
 
 // Stretches levers of facets with the plastic deformation of their cells, where it has grown.
 void stretch_cells(const Turn &turn, const ElasticFacets &facets, const FacetsOfCells &of_cells,
@@ -60,7 +60,7 @@ void stretch_cells(const Turn &turn, const ElasticFacets &facets, const FacetsOf
     for (Index p = turn.first; p < turn.last; p++)
         if (grows(cells, p)) stretch_cell(facets, of_cells, cells, p);
 }
-BONDEM_PASS(stretch_cells, of_elements)
+BONDEM_PASS(stretch_cells, of_elements, "ends plastic; changes slipped")
 
 // Stretches levers of all facets with the plastic deformation of their cells, as a run begins.
 void stretch_all_cells(const Turn &turn, const ElasticFacets &facets, const FacetsOfCells &of_cells,
@@ -68,7 +68,7 @@ void stretch_all_cells(const Turn &turn, const ElasticFacets &facets, const Face
     for (Index p = turn.first; p < turn.last; p++)
         if (has_yielded(cells, p)) stretch_cell(facets, of_cells, cells, p);
 }
-BONDEM_PASS(stretch_all_cells, of_elements)
+BONDEM_PASS(stretch_all_cells, of_elements, "ends plastic; changes slipped")
 
 // Stretches levers of walls and cracks with the plastic deformation of their cells, where it has grown.
 void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, const WallConstraints &walls,
@@ -79,7 +79,7 @@ void stretch_walls_and_cracks(const Turn &turn, const ElasticFacets &facets, con
     for (Index k = 0, m = cracks.integrity.size(); k < m; k++)
         if (cracks.listed(k) != 0) stretch_crack(facets, cells, cracks, k);
 }
-BONDEM_PASS(stretch_walls_and_cracks, of_cracks)
+BONDEM_PASS(stretch_walls_and_cracks, of_cracks, "own base_wall; ends plastic; adds arm")
 
 // Stretches levers with the plastic deformation of their cells, where stress-free strains have set them anew.
 void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets &facets,
@@ -94,7 +94,7 @@ void stretch_anew(const Turn &, const CellStrains &strains, const ElasticFacets 
         if (has_yielded(cells, p)) stretch_cell(facets, of_cells, cells, p);
     for (Index g = 0; g < walls.cell.size(); g++) stretch_from_present(walls, cells, g);
 }
-BONDEM_PASS(stretch_anew, of_rows)
+BONDEM_PASS(stretch_anew, of_rows, "ends plastic; changes arm slipped; writes base_wall")
 
 // Adds the work of loads on free facets that move as their cells yield.
 void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const StressesOfCells &stresses,
@@ -106,6 +106,6 @@ void add_yielding_work(const Turn &turn, const FacetTractions &tractions, const 
         rows.work(tractions.place) += tractions.factor(l) * power;
     }
 }
-BONDEM_PASS(add_yielding_work, of_rows)
+BONDEM_PASS(add_yielding_work, of_rows, "")
 
 }  // namespace bondem

@@ -74,7 +74,7 @@ void withdraw_dashpot(const Moving &all, const Beams &beams, const Dashpots &das
 
 #if defined(BONDEM_LANES)
 #define BONDEM_CRITERION(_, name, Criterion)                                         \
-    BONDEM_PASS_AS(judge_beams_by_##name, bonds_of_blocks, judge_beams<Criterion>)  \
+    BONDEM_PASS_AS(judge_beams_by_##name, bonds_of_blocks, "ends pose; adds held", judge_beams<Criterion>)  \
     BONDEM_CALL_AS(index_beams_by_##name, "", index_beams<Criterion>)
 BONDEM_BEAM_CRITERIA(BONDEM_CRITERION, )
 #undef BONDEM_CRITERION
@@ -85,13 +85,13 @@ void withdraw_dashpots(const Turn &, const Moving &all, const Beams &beams, cons
                        const Candidates &candidates, const Postponed &postponed) {
     for_each_failing(candidates, [&](Index k, Index) { withdraw_dashpot(all, beams, dashpots, postponed, k); });
 }
-BONDEM_PASS(withdraw_dashpots, of_events)
+BONDEM_PASS(withdraw_dashpots, of_events, "ends motion; still pose; adds kept sums")
 
 // Removes the beams that fail.
 void break_beams(const Turn &turn, const Moving &all, const Beams &beams, const BeamIntegrity &state,
                  const Candidates &candidates, const Postponed &postponed, const EventLog &log) {
     remove(turn, candidates, log, [&](Index k) { return break_beam(all.pose.data, beams, state, postponed, k); });
 }
-BONDEM_PASS(break_beams, of_events)
+BONDEM_PASS(break_beams, of_events, "still pose; adds kept")
 
 }  // namespace bondem

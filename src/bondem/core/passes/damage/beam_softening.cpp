@@ -24,7 +24,7 @@ void soften_beams(const Turn &turn, const Moving &all, const Beams &beams, const
     part_broken(bounds, soft, q);
     soft.lost(q) = lost;
 }
-BONDEM_PASS(soften_beams, of_bonds)
+BONDEM_PASS(soften_beams, of_bonds, "ends motion pose")
 
 void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBeams &soft,
                         const EventLog &log) {
@@ -43,7 +43,7 @@ void log_softened_beams(const Turn &turn, const Moving &all, const Beams &beams,
         soft.parted(q) = 0;
     }
 }
-BONDEM_PASS(log_softened_beams, of_events)
+BONDEM_PASS(log_softened_beams, of_events, "ends pose")
 
 void begin_softening(const Turn &turn, const Candidates &candidates, const SofteningBounds &bounds, const SofteningBeams &soft,
                      const EventLog &log) {
@@ -60,7 +60,7 @@ void begin_softening(const Turn &turn, const Candidates &candidates, const Softe
     });
     end_failures(candidates);
 }
-BONDEM_PASS(begin_softening, of_events)
+BONDEM_PASS(begin_softening, of_events, "")
 
 void sum_pressed_energies(const Turn &turn, const Moving &all, const Beams &beams, const SofteningBounds &bounds,
                           const Portions &portions) {
@@ -72,7 +72,7 @@ void sum_pressed_energies(const Turn &turn, const Moving &all, const Beams &beam
     }
     portions.bonds(turn.block, 0) += sum;
 }
-BONDEM_PASS(sum_pressed_energies, of_bonds)
+BONDEM_PASS(sum_pressed_energies, of_bonds, "ends pose")
 
 // Writes the energy that beams have released beyond their fracture energy.
 void write_crushing_of_beams(const Turn &turn, const SofteningBounds &bounds, const SofteningBeams &soft, const EventLog &log,
@@ -81,6 +81,6 @@ void write_crushing_of_beams(const Turn &turn, const SofteningBounds &bounds, co
     for (Index c = 0; c < soft.begun(0); c++) sum += crushed_by_beam(bounds, soft, c);
     history.record(turn.clock.record, history_column::crushing) = sum - log.crushed(0);
 }
-BONDEM_PASS(write_crushing_of_beams, of_rows)
+BONDEM_PASS(write_crushing_of_beams, of_rows, "")
 
 }  // namespace bondem

@@ -189,6 +189,4 @@ inline void take_off(double *row, double sign, Vector force, double turning, Vec
     }
 }
 
-// ---- passes
-
 }  // namespace bondem

@@ -42,21 +42,21 @@ void postpone_elements(const Turn &turn, const StepCut &cut, const Candidates &c
     }
     *turn.division = {going.list(postponed), late.list(postponed)};
 }
-BONDEM_PASS(postpone_elements, divides_elements)
+BONDEM_PASS(postpone_elements, divides_elements, "")
 
 // Keeps the sums of postponed elements.
 void keep_sums(const Turn &turn, const StepCut &cut, const Postponed &postponed) {
     for (Index e = turn.first; e < turn.last; e++)
         row_at(postponed.kept.data, turn.element[e]) = row_at(cut.sums.data, turn.row[e]);
 }
-BONDEM_PASS(keep_sums, postponed_of_blocks)
+BONDEM_PASS(keep_sums, postponed_of_blocks, "own held sums; changes kept")
 
 // Keeps the sums of the dashpots of postponed elements.
 void keep_dashpots(const Turn &turn, const Dashpots &dashpots, const Postponed &postponed) {
     for (Index e = turn.first; e < turn.last; e++)
         row_at(dashpots.sums.data, Short(postponed.first_row + turn.element[e])) = row_at(dashpots.sums.data, turn.row[e]);
 }
-BONDEM_PASS(keep_dashpots, postponed_of_blocks)
+BONDEM_PASS(keep_dashpots, postponed_of_blocks, "own held; changes sums")
 
 // Lists all postponed elements, those with rows of the boundary last, and ends the failures of the step.
 void list_postponed(const Turn &turn, const Rows &rows, const Candidates &candidates, const Postponed &postponed) {
@@ -73,12 +73,12 @@ void list_postponed(const Turn &turn, const Rows &rows, const Candidates &candid
     turn.division->postponed = {0, count, free, postponed.element.data, postponed.row.data};
     end_failures(candidates);
 }
-BONDEM_PASS(list_postponed, divides_elements)
+BONDEM_PASS(list_postponed, divides_elements, "writes held")
 
 // Writes the energy released into a record.
 void write_released(const Turn &turn, const EventLog &log, const HistoryRows &history) {
     history.record(turn.clock.record, history_column::released) = log.released(0);
 }
-BONDEM_PASS(write_released, single)
+BONDEM_PASS(write_released, single, "")
 
 }  // namespace bondem

@@ -49,7 +49,7 @@ template <class Criterion> Index index_stresses(Index, const StressCandidates &c
 }  // namespace
 
 #define BONDEM_CRITERION(name, Criterion)                                                  \
-    BONDEM_PASS_AS(index_candidates_by_##name, of_rows, index_candidates<Criterion>)       \
+    BONDEM_PASS_AS(index_candidates_by_##name, of_rows, "", index_candidates<Criterion>)       \
     BONDEM_CALL_AS(index_stresses_by_##name, "", index_stresses<Criterion>)
 BONDEM_CRITERION(mean_stress, MeanStress)
 BONDEM_CRITERION(cone, Cone)

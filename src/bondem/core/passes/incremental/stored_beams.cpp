@@ -40,7 +40,7 @@ void add_stored_loads(const Turn &turn, const Moving &all, const Beams &beams, c
                  {{-f.x, -f.y, -f.z, zero, t.x, t.y, t.z, zero}}, {{f.x, f.y, f.z, zero, u.x, u.y, u.z, zero}}, group.known);
     });
 }
-BONDEM_PASS(add_stored_loads, bonds_of_blocks)
+BONDEM_PASS(add_stored_loads, bonds_of_blocks, "ends motion pose; adds sums")
 
 #endif
 
@@ -56,7 +56,7 @@ void sum_stored_energies(const Turn &turn, const Moving &all, const Beams &beams
         add_energy(sum, beams.integrity(k), energy);
     }
 }
-BONDEM_PASS(sum_stored_energies, of_bonds)
+BONDEM_PASS(sum_stored_energies, of_bonds, "ends pose")
 
 // Finds the loads of each beam on its elements in any poses.
 Index load_stored_beams(Index, const Poses &all, const Beams &beams, const StoredLoads &stored,

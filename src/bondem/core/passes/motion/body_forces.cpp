@@ -34,7 +34,7 @@ void follow_body_forces(const Turn &turn, const Timeline &timeline, const BodyFo
             body.present(g, d) = sum;
         }
 }
-BONDEM_PASS(follow_body_forces, of_rows)
+BONDEM_PASS(follow_body_forces, of_rows, "")
 
 void add_body_forces(const Turn &turn, const Moving &all, const StepCut &cut, const BodyForces &body) {
     for (Index e = turn.first; e < turn.last; e++) {
@@ -44,17 +44,17 @@ void add_body_forces(const Turn &turn, const Moving &all, const StepCut &cut, co
         add_work(turn, all, body, p);
     }
 }
-BONDEM_PASS(add_body_forces, elements_of_blocks)
+BONDEM_PASS(add_body_forces, elements_of_blocks, "own motion; changes sums work")
 
 void add_body_work(const Turn &turn, const Moving &all, const BodyForces &body) {
     if (!turn.clock.goes_on) return;
     for (Index e = turn.first; e < turn.last; e++) add_work(turn, all, body, turn.element[e]);
 }
-BONDEM_PASS(add_body_work, elements_of_blocks)
+BONDEM_PASS(add_body_work, elements_of_blocks, "own motion; changes work")
 
 void open_body_work(const Turn &turn, const Moving &all, const BodyForces &body) {
     for (Index p = turn.first; p < turn.last; p++) add_work(turn, all, body, Short(p));
 }
-BONDEM_PASS(open_body_work, of_elements)
+BONDEM_PASS(open_body_work, of_elements, "own motion; changes work")
 
 }  // namespace bondem

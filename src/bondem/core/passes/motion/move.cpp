@@ -41,32 +41,32 @@ inline void move_held(const Turn &turn, const Moving &all, const StepCut &cut, c
 
 // Closes the step, and opens the next, for elements that own no row of the boundary.
 void move_elements(const Turn &turn, const Moving &all, const StepCut &cut) { move_free(turn, all, cut, NoRow{}); }
-BONDEM_PASS(move_elements, elements_of_blocks)
+BONDEM_PASS(move_elements, elements_of_blocks, "changes acceleration motion pose sums")
 
 // Closes the step, and opens the next, for damped elements that own no row of the boundary.
 void move_resisted(const Turn &turn, const Moving &all, const StepCut &cut, const Resistance &resistance) {
     move_free(turn, all, cut, resistance);
 }
-BONDEM_PASS(move_resisted, elements_of_blocks)
+BONDEM_PASS(move_resisted, elements_of_blocks, "changes acceleration dashed loss motion pose sums")
 
 // Closes the step, and opens the next, for elements that own rows of the boundary.
 void move_rows(const Turn &turn, const Moving &all, const StepCut &cut, const Rows &rows) {
     move_held(turn, all, cut, rows, NoRow{});
 }
-BONDEM_PASS(move_rows, elements_of_blocks)
+BONDEM_PASS(move_rows, elements_of_blocks, "own force full half; changes acceleration motion pose sums; writes reaction")
 
 // Closes the step, and opens the next, for damped elements that own rows of the boundary.
 void move_resisted_rows(const Turn &turn, const Moving &all, const StepCut &cut, const Rows &rows,
                         const Resistance &resistance) {
     move_held(turn, all, cut, rows, resistance);
 }
-BONDEM_PASS(move_resisted_rows, elements_of_blocks)
+BONDEM_PASS(move_resisted_rows, elements_of_blocks, "own force full half; changes acceleration dashed loss motion pose sums; writes reaction")
 
 // Opens a step after a pause for all elements, none of which owns a row of the boundary.
 void open_elements(const Turn &turn, const Moving &all) {
     for (Index p = turn.first; p < turn.last; p++) open_one(p, turn.clock, all, NoRow{});
 }
-BONDEM_PASS(open_elements, of_elements)
+BONDEM_PASS(open_elements, of_elements, "own acceleration; changes motion pose")
 
 // Opens a step after a pause for all elements, some of which own rows of the boundary.
 void open_elements_and_rows(const Turn &turn, const Moving &all, const Rows &rows) {
@@ -78,13 +78,13 @@ void open_elements_and_rows(const Turn &turn, const Moving &all, const Rows &row
             open_one(p, turn.clock, all, BoundaryRow(rows, r));
     }
 }
-BONDEM_PASS(open_elements_and_rows, of_elements)
+BONDEM_PASS(open_elements_and_rows, of_elements, "own acceleration half; changes motion pose")
 
 // Opens a step for elements of a list that own no row of the boundary.
 void reopen_elements(const Turn &turn, const Moving &all) {
     for (Index e = turn.first; e < turn.held; e++) open_one(turn.element[e], turn.clock, all, NoRow{});
 }
-BONDEM_PASS(reopen_elements, elements_of_blocks)
+BONDEM_PASS(reopen_elements, elements_of_blocks, "own acceleration; changes motion pose")
 
 // Opens a step for elements of a list that own rows of the boundary.
 void reopen_rows(const Turn &turn, const Moving &all, const Rows &rows) {
@@ -93,6 +93,6 @@ void reopen_rows(const Turn &turn, const Moving &all, const Rows &rows) {
         open_one(p, turn.clock, all, BoundaryRow(rows, rows.of(p)));
     }
 }
-BONDEM_PASS(reopen_rows, elements_of_blocks)
+BONDEM_PASS(reopen_rows, elements_of_blocks, "own acceleration half; changes motion pose")
 
 }  // namespace bondem

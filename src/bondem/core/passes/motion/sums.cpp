@@ -17,19 +17,19 @@ void collect(const Turn &turn, const StepCut &cut, double *sums) {
 
 // Adds loads of bonds of other domains to the sums of shared elements, and sets their rows to zero.
 void collect_sums(const Turn &turn, const StepCut &cut) { collect(turn, cut, cut.sums.data); }
-BONDEM_PASS(collect_sums, parts_of_shared)
+BONDEM_PASS(collect_sums, parts_of_shared, "changes sums")
 
 // Adds loads of dashpots of other domains to the sums of shared elements, and sets their rows to zero.
 void collect_dashpots(const Turn &turn, const StepCut &cut, const Dashpots &dashpots) {
     collect(turn, cut, dashpots.sums.data);
 }
-BONDEM_PASS(collect_dashpots, parts_of_shared)
+BONDEM_PASS(collect_dashpots, parts_of_shared, "changes Dashpots.sums")
 
 // Adds the forces of dashpots to those of springs; the former are kept, because their power is found later.
 void add_dashpots(const Turn &turn, const StepCut &cut, const Dashpots &dashpots) {
     for (Index e = turn.first; e < turn.last; e++)
         for (Index c = 0; c < 8; c++) cut.sums(turn.row[e], c) += dashpots.sums(turn.row[e], c);
 }
-BONDEM_PASS(add_dashpots, elements_of_blocks)
+BONDEM_PASS(add_dashpots, elements_of_blocks, "own Dashpots.sums; changes StepCut.sums")
 
 }  // namespace bondem

@@ -28,7 +28,7 @@ void turn(Index first, Index last, const double *pose, const LaggedStresses &str
 void turn_stresses(const Turn &portion, const Moving &all, const LaggedStresses &stresses) {
     turn(portion.first, portion.last, all.pose.data, stresses);
 }
-BONDEM_PASS(turn_stresses, of_elements)
+BONDEM_PASS(turn_stresses, of_elements, "own pose stress; writes space")
 
 // Turns the stresses of all elements in any poses.
 Index turn_all_stresses(Index, const Poses &all, const LaggedStresses &stresses) {
@@ -47,20 +47,20 @@ void collect_moments(const Turn &turn, const StepCut &cut, const LaggedStresses 
                 stresses.moment(q, c) = 0.0;
             }
 }
-BONDEM_PASS(collect_moments, parts_of_shared)
+BONDEM_PASS(collect_moments, parts_of_shared, "changes moment")
 
 // Finds the stresses of a portion of elements, and bounds of their principal stresses; sets the moments to zero.
 void find_stresses(const Turn &turn, const Moving &all, const LaggedStresses &stresses) {
     for (Index e = turn.first; e < turn.last; e += lanes)
         find_stress(Elements(e, turn.last).place, all.pose.data, stresses);
 }
-BONDEM_PASS(find_stresses, of_elements)
+BONDEM_PASS(find_stresses, of_elements, "own pose; changes moment; writes space stress")
 
 // Finds the stresses of the elements of a block, and bounds of their principal stresses; sets the moments to zero.
 void find_stresses_of_block(const Turn &turn, const Moving &all, const LaggedStresses &stresses) {
     for (Index e = turn.first; e < turn.last; e += lanes)
         find_stress(Several(turn, e, turn.last).element, all.pose.data, stresses);
 }
-BONDEM_PASS(find_stresses_of_block, elements_of_blocks)
+BONDEM_PASS(find_stresses_of_block, elements_of_blocks, "own pose; changes moment; writes space stress")
 
 }  // namespace bondem

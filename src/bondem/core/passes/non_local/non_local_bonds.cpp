@@ -117,7 +117,7 @@ void find_non_local_forces(const Turn &turn, const Moving &all, const Beams &bea
     };
     find_forces(turn, all, beams, bonds, stresses, keep);
 }
-BONDEM_PASS(find_non_local_forces, bonds_of_blocks)
+BONDEM_PASS(find_non_local_forces, bonds_of_blocks, "ends pose space; adds moment")
 
 // Adds forces and torques of the bonds to the sums of the elements, in the order of the bonds.
 void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const StepCut &cut) {
@@ -130,7 +130,7 @@ void add_non_local_loads(const Turn &turn, const NonLocalBonds &bonds, const Ste
         add_loads(cut, group, {vector(force_column), vector(on_i_column), vector(on_j_column)});
     });
 }
-BONDEM_PASS(add_non_local_loads, bonds_of_blocks)
+BONDEM_PASS(add_non_local_loads, bonds_of_blocks, "adds sums")
 
 // Finds and adds forces and torques of bonds that cannot fail, without keeping them.
 void add_lasting_loads(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
@@ -142,7 +142,7 @@ void add_lasting_loads(const Turn &turn, const Moving &all, const Beams &beams, 
     };
     find_forces(turn, all, beams, bonds, stresses, add);
 }
-BONDEM_PASS(add_lasting_loads, bonds_of_blocks)
+BONDEM_PASS(add_lasting_loads, bonds_of_blocks, "ends pose space; adds moment sums")
 
 #endif
 
@@ -150,7 +150,7 @@ BONDEM_PASS(add_lasting_loads, bonds_of_blocks)
 void write_non_local_work(const Turn &turn, const NonLocalWork &work, const HistoryRows &history) {
     history.record(turn.clock.record, history_column::extra_work) = sum_of(work);
 }
-BONDEM_PASS(write_non_local_work, single)
+BONDEM_PASS(write_non_local_work, single, "")
 
 void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
                             const Portions &portions, const NonLocalWork &work) {
@@ -169,7 +169,7 @@ void sum_non_local_energies(const Turn &turn, const Moving &all, const Beams &be
     sum[0] = normal, sum[1] = shear, sum[2] = sum[3] = 0.0;
     work.taken(turn.block) = taken;
 }
-BONDEM_PASS(sum_non_local_energies, of_bonds)
+BONDEM_PASS(sum_non_local_energies, of_bonds, "ends pose")
 
 // Finds extra forces at small strain, where frames of elements are those of space.
 Index find_small_extra_forces(Index, const SmallPairs &pairs, const ExtraForces &extra) {

@@ -34,7 +34,7 @@ void mark_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &stre
     });
     candidates.count(turn.block) = next - first;
 }
-BONDEM_PASS(mark_pairs, bonds_of_blocks)
+BONDEM_PASS(mark_pairs, bonds_of_blocks, "ends space")
 
 #endif
 
@@ -46,7 +46,7 @@ void judge_pairs(const Turn &turn, const Beams &beams, const LaggedStresses &str
         [&](Index k) { return verdict_of_pair(beams, stresses, strengths, k); },
         [&](Index k) { hold_ends(postponed, beams, k); });
 }
-BONDEM_PASS(judge_pairs, bonds_of_blocks)
+BONDEM_PASS(judge_pairs, bonds_of_blocks, "ends space; adds held")
 
 // Removes the bonds that fail: their force from the kept sums, and the energy of their springs.
 void break_pairs(const Turn &turn, const Moving &all, const Beams &beams, const NonLocalBonds &bonds,
@@ -57,7 +57,7 @@ void break_pairs(const Turn &turn, const Moving &all, const Beams &beams, const 
         return removal_of_pair(all, beams, bonds, k);
     });
 }
-BONDEM_PASS(break_pairs, of_events)
+BONDEM_PASS(break_pairs, of_events, "still pose; adds kept")
 
 // Subtracts the force of failed bonds from the stresses of their elements, and sets their integrity to 0; after
 // `break_pairs`.
@@ -69,7 +69,7 @@ void relieve_pairs(const Turn &, const Moving &all, const Beams &beams, const No
         end_pair(bonds, state, k);
     });
 }
-BONDEM_PASS(relieve_pairs, of_events)
+BONDEM_PASS(relieve_pairs, of_events, "own pose; adds stress")
 
 // Index of the criterion of every bond, by stresses in space.
 Index index_pairs(Index, const Beams &beams, const LaggedStresses &stresses, const Strengths &strengths,

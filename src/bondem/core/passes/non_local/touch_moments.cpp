@@ -33,7 +33,7 @@ void add_begun_contacts(const Turn &, const Moving &all, const ContactConstants 
         add_to_stress(pose, stresses, pairs.second(k), lever.of_second, force);
     });
 }
-BONDEM_PASS(add_begun_contacts, of_events)
+BONDEM_PASS(add_begun_contacts, of_events, "ends motion; still pose; adds stress")
 
 // Adds contacts of pairs to the stresses of the elements of a range, in the order of the pairs.
 void add_pair_moments(const Turn &turn, const Moving &all, const ContactConstants &c, const ContactPairs &pairs,
@@ -51,7 +51,7 @@ void add_pair_moments(const Turn &turn, const Moving &all, const ContactConstant
         }
     }
 }
-BONDEM_PASS(add_pair_moments, of_ranges)
+BONDEM_PASS(add_pair_moments, of_ranges, "ends pose; adds moment")
 
 void add_wall_moments(const Turn &turn, const Moving &all, const ContactConstants &c, const WallContacts &contacts,
                       const Walls &walls, const LaggedStresses &stresses) {
@@ -63,6 +63,6 @@ void add_wall_moments(const Turn &turn, const Moving &all, const ContactConstant
             add_moment(stresses, p, (radius + at.gap) * at.normal, contacts.output.row<const Vector>(e));
         }
 }
-BONDEM_PASS(add_wall_moments, of_elements)
+BONDEM_PASS(add_wall_moments, of_elements, "own pose; changes moment")
 
 }  // namespace bondem

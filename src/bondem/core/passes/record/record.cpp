@@ -35,7 +35,7 @@ void sum_element_energies(const Turn &turn, const Moving &all, const Portions &p
     }
     for (Index c = 0; c < 4; c++) portions.elements(turn.block, c) = sum[c];
 }
-BONDEM_PASS(sum_element_energies, of_elements)
+BONDEM_PASS(sum_element_energies, of_elements, "")
 
 // Finds whether a number is not finite, or the motion has more energy than can have come in.
 void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
@@ -56,7 +56,7 @@ void judge_energy(const Turn &, const Rows &rows, const Portions &portions) {
     const double known = portions.budget(guard_energy::start) + portions.budget(guard_energy::supplied);
     portions.found(guard_number::ending) = kinetic > beyond * known ? 2 : 0;
 }
-BONDEM_PASS(judge_energy, single)
+BONDEM_PASS(judge_energy, single, "")
 
 // Writes time and the entries of the energy balance.
 void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, const HistoryRows &history) {
@@ -72,7 +72,7 @@ void write_ledger(const Turn &turn, const Rows &rows, const Portions &portions, 
         for (Index c = 0; c < 4; c++) record[normal + c] += portions.bonds(q, c);
     for (Index r = 0; r < rows.work.size(); r++) record[work] += rows.work(r);
 }
-BONDEM_PASS(write_ledger, single)
+BONDEM_PASS(write_ledger, single, "")
 
 // Writes three components of each gauge of elements.
 void read_gauges(const Turn &turn, const Moving &all, const Rows &rows, const Gauges &gauges, const HistoryRows &history) {
@@ -91,6 +91,6 @@ void read_gauges(const Turn &turn, const Moving &all, const Rows &rows, const Ga
         }
     }
 }
-BONDEM_PASS(read_gauges, of_rows)
+BONDEM_PASS(read_gauges, of_rows, "")
 
 }  // namespace bondem
