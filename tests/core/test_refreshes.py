@@ -1,9 +1,12 @@
 """Refreshes of ghosts that follow from what passes declare, and runs of several ranks with them."""
 
+import numpy as np
 import pytest
 
+from bondem.dynamics.core_loop import CoreLoop
 from bondem.dynamics.parts.parts_of_model import parts_in_one_block
 from bondem.dynamics.plan import Plan
+from tests.core.ranks import Ranks
 from tests.core.refreshes import layers, refreshes
 from tests.device_cases import Case
 from tests.device_cracks import CASES as CRACKING
@@ -63,3 +66,37 @@ def test_cracks_need_two_layers_and_facets_that_break_at_once_a_pass_that_is_div
     assert layers(parts_of(_ALL["non-local, bonds break"]())) == 1
     with pytest.raises(ValueError, match="break_facets reads at its ends"):
         refreshes(parts_of(_ALL["brittle cells"]()))
+
+
+def differing(name: str, steps: int, left_out: int | None = None) -> int:
+    """Return how many elements of three ranks, dealt at random, differ in a bit from a run of one process."""
+    model, start, _, dt, options = _ALL[name]()
+    options = {key: value for key, value in options.items() if key not in ("every", "gauges")}
+    case = model, start, steps, dt, options
+    whole = CoreLoop(model, Plan(duration=1.0, dt=dt, every=0, **options), start(model), dt)
+    whole.look()
+    state, parts = whole.state.copy(), parts_of(case)
+    whole.run(steps)
+    owner = np.random.default_rng(0).integers(0, 3, len(state.pose))
+    wanted = [one for place, one in enumerate(refreshes(parts)) if place != left_out and "half" not in one.column]
+    ranks = Ranks(case, state, owner, wanted, layers(parts))
+    ranks.run(steps)
+    differ = np.zeros(len(owner), dtype=bool)
+    for number, rank in enumerate(ranks.ranks):
+        for field in ("pose", "motion", "acceleration"):
+            one, other = getattr(rank.state, field), getattr(whole.state, field)
+            differ |= (owner == number) & (one != other).any(axis=1)
+    return int(differ.sum())
+
+
+@pytest.mark.parametrize(
+    ("name", "steps"),
+    [("dashpots and brittle", 20), ("layer of cells", 10), ("non-local, bonds break", 20), ("torn apart", 8)],
+)
+def test_ranks_have_the_bits_of_one_process(name: str, steps: int) -> None:
+    assert differing(name, steps) == 0
+
+
+@pytest.mark.parametrize("left_out", range(5))
+def test_no_refresh_may_be_left_out(left_out: int) -> None:
+    assert differing("non-local, bonds break", 40, left_out) > 0
