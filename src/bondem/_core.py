@@ -29,19 +29,8 @@ from bondem._passes import Call
 from bondem.errors import InputError
 
 __all__ = [
-    "bound_pass",
-    "checked_fields",
-    "compiled_level",
-    "core_lanes",
-    "declared_columns",
-    "filled_table",
-    "index_loop",
-    "pass_tables",
-    "room_for",
-    "row_type",
-    "run_pass",
-    "step_pass",
-    "table_fields",
+    "bound_pass", "checked_fields", "compiled_level", "core_lanes", "declared_columns", "filled_table", "index_loop",
+    "pass_tables", "room_for", "row_type", "run_pass", "step_pass", "table_fields",
 ]  # fmt: skip
 
 # How long a process waits for what another one compiles [s].
