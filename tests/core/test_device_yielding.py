@@ -17,7 +17,7 @@ from bondem.dynamics.explicit import integrate
 from bondem.dynamics.on_device.breakage_counterparts import resuming
 from bondem.dynamics.on_device.counterparts import COUNTERPARTS
 from bondem.dynamics.plan import Plan
-from tests.bits import assert_same_fracture, assert_same_run
+from tests.bits import assert_same_bits, assert_same_fracture, assert_same_run
 from tests.core.test_device import Backwards
 from tests.device_runs import deviation
 from tests.device_sides import (
@@ -161,3 +161,8 @@ def test_a_resumed_run_without_a_pass_is_another_one(name: str) -> None:
     case, stretch = TEETH_OF_RESUMED[name], 1e-5 if "still" in name else 0.0
     whole, lacking = (resumed(case, loop, stretch) for loop in (on_device, loop_on(without(name))))
     assert deviation(whole, lacking) > 1e-10
+
+
+def test_a_second_run_of_a_model_has_the_bits_of_the_first():
+    case = CASES["crushed"]()
+    assert_same_bits(carried_out(case, CoreLoop, 60), carried_out(case, CoreLoop, 60))

@@ -46,7 +46,7 @@ def cell_tables(
         levers = np.array([np.rint(each / cells.pitch).T for each in (cells.lever_i, cells.lever_j)], dtype=np.int32)
     facets = ElasticFacets(
         i=with_twins(layout.i), j=with_twins(layout.j), integrity=with_zeros(integrity), k=with_zeros(cells.k),
-        pitch=cells.pitch, lever_i=with_zeros(levers[0]), lever_j=with_zeros(levers[1]),
+        pitch=cells.pitch, lever_i=with_zeros(levers[0].copy()), lever_j=with_zeros(levers[1].copy()),
         share_i=with_zeros(cells.shares[0]), share_j=with_zeros(cells.shares[1]), H=with_zeros(cells.bend),
         normal=with_zeros(cells.direction), period=period,
     )  # fmt: skip
