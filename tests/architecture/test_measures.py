@@ -43,4 +43,4 @@ def test_no_pass_has_many_tables():
 
 def test_tables_are_counted():
     counted = {m.name: m.count for m in measures.argument_lists()}
-    assert counted["steps.beams.add_beam_loads"] == 3
+    assert counted["steps.beam_loads.add_beam_loads"] == 3

@@ -1,11 +1,11 @@
 """Write what follows from the passes of the core: one typed function a pass, for Python's callers.
 
 `python -m tests.core.passes` compiles the core, reads names and tables of its passes from the library, and writes
-`bondem/_passes`, a file for each folder of `core/passes` and each header of `core/gpu`; a test compares them. A pass
-is registered behind its definition (`core/registered.hpp`), and the first sentence of the comment above it says what
-it is for: the one of its header where a header declares it for other sources. A pass without a sentence of its own is
-refused. A pass over an index without one takes that of the pass of a step whose counterpart launches it, if there is
-one such pass. Behind the sentence of a pass of a step are the columns of elements that it reads and writes.
+`bondem/_passes`, a file for each source of passes; a test compares them. A pass is registered behind its definition
+(`core/registered.hpp`), and the first sentence of the comment above it says what it is for: the one of its header
+where a header declares it for other sources. A pass without a sentence of its own is refused. A pass over an index
+without one takes that of the pass of a step whose counterpart launches it, if there is one such pass. Behind the
+sentence of a pass of a step are the columns of elements that it reads and writes.
 """
 
 import re
@@ -129,9 +129,9 @@ def _wrapped(head: str, parts: list[str], tail: str, indent: str) -> list[str]:
 
 
 def _part(module: str, tables: dict[str, tuple[str, ...]], over: dict[str, str], place: str) -> str:
-    """Return the text of one file: passes of one folder or header."""
+    """Return the text of one file: passes of one source or header."""
     words, where = comments(), _modules_of_tables()
-    lines = [f'"""{TITLES[module]}, of `core/{place}`; written by `python -m tests.core.passes`."""', "",
+    lines = [f'"""{TITLES[module]}, of `core/{place}`.', "", "Written by `python -m tests.core.passes`.", '"""', "",
              f"from bondem._passes import {KINDS[module]}"]  # fmt: skip
     used = {table for names in tables.values() for table in names}
     for file in sorted({where[table] for table in used}):
@@ -198,17 +198,17 @@ def _family(name: str) -> str:
 
 @cache
 def _places() -> dict[str, str]:
-    """Return the folder of each registered pass; of families by the beginning of their names."""
+    """Return the source of each registered pass; of families by the beginning of their names."""
     core = SOURCE / "core"
     return {
-        name: (path if path.parent == core else path.parent).relative_to(core).as_posix()
+        name: path.relative_to(core).as_posix()
         for path in sorted(core.rglob("*.cpp"))
         for name in REGISTERED.findall(path.read_text())
     }
 
 
 def _place(module: str, name: str) -> str:
-    """Return the folder of a pass, or the header of one over an index, below `core`."""
+    """Return the source of a pass, or the header of one over an index, below `core`."""
     of = _family(name)
     if module != "kernels":
         return _places().get(name) or _places()[of]

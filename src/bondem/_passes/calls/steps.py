@@ -1,4 +1,7 @@
-"""Passes that Python calls, of `core/steps.cpp`; written by `python -m tests.core.passes`."""
+"""Passes that Python calls, of `core/steps.cpp`.
+
+Written by `python -m tests.core.passes`.
+"""
 
 from bondem._passes import Call
 from bondem._tables.step_tables import Portions, StepCut, StepPasses, StepScheme, StepSpan

@@ -1,4 +1,7 @@
-"""Passes over an index, for devices, of `core/gpu/begun_contacts.hpp`; written by `python -m tests.core.passes`."""
+"""Passes over an index, for devices, of `core/gpu/begun_contacts.hpp`.
+
+Written by `python -m tests.core.passes`.
+"""
 
 from bondem._passes import Kernel
 from bondem._tables.contact_tables import ContactConstants, ContactPairs, FacePairs, NearPairs

@@ -1,4 +1,7 @@
-"""Passes over an index, for devices, of `core/gpu/facet_breakage.hpp`; written by `python -m tests.core.passes`."""
+"""Passes over an index, for devices, of `core/gpu/facet_breakage.hpp`.
+
+Written by `python -m tests.core.passes`.
+"""
 
 from bondem._passes import Kernel
 from bondem._tables.cell_tables import ElasticFacets, FacetRelease, WallConstraints

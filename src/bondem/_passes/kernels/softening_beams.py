@@ -1,4 +1,7 @@
-"""Passes over an index, for devices, of `core/gpu/softening_beams.hpp`; written by `python -m tests.core.passes`."""
+"""Passes over an index, for devices, of `core/gpu/softening_beams.hpp`.
+
+Written by `python -m tests.core.passes`.
+"""
 
 from bondem._passes import Kernel
 from bondem._tables.beam_softening_tables import SofteningBeams, SofteningBounds

@@ -1,4 +1,7 @@
-"""Passes over an index, for devices, of `core/gpu/turns.hpp`; written by `python -m tests.core.passes`."""
+"""Passes over an index, for devices, of `core/gpu/turns.hpp`.
+
+Written by `python -m tests.core.passes`.
+"""
 
 from bondem._passes import Kernel
 from bondem._tables.device_tables import DeviceSpan, Tick

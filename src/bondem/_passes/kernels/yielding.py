@@ -1,4 +1,7 @@
-"""Passes over an index, for devices, of `core/gpu/yielding.hpp`; written by `python -m tests.core.passes`."""
+"""Passes over an index, for devices, of `core/gpu/yielding.hpp`.
+
+Written by `python -m tests.core.passes`.
+"""
 
 from bondem._passes import Kernel
 from bondem._tables.cell_tables import CellStrains, ElasticFacets, FacetsOfCells, FacetTractions, WallConstraints

@@ -1,4 +1,7 @@
-"""Passes that steps are composed of, of `core/passes/record`; written by `python -m tests.core.passes`."""
+"""Passes that steps are composed of, of `core/passes/record/record.cpp`.
+
+Written by `python -m tests.core.passes`.
+"""
 
 from bondem._passes import StepEntry
 from bondem._tables.step_tables import Gauges, HistoryRows, Moving, Portions, Rows

@@ -1,0 +1,12 @@
+"""Passes that Python calls, of `core/passes/packing/growth.cpp`.
+
+Written by `python -m tests.core.passes`.
+"""
+
+from bondem._passes import Call
+from bondem._tables.packing_tables import Flight, Growing, Near, PackingWalls, Spheres
+
+
+def fly_and_grow(spheres: Spheres, packing_walls: PackingWalls, near: Near, growing: Growing, flight: Flight) -> Call:
+    """Lets spheres fly and grow, as far as the neighbour lists are valid; all are advanced to the end."""
+    return Call("fly_and_grow", (spheres, packing_walls, near, growing, flight))

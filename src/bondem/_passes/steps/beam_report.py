@@ -1,0 +1,23 @@
+"""Passes that steps are composed of, of `core/passes/beams/beam_report.cpp`.
+
+Written by `python -m tests.core.passes`.
+"""
+
+from bondem._passes import StepEntry
+from bondem._tables.step_tables import Beams, Moving, Portions
+
+
+def check_beams(moving: Moving, beams: Beams, portions: Portions) -> StepEntry:
+    """Counts unbroken beams of a portion that are turned beyond the range of their energy, and beyond its end.
+
+    Over bonds, in portions. Reads `pose` at both ends.
+    """
+    return StepEntry("check_beams", (moving, beams, portions))
+
+
+def sum_beam_energies(moving: Moving, beams: Beams, portions: Portions) -> StepEntry:
+    """Sums normal, shear, bending and twisting energy of a portion [J].
+
+    Over bonds, in portions. Reads `pose` at both ends.
+    """
+    return StepEntry("sum_beam_energies", (moving, beams, portions))

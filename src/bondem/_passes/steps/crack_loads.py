@@ -1,0 +1,109 @@
+"""Passes that steps are composed of, of `core/passes/cracks/crack_loads.cpp`.
+
+Written by `python -m tests.core.passes`.
+"""
+
+from bondem._passes import StepEntry
+from bondem._tables.cell_tables import CellDilatation, ElasticFacets, WallConstraints
+from bondem._tables.crack_tables import (
+    CohesiveCracks,
+    CrackEnergies,
+    CrackLists,
+    FacetStrengths,
+    StressesOfCells,
+    YieldingCells,
+)
+from bondem._tables.damage_tables import EventLog
+from bondem._tables.step_tables import HistoryRows, Moving, Portions, StepCut
+
+
+def add_crack_energies(
+    moving: Moving, wall_constraints: WallConstraints, crack_energies: CrackEnergies, portions: Portions
+) -> StepEntry:
+    """Adds the energies of cracks and walls to those of the first portion of facets.
+
+    Over numbers that a body has once, such as those of a record.
+    """
+    return StepEntry("add_crack_energies", (moving, wall_constraints, crack_energies, portions))
+
+
+def add_crack_loads(moving: Moving, crack_lists: CrackLists, step_cut: StepCut) -> StepEntry:
+    """Adds the forces of cracks that are treated one by one to the sums of their cells.
+
+    Over elements of a block, then shared ones. Reads `sum` of an element; changes `loss`, `sums` of an element.
+    """
+    return StepEntry("add_crack_loads", (moving, crack_lists, step_cut))
+
+
+def load_cracks(
+    moving: Moving, elastic_facets: ElasticFacets, facet_strengths: FacetStrengths, stresses_of_cells:
+    StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> StepEntry:
+    """Computes forces, torques and dissipation of the cracks that are treated one by one.
+
+    Over cracks or their cells, of which threads may share portions. Reads `tensor` of an element; reads `pose`,
+    `pose.stress` at both ends; adds `half` to elements.
+    """
+    return StepEntry("load_cracks", (
+        moving, elastic_facets, facet_strengths, stresses_of_cells, cohesive_cracks, crack_lists
+    ))
+
+
+def log_cracks(
+    moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists,
+    event_log: EventLog
+) -> StepEntry:
+    """Adds up the dissipation of cracks, and logs cracks without integrity.
+
+    Over what begins, changes or ends in the step, in order. Reads `pose` at both ends.
+    """
+    return StepEntry("log_cracks", (moving, elastic_facets, cohesive_cracks, crack_lists, event_log))
+
+
+def sum_crack_energies(
+    moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_energies: CrackEnergies
+) -> StepEntry:
+    """Sums the energies of the cracks that are treated one by one [J].
+
+    Over cracks or their cells, of which threads may share portions. Reads `pose`, `pose.stress` at both ends.
+    """
+    return StepEntry("sum_crack_energies", (moving, elastic_facets, cohesive_cracks, crack_energies))
+
+
+def sum_heat(
+    stresses_of_cells: StressesOfCells, yielding_cells: YieldingCells, crack_energies: CrackEnergies
+) -> StepEntry:
+    """Sums the energy that the cells of a portion have dissipated by yielding [J].
+
+    Over elements, in portions.
+    """
+    return StepEntry("sum_heat", (stresses_of_cells, yielding_cells, crack_energies))
+
+
+def sum_stressed_dilatation(
+    moving: Moving, cell_dilatation: CellDilatation, crack_energies: CrackEnergies
+) -> StepEntry:
+    """Sums the energy of dilatation of a portion of cells by their stresses [J].
+
+    Over elements, in portions.
+    """
+    return StepEntry("sum_stressed_dilatation", (moving, cell_dilatation, crack_energies))
+
+
+def write_crushing_of_facets(
+    facet_strengths: FacetStrengths, cohesive_cracks: CohesiveCracks, event_log: EventLog, history_rows:
+    HistoryRows
+) -> StepEntry:
+    """Writes the energy that facets have released beyond their fracture energy.
+
+    Over cracks or their cells, of which threads may share portions.
+    """
+    return StepEntry("write_crushing_of_facets", (facet_strengths, cohesive_cracks, event_log, history_rows))
+
+
+def write_heat(crack_energies: CrackEnergies, history_rows: HistoryRows) -> StepEntry:
+    """Writes the heat of yielding into a record.
+
+    Over numbers that a body has once, such as those of a record.
+    """
+    return StepEntry("write_heat", (crack_energies, history_rows))

@@ -1,0 +1,83 @@
+"""Passes that steps are composed of, of `core/passes/cracks/crack_states.cpp`.
+
+Written by `python -m tests.core.passes`.
+"""
+
+from bondem._passes import StepEntry
+from bondem._tables.cell_tables import CellDilatation, ElasticFacets
+from bondem._tables.crack_tables import CellSlack, CohesiveCracks, CrackLists, FacetStrengths, StressesOfCells
+from bondem._tables.step_tables import Moving
+
+
+def leave_cracks(
+    moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation, cell_slack: CellSlack,
+    cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> StepEntry:
+    """Puts cracks to rest, or parts their faces, as `soften_cracks` has found.
+
+    Over cracks or their cells, of which threads may share portions. Reads `CellDilatation.weight`, `half`,
+    `pose`, `pose.stress` at both ends; adds `CellDilatation.weight`, `base`, `half`, `stale` to elements.
+    """
+    return StepEntry("leave_cracks", (
+        moving, elastic_facets, cell_dilatation, cell_slack, cohesive_cracks, crack_lists
+    ))
+
+
+def slide_cracks(
+    moving: Moving, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> StepEntry:
+    """Lets the faces of cracks slip with their two cells.
+
+    Over cracks or their cells, of which threads may share portions. Reads `pose`, `slip` at both ends.
+    """
+    return StepEntry("slide_cracks", (moving, elastic_facets, cohesive_cracks, crack_lists))
+
+
+def soften_cracks(
+    moving: Moving, elastic_facets: ElasticFacets, facet_strengths: FacetStrengths, stresses_of_cells:
+    StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> StepEntry:
+    """Lowers the integrities of cracks, and finds those that go to rest.
+
+    Over cracks or their cells, of which threads may share portions. Reads `pose`, `pose.stress`, `tensor` at
+    both ends; adds `half` to elements.
+    """
+    return StepEntry("soften_cracks", (
+        moving, elastic_facets, facet_strengths, stresses_of_cells, cohesive_cracks, crack_lists
+    ))
+
+
+def sum_cracks(
+    stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> StepEntry:
+    """Sums the forces of the cracks of each cell, and finds how far their faces slip by them.
+
+    Over cracks or their cells, of which threads may share portions. Reads `half` of an element; adds `carried`,
+    `slip`, `sum` to elements.
+    """
+    return StepEntry("sum_cracks", (stresses_of_cells, cohesive_cracks, crack_lists))
+
+
+def wake_cracks(
+    moving: Moving, elastic_facets: ElasticFacets, cell_dilatation: CellDilatation, cell_slack: CellSlack,
+    cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> StepEntry:
+    """Treats resting cracks one by one again that are about to soften or close.
+
+    Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends; adds
+    `CellDilatation.weight`, `base`, `half`, `stale` to elements.
+    """
+    return StepEntry("wake_cracks", (
+        moving, elastic_facets, cell_dilatation, cell_slack, cohesive_cracks, crack_lists
+    ))
+
+
+def watch_resting_cracks(
+    moving: Moving, elastic_facets: ElasticFacets, facet_strengths: FacetStrengths, cohesive_cracks:
+    CohesiveCracks, crack_lists: CrackLists
+) -> StepEntry:
+    """Finds the resting cracks that are about to soften or close.
+
+    Over cracks or their cells, of which threads may share portions. Reads `pose`, `pose.stress` at both ends.
+    """
+    return StepEntry("watch_resting_cracks", (moving, elastic_facets, facet_strengths, cohesive_cracks, crack_lists))

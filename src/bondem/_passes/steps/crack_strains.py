@@ -1,0 +1,30 @@
+"""Passes that steps are composed of, of `core/passes/cracks/crack_strains.cpp`.
+
+Written by `python -m tests.core.passes`.
+"""
+
+from bondem._passes import StepEntry
+from bondem._tables.cell_tables import CellStrains, ElasticFacets
+from bondem._tables.crack_tables import CohesiveCracks
+from bondem._tables.step_tables import Moving
+
+
+def begin_crack_powers(
+    moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks
+) -> StepEntry:
+    """Sets ∂U/∂factor of the stress-free strains by the forces that cracks have, where the time of the clock was
+    not reached by a step.
+
+    Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends.
+    """
+    return StepEntry("begin_crack_powers", (moving, cell_strains, elastic_facets, cohesive_cracks))
+
+
+def sum_crack_powers(
+    moving: Moving, cell_strains: CellStrains, elastic_facets: ElasticFacets, cohesive_cracks: CohesiveCracks
+) -> StepEntry:
+    """Sets ∂U/∂factor of the stress-free strains at cracks that are treated one by one, where it is needed.
+
+    Over cracks or their cells, of which threads may share portions. Reads `pose` at both ends.
+    """
+    return StepEntry("sum_crack_powers", (moving, cell_strains, elastic_facets, cohesive_cracks))

@@ -1,0 +1,27 @@
+"""Passes that steps are composed of, of `core/passes/cells/facet_loads.cpp`.
+
+Written by `python -m tests.core.passes`.
+"""
+
+from bondem._passes import StepEntry
+from bondem._tables.cell_tables import ElasticFacets, FacetForces
+from bondem._tables.step_tables import Moving, StepCut
+
+
+def add_and_keep_facet_loads(
+    moving: Moving, elastic_facets: ElasticFacets, facet_forces: FacetForces, step_cut: StepCut
+) -> StepEntry:
+    """Adds and stores the forces of the facets of a block, and adds up the moments V σ of their cells.
+
+    Over bonds of a block. Reads `pose`, `pose.stress` at both ends; adds `FacetForces.sums`, `StepCut.sums` to
+    elements.
+    """
+    return StepEntry("add_and_keep_facet_loads", (moving, elastic_facets, facet_forces, step_cut))
+
+
+def add_facet_loads(moving: Moving, elastic_facets: ElasticFacets, step_cut: StepCut) -> StepEntry:
+    """Adds forces and torques of the facets of a block to the sums of their cells, whose stresses are known.
+
+    Over bonds of a block. Reads `pose`, `pose.stress` at both ends; adds `sums` to elements.
+    """
+    return StepEntry("add_facet_loads", (moving, elastic_facets, step_cut))

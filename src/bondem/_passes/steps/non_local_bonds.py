@@ -1,0 +1,56 @@
+"""Passes that steps are composed of, of `core/passes/non_local/non_local_bonds.cpp`.
+
+Written by `python -m tests.core.passes`.
+"""
+
+from bondem._passes import StepEntry
+from bondem._tables.non_local_tables import NonLocalBonds, NonLocalWork
+from bondem._tables.step_tables import Beams, HistoryRows, LaggedStresses, Moving, Portions, StepCut
+
+
+def add_lasting_loads(
+    moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, lagged_stresses: LaggedStresses, step_cut:
+    StepCut
+) -> StepEntry:
+    """Finds and adds forces and torques of bonds that cannot fail, without keeping them.
+
+    Over bonds of a block. Reads `pose`, `space` at both ends; adds `moment`, `sums` to elements.
+    """
+    return StepEntry("add_lasting_loads", (moving, beams, non_local_bonds, lagged_stresses, step_cut))
+
+
+def add_non_local_loads(non_local_bonds: NonLocalBonds, step_cut: StepCut) -> StepEntry:
+    """Adds forces and torques of the bonds to the sums of the elements, in the order of the bonds.
+
+    Over bonds of a block. Adds `sums` to elements.
+    """
+    return StepEntry("add_non_local_loads", (non_local_bonds, step_cut))
+
+
+def find_non_local_forces(
+    moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, lagged_stresses: LaggedStresses
+) -> StepEntry:
+    """Finds forces and torques of the bonds of a block, integrates their stored values over the step, and adds
+    their moments to the stresses of their elements.
+
+    Over bonds of a block. Reads `pose`, `space` at both ends; adds `moment` to elements.
+    """
+    return StepEntry("find_non_local_forces", (moving, beams, non_local_bonds, lagged_stresses))
+
+
+def sum_non_local_energies(
+    moving: Moving, beams: Beams, non_local_bonds: NonLocalBonds, portions: Portions, non_local_work: NonLocalWork
+) -> StepEntry:
+    """Sums normal and shear energy of the springs of a portion, and the work of extra forces [J].
+
+    Over bonds, in portions. Reads `pose` at both ends.
+    """
+    return StepEntry("sum_non_local_energies", (moving, beams, non_local_bonds, portions, non_local_work))
+
+
+def write_non_local_work(non_local_work: NonLocalWork, history_rows: HistoryRows) -> StepEntry:
+    """Writes the work of the extra forces of bonds to the energy balance.
+
+    Over numbers that a body has once, such as those of a record.
+    """
+    return StepEntry("write_non_local_work", (non_local_work, history_rows))

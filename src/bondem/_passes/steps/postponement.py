@@ -1,0 +1,48 @@
+"""Passes that steps are composed of, of `core/passes/damage/postponement.cpp`.
+
+Written by `python -m tests.core.passes`.
+"""
+
+from bondem._passes import StepEntry
+from bondem._tables.damage_tables import Candidates, EventLog, Postponed
+from bondem._tables.step_tables import Dashpots, HistoryRows, Rows, StepCut
+
+
+def keep_dashpots(dashpots: Dashpots, postponed: Postponed) -> StepEntry:
+    """Keeps the sums of the dashpots of postponed elements.
+
+    Over postponed elements of a block. Reads `held` of an element; changes `sums` of an element.
+    """
+    return StepEntry("keep_dashpots", (dashpots, postponed))
+
+
+def keep_sums(step_cut: StepCut, postponed: Postponed) -> StepEntry:
+    """Keeps the sums of postponed elements.
+
+    Over postponed elements of a block. Reads `held`, `sums` of an element; changes `kept` of an element.
+    """
+    return StepEntry("keep_sums", (step_cut, postponed))
+
+
+def list_postponed(rows: Rows, candidates: Candidates, postponed: Postponed) -> StepEntry:
+    """Lists all postponed elements, those with rows of the boundary last, and ends the failures of the step.
+
+    Over elements of a block, which it divides. Writes `held` of an element.
+    """
+    return StepEntry("list_postponed", (rows, candidates, postponed))
+
+
+def postpone_elements(step_cut: StepCut, candidates: Candidates, postponed: Postponed) -> StepEntry:
+    """Divides the elements of a block, or shared ones, into those that continue and those that are postponed.
+
+    Over elements of a block, which it divides.
+    """
+    return StepEntry("postpone_elements", (step_cut, candidates, postponed))
+
+
+def write_released(event_log: EventLog, history_rows: HistoryRows) -> StepEntry:
+    """Writes the energy released into a record.
+
+    Over numbers that a body has once, such as those of a record.
+    """
+    return StepEntry("write_released", (event_log, history_rows))
