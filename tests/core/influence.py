@@ -224,6 +224,8 @@ def kind_of(one: StepEntry) -> str:
     return kinds_of_passes()[step_pass(one.name)[0][1]]
 
 
+#: Numbers of facets, by cell.
+_FACETS = {"CrackLists.leader"}
 BY_BLOCKS = {"bonds_of_blocks", "elements_of_blocks", "parts_of_shared", "divides_elements", "postponed_of_blocks"}
 
 
@@ -295,7 +297,7 @@ class Look:
         after = self.memory if c is not None else self.plain
         bonds, step, found = self.kind in _BOND_KINDS, self.step, self.found
         for d in self.arrays:
-            if not d.written:
+            if not d.written or d.name in _FACETS:
                 continue
             made, own = after[d.key], c is not None and (d.key, d.part) == (c.key, c.part)
             wrote = False

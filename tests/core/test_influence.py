@@ -30,9 +30,9 @@ STATES = {
     "beams soften, Hertzian": (0, 94, 200), "softening, mohr coulomb": (0,), "softening, alike": (0,),
     "softening, alike, mohr coulomb": (0, 1), "stored": (0,), "non-local": (0,), "non-local, contact": (0, 56),
     "non-local, bonds break": (15,), "non-local, spheres that break": (36,),
-    "non-local, bonds break, contact": (5, 120), "torn apart": (0, 5, 8, 19), "brittle": (130,), "bilinear": (10,),
-    "driven together and touching": (63,), "sliding on a joint": (2, 100, 200, 300, 440), "planes": (0, 140, 220),
-    "crushed": (60,), "crushed by a cone": (100,), "crushed between walls": (120,), "warming": (0,),
+    "non-local, bonds break, contact": (5, 120), "torn apart": (0, 5, 8, 12), "brittle": (131,), "bilinear": (10,),
+    "driven together and touching": (55, 60, 66), "sliding on a joint": (2, 100, 200, 300, 440),
+    "planes": (0, 140, 220), "crushed": (60,), "crushed by a cone": (98,), "crushed between walls": (120,), "warming": (0,),
     "warming and crushed": (0, 120), "warming and cracking": (60,), "by mean stress": (0, 10), "by function": (0, 10),
 }  # fmt: skip
 _STRESSES: dict[str, Any] = {
@@ -125,10 +125,11 @@ def test_passes_do_what_they_declare() -> None:
     ],
 )
 def test_a_wrong_declaration_is_found(name: str, text: str, fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    seen = examined()[name]  # by what the sources declare
     monkeypatch.setattr(_core, "declared_columns", lambda _: text)
     columns_of.cache_clear()
     try:
-        assert fault in faults(name, examined()[name])
+        assert fault in faults(name, seen)
     finally:
         columns_of.cache_clear()
 

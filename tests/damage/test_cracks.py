@@ -340,7 +340,7 @@ def test_a_closed_crack_slides_under_friction_as_far_as_it_is_driven() -> None:
     late = record.time > 8e-4  # after a slide of 4/3 of the last opening
     normal, shear = record["far"][late, 0].mean(), record["far"][late, 1].mean()
     assert shear == pytest.approx(-friction * normal, rel=0.1)
-    rubbed = np.diff(record.energy["friction"][late][[0, -1]])
-    assert rubbed == pytest.approx(shear * 2.0 / 3.0 * last, rel=0.1)
-    spent = record.energy["fracture"] + record.energy["crushing"]
-    assert np.diff(spent[late][[0, -1]]) < 0.1 * rubbed
+    spent = {kind: float(np.ptp(record.energy[kind][late])) for kind in ("friction", "loss", "fracture", "crushing")}
+    # damping takes 4 % of the work of the slide
+    assert spent["friction"] == pytest.approx(shear * 2.0 / 3.0 * last - spent["loss"], rel=0.1)
+    assert spent["fracture"] + spent["crushing"] < 0.1 * spent["friction"]

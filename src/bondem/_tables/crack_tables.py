@@ -116,6 +116,7 @@ class CrackLists(NamedTuple):
     flagged: Ints  #: whether there is a flag in a portion, (crack_portions,)
     woken: Ints  #: whether there is a flag in a portion, (crack_portions,)
     stale: Bytes  #: 1 for cells whose stress is to be found again, (n,)
+    leader: Int32s  #: facet of the crack that leads those of a cell, -1 of none, (n,)
     base: Floats  #: V θ without cracks that are treated one by one [m³], (n,)
     #: `SwellingHalf` by the number of the half (`half_of`) and, once forces are known, `crack::LoadColumn`, (halves,
     #: 16): one memory for both, because the data of many cracks exceed the caches., (halves, 16)

@@ -95,7 +95,8 @@ def new_crack_lists(n: int, m: int) -> CrackLists:
         numbers.copy(),
         np.zeros(n + _BEHIND, np.uint32), np.zeros(n, np.int32),
         np.zeros(halves, np.int32), flags, flags.copy(),
-        np.zeros(portions, np.int64), np.zeros(portions, np.int64), np.zeros(n, np.uint8), np.zeros(n),
+        np.zeros(portions, np.int64), np.zeros(portions, np.int64), np.zeros(n, np.uint8), np.full(n, -1, np.int32),
+        np.zeros(n),
         lines(2 * halves).reshape(halves, 16), lines(n),
         np.zeros((n, 4)), np.zeros((portions, 2)),
     )  # fmt: skip

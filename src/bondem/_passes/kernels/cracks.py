@@ -41,7 +41,8 @@ def begin_base(
 def carry_cell(
     stresses_of_cells: StressesOfCells, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
 ) -> Kernel:
-    """Launched for `carry_cracks`: sums b⊗f of the cracks of each cell from their forces of the last step.
+    """Launched for `carry_cracks`: sums b⊗f of the cracks of each cell from their forces of the last step, and
+    finds which of them leads.
 
     Over one index.
     """
@@ -129,12 +130,14 @@ def relax_cell(moving: Moving, cell_dilatation: CellDilatation, crack_lists: Cra
     return Kernel("relax_cell", (moving, cell_dilatation, crack_lists))
 
 
-def relax_stale_cell(moving: Moving, cell_dilatation: CellDilatation, crack_lists: CrackLists) -> Kernel:
-    """Finds the stresses of cells with cracks that are out of date.
+def relax_stale_cell(
+    moving: Moving, cell_dilatation: CellDilatation, cohesive_cracks: CohesiveCracks, crack_lists: CrackLists
+) -> Kernel:
+    """Finds the stresses of cells with cracks that are out of date, and which crack leads those of each.
 
     Over one index.
     """
-    return Kernel("relax_stale_cell", (moving, cell_dilatation, crack_lists))
+    return Kernel("relax_stale_cell", (moving, cell_dilatation, cohesive_cracks, crack_lists))
 
 
 def restore_crack(

@@ -8,6 +8,7 @@
 #include "../passes/contacts/face_contacts.hpp"
 #include "../passes/contacts/handover.hpp"
 #include "../passes/cracks/carried.hpp"
+#include "../passes/cracks/crack_axes.hpp"
 #include "../passes/cracks/crack_loads.hpp"
 #include "../passes/cracks/loaded_cracks.hpp"
 #include "../passes/cracks/opening.hpp"
@@ -49,7 +50,9 @@ inline void weigh_cell(Index p, const CellDilatation &cells, const CellSlack &sl
     weigh_cracked(cells, slack, cracks, p);
 }
 inline void carry_cell(Index p, const StressesOfCells &stresses, const CohesiveCracks &cracks, const CrackLists &lists) {
-    if (lists.head(p) != 0) carry_cracks_of(stresses, cracks, lists, p);
+    if (lists.head(p) == 0) return;
+    carry_cracks_of(stresses, cracks, lists, p);
+    find_leader(cracks, lists, p);
 }
 // Copies the levers of a facet that strains of cells have changed.
 inline void follow_lever(Index k, const CellStrains &strains, const ElasticFacets &facets, const CohesiveCracks &cracks) {
@@ -89,8 +92,11 @@ inline void relax_cell(Index p, const Moving &all, const CellDilatation &cells, 
     lists.stale(p) = 0;
     if (lists.head(p) != 0) relax(OneCell{Short(p)}, all, cells, lists);
 }
-inline void relax_stale_cell(Index p, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
-    if (lists.stale(p) != 0) relax_cell(p, all, cells, lists);
+inline void relax_stale_cell(Index p, const Moving &all, const CellDilatation &cells, const CohesiveCracks &cracks,
+                             const CrackLists &lists) {
+    if (lists.stale(p) == 0) return;
+    find_leader(cracks, lists, p);
+    relax_cell(p, all, cells, lists);
 }
 
 // ---- rest

@@ -6,6 +6,7 @@
 
 #include "../../registered.hpp"
 #include "carried.hpp"
+#include "crack_axes.hpp"
 
 namespace bondem {
 namespace {
@@ -123,10 +124,13 @@ void weigh_cracked_cells(const Turn &, const ElasticFacets &facets, const CellDi
 }
 BONDEM_PASS(weigh_cracked_cells, of_cracks, "adds CellDilatation.weight")
 
-// Sums b⊗f of the cracks of each cell from their forces of the last step.
+// Sums b⊗f of the cracks of each cell from their forces of the last step, and finds which of them leads.
 void carry_cracks(const Turn &, const StressesOfCells &stresses, const CohesiveCracks &cracks,
                   const CrackLists &lists) {
-    for (Index q = 0; q < lists.size(list_count::cells); q++) carry_cracks_of(stresses, cracks, lists, lists.cell(q));
+    for (Index q = 0; q < lists.size(list_count::cells); q++) {
+        carry_cracks_of(stresses, cracks, lists, lists.cell(q));
+        find_leader(cracks, lists, lists.cell(q));
+    }
 }
 BONDEM_PASS(carry_cracks, of_cracks, "adds carried")
 

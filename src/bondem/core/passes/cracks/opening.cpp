@@ -59,8 +59,9 @@ void relax_cracked_cells(const Turn &turn, const Moving &all, const CellDilatati
 }
 BONDEM_PASS(relax_cracked_cells, of_cracks, "own base half weight; adds pose.stress")
 
-// Finds the stresses of cells with cracks that are out of date.
-void relax_stale_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CrackLists &lists) {
+// Finds the stresses of cells with cracks that are out of date, and which crack leads those of each.
+void relax_stale_cells(const Turn &turn, const Moving &all, const CellDilatation &cells, const CohesiveCracks &cracks,
+                       const CrackLists &lists) {
     over_places(turn, lists.size(list_count::cells), [&](Index first, Index last, Index) {
         Short stale[crack::of_portion + lanes];
         Index count = 0;
@@ -69,6 +70,7 @@ void relax_stale_cells(const Turn &turn, const Moving &all, const CellDilatation
             if (lists.stale(p) == 0) continue;
             lists.stale(p) = 0;
             ask_for_halves(lists, p);
+            find_leader(cracks, lists, p);
             stale[count++] = p;
         }
         if (count == 0) return;
