@@ -98,16 +98,16 @@ def yielding(stress: np.ndarray, strength: np.ndarray, *, cone: bool) -> np.ndar
 
 
 def stress_bounds(stress: np.ndarray, bent: np.ndarray) -> np.ndarray:
-    """Return bounds of stresses and of what bending opens [Pa], (5, m).
+    """Return bounds of stresses and of what bending opens [Pa], (4, m).
 
     Args:
         stress: stresses xx, yy, zz, xy, xz, yz [Pa], (6, m).
         bent: rms of the tractions of bending [Pa], (m,).
 
     Returns:
-        Bounds of the largest and the least principal stress, another bound of the largest, bending less the largest
-        pressure, at least 0, and a bound of that.
+        Bounds of the largest and the least principal stress, bending less the largest pressure, at least 0, and a
+        bound of that.
     """
-    found = np.empty((5, len(bent)))
+    found = np.empty((4, len(bent)))
     evaluate_stress_bounds(StressBoundSamples(np.ascontiguousarray(stress), bent, False, found))
     return found

@@ -45,7 +45,7 @@ def test_the_largest_pressure_is_the_least_eigenvalue() -> None:
     for s in (*some, *alike, np.zeros(6), np.array([1.0, 1.0, -2.0, 0.0, 0.0, 0.0]) * 1e7):
         least, size = np.linalg.eigvalsh(s[[[0, 3, 4], [3, 1, 5], [4, 5, 2]]])[0], np.abs(s).max()
         bent = 10.0 * size
-        opened = stress_bounds(s[:, None], np.array([bent]))[3, 0]  # less the largest pressure
+        opened = stress_bounds(s[:, None], np.array([bent]))[2, 0]  # less the largest pressure
         assert bent - opened == pytest.approx(max(-least, 0.0), abs=1e-7 * size)
 
 

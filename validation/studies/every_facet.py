@@ -1,6 +1,6 @@
 """Are facets missed that would crack? Runs that look at some facets in each step, beside runs that judge every one.
 
-Facets are looked at whose cells have cracks, or a largest principal stress of 0.7 f_t and more. Plates that branch
+Facets are looked at whose cells have cracks, or a stress of the size √(σ:σ) = 0.7 f_t and more. Plates that branch
 or are torn, bars, balls on a wall, Rankine and Mohr-Coulomb, softening and brittle, with and without scatter: the
 cracks of both runs are compared to the bit.
 """

@@ -50,5 +50,4 @@ class StressBoundSamples(NamedTuple):
     stress: Floats  #: [Pa], (6, m)
     bent: Floats  #: T_b [Pa], (m,)
     wide: int
-    #: bounds of σ_1 and σ_3, a second bound of σ_1, T_b less the pressure, and the bound of that [Pa], (5, m)
-    found: Floats
+    found: Floats  #: bounds of σ_1 and σ_3, T_b less the pressure, and the bound of that [Pa], (4, m)

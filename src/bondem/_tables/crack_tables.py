@@ -51,7 +51,7 @@ class FacetStrengths(NamedTuple):
     planes: Ints  #: facets of material planes, (*,)
     kink: float  #: of the softening curve
     steep: float  #: of the softening curve
-    hot: float  #: largest principal stress of a cell from which its facets are judged [Pa]
+    hot: float  #: √(σ:σ) of a cell from which its facets are judged [Pa]
 
 
 class CrackOnset(NamedTuple):

@@ -63,7 +63,7 @@ BONDEM_TABLE(FoundWalls, F(element, "room"), F(wall, "room"), F(gap, "room"), F(
 BONDEM_TABLE(SofteningSamples, F(given, "36 m"), F(kink, ""), F(steep, ""), F(wide, ""), F(left, "5 m"))
 BONDEM_TABLE(CrackSamples, F(given, "60 m"), F(wide, ""), F(found, "29 m"))
 BONDEM_TABLE(YieldSamples, F(stress, "6 m"), F(strength, "5 m"), F(cone, ""), F(wide, ""), F(found, "13 m"))
-BONDEM_TABLE(StressBoundSamples, F(stress, "6 m"), F(bent, "m"), F(wide, ""), F(found, "5 m"))
+BONDEM_TABLE(StressBoundSamples, F(stress, "6 m"), F(bent, "m"), F(wide, ""), F(found, "4 m"))
 BONDEM_TABLE(StressesOfCells, F(volume, "n"), F(tensor, "n 8"), F(carried, "n 12"), F(pressed, "* n 6"))
 BONDEM_TABLE(YieldingCells, F(cone, ""), F(cohesion, "n"), F(slope, "n"), F(dilation, "n"), F(stiffness, "n"), F(fade, "n"), F(near_start, "n+1"), F(near, "*"), F(slipped, "n"), F(held, "n"), F(plastic, "n 17"), F(base_i, "3 m"), F(base_j, "3 m"), F(base_wall, "held 3"))
 BONDEM_TABLE(FacetStrengths, F(area, "m"), F(strength, "m"), F(absorbed, "m"), F(brittleness, "m"), F(part, "m"), F(fastest, "m"), F(friction, "m"), F(plane, "m"), F(cohesion, "m"), F(slip_brittleness, "m"), F(planes, "*"), F(kink, ""), F(steep, ""), F(hot, ""))

@@ -99,8 +99,8 @@ class SofteningTable:
         kink, steep: parameters of the softening curve (`core/laws/softening.hpp`) [-].
         area: areas [m²], (m,).
         part: part of cell i in the compliance of a facet [-], (m,).
-        hot: largest principal stress of a cell from which its facets are evaluated [Pa]; for another criterion its
-            value in uniaxial tension.
+        hot: size √(σ:σ) of the stress of a cell from which its facets are evaluated [Pa]; for another criterion the
+            tension along one axis that its stress amounts to.
         judge: another criterion, or None for the largest principal stress.
         least: smallest size √(σ:σ) of a stress that reaches another criterion [Pa].
         tension: f_t of another criterion without scatter [Pa].

@@ -32,10 +32,6 @@ template <class T> BONDEM_INLINE StressInvariants<T> invariants(const Symmetric3
 template <class T> BONDEM_INLINE T square_of(const Symmetric3<T> &s) {
     return s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz);
 }
-// A bound of the largest principal stress: that of uniaxial tension with the same invariants [Pa].
-template <class T> BONDEM_INLINE T largest_at_most(const StressInvariants<T> &s) {
-    return s.mean + 1.1547005383792515 * s.deviator;
-}
 // True if all principal stresses are below a limit, that is, whether limit - σ is positive definite.
 template <class T> BONDEM_INLINE Mask<T> is_below(const Symmetric3<T> &s, T limit) {
     const T a = limit - s.xx, b = limit - s.yy, c = limit - s.zz, zero = {};

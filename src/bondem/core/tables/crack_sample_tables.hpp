@@ -43,8 +43,8 @@ struct StressBoundSamples {
     Array<const double, 2> stress;  // [Pa], (6, m)
     Array<const double, 1> bent;  // T_b [Pa], (m,)
     Index wide;
-    // bounds of σ_1 and σ_3, a second bound of σ_1, T_b less the pressure, and the bound of that [Pa]
-    Array<double, 2> found;  // (5, m)
+    // bounds of σ_1 and σ_3, T_b less the pressure, and the bound of that [Pa]
+    Array<double, 2> found;  // (4, m)
 };
 
 }  // namespace bondem

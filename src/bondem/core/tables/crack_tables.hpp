@@ -48,7 +48,7 @@ struct FacetStrengths {
     Array<const Index, 1> planes;  // facets of material planes, (*,)
     double kink;  // of the softening curve
     double steep;  // of the softening curve
-    double hot;  // largest principal stress of a cell from which its facets are judged [Pa]
+    double hot;  // √(σ:σ) of a cell from which its facets are judged [Pa]
 };
 // Facets that begin to crack.
 struct CrackOnset {

@@ -145,7 +145,7 @@ template <class T> void bound(const StressBoundSamples &samples, Index e) {
     const T bent = column_at<T>(samples.bent, e);
     const PrincipalBounds<T> of = principal_bounds(s);
     WriteColumns<T> found(samples.found, e);
-    found(of.largest), found(of.least), found(largest_at_most(invariants(s)));
+    found(of.largest), found(of.least);
     found(positive(T(bent - largest_pressure(principal(s))))), found(opened_at_most(bent, s));
 }
 

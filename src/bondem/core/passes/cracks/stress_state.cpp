@@ -70,9 +70,8 @@ void judge_cells(const Turn &turn, const FacetStrengths &strengths, const Stress
                  const CrackOnset &onset) {
     if (!(turn.clock.dt > 0.0)) return;
     for (Index p = turn.first; p < turn.last; p++) {
-        const StressInvariants<double> s = invariants(tensor_of(stresses, p));
-        const double bent = root(positive(stresses.tensor(p, tensor_column::bending)));
-        const bool hot = largest_at_most(s) + positive(bent + least(s.mean, 0.0)) > strengths.hot;
+        const double *const s = &stresses.tensor(p, 0);
+        const bool hot = s[tensor_column::size] + root(positive(s[tensor_column::bending])) > strengths.hot;
         onset.judged(p) = onset.cracked(p) != 0 || hot;
     }
 }
