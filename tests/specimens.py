@@ -46,9 +46,9 @@ def cube(count: int, edge: float = 1.0, *, seed: int = 1) -> bd.Lattice:
     return cells(bd.Box((edge, edge, edge)), count, seed=seed)
 
 
-def ball(count: int, radius: float) -> bd.Lattice:
+def ball(count: int, radius: float, *, seed: int = 1) -> bd.Lattice:
     """Ball of cells of about equal size."""
-    return cells(bd.Ball(radius), count)
+    return cells(bd.Ball(radius), count, seed=seed)
 
 
 @cache

@@ -27,7 +27,7 @@ def test_bounds_hold_what_bending_opens() -> None:
 
 
 def test_below_an_impact_no_facet_is_missed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Cells under the contact are pressed by many f_t: facets crack in the step in which they would if all were evaluated."""
+    """Cells under the contact are pressed by many f_t; facets crack in the same step as if all were evaluated."""
     cracks = []
     for share in (softening_table._MARGIN, 0.0):
         monkeypatch.setattr(softening_table, "_MARGIN", share)

@@ -26,12 +26,13 @@ struct LeadingCrack {
         if (s < left || (s == left && s < 1.0 && k < facet)) facet = k, left = s;
     }
 };
-// Finds the crack of the material that leads those of cell p which are treated one by one.
+// Finds the crack of the material that leads those of cell p which are treated one by one and have not let go.
 inline void find_leader(const CohesiveCracks &cracks, const CrackLists &lists, Index p) {
     LeadingCrack leader;
     for (Index h = lists.head(p); h > 0; h = lists.next(h)) {
         const Index k = facet_of(h);
-        if (cracks.listed(k) == 1 + crack::active && state_of(cracks, k).kind == crack::of_material) leader.add(cracks, k);
+        const bool grips = state_of(cracks, k).kind == crack::of_material && frame_of(cracks, k).left[3] > 0.0;
+        if (grips && cracks.listed(k) == 1 + crack::active) leader.add(cracks, k);
     }
     lists.leader(p) = int32_t(leader.facet);
 }
