@@ -5,6 +5,7 @@ Type checkers and editors read `__init__.pyi`, which a test compares with the li
 """
 
 import importlib
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from bondem._describe import describe
 from bondem._environment import check_environment
 from bondem._guard import guard
 from bondem._names import no_attribute
+from bondem._outlets import OUTLETS
 
 try:
     from bondem._version import __version__  # type: ignore[missing-import]
@@ -128,6 +130,11 @@ _PUBLIC = {
 }
 _MODULES = {"errors": "bondem.errors", "labtests": "bondem.labtests", "materials": "bondem.specimen.materials"}
 _HOME = {name: module for module, names in _PUBLIC.items() for name in names}
+# Functions that objects of lower layers call.
+_OUTLETS = {
+    "bondem.io.csv_table": ("write_csv",),
+    "bondem.report.plots": ("draw_lattice", "draw_model", "draw_result", "draw_surface"),
+}
 
 __all__ = ["__version__", *sorted(_HOME), *_MODULES]
 
@@ -165,4 +172,12 @@ def __dir__() -> list[str]:
     return __all__
 
 
+def _later(module: str, name: str) -> Callable[..., Any]:
+    """Return a function whose module is loaded at the first call."""
+    return lambda *what, **options: getattr(importlib.import_module(module), name)(*what, **options)
+
+
+for _module, _names in _OUTLETS.items():
+    for _name in _names:
+        setattr(OUTLETS, _name, _later(_module, _name))
 check_environment()

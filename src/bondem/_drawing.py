@@ -1,11 +1,33 @@
-"""The way from results to pictures and tables: `bondem.report` and `bondem.io`, loaded at the first use."""
+"""What results declare for pictures and tables, which `bondem.report` draws and `bondem.io` writes."""
 
-import importlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple, Protocol
 
+from bondem._outlets import OUTLETS
 from bondem._types import Floats
+
+
+class Coloured(NamedTuple):
+    """A picture of a body whose elements have moved, coloured by numbers."""
+
+    lattice: Any
+    values: Floats  #: a number of each element, (n,)
+    label: str  #: name and unit of the numbers
+    moved: Floats  #: displacements [m], (n, 3)
+    turned: Floats | None  #: rotation vectors [rad], (n, 3), or quaternions, (n, 4); None if unknown
+    title: str = "motion × {:.3g}"  #: title, with the factor on displacements
+
+
+class Present(NamedTuple):
+    """A picture of the body of a state where it is, its pieces if it has broken, and its walls."""
+
+    state: Any
+
+
+class _WithState(Protocol):
+    @property
+    def state(self) -> Any: ...
 
 
 class Plotted:
@@ -24,6 +46,11 @@ class Plotted:
         """
         return of_one_unit(self.table)
 
+    @property
+    def _pictures(self) -> "tuple[Coloured | Present, ...]":
+        """Pictures of the body beside the curve."""
+        return ()
+
     def plot(
         self, path: str | Path | None = None, *, reach: float | None = None, view: tuple[float, float] = (28.0, 24.0)
     ) -> Any:
@@ -40,7 +67,7 @@ class Plotted:
         Raises:
             InputError: a file that cannot be written, or a view that is not two angles.
         """
-        return draw("draw_result", self, path, reach=reach, view=view)
+        return OUTLETS.draw_result(self, path, reach=reach, view=view)
 
     def to_csv(self, path: str | Path) -> None:
         """Write `table` as CSV: names with units in the first line, then a line per row, in SI units.
@@ -51,8 +78,15 @@ class Plotted:
         Raises:
             InputError: the file cannot be written.
         """
-        write = importlib.import_module("bondem.io.csv_table").write_csv
-        write(path, self.table, owner=f"{type(self).__name__}.to_csv")
+        OUTLETS.write_csv(path, self.table, owner=f"{type(self).__name__}.to_csv")
+
+
+class PlottedState(Plotted):
+    """A result with a state, whose body is drawn where it is."""
+
+    @property
+    def _pictures(self: _WithState) -> tuple[Present, ...]:
+        return (Present(self.state),)
 
 
 def columns_of(pattern: str, names: Iterable[str], values: Floats) -> dict[str, Floats]:
@@ -70,8 +104,3 @@ def of_one_unit(table: Mapping[str, Floats]) -> dict[str, Floats]:
 def unit_of(column: str) -> str:
     """Return the unit in the name of a column, "N" of "load [N]"."""
     return column.rpartition("[")[2].rstrip("]")
-
-
-def draw(drawing: str, *what: Any, **options: Any) -> Any:
-    """Call a function of `bondem.report.plots`."""
-    return getattr(importlib.import_module("bondem.report.plots"), drawing)(*what, **options)

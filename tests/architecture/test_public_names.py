@@ -3,12 +3,14 @@
 `python tests/architecture/test_public_names.py` writes the stub anew.
 """
 
+import importlib
 import inspect
 import typing
 from pathlib import Path
 
 import bondem as bd
 from bondem import labtests
+from bondem._outlets import OUTLETS, Outlets
 
 ROOT = Path(__file__).resolve().parents[2]
 STUB = ROOT / "src/bondem/__init__.pyi"
@@ -85,6 +87,13 @@ def test_all_solvers_give_a_solution():
     solvers = [bd.solve_static, bd.solve_modes, bd.solve_relaxed, bd.solve_explicit, bd.resume]
     for solve in solvers:
         assert issubclass(typing.get_type_hints(solve)["return"], bd.Solution)
+
+
+def test_functions_of_upper_layers_are_those_that_the_package_enters():
+    entered = [(module, name) for module, names in bd._OUTLETS.items() for name in names]
+    assert sorted(name for _, name in entered) == sorted(Outlets.__annotations__) == sorted(vars(OUTLETS))
+    for module, name in entered:
+        assert inspect.isfunction(getattr(importlib.import_module(module), name))
 
 
 if __name__ == "__main__":

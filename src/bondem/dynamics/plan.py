@@ -7,7 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from bondem._checks import count, instance, number, several, shown
-from bondem._drawing import Plotted, columns_of
+from bondem._drawing import PlottedState, columns_of
 from bondem._types import Floats
 from bondem.boundary.gauges import AnyGauge, Gauge, StrainGauge, WallGauge
 from bondem.dynamics.damping import AnyDamping, DampingTerms
@@ -113,7 +113,7 @@ class Plan:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class ExplicitResult(Solution, Plotted):
+class ExplicitResult(Solution, PlottedState):
     """Result of an explicit run.
 
     `iterations` is the number of steps since the start of the run. `residual` is the largest error of the energy

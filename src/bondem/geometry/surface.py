@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from bondem._checks import array, instance, number, place, shown, vector
-from bondem._drawing import draw
 from bondem._names import users_line
+from bondem._outlets import OUTLETS
 from bondem._plausibility import is_long
 from bondem._types import ArrayLike, Floats, Ints, Mask, PerElement, PerElement3, Vector
 from bondem._units import length_unit
@@ -203,7 +203,7 @@ class Surface(Shape):
         Raises:
             InputError: a file that cannot be written, or a view that is not two angles.
         """
-        return draw("draw_surface", self, path, view=view)
+        return OUTLETS.draw_surface(self, path, view=view)
 
     @cached_property
     def _of_patch(self) -> dict[str, Patch]:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._drawing import Plotted, columns_of
+from bondem._drawing import Coloured, Plotted, columns_of
 from bondem._progress import staged
 from bondem._types import Floats, PerElement
 from bondem.boundary.conditions import Fix
@@ -40,6 +40,10 @@ class NaturalFrequencies(Plotted):
         """Frequency and effective mass of every mode, by name and unit, (count,) each."""
         share = columns_of("effective mass share {} [-]", ("x", "y", "z", "about x"), self.mass_share)
         return dict(self.modes.table) | share
+
+    @property
+    def _pictures(self) -> tuple[Coloured, ...]:
+        return self.modes._pictures
 
 
 @staged("natural frequencies")

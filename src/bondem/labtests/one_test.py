@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from bondem._drawing import Plotted
+from bondem._drawing import PlottedState
 from bondem._types import Floats
 from bondem.labtests.cracking import Cracking
 from bondem.labtests.quasi_static_rig import StrengthTest
@@ -10,7 +10,7 @@ from bondem.model.state import State
 
 
 @dataclass(frozen=True, eq=False)
-class OfOneTest(Plotted):
+class OfOneTest(PlottedState):
     """A result whose curve, cracks and state are those of its test.
 
     Attributes:

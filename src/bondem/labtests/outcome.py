@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from bondem._drawing import Plotted
+from bondem._drawing import Plotted, Present
 from bondem._types import Floats
 from bondem.labtests.cracking import Cracking
 from bondem.model.state import State
@@ -79,6 +79,10 @@ class Outcome(Plotted):
     def state(self) -> State | None:
         """State of the broken specimen, or None."""
         return None if self.cracking is None else self.cracking.state
+
+    @property
+    def _pictures(self) -> tuple[Present, ...]:
+        return () if self.cracking is None else (Present(self.cracking.state),)
 
     @property
     def error(self) -> float:

@@ -9,7 +9,7 @@ from typing import cast
 import numpy as np
 
 from bondem._checks import instance, number
-from bondem._drawing import Plotted
+from bondem._drawing import PlottedState
 from bondem._types import Floats, Ints
 from bondem.boundary.gauges import AnyGauge, StrainGauge, WallGauge
 from bondem.damage.cohesive_softening import Softening
@@ -44,7 +44,7 @@ _BEGIN = 0.2
 
 
 @dataclass(frozen=True, eq=False)
-class StrengthTest(Plotted):
+class StrengthTest(PlottedState):
     """Result of a test to failure.
 
     Attributes:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bondem._drawing import Plotted, columns_of
+from bondem._drawing import Coloured, Plotted, columns_of
 from bondem._names import users_line
 from bondem._progress import staged
 from bondem._types import Floats
@@ -61,6 +61,10 @@ class Tension(Plotted):
     def drawn(self) -> dict[str, Floats]:
         """Young's moduli."""
         return {name: self.table[name] for name in ("E [Pa]", "E by eq (14) [Pa]")}
+
+    @property
+    def _pictures(self) -> tuple[Coloured, ...]:
+        return self.solution._pictures
 
 
 @staged("static tension")

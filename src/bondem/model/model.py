@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast, get_args
 import numpy as np
 
 from bondem._checks import array, choice, instance, possible, several
-from bondem._drawing import draw
+from bondem._outlets import OUTLETS
 from bondem._plausibility import physical, question_strength
 from bondem._types import ArrayLike, Floats, PerElement
 from bondem.boundary.conditions import BoundaryCondition, Drive, Fix
@@ -330,7 +330,7 @@ class Model:
         Raises:
             InputError: a solution of another model, a file that cannot be written, or a view that is not two angles.
         """
-        return draw("draw_model", self, path, solution=solution, reach=reach, view=view)
+        return OUTLETS.draw_model(self, path, solution=solution, reach=reach, view=view)
 
     def with_boundary(self, boundary: Sequence[BoundaryCondition]) -> "Model":
         """Return a model with the same bonds and masses under other boundary conditions. Common data are shared."""

@@ -1,7 +1,7 @@
 """Pictures of objects from Python: `lattice.plot()`, `model.plot()`, `test.plot()` and `run.plot()`."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from io import BytesIO
 from typing import Any
@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from bondem._checks import array, number, place, shown
-from bondem._drawing import Plotted
+from bondem._drawing import Coloured, Plotted, Present
 from bondem._types import ArrayLike, Floats
 from bondem.boundary.conditions import Drive, Fix, Load
 from bondem.boundary.loads import Absorbing, BodyForce, Pressure
@@ -26,8 +26,6 @@ from bondem.geometry.rotations import turned_vectors
 from bondem.geometry.surface import Surface
 from bondem.io.atomic import require_writable, write_bytes
 from bondem.labtests.cracking import CRACKED
-from bondem.labtests.modal import NaturalFrequencies
-from bondem.labtests.tension import Tension
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.report.column_curves import draw_columns
@@ -40,8 +38,6 @@ from bondem.report.style import BLUE, GREEN, ORANGE, PURPLE, SEQUENTIAL, SETTING
 from bondem.report.surface_picture import draw_patches
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.tessellation.polyhedra import Polyhedra
-from bondem.statics.modes import ModesResult
-from bondem.statics.static import StaticResult
 
 _PLAIN = "#d5dbe1"
 _DOTS_PER_INCH, _PIXELS = 160, 900
@@ -133,62 +129,30 @@ def draw_model(
 def draw_result(result: Plotted, path: Any, *, reach: float | None, view: tuple[float, float]) -> Drawing:
     """Draw a result for `Plotted.plot`."""
     who = f"{type(result).__name__}.plot"
-    eye, drawn, bodies = _view(who, view), result.drawn, _bodies(result)
-    with _figure(who, path, bool(drawn) + len(bodies)) as (figure, axes):
+    eye, drawn, pictures = _view(who, view), result.drawn, result._pictures
+    with _figure(who, path, bool(drawn) + len(pictures)) as (figure, axes):
         if drawn:
             draw_columns(axes[0], drawn)
-        for ax, draw_body in zip(axes[bool(drawn) :], bodies, strict=True):
-            draw_body(figure, ax, reach, eye)
+        for ax, picture in zip(axes[bool(drawn) :], pictures, strict=True):
+            _draw_picture(figure, ax, picture, reach, eye)
             ax.autoscale_view()
     return figure
 
 
-def _bodies(result: Any) -> list[Callable[[Figure, Axes, float | None, View], None]]:
-    """Pictures of the specimen of a result: where it is, its lowest mode, or its motion and stress."""
-    match result:
-        case NaturalFrequencies():
-            return _bodies(result.modes)
-        case Tension():
-            return _bodies(result.solution)
-        case ModesResult():
-            mode, frequency = result.shape[0], result.frequency[0]
-
-            def lowest(figure: Figure, ax: Axes, reach: float | None, view: View) -> None:
-                # without units: their size depends on the mass only
-                size = np.linalg.norm(mode[:, :3], axis=1).max() or 1.0
-                moved = result.model.lattice.particles.mean_radius / size * mode
-                far = np.linalg.norm(moved[:, :3], axis=1)
-                _coloured_body(figure, ax, result.model.lattice, far / far.max(), "motion over its largest value [-]",
-                               moved[:, :3], moved[:, 3:], reach, view)  # fmt: skip
-                ax.set_title(f"lowest mode, {frequency:.4g} Hz")
-
-            return [lowest]
-        case StaticResult():
-            model, turned = result.model, result.state.orientation if result.nonlinear else result.rotation
-
-            def motion(figure: Figure, ax: Axes, reach: float | None, view: View) -> None:
-                _moved_body(figure, ax, model.lattice, result.displacement, turned, reach, view)
-
-            def stress(figure: Figure, ax: Axes, reach: float | None, view: View) -> None:
-                _coloured_body(figure, ax, model.lattice, 1e-6 * result.von_mises_stress, "von Mises stress [MPa]",
-                               result.displacement, turned, reach, view)  # fmt: skip
-
-            return [motion, stress]
-    state = getattr(result, "state", None)
-    if state is None or not isinstance(state.model, Model):
-        return []
-
-    def broken(figure: Figure, ax: Axes, reach: float | None, view: View) -> None:
-        sides = _bounds(state.model.lattice)
-        pieces = fragments(state.model.lattice, state, integrity=CRACKED)
-        if len(pieces) > 1:
-            _broken_body(ax, state, pieces, reach, view)
-        else:
-            _moved_body(figure, ax, state.model.lattice, state.displacement, state.orientation, reach, view)
-        draw_box(ax, *sides, view)
-        draw_walls(ax, state.model, state, *sides, view)
-
-    return [broken]
+def _draw_picture(figure: Figure, ax: Axes, picture: Coloured | Present, reach: float | None, view: View) -> None:
+    """Draw a body as a result declares it."""
+    if isinstance(picture, Coloured):
+        _coloured_body(figure, ax, picture, reach, view)
+        return
+    state = picture.state
+    sides = _bounds(state.model.lattice)
+    pieces = fragments(state.model.lattice, state, integrity=CRACKED)
+    if len(pieces) > 1:
+        _broken_body(ax, state, pieces, reach, view)
+    else:
+        _moved_body(figure, ax, state.model.lattice, state.displacement, state.orientation, reach, view)
+    draw_box(ax, *sides, view)
+    draw_walls(ax, state.model, state, *sides, view)
 
 
 def _motion(model: Model, solution: Any) -> tuple[State | None, Floats | None, Floats | None]:
@@ -267,19 +231,17 @@ def _moved_body(
 ) -> None:  # fmt: skip
     """Draw a body where it is, coloured by how far its elements have moved."""
     far = np.linalg.norm(moved, axis=1)
-    _coloured_body(figure, ax, lattice, far, "displacement [m]", moved, turned, reach, view)
+    _coloured_body(figure, ax, Coloured(lattice, far, "displacement [m]", moved, turned), reach, view)
 
 
-def _coloured_body(
-    figure: Figure, ax: Axes, lattice: Lattice, values: Floats, label: str, moved: Floats, turned: Floats | None,
-    reach: float | None, view: View,
-) -> None:  # fmt: skip
+def _coloured_body(figure: Figure, ax: Axes, body: Coloured, reach: float | None, view: View) -> None:
     """Draw a body where it is, coloured by values of its elements."""
-    reach = _reach(lattice, moved, reach)
-    scale = Normalize(0.0, float(values.max()) or 1.0)
-    _body(ax, lattice, colormaps[SEQUENTIAL](scale(values))[:, :3], view, moved=moved, turned=turned, reach=reach)
-    _bar(figure, ax, scale, label)
-    ax.set_title(f"motion × {reach:.3g}")
+    reach = _reach(body.lattice, body.moved, reach)
+    scale = Normalize(0.0, float(body.values.max()) or 1.0)
+    colour = colormaps[SEQUENTIAL](scale(body.values))[:, :3]
+    _body(ax, body.lattice, colour, view, moved=body.moved, turned=body.turned, reach=reach)
+    _bar(figure, ax, scale, body.label)
+    ax.set_title(body.title.format(reach))
 
 
 def _broken_body(ax: Axes, state: State, pieces: Any, reach: float | None, view: View) -> None:

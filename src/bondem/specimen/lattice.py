@@ -11,7 +11,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial.transform import Rotation
 
 from bondem._checks import choice, instance, number, shown, vector
-from bondem._drawing import draw
+from bondem._outlets import OUTLETS
 from bondem._types import (
     ArrayLike,
     Axis,
@@ -242,7 +242,7 @@ class Lattice:
         Raises:
             InputError: values of another shape, a file that cannot be written, or a view that is not two angles.
         """
-        return draw("draw_lattice", self, path, values=values, label=label, view=view)
+        return OUTLETS.draw_lattice(self, path, values=values, label=label, view=view)
 
     def on_face(self, name: str, body: Which | None = None) -> Ints:
         """Return the free facets of a body on a face or patch of its shape, as ascending indices into `cells.free`.

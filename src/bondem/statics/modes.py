@@ -12,7 +12,7 @@ from scipy.sparse.linalg import LinearOperator, eigsh
 from bondem._blas import one_blas_thread
 from bondem._checks import count as whole_number
 from bondem._checks import instance
-from bondem._drawing import Plotted
+from bondem._drawing import Coloured, Plotted
 from bondem._names import users_line
 from bondem._progress import staged
 from bondem._types import Floats, Ints
@@ -69,6 +69,15 @@ class ModesResult(Solution, Plotted):
     def table(self) -> dict[str, Floats]:
         """Number and frequency of every mode, by name and unit, (count,) each."""
         return {"mode [-]": np.arange(1.0, len(self.frequency) + 0.5), "frequency [Hz]": self.frequency}
+
+    @property
+    def _pictures(self) -> tuple[Coloured, ...]:
+        # without units: their size depends on the mass only
+        size = np.linalg.norm(self.shape[0, :, :3], axis=1).max() or 1.0
+        moved = self.model.lattice.particles.mean_radius / size * self.shape[0]
+        far, title = np.linalg.norm(moved[:, :3], axis=1), f"lowest mode, {self.frequency[0]:.4g} Hz"
+        values, label = far / far.max(), "motion over its largest value [-]"
+        return (Coloured(self.model.lattice, values, label, moved[:, :3], moved[:, 3:], title),)
 
 
 @one_blas_thread

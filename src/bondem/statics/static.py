@@ -8,7 +8,7 @@ import numpy as np
 
 from bondem._blas import one_blas_thread
 from bondem._checks import instance
-from bondem._drawing import Plotted, columns_of
+from bondem._drawing import Coloured, Plotted, columns_of
 from bondem._progress import staged
 from bondem._types import Floats, PerElement, PerElement3, PerElement6
 from bondem.errors import InputError
@@ -93,6 +93,15 @@ class StaticResult(Solution, Plotted):
     def drawn(self) -> dict[str, Floats]:
         """No curves: figures show the elements, with their motion and stress."""
         return {}
+
+    @property
+    def _pictures(self) -> tuple[Coloured, ...]:
+        turned = self.state.orientation if self.nonlinear else self.rotation
+        far, stress = np.linalg.norm(self.displacement, axis=1), 1e-6 * self.von_mises_stress
+        return tuple(
+            Coloured(self.model.lattice, values, label, self.displacement, turned)
+            for values, label in ((far, "displacement [m]"), (stress, "von Mises stress [MPa]"))
+        )
 
     def scaled(self, factor: float) -> "StaticResult":
         """Return the same result with motions times a factor, as a guess for bonds of another modulus."""

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import count, number
-from bondem._drawing import Plotted
+from bondem._drawing import PlottedState
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.boundary.gauges import Gauge
@@ -83,7 +83,7 @@ class ThinBar:
 
 
 @dataclass(frozen=True, eq=False)
-class SpallTest(Plotted):
+class SpallTest(PlottedState):
     """Result of a spall test.
 
     Attributes:

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import number
-from bondem._drawing import Plotted
+from bondem._drawing import PlottedState
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.boundary.gauges import WallGauge
@@ -46,7 +46,7 @@ _SURE = 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class SphereCrushing(Plotted):
+class SphereCrushing(PlottedState):
     """Result of a crushing test.
 
     Attributes:

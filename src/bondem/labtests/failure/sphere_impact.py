@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import instance, number, vector
-from bondem._drawing import Plotted
+from bondem._drawing import PlottedState
 from bondem._progress import staged
 from bondem._types import Floats, Triple
 from bondem.boundary.gauges import WallGauge
@@ -37,7 +37,7 @@ _TOUCH = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class SphereImpact(Plotted):
+class SphereImpact(PlottedState):
     """Result of an impact of a ball on a plane.
 
     Attributes:

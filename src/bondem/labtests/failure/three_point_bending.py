@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from bondem._checks import instance, number
-from bondem._drawing import Plotted
+from bondem._drawing import PlottedState
 from bondem._progress import staged
 from bondem._types import Floats
 from bondem.boundary.conditions import Load
@@ -42,7 +42,7 @@ _MOUTH, _STEEP = "cmod", 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class BendingTest(Plotted):
+class BendingTest(PlottedState):
     """Result of a bending test, as a quasi-static path of failure events.
 
     Attributes:

@@ -8,7 +8,7 @@ import numpy as np
 
 from bondem._blas import one_blas_thread
 from bondem._checks import count, instance, number
-from bondem._drawing import Plotted, columns_of
+from bondem._drawing import PlottedState, columns_of
 from bondem._progress import staged
 from bondem._signals import Halt, noticing, stop_by
 from bondem._types import Floats, Ints, Mask, PerBond, PerElement3
@@ -41,7 +41,7 @@ _ROUNDS = 40
 
 
 @dataclass(frozen=True, eq=False)
-class QuasistaticResult(Plotted):
+class QuasistaticResult(PlottedState):
     """A path of equilibria, each at the load at which the next facets fail: e events, f failures of facets.
 
     Attributes:

@@ -1,0 +1,17 @@
+"""Functions of upper layers that objects of lower ones call; `bondem/__init__.py` fills them in."""
+
+from collections.abc import Callable
+from typing import Any
+
+
+class Outlets:
+    """Functions that draw and write, which the package enters; each loads its module at the first call."""
+
+    draw_lattice: Callable[..., Any]
+    draw_model: Callable[..., Any]
+    draw_result: Callable[..., Any]
+    draw_surface: Callable[..., Any]
+    write_csv: Callable[..., Any]
+
+
+OUTLETS = Outlets()
