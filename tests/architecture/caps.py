@@ -199,7 +199,7 @@ def _longest_function() -> list[str]:
 
 
 def _named_from_below() -> list[str]:
-    """Strings that name a module of an upper layer; those of `bondem/__init__.py`, which is above all, do not count."""
+    """Strings that name a module of an upper layer; `bondem/__init__.py` is above all layers."""
     layers = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]["contracts"][0]["layers"]
     height = {room.strip(): -row for row, layer in enumerate(layers) for room in layer.split("|")}
 

@@ -34,7 +34,6 @@ NUMBERS = json.loads((Path(__file__).parent / "contact_numbers.json").read_text(
 def test_the_numbers_are_those_of_the_former_loop(case):
     make, damping = CASES[case]
     model, state = make()
-    assert model.contacts is not None
     model.contacts.walls.inertia[:] = 0.0  # dashpots of the former loop took free walls for infinitely heavy
     result = integrate(model, plan_of(model, STEPS, every=100, damping=damping), state=state, loop_of=CoreLoop)
     numbers, some = NUMBERS[case], [0, len(state.pose) // 2, len(state.pose) - 1]
@@ -228,7 +227,6 @@ def test_the_list_has_all_walls_in_reach():
     rng, walls = np.random.default_rng(4), all_walls(9.2)
     model, state = cloud(4, LINEAR, walls=walls)
     contacts = model.contacts
-    assert contacts is not None
     pose, table, radius, skin = state.pose, contacts.walls, contacts.radius, 0.5
     sources = new_wall_sources(radius, skin)
     state.walls[:, :4] = rng.uniform(-0.2, 0.2, (len(walls), 4))

@@ -98,8 +98,7 @@ def test_cells_yield_by_the_cohesion_and_the_friction_of_their_region() -> None:
                        fracture_energy_shear=math.inf)
         for one, phi in ((other, steep), (c, angle))
     )  # fmt: skip
-    slip, inside = softening(model({bd.Everything(): hard, MIDDLE: soft})).slip, MIDDLE.mask(bar(*BAR))
-    assert slip is not None
+    (slip,), inside = model({bd.Everything(): hard, MIDDLE: soft}).yielding, MIDDLE.mask(bar(*BAR))
     own = inside[model(STRONG).layout.order]
     assert slip.strength == pytest.approx(np.where(own, c * math.cos(angle), other * math.cos(steep)))
     assert slip.slope == pytest.approx(np.where(own, math.sin(angle), math.sin(steep)))
@@ -120,8 +119,7 @@ def test_cells_yield_by_the_cohesion_and_the_friction_of_their_region() -> None:
 def test_cells_by_rankine_do_not_yield_beside_those_that_do() -> None:
     soft = bd.MohrCoulomb(tension=2e6, cohesion=1e6, friction_angle=0.5, fracture_energy=30.0)
     one = model({bd.Everything(): STRONG, MIDDLE: soft})
-    slip = softening(one).slip
-    assert slip is not None
+    (slip,) = one.yielding
     assert (np.isinf(slip.strength) == ~MIDDLE.mask(bar(*BAR))[one.layout.order]).all()
     run = bd.solve_explicit(
         bd.Model(bar(*BAR), bd.CellBond(E=E, nu=0.2), RHO, boundary=ends(-0.02), failure=one.failure),

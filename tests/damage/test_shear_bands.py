@@ -30,9 +30,7 @@ def test_a_thin_band_has_its_slip_over_its_width_as_mean_slip(width):
     edge = 1e-3
     body = prism(2000, size=(12.5 * edge, 12.8 * edge, 12.5 * edge))
     model = bd.Model(body, LAW, 2400.0, failure=rock(band=width))
-    assert model.softening is not None
-    slip = model.softening.slip
-    assert slip is not None
+    (slip,) = model.yielding
     B = USUAL_WIDTH * edge if width is None else width
     order = model.layout.order
     offset = body.centre[order] - 0.5 * np.ptp(body.centre, axis=0) - body.centre.min(axis=0)
@@ -51,9 +49,8 @@ def test_the_work_per_volume_is_that_of_the_width():
     fades = []
     for count, width in ((300, None), (300, 12e-3), (600, None), (600, 12e-3)):
         model = bd.Model(prism(count), LAW, 2400.0, failure=rock(band=width))
-        assert model.softening is not None
-        assert model.softening.slip is not None
-        fades.append(model.softening.slip.fade.mean())
+        (slip,) = model.yielding
+        fades.append(slip.fade.mean())
     assert fades[1::2] == pytest.approx([12e-3 * 10e6 / 600.0] * 2)
     assert fades[2] / fades[0] == pytest.approx(0.5 ** (1 / 3), rel=0.01)
 

@@ -94,8 +94,7 @@ def work(count: int, seed: int, band: float | None) -> dict[str, float]:
     way = peak / E * aspect * WIDTH + 400e-6
     model, sixth, damping = compressed(body, failure, pressure, aspect, way)
     assert body.cells is not None
-    assert model.softening is not None
-    assert model.softening.slip is not None
+    (yielding,) = model.yielding
     order, area, imbalance, cohesive = model.layout.order, math.sqrt(2.0) * WIDTH**2, 0.0, 0.0
     volume = body.cells.volume[order]
     cohesion = COHESION * np.where(np.isin(order, weak.select(body)), WEAK, 1.0)
@@ -108,7 +107,7 @@ def work(count: int, seed: int, band: float | None) -> dict[str, float]:
         state = run.state
         stress.append(-run.history["force"][1:, 0] / WIDTH**2)
         place.append(-run.history["way"][1:, 0])
-        after, kept = state.slipped[order], 1.0 - model.softening.slip.spent(state.slipped[order])
+        after, kept = state.slipped[order], 1.0 - yielding.spent(state.slipped[order])
         cohesive += float((volume * cohesion * 0.5 * (left + kept) * (after - slip)).sum())
         slip, left, imbalance = after, kept, max(imbalance, run.history.imbalance)
     load, shortened = np.concatenate(stress), np.concatenate(place)

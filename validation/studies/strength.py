@@ -73,8 +73,8 @@ def measured(case: Case, count: int, seed: int) -> dict[str, Any]:
         )  # fmt: skip
         test = bd.labtests.uniaxial_compression(body, LAW, failure, pressure=case.pressure)
         assert failure.softening is not None
-        assert failure.softening.slip is not None
-        rows["strength"] = test.peak / failure.softening.slip.compressive(case.pressure)
+        (slip,) = failure.softening.slips
+        rows["strength"] = test.peak / slip.compressive(case.pressure)
     else:
         failure = bd.Rankine(tension=TENSION, fracture_energy=case.energy or None)
         test = bd.labtests.direct_tension(body, LAW, failure)

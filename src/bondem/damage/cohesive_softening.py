@@ -136,7 +136,7 @@ class Softening:
         tension: f_t, the strength in uniaxial tension [Pa].
         fracture_energy: G_f of tension [J/m²]; 0 for brittle facets.
         friction: μ on the faces of closed cracks [-].
-        slip: yielding of cells, or None for cells that do not yield.
+        slips: yielding of cells, none or one.
         surface: criterion of crack initiation; None if that is the largest principal stress at `tension`.
         curve: softening curve over the opening; None for a straight line.
     """
@@ -144,7 +144,7 @@ class Softening:
     tension: float
     fracture_energy: float
     friction: float
-    slip: Slip | None
+    slips: tuple[Slip, ...]
     surface: StressIndex | None = None
     curve: Bilinear | None = None
 

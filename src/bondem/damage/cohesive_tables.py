@@ -116,15 +116,14 @@ def yielding_of(
     constants: CellConstants,
 ) -> tuple[YieldingCells, ...]:  # fmt: skip
     """Return the cells that yield, one table, or no table if none can."""
-    slip = table.slip
-    if slip is None:
-        return ()
     G, lame = constants.G, constants.lame
-    # by which F falls per slip while the total strain stays
-    stiffness = G + ((9.0 * lame + 6.0 * G) if slip.cone else (lame + G)) * slip.slope * slip.dilation
-    cells = YieldingCells(
-        slip.cone, slip.strength, slip.slope, slip.dilation, stiffness, slip.fade, slip.near_start,
-        slip.near.astype(np.uint32), state.plastic[:, PlasticColumn.GAMMA].copy(), state.held_slip, state.plastic,
-        facets.lever_i.copy(), facets.lever_j.copy(), walls.arm.copy(),
+    return tuple(
+        YieldingCells(
+            slip.cone, slip.strength, slip.slope, slip.dilation,
+            # by which F falls per slip while the total strain stays
+            G + ((9.0 * lame + 6.0 * G) if slip.cone else (lame + G)) * slip.slope * slip.dilation,
+            slip.fade, slip.near_start, slip.near.astype(np.uint32), state.plastic[:, PlasticColumn.GAMMA].copy(),
+            state.held_slip, state.plastic, facets.lever_i.copy(), facets.lever_j.copy(), walls.arm.copy(),
+        )
+        for slip in table.yielding
     )  # fmt: skip
-    return (cells,)

@@ -63,7 +63,7 @@ def _check_alike(found: tuple[Criterion, ...]) -> None:
     advice = "give criteria of one kind, which may differ in their strengths and energies"
     if len({isinstance(one, BondCriterion) and one.softening is None for one in found}) > 1:
         raise InputError(f"failure= has {names}, some on single bonds and some on the stress of cells; {advice}")
-    soft = [one.softening for one in found if one.softening is not None]
+    soft = [softening for one in found for softening in one._softenings]
     if not soft:
         if len({type(one) for one in found}) > 1:
             raise InputError(f"failure= combines {names}; {advice}")

@@ -128,7 +128,7 @@ def _judged(
     return coefficient, a, b, kind
 
 
-def check_failure(failure: object, law: Interaction, contact: ContactLaws | None) -> None:
+def check_failure(failure: object, law: Interaction, contact: ContactLaws) -> None:
     """Check a criterion for a model.
 
     Raises:
@@ -145,12 +145,12 @@ def check_failure(failure: object, law: Interaction, contact: ContactLaws | None
     cells = law.evaluated == "traction"
     for criterion in criteria_of(failure):
         _check_criterion(criterion, cells, contact)
-    if cells and contact is not None and not contact.stress_free:
+    if cells and contact.stressed:
         raise InputError("failure= of cells beside contact= needs stress_free=True, as cells touch where they parted")
     law.moments_at_contact  # noqa: B018  refuses laws that differ
 
 
-def _check_criterion(failure: Criterion, cells: bool, contact: ContactLaws | None) -> None:
+def _check_criterion(failure: Criterion, cells: bool, contact: ContactLaws) -> None:
     """Reject a criterion for other bonds."""
     name, soft = type(failure).__name__, isinstance(failure, BondCriterion) and failure.energies is not None
     if soft and not cells:
@@ -169,14 +169,14 @@ def _check_principal(failure: Criterion, law: str) -> None:
             f"{name} is not a criterion on principal stresses, as {law} needs; use bd.Rankine(tension=)"
             " or bd.MohrCoulomb(...)"
         )
-    softening = failure.softening
-    if softening is not None and softening.fracture_energy > 0.0:
-        raise InputError(f"{name}: {law} bonds break at once; leave out fracture_energy=, or use bd.CellBond")
-    if softening is not None and softening.friction > 0.0:
-        raise InputError(f"{name}: friction= of {law} bonds is that of contact=bd.LinearContact(..., friction=)")
+    for softening in failure._softenings:
+        if softening.fracture_energy > 0.0:
+            raise InputError(f"{name}: {law} bonds break at once; leave out fracture_energy=, or use bd.CellBond")
+        if softening.friction > 0.0:
+            raise InputError(f"{name}: friction= of {law} bonds is that of contact=bd.LinearContact(..., friction=)")
 
 
-def _check_soft(failure: Criterion, contact: ContactLaws | None) -> None:
+def _check_soft(failure: Criterion, contact: ContactLaws) -> None:
     """Reject options unsupported by softening beams."""
     if isinstance(failure, MohrCoulomb):
         if failure.dilatancy != 0.0 or failure.band_width is not None:
@@ -186,12 +186,12 @@ def _check_soft(failure: Criterion, contact: ContactLaws | None) -> None:
             raise InputError("MohrCoulomb: fracture_energy_shear = inf is for cells that yield; give beams a number")
         if failure.curve is not None:
             raise InputError("MohrCoulomb: curve applies to cracks between cells; leave it out for beams")
-    if contact is not None and contact.parallel:
+    if contact.parallel:
         raise InputError(
             "contact= with parallel=True acts beside bonds, and beams that soften carry pressure themselves until"
             " they have broken; leave out parallel=, or fracture_energy="
         )
-    if contact is not None and not contact.stress_free:
+    if contact.stressed:
         raise InputError(
             "failure= of beams that soften beside contact= needs stress_free=True, as they carry pressure until they"
             " touch"

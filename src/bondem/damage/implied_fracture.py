@@ -103,7 +103,7 @@ def implied_fracture(
 def _given_energy(failure: Criterion, *, cells: bool) -> float:
     """Return the fracture energy in tension of a criterion [J/m²], 0 for brittle bonds or facets."""
     if cells:
-        return 0.0 if failure.softening is None else failure.softening.fracture_energy
+        return sum((softening.fracture_energy for softening in failure._softenings), 0.0)
     energies = failure.energies if isinstance(failure, BondCriterion) else None
     return 0.0 if energies is None else energies[0]
 

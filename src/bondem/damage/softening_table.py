@@ -50,8 +50,8 @@ class SlipTable:
     @classmethod
     def of(
         cls, body: Lattice, layout: Layout, volume: PerElement, parts: tuple[FailurePart, ...]
-    ) -> "SlipTable | None":
-        """Return the table of a body, or None if no cell can yield.
+    ) -> "tuple[SlipTable, ...]":
+        """Return the table of a body, none if no cell can yield.
 
         Args:
             body: the body of cells.
@@ -66,18 +66,16 @@ class SlipTable:
         strength, slope, dilation, fade = np.full(n, np.inf), np.zeros(n), np.zeros(n), np.zeros(n)
         given = np.zeros(n)
         for part in parts:
-            slip = None if part.criterion.softening is None else part.criterion.softening.slip
-            if slip is None:
-                continue
-            own, cone = rank[part.elements], slip.cone
-            strength[own], slope[own], dilation[own] = slip.strength, slip.slope, slip.dilation
-            given[own], fade[own] = slip.width or 0.0, slip.cohesion / (2.0 * slip.fracture_energy)
+            for slip in (one for softening in part.criterion._softenings for one in softening.slips):
+                own, cone = rank[part.elements], slip.cone
+                strength[own], slope[own], dilation[own] = slip.strength, slip.slope, slip.dilation
+                given[own], fade[own] = slip.width or 0.0, slip.cohesion / (2.0 * slip.fracture_energy)
         edge, yields = np.cbrt(volume), np.isfinite(strength)
         if not yields.any():
-            return None
+            return ()
         width = band_widths(edge, yields, given)
         near_start, near = cells_of_bands(body, layout.order, edge, yields, width)
-        return cls(cone, strength, slope, dilation, width * fade, near_start, near)
+        return (cls(cone, strength, slope, dilation, width * fade, near_start, near),)
 
     def spent(self, slipped: PerElement) -> PerElement:
         """Return the share of its cohesion that each cell has lost by slips (n,) in internal order [-], (n,)."""
@@ -108,7 +106,7 @@ class SofteningTable:
         plane: mask of facets of material planes, evaluated by their own traction, (m,).
         cohesion: cohesion of such facets [Pa], inf for those that do not slip and for all others, (m,).
         last_slip: k u / A of such facets at the slip that exhausts the cohesion [Pa], (m,).
-        slip: yielding of cells, or None.
+        yielding: yielding of cells, none or one.
     """
 
     strength: PerBond
@@ -126,7 +124,7 @@ class SofteningTable:
     plane: Mask
     cohesion: PerBond
     last_slip: PerBond
-    slip: SlipTable | None
+    yielding: tuple[SlipTable, ...]
 
     def absorbed_by(self, cracks: Floats) -> Floats:
         """Return the energy that facets absorb as they fracture, 0 of those of cells without cohesion [J].
@@ -169,7 +167,7 @@ class SofteningTable:
         Raises:
             InputError: Elements are too long for the fracture energy.
         """
-        materials = [one.criterion.softening for one in parts if one.criterion.softening is not None]
+        materials = [softening for one in parts for softening in one.criterion._softenings]
         if not materials:
             return None
         softening = materials[0]
@@ -189,12 +187,12 @@ class SofteningTable:
             )[part.bonds]
             strength[own], friction[own] = soft.tension * factor, soft.friction
             plane[own] = part.plane
-            if part.plane and soft.slip is not None:
-                cohesion[own] = soft.slip.cohesion * factor
-                last_slip[own] = _last_slip(cells.k[own] / area[own], cohesion[own], soft.slip.fracture_energy)
+            slips = soft.slips if part.plane else ()
+            for slip in slips:
+                cohesion[own] = slip.cohesion * factor
+                last_slip[own] = _last_slip(cells.k[own] / area[own], cohesion[own], slip.fracture_energy)
             if soft.fracture_energy > 0.0:
-                slipping = soft.slip.fracture_energy if part.plane and soft.slip is not None else 0.0
-                absorbed[own] = max(soft.fracture_energy, slipping) * area[own]
+                absorbed[own] = max([soft.fracture_energy, *(slip.fracture_energy for slip in slips)]) * area[own]
                 require_short(facets.span[part.bonds], _modulus(cells, layout.i[own]), soft)
                 # the last opening, as the traction that it takes from a whole facet
                 end = cells.k[own] / area[own] * soft.last * soft.fracture_energy / strength[own]
@@ -209,7 +207,7 @@ class SofteningTable:
             judge=surface,
             least=0.0 if surface is None else _NEARER * surface.nearest(), tension=softening.tension,
             friction=friction, plane=plane, cohesion=cohesion, last_slip=last_slip,
-            slip=SlipTable.of(body, layout, cells.volume, parts),
+            yielding=SlipTable.of(body, layout, cells.volume, parts),
         )  # fmt: skip
 
 

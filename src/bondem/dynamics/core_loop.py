@@ -42,7 +42,7 @@ class CoreLoop:
         self._n, self._m = len(state.pose), len(model.layout.i)
         terms = DampingTerms.of(plan.damping)
         self._scheme = StepScheme(dt, *plan.scheme.coefficients(dt), terms.gamma, self._origin)
-        busy = self._m if model.contacts is None else self._m + self._n
+        busy = self._m + len(model.contacts.radius)
         self._threads = current_threads() if busy >= SERIAL_BONDS else 1
         domains = min(self._threads, max(busy // _DOMAIN, 1))
         # elements that a failure delays keep their sums in rows of their own
@@ -144,4 +144,4 @@ class CoreLoop:
 def noticeable(model: Model, dt: float) -> float:
     """Return the energy below which no guard acts [J]: that of motion at rest, and that of adhesion."""
     rest = 0.5 * float(model.mass.sum()) * (_STILL * model.lattice.particles.mean_radius / dt) ** 2
-    return rest + (0.0 if model.contact_laws is None else model.contact_laws.released(model.contact_radius))
+    return rest + model.contact_laws.released(model.contact_radius)

@@ -73,7 +73,7 @@ class DeviceLoop:
         self._gauges = len(plan.gauges)
         self._width = self._first_gauge + 3 * self._gauges
         self._budget, self._still = np.zeros(2), noticeable(model, dt)
-        self._late, self._listed = late, model.contacts is not None
+        self._late, self._listed = late, model.contact is not None
         begins = self._launches("begin")
         self._compose()
         if begins:

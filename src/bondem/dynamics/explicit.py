@@ -96,7 +96,7 @@ def integrate(
     check = None
     if plan.imbalance is not None and plan.scheme.conserves:
         check = EnergyCheck(model, state, dt, plan.imbalance, first)
-    sinking = SinkingCheck(model) if model.fails and model.contacts is None else None
+    sinking = SinkingCheck(model) if model.fails and model.contact is None else None
     missed = "" if check is None else check.examine(before[1:])
     pace = max(_WORK // (len(state.pose) + len(state.integrity)), 1)
     while state.step < total and not stop and not missed:

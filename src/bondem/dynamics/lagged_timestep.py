@@ -74,13 +74,12 @@ def _of_springs(
 ) -> tuple[float, float]:
     """Return the critical step of springs and contacts, and that with the dashpots of contacts [s]."""
     raised, decay = math.sqrt(1.0 + terms.gamma), 0.0
-    contacts, motions = model.contacts, ((0.0, 0.0),)
-    if contacts is not None:
-        motions += contacts.laws.stiffest(model.contact_radius, model.mass, contacts.walls.platens)
-        if model.fails and contacts.own is not None:
-            soft, _, beta = contacts.of_broken(model.layout)
-            springs *= math.sqrt(max(1.0, float(soft.max()) * law.normal_over_shear))
-            decay = _fastest_decay(model, law, contacts.own, beta, soft)
+    contacts = model.contacts
+    motions = ((0.0, 0.0), *contacts.laws.stiffest(model.contact_radius, model.mass, contacts.walls.platens))
+    if model.fails and contacts.own is not None:
+        soft, _, beta = contacts.of_broken(model.layout)
+        springs *= math.sqrt(max(1.0, float(soft.max()) * law.normal_over_shear))
+        decay = _fastest_decay(model, law, contacts.own, beta, soft)
     fastest = raised * max(math.hypot(springs, frequency) for frequency, _ in motions)
     if fastest == 0.0:
         return math.inf, math.inf

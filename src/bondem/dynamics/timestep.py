@@ -59,7 +59,7 @@ def _limits(
     raised = math.sqrt(1.0 + terms.gamma)
     bonds, decay = highest_frequency(model, integrity=integrity), 0.0
     for slip in long_slips(model):
-        bonds = max(bonds, highest_frequency(model, integrity=integrity, slip=slip))
+        bonds = max(bonds, highest_frequency(model, integrity=integrity, slips=(slip,)))
     if isinstance(model.interaction, LaggedInteraction):
         return lagged_limits(model, model.interaction, scheme, terms, bonds, matters=_DAMPED)
     damped = terms.beta * bonds**2
@@ -67,9 +67,8 @@ def _limits(
         damped += fastest_decay(model, replace(terms, beta=0.0))
     if model.fails:
         bonds, decay = _with_broken(model, bonds)
-    motions = [(0.0, 0.0)]  # further ones than those of bonds, and their dashpots
-    if model.contacts is not None:
-        motions += model.contacts.laws.stiffest(model.contact_radius, model.mass, model.contacts.walls.platens)
+    contacts = model.contacts  # motions further than those of bonds, and their dashpots
+    motions = ((0.0, 0.0), *contacts.laws.stiffest(model.contact_radius, model.mass, contacts.walls.platens))
     limit = free = math.inf
     for frequency, delay in motions:
         omega = raised * math.hypot(bonds, frequency)
@@ -93,7 +92,7 @@ def _with_broken(model: Model, highest: float) -> tuple[float, float]:
     Its lever arms are assumed to be those of the bond.
     """
     contacts = model.contacts
-    if contacts is None or contacts.own is None or not len(contacts.own):
+    if contacts.own is None or not len(contacts.own):
         return highest, 0.0
     soft, friction, beta = contacts.of_broken(model.layout)
     decay = _decay_bound(model, contacts.own, beta, soft)
@@ -209,8 +208,6 @@ def _resolved_step(model: Model) -> tuple[float, int]:
     cells that do not break, those at the surface.
     """
     contacts, layout, lattice = model.contacts, model.layout, model.lattice
-    if contacts is None:
-        return math.inf, 0
     bonded = np.bincount(layout.i, minlength=len(layout.order)) + np.bincount(layout.j, minlength=len(layout.order))
     free = bonded[layout.rank] == 0
     touching, steps = free, _PER_CONTACT

@@ -75,8 +75,7 @@ def explain(model: Model, state: State | None = None, *, most: int = 5) -> Expla
         nearest = nearest[every[nearest] > 0.0]
         index = every[nearest]
         broken, softening = int((whole == 0.0).sum()), int(((whole > 0.0) & (whole < 1.0)).sum())
-        if model.softening is not None:
-            yielding = float(yield_index(model, state).max(initial=0.0))
+        yielding = float(yield_index(model, state).max(initial=0.0))
     position = model.lattice.elements.bond_middle[nearest]
     if state is not None:
         lines += _state_lines(model, state, nearest, index, position, broken, softening, yielding)
@@ -149,7 +148,7 @@ def _state_lines(
 ) -> list[str]:  # fmt: skip
     what = _part(model)
     lines = ["", f"At t = {_number(state.time, 's')}: {broken} {what}s broken, {softening} softening"]
-    if model.softening is not None and model.softening.slip is not None:
+    for _ in model.yielding:
         lines.append(f"  the cell nearest to yielding is at {yielding:.3g} of its strength (1 yields)")
     if not len(nearest):
         return [*lines, f"  no {what} is pulled"]

@@ -40,9 +40,9 @@ def _tensile(softening: Softening, asked: Mapping[str, float]) -> float:
 
 
 def _compressive(softening: Softening, asked: Mapping[str, float]) -> float:
-    if softening.slip is None or asked.get("platen_friction"):  # rough platens confine the ends: no closed form
+    if not softening.slips or asked.get("platen_friction"):  # rough platens confine the ends: no closed form
         return math.nan
-    return softening.slip.compressive(asked.get("pressure", 0.0))
+    return softening.slips[0].compressive(asked.get("pressure", 0.0))
 
 
 def _worked(test: AnyTest) -> dict[str, float]:
@@ -237,7 +237,7 @@ def failure_outcome(
     if test is not None and test.bonded and not is_cells(body, law):
         return _bonded_outcome(test, body, law, failure, density, asked, progress)
     softening = softening_of(name, failure, "a criterion with its fracture_energy")
-    if test is None or (test.yields and softening.slip is None):
+    if test is None or (test.yields and not softening.slips):
         raise InputError(
             f"labtests: test = {name}: not a test to failure of this material; give one of"
             f" {', '.join(FAILURE_TESTS)}"

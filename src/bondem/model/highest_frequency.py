@@ -25,7 +25,8 @@ _SMALL = 1e-5
 
 
 def highest_frequency(
-    model: Model, *, integrity: PerBond | None = None, table: BondTable | None = None, slip: LongSlip | None = None
+    model: Model, *, integrity: PerBond | None = None, table: BondTable | None = None,
+    slips: tuple[LongSlip, ...] = (),
 ) -> float:
     """Return ω_max of the unconstrained lattice at rest [rad/s], a bound for every set of supports.
 
@@ -36,11 +37,11 @@ def highest_frequency(
         integrity: present integrity of the bonds (`State.integrity`), internal order, (m,); None for intact bonds.
             Broken bonds only lower ω_max.
         table: the bonds, if not those of the model.
-        slip: slip on planes between regions, one of `long_slips`.
+        slips: slips on planes between regions, of `long_slips`.
     """
     order = model.layout.order
     mass, inertia = model.mass[order], model.inertia[order]
-    square = stiffest(model, mass, inertia, integrity=integrity, table=table, slip=slip)
+    square = stiffest(model, mass, inertia, integrity=integrity, table=table, slips=slips)
     if model.correction is not None:
         forms = model.interaction.stiffness().forms
         assert forms is not None
@@ -56,14 +57,14 @@ def stiffest(
     *,
     integrity: PerBond | None = None,
     table: BondTable | None = None,
-    slip: LongSlip | None = None,
+    slips: tuple[LongSlip, ...] = (),
 ) -> float:
     """Return an upper bound of the largest eigenvalue of K u = ω² M u [1/s²], for any masses in internal order.
 
     It is found by Lanczos iteration without a matrix: K u is the response of the bonds to small displacements of the
     lattice at rest. The iteration ends when the residual is below the tolerance, and the residual is added. It starts
     from a fixed vector that is larger where an element is stiffer for its mass. The highest mode involves few
-    elements, and from another start one that is hardly above the others could stay hidden. `slip` is one of
+    elements, and from another start one that is hardly above the others could stay hidden. `slips` are of
     `long_slips`.
     """
     layout, n, m = model.layout, len(model.layout.order), len(model.layout.i)
@@ -92,7 +93,7 @@ def stiffest(
         load()
         forces = sums[:, [0, 1, 2, 4, 5, 6]] * (-size * root)
         sums[:] = 0.0
-        if slip is not None:
+        for slip in slips:
             forces += slip.forces(motion) * (size * root)
         return forces
 
@@ -101,7 +102,7 @@ def stiffest(
         held += np.bincount(end, weights=intact * (table.kn + table.ks), minlength=n) / mass
         turned = intact * (table.ks * arm**2 + table.kb)
         held += np.bincount(end, weights=turned, minlength=n) / inertia
-    if slip is not None:
+    for slip in slips:
         held += slip.held(n) / inertia
     start = np.random.default_rng(0).standard_normal((n, 6)) * (held / held.max())[:, None] ** 2
     vector, last = start / np.linalg.norm(start), np.zeros((n, 6))

@@ -22,7 +22,7 @@ from bondem.damage.criteria.criterion import BondCriterion
 from bondem.damage.failure_assignment import FailureAssignment, FailurePart, failure_parts
 from bondem.damage.failure_table import FailureTable, check_failure
 from bondem.damage.implied_fracture import ImpliedFracture, implied_fracture
-from bondem.damage.softening_table import SofteningTable
+from bondem.damage.softening_table import SlipTable, SofteningTable
 from bondem.errors import InputError
 from bondem.interactions.beams.bond_law import BondStiffness
 from bondem.interactions.beams.bond_table import BondTable
@@ -100,7 +100,7 @@ class Model:
     _INTERNAL = (
         "beam_softening", "bonds", "breaking", "by", "cell_constants", "cell_law", "constraints",
         "contact_laws", "contacts", "correction", "fails",
-        "failure_parts", "hands_over", "interaction", "layout", "period", "pressed", "softening",
+        "failure_parts", "hands_over", "interaction", "layout", "period", "pressed", "softening", "yielding",
     )  # fmt: skip
 
     def __dir__(self) -> list[str]:
@@ -120,7 +120,7 @@ class Model:
             raise InputError("friction= of Fix and Drive acts on cells only; press spheres by walls= with friction")
         object.__setattr__(self, "walls", check_walls(self.walls))
         beams, contact = law.evaluated == "force", self.contact_laws
-        if contact is not None and (option := contact.of_beams) and not beams:
+        if (option := contact.of_beams) and not beams:
             raise InputError(f"contact= with {option}= applies to beams; leave out {option}= for {law.name}")
         if self.walls and self.contact is None:
             raise InputError("walls= need a contact law; give contact=bd.LinearContact(E=...)")
@@ -206,17 +206,14 @@ class Model:
         return self.interaction.table
 
     @cached_property
-    def contact_laws(self) -> ContactLaws | None:
-        """Laws of contacts by kinds of elements; None without a contact law."""
-        return None if self.contact is None else ContactLaws.of(self.lattice, self.contact, self.walls)
+    def contact_laws(self) -> ContactLaws:
+        """Laws of contacts by kinds of elements."""
+        return ContactLaws.of(self.lattice, self.contact, self.walls)
 
     @cached_property
-    def contacts(self) -> ContactModel | None:
-        """Contacts of the reference configuration, in the form of the core; None without a contact law."""
-        laws = self.contact_laws
-        if laws is None:
-            return None
-        mass, origin = float(self.mass.sum()), local_origin(self.lattice)
+    def contacts(self) -> ContactModel:
+        """Contacts of the reference configuration, in the form of the core."""
+        laws, mass, origin = self.contact_laws, float(self.mass.sum()), local_origin(self.lattice)
         table = WallTable.of(self.walls, mass, origin, self.lattice.centre, self.contact_radius)
         own = self.bonds.kn if laws.stress_free and not laws.parallel else None
         return ContactModel.of(self.lattice, self.layout, laws, table, own, self.contact_radius)
@@ -224,7 +221,7 @@ class Model:
     @property
     def hands_over(self) -> bool:
         """True if contacts carry the compression of bonds that have broken."""
-        return self.contacts is not None and self.contacts.own is not None
+        return self.contacts.own is not None
 
     @property
     def contact_radius(self) -> PerElement:
@@ -260,18 +257,22 @@ class Model:
     @cached_property
     def beam_softening(self) -> BeamSoftening | None:
         """Fracture energies of softening beams, in internal order; None if no beam softens."""
-        if self.failure is None or self.interaction.evaluated != "force" or not self._by_bond:
+        if self.interaction.evaluated != "force" or not self._by_bond:
             return None
-        check_failure(self.failure, self.interaction, self.contact_laws)
         law = self.interaction
         return BeamSoftening.of(law.lattice, law.layout, self.failure_parts, law.bonds, law.moments_at_contact)
 
     @cached_property
     def softening(self) -> SofteningTable | None:
         """Parameters of cracking facets and yielding cells, in internal order; None if there are none."""
-        if self.failure is None or self.interaction.evaluated != "traction":
+        if self.interaction.evaluated != "traction":
             return None
         return SofteningTable.of(self.lattice, self.layout, self.cell_law.constants, self.failure_parts)
+
+    @property
+    def yielding(self) -> tuple[SlipTable, ...]:
+        """Yielding of cells, in internal order; none or one."""
+        return () if self.softening is None else self.softening.yielding
 
     @property
     def implied_fracture(self) -> ImpliedFracture | None:

@@ -112,7 +112,7 @@ class State(StateMotion):
         self.released, self.crushed = np.zeros((2, 1))
         soft = model.softening
         self.cracks = np.zeros((0, CRACK_COLUMNS))
-        self.plastic = np.zeros((n if soft is not None and soft.slip is not None else 0, PlasticColumn.COUNT))
+        self.plastic = np.zeros((n * len(model.yielding), PlasticColumn.COUNT))
         self.held_slip = np.zeros(len(self.plastic))
         self.facet_force = np.zeros((3, 0 if soft is None else m))
         self.softened = np.zeros((0, SoftColumn.COUNT))
@@ -187,9 +187,9 @@ class State(StateMotion):
         for field in model.interaction.fields:
             getattr(self, field.name)[list(field.fresh)] = 0.0
         laws = model.contact_laws
-        if laws is None:
+        if not laws.laws:
             self.touching, self.stretch = np.zeros((0, 2), dtype=np.int64), np.zeros((0, CONTACT_COLUMNS))
-        if not (laws and laws.rolls):
+        if not laws.rolls:
             self.rolled, self.wall_rolled = np.zeros((2, 0, 3))
         before = self._take_walls(model.walls)
         set_off(self.walls, before, model.walls)

@@ -10,7 +10,7 @@ from bondem._types import PerElement
 from bondem.boundary.conditions import BoundaryCondition
 from bondem.boundary.walls import Wall
 from bondem.damage.beam_softening import BeamSoftening
-from bondem.damage.softening_table import SofteningTable
+from bondem.damage.softening_table import SlipTable, SofteningTable
 from bondem.interactions.contact.contact_assignment import ContactLaws
 from bondem.interactions.interaction import Interaction
 from bondem.model.constraints import Constraints
@@ -34,6 +34,8 @@ class Origin(Protocol):
     def interaction(self) -> Interaction: ...
     @cached_property
     def softening(self) -> SofteningTable | None: ...
+    @property
+    def yielding(self) -> tuple[SlipTable, ...]: ...
     @cached_property
     def beam_softening(self) -> BeamSoftening | None: ...
     @property
@@ -41,7 +43,7 @@ class Origin(Protocol):
     @cached_property
     def constraints(self) -> Constraints: ...
     @cached_property
-    def contact_laws(self) -> ContactLaws | None: ...
+    def contact_laws(self) -> ContactLaws: ...
     @property
     def walls(self) -> Sequence[Wall]: ...
 

@@ -92,7 +92,7 @@ def failure_index(model: Model, state: State | SmallMotion) -> PerBond:
     if other:
         raise InputError(f"failure_index: the state belongs to another {other}; give one of this model")
     if model.softening is not None:
-        return crack_index(model, state, motion)
+        return crack_index(model, model.softening, state, motion)
     table = model.breaking
     if table is None:
         raise InputError("failure_index: the model has no criterion; give it failure=bd.PeripheralStress(...)")

@@ -8,7 +8,7 @@ from bondem._tables.crack_sample_tables import YieldSamples
 from bondem._tables.stress_onset_tables import LoadedFacets
 from bondem._types import PerBond, PerElement
 from bondem.damage.proportional_onset import agreed_stresses, onset_factors
-from bondem.damage.softening_table import SofteningTable
+from bondem.damage.softening_table import SlipTable, SofteningTable
 from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.cells.cell_body import body_of
 from bondem.model.model import Model
@@ -20,7 +20,9 @@ from bondem.observables.cell_stress import mean_stress
 _COMPONENTS = [0, 4, 8, 1, 2, 5]
 
 
-def crack_index(model: Model, state: State, motion: SmallMotion | State) -> PerBond:
+def crack_index(
+    model: Model, table: SofteningTable, state: State, motion: SmallMotion | State
+) -> PerBond:
     """Compute the index of the criterion at σ* (`bd.Rankine`: its largest principal stress over the strength).
 
     It is 0 for broken facets and 1 for facets that soften. It is 0 for facets without tension, but for `bd.Rankine`
@@ -30,13 +32,14 @@ def crack_index(model: Model, state: State, motion: SmallMotion | State) -> PerB
 
     Args:
         model: model whose facets may crack.
+        table: their strengths.
         state: state of this model.
         motion: small motion of which `state` is the pose, or `state` itself.
 
     Returns:
         Index [-], user's order, shape (m,).
     """
-    table, body = _table(model), model.lattice
+    body = model.lattice
     facets, _ = body_of(body)
     i, j = body.pairs.T
     forces = CellForces.of(model, motion)
@@ -71,21 +74,19 @@ def yield_index(model: Model, state: State) -> PerElement:
     Returns:
         Index [-], user's order, shape (n,).
     """
-    table = _table(model)
-    slip = table.slip
-    if slip is None:
-        return np.zeros(len(model.lattice.particles))
+    index = np.zeros(len(model.lattice.particles))
+    for slip in model.yielding:
+        index = _yield_index(model, state, slip)
+    return index
+
+
+def _yield_index(model: Model, state: State, slip: SlipTable) -> PerElement:
     stress = mean_stress(model, CellForces.of(model, state)).reshape(-1, 9)[:, _COMPONENTS].T
     rank, given, found = model.layout.rank, np.ones((5, stress.shape[1])), np.empty((13, stress.shape[1]))
     given[1] = slip.slope[rank]
     bears = slip.strength[rank] * (1.0 - slip.spent(state.slipped[model.layout.order])[rank])
     run_pass(calls.evaluate_yielding(YieldSamples(np.ascontiguousarray(stress), given, slip.cone, True, found)))
     return np.where(bears > 0.0, np.maximum(found[-1], 0.0) / np.where(bears > 0.0, bears, 1.0), 1.0)
-
-
-def _table(model: Model) -> SofteningTable:
-    assert model.softening is not None
-    return model.softening
 
 
 def _bending(model: Model, state: State) -> PerBond:

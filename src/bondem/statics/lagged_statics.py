@@ -64,7 +64,7 @@ class LaggedStatics:
         load: PerElement6,
         *,
         motion: PerElement6 | None = None,
-        slip: Floats | None = None,
+        slip: Floats | float = 0.0,
         steps: int = 1,
         limited: bool | None = None,
     ) -> Settled:
@@ -80,19 +80,18 @@ class LaggedStatics:
         Raises:
             ConvergenceError: Stresses grow, or do not settle.
         """
-        lattice, n = self._law.lattice, len(load)
+        n = len(load)
         held = np.zeros((n, 6)) if motion is None else motion
-        opened = np.zeros((len(lattice.pairs), 3)) if slip is None else slip
         mixing = Mixing(self._law.settles if limited is None else limited)
         now = self._law.at_rest()
         found: PerElement6 | None = None
         stress, scale, quiet, change = np.zeros((n, 6)), 0.0, 0, np.inf
         for k in range(1, _ROUNDS + 1):
             share = min(1.0, k / steps)
-            before = now.moved(share * held, share * opened)
+            before = now.moved(share * held, share * slip)
             total = share * load + before.nodal(before.force)
             found = share * held + self._answer(total, found)
-            now = now.moved(found, share * opened)
+            now = now.moved(found, share * slip)
             new = now.stress
             size = float(np.linalg.norm(new))
             scale = max(scale, size) if k <= steps else scale

@@ -92,7 +92,7 @@ def require_strength(tests: tuple[str, ...], failure: Criterion | None, cells: b
     if softening is None and isinstance(failure, MohrCoulomb):
         raise StudyError("key 'failure.fracture_energy' is missing; cells need it to crack and to yield")
     slipping = [name for name in asked if FAILURE_TESTS[name].yields]
-    if slipping and (softening is None or softening.slip is None):
+    if slipping and (softening is None or not softening.slips):
         raise StudyError(
             f"'tests' contains {slipping[0]}, which needs a shear strength; set criterion = \"MohrCoulomb\", or"
             ' "DruckerPrager" with a fracture_energy'

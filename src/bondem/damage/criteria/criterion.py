@@ -92,6 +92,11 @@ class Criterion(ABC):
         """Data for cracks and yielding cells; None for a criterion that breaks single bonds."""
 
     @property
+    def _softenings(self) -> tuple[Softening, ...]:
+        """Data for cracks and yielding cells, none or one."""
+        return () if self.softening is None else (self.softening,)
+
+    @property
     def principal(self) -> tuple[float, float, float] | None:
         """Factors a, b and c [1/Pa] of the limit max(a σ1, b σ1 - c σ3) = 1 of bonds that mean stresses break.
 

@@ -113,15 +113,15 @@ class DruckerPrager(Criterion):
     @property
     def softening(self) -> Softening:
         slope, k, energy = self.slope, self.strength, self.fracture_energy
-        slip = None
+        slips: tuple[Slip, ...] = ()
         if energy is not None:
             shear = self.fracture_energy_shear
-            slip = Slip(
+            slips = (Slip(
                 cone=True, cohesion=k, strength=k, slope=slope, dilation=self.dilatancy,
                 fracture_energy=10.0 * energy if shear is None else shear, width=self.band_width,
-            )  # fmt: skip
+            ),)  # fmt: skip
         return Softening(
-            tension=k / (1.0 / _ROOT + slope), fracture_energy=energy or 0.0, friction=self.friction, slip=slip,
-            surface=StressIndex(function="cone", values=(slope, k, 0.0 if slip is None else 1.0)),
+            tension=k / (1.0 / _ROOT + slope), fracture_energy=energy or 0.0, friction=self.friction, slips=slips,
+            surface=StressIndex(function="cone", values=(slope, k, float(len(slips)))),
             curve=self.curve,
         )  # fmt: skip

@@ -41,6 +41,6 @@ class Hydrostatic(Criterion):
     def softening(self) -> Softening:
         return Softening(
             tension=3.0 * self.tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction,
-            slip=None, surface=StressIndex(function="mean_stress", values=(self.tension,)),
+            slips=(), surface=StressIndex(function="mean_stress", values=(self.tension,)),
             curve=self.curve,
         )  # fmt: skip

@@ -106,7 +106,7 @@ class MohrCoulomb(BondCriterion):
         )  # fmt: skip
         return Softening(
             tension=self.tension, fracture_energy=self.fracture_energy, friction=math.tan(self.friction_angle),
-            slip=slip, curve=self.curve,
+            slips=(slip,), curve=self.curve,
         )  # fmt: skip
 
     def coefficients(self, joint: Joint, factor: PerBond) -> Floats:

@@ -56,6 +56,6 @@ class Rankine(Criterion):
     @property
     def softening(self) -> Softening:
         return Softening(
-            tension=self.tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction, slip=None,
+            tension=self.tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction, slips=(),
             curve=self.curve,
         )  # fmt: skip

@@ -110,7 +110,7 @@ class StressCriterion(Criterion):
     @property
     def softening(self) -> Softening:
         return Softening(
-            tension=self._tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction, slip=None,
+            tension=self._tension, fracture_energy=self.fracture_energy or 0.0, friction=self.friction, slips=(),
             surface=self._surface, curve=self.curve,
         )  # fmt: skip
 

@@ -27,7 +27,7 @@ def body_of_cells(
     if table is not None:
         cracking = CrackingBody(
             table, body, constants_of(model, state), model.layout, state, shared, dt,
-            touches=model.contacts is not None, pressed=_pressed_moments(model),
+            touches=model.contact is not None, pressed=_pressed_moments(model),
         )  # fmt: skip
         stretch, powers, _ = cracking.straining()
         elastic = cells(shared, model, state, body, dashpots, cracking.kept, stretch=stretch, powers=powers)

@@ -34,7 +34,7 @@ def parts_of(
     dashpots = dashpots_of(model, terms, cut)
     bonds = _bonds(model.interaction, model, state, shared, dashpots, dt)
     contacts, moments = [], []
-    if model.contacts is not None:
+    if model.contact is not None:
         touching = ContactTables(model, model.contacts, state, shared, gauges, bonds.joints, dt)
         contacts = [touching.part()]
         moments = [] if bonds.stresses is None else [touching.moments(bonds.stresses)]
@@ -71,7 +71,7 @@ def _of_law(
         part = damage.part(shared, judge, remove, dashpots)
         return replace(part, keep=lambda: damage.keep(integrity, state))
 
-    touches = model.contacts is not None
+    touches = model.contact is not None
     run = Run(shared.moving, shared.cut, shared.portions, state.of_law, dashpots, damage, failing, touches)
     found = law.parts(run)
     return BondParts(found.parts, Joints(found.integrity, apart(model, state), damage), found.stresses)

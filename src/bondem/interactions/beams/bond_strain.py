@@ -38,7 +38,7 @@ class BondStrain:
         displacement: PerElement3,
         rotation: PerElement3,
         *,
-        slip: Floats | None = None,
+        slip: Floats | float = -0.0,
     ) -> "BondStrain":
         """Return the deformation under displacements [m] and rotations [rad], (n, 3) each.
 
@@ -46,15 +46,14 @@ class BondStrain:
             lattice: elements and bonds.
             lever: distance a of the contact points from centres i [m], (m,).
             displacement, rotation: displacements and rotations of the elements.
-            slip: additional slip of every bond [m], (m, 3): that of a macroscopic strain in a periodic cell.
+            slip: additional slip of every bond [m], (m, 3): that of a macroscopic strain in a periodic cell;
+                -0.0 adds nothing to any number.
         """
         i, j = lattice.pairs.T
         direction = lattice.branch / lattice.length[:, None]
         a = lever[:, None]
         b = lattice.length[:, None] - a
-        moved = displacement[j] - displacement[i] + np.cross(direction, a * rotation[i] + b * rotation[j])
-        if slip is not None:
-            moved = moved + slip
+        moved = displacement[j] - displacement[i] + np.cross(direction, a * rotation[i] + b * rotation[j]) + slip
         turned = rotation[j] - rotation[i]
         normal = (moved * direction).sum(axis=1)
         twist = (turned * direction).sum(axis=1)

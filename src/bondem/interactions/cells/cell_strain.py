@@ -35,7 +35,7 @@ class CellStrain:
         displacement: PerElement3,
         rotation: PerElement3,
         *,
-        slip: Floats | None = None,
+        slip: Floats | float = -0.0,
         wall: Floats | None = None,
         pressed: PerElement | None = None,
     ) -> "CellStrain":
@@ -53,10 +53,8 @@ class CellStrain:
         i, j = body.pairs.T
         gap = (
             displacement[j] + np.cross(rotation[j], constants.lever_j)
-            - displacement[i] - np.cross(rotation[i], constants.lever_i)
+            - displacement[i] - np.cross(rotation[i], constants.lever_i) + slip
         )  # fmt: skip
-        if slip is not None:
-            gap = gap + slip
         n = len(body.particles)
         swelling = np.zeros(n) if pressed is None else pressed.copy()
         swelling += np.bincount(i, weights=(constants.share_i * gap).sum(axis=1), minlength=n)

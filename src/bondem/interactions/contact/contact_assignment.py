@@ -44,8 +44,8 @@ class ContactLaws:
     friction: Floats
 
     @classmethod
-    def of(cls, lattice: Lattice, contact: ContactAssignment, walls: Sequence[Wall]) -> "ContactLaws":
-        """Assign laws.
+    def of(cls, lattice: Lattice, contact: ContactAssignment | None, walls: Sequence[Wall]) -> "ContactLaws":
+        """Assign laws; without any no element has a kind.
 
         With a mapping, pairs within a region and contacts of its elements with walls follow its law; pairs of two
         regions, and contacts of a region with a wall, follow that of the pair. Later entries override earlier ones.
@@ -54,6 +54,9 @@ class ContactLaws:
             InputError: The laws cannot be combined, or some contacts have none.
             EmptyRegionError: A region has no elements.
         """
+        if contact is None:
+            of_walls = np.zeros((0, len(walls)))
+            return cls((), np.zeros(0, np.uint8), np.zeros((0, 0), np.int64), of_walls.astype(np.int64), of_walls)
         laws = tuple(dict.fromkeys(_checked(contact)))
         kind = np.zeros(len(lattice.particles), dtype=np.uint8)
         between, at_walls = np.zeros((1, 1), dtype=np.int64), np.zeros((1, len(walls)), dtype=np.int64)
@@ -79,12 +82,17 @@ class ContactLaws:
     @property
     def stress_free(self) -> bool:
         """True if overlaps of the reference configuration carry no force."""
-        return self.laws[0].stress_free
+        return any(law.stress_free for law in self.laws)
+
+    @property
+    def stressed(self) -> bool:
+        """True if overlaps of the reference configuration carry a force."""
+        return any(not law.stress_free for law in self.laws)
 
     @property
     def parallel(self) -> bool:
         """True if contacts also act beside intact bonds."""
-        return self.laws[0].parallel
+        return any(law.parallel for law in self.laws)
 
     @property
     def of_beams(self) -> str:
@@ -99,7 +107,7 @@ class ContactLaws:
     @property
     def beyond(self) -> float:
         """Largest gap at which contacts act, 0 without adhesion [m]."""
-        return max(0.0 if law.adhesion is None else law.adhesion.reach for law in self.laws)
+        return max((law.adhesion.reach for law in self.laws if law.adhesion is not None), default=0.0)
 
     @property
     def deepest(self) -> float:

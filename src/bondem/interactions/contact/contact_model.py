@@ -40,11 +40,11 @@ class RestGaps:
 
 @dataclass(frozen=True, eq=False)
 class ContactModel:
-    """Contacts of a model.
+    """Contacts of a model; without contact laws it has no elements.
 
     Attributes:
         laws: contact laws.
-        radius: radii of the elements in contact [m], internal order, (n,).
+        radius: radii of the elements in contact [m], internal order, (n,) or (0,).
         walls: walls of the model.
         pairs: initial overlaps of elements.
         at_walls: initial overlaps with walls.
@@ -74,7 +74,8 @@ class ContactModel:
             own: see `own`.
             radius: radii of the elements in contact, user's order, (n,).
         """
-        n, radius = len(lattice.particles), np.ascontiguousarray(radius[layout.order])
+        n = len(laws.kind)
+        radius = np.ascontiguousarray(radius[layout.order[:n]])
         if not laws.stress_free:
             return cls(laws, radius, walls, RestGaps.none(n), RestGaps.none(n), own)
         position = np.ascontiguousarray(local_rest(lattice)[layout.order])

@@ -31,18 +31,17 @@ class NonLocalStrain:
     gap: PerBond3
     extra: PerBond3
 
-    def moved(self, motion: PerElement6, slip: Floats | None = None) -> "NonLocalStrain":
+    def moved(self, motion: PerElement6, slip: Floats | float = -0.0) -> "NonLocalStrain":
         """Return the same extra forces with the gaps of motions (u, θ) [m, rad], (n, 6).
 
         Args:
             motion: motion of the elements from the reference.
-            slip: additional opening of every bond [m], (m, 3): that of a macroscopic strain in a periodic cell.
+            slip: additional opening of every bond [m], (m, 3): that of a macroscopic strain in a periodic cell;
+                -0.0 adds nothing to any number.
         """
         i, j = self.lattice.pairs.T
         c, u, turn = self.constants, motion[:, :3], motion[:, 3:]
-        gap = u[j] + np.cross(turn[j], c.lever_j) - u[i] - np.cross(turn[i], c.lever_i)
-        if slip is not None:
-            gap = gap + slip
+        gap = u[j] + np.cross(turn[j], c.lever_j) - u[i] - np.cross(turn[i], c.lever_i) + slip
         return NonLocalStrain(self.lattice, c, gap, self.extra)
 
     def lagged(self) -> "NonLocalStrain":

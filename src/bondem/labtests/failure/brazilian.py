@@ -201,8 +201,7 @@ def splitting_strength(softening: Softening) -> float:
     found = softening.tension
     if softening.surface is not None:
         found = float(softening.surface.reached(np.diag([0.0, -3.0, 1.0])[None])[0])
-    slip = softening.slip
-    if slip is not None:
+    for slip in softening.slips:
         # √J2 = √(13/3) s and I1 = -2 s; (σ1 - σ3)/2 = 2 s and (σ1 + σ3)/2 = -s
         size, mean = (math.sqrt(13.0 / 3.0), -2.0) if slip.cone else (2.0, -1.0)
         bears = size + mean * slip.slope

@@ -270,9 +270,10 @@ def _on_face(body: Lattice, name: str) -> tuple[Ints, Floats]:
 
 def _expected(softening: Softening) -> float:
     """Rough shear stress at the peak [Pa], from the cohesion or the tensile strength; it sets the loading rate."""
-    if softening.slip is None:
-        return softening.tension
-    return 0.5 * math.sqrt(softening.tension * softening.slip.compressive())
+    found = softening.tension
+    for slip in softening.slips:
+        found = 0.5 * math.sqrt(softening.tension * slip.compressive())
+    return found
 
 
 def _compliance(body: Lattice, law: CellAssignment, plate: Region, piston: Region) -> float:

@@ -103,8 +103,8 @@ def compressed(
     law = as_cells(test, law, contact)
     moduli = Moduli.of(test, body, law, options.density)
     wanted = "bd.MohrCoulomb or bd.DruckerPrager with a fracture_energy"
-    found = [one.slip for one in softenings_of(test, body, failure, wanted)]
-    strengths = [slip.compressive(pressure) for slip in found if slip is not None]
+    found = softenings_of(test, body, failure, wanted)
+    strengths = [slip.compressive(pressure) for softening in found for slip in softening.slips]
     if not strengths:
         raise InputError(f"{owner}: the criterion has no shear strength; give {wanted}")
     loading = Loading(

@@ -362,7 +362,7 @@ def _begin(model: Model) -> tuple[DamagedBody, Equilibrium, FacetOnset]:
     if not model.interaction.on_facets:
         raise InputError("solve_quasistatic needs cells; use bd.connect(..., method='laguerre') and bd.CellBond")
     soft, brittle = model.softening, model.breaking
-    if brittle is None and (soft is None or soft.judge is not None or soft.slip is not None):
+    if brittle is None and (soft is None or soft.judge is not None or soft.yielding):
         raise InputError(
             "solve_quasistatic: cells that yield and other criteria are not supported; give the model"
             " failure=bd.Rankine(tension=..., fracture_energy=...) or bd.MohrCoulomb without a fracture energy, or"
