@@ -58,9 +58,9 @@ class ElasticBody(Protocol):
     @property
     def walls(self) -> WallConstraints: ...
     @property
-    def tractions(self) -> FacetTractions | None: ...
+    def tractions(self) -> tuple[FacetTractions, ...]: ...
     @property
-    def strains(self) -> CellStrains | None: ...
+    def strains(self) -> tuple[CellStrains, ...]: ...
 
 
 class CrackingBody:
@@ -109,7 +109,7 @@ class CrackingBody:
         self.energies = CrackEnergies(np.zeros(portions), np.zeros(portions), np.zeros(3))
         self.log = new_event_log(state)
         none = np.zeros(0, dtype=np.int64)
-        self.tractions = body.tractions or FacetTractions(np.zeros((0, n)), none, 0, np.zeros(0), np.zeros(0))
+        self.tractions, *_ = *body.tractions, FacetTractions(np.zeros((0, n)), none, 0, np.zeros(0), np.zeros(0))
 
     @property
     def joints(self) -> CrackJoints:
@@ -122,13 +122,13 @@ class CrackingBody:
 
     def straining(self) -> tuple[Passes, Passes, Passes]:
         """Return passes of strains that change: of levers, and of powers at cracks as a run begins and in a step."""
-        strains, body = self.body.strains, self.body
-        if strains is None:
-            return [], [], []
-        powers = self.shared.moving, strains, body.facets, self.cracks
-        whole = strains, body.facets, self.of_cells, body.walls
-        stretch: Passes = [steps.stretch_anew(*whole, yielding) for yielding in self.yielding]
-        return stretch, [steps.begin_crack_powers(*powers)], [steps.sum_crack_powers(*powers)]
+        body, stretch = self.body, []
+        for strains in body.strains:
+            whole = strains, body.facets, self.of_cells, body.walls
+            stretch += [steps.stretch_anew(*whole, yielding) for yielding in self.yielding]
+        powers = [(self.shared.moving, strains, body.facets, self.cracks) for strains in body.strains]
+        begin: Passes = [steps.begin_crack_powers(*one) for one in powers]
+        return stretch, begin, [steps.sum_crack_powers(*one) for one in powers]
 
     def _begin(self) -> Passes:
         """Return the passes that begin a run: levers, lists, weights and stresses of the state."""
@@ -200,7 +200,7 @@ class CrackingBody:
         return Part(
             {
                 "begin": self._begin(),
-                "present": [] if body.strains is None else [steps.follow_levers(body.strains, body.facets, cracks)],
+                "present": [steps.follow_levers(strains, body.facets, cracks) for strains in body.strains],
                 "prepare": crack,
                 "add": [steps.add_crack_loads(moving, lists, self.shared.cut)],
                 "settle": still,

@@ -9,7 +9,7 @@ from bondem.boundary.loads import Pressure, is_face
 from bondem.damage.breakage_part import facet_breakage
 from bondem.damage.crack_part import CrackingBody
 from bondem.damage.damage_part import BondParts, Joints, damage_of
-from bondem.dynamics.parts.cell_part import BodyOfCells, cells, constants_of
+from bondem.dynamics.parts.cell_part import BodyOfCells, cells
 from bondem.dynamics.parts.mass_part import mass_of_waves
 from bondem.dynamics.parts.shared_tables import SharedTables, apart
 from bondem.interactions.cells.cell_body import body_of
@@ -23,22 +23,27 @@ def body_of_cells(
     law: CellInteraction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
 ) -> BondParts:
     """Return the parts of a body of cells; `dt` is the time step [s]."""
-    body, table = BodyOfCells.of(model, state, shared, dashed=dashpots is not None), model.softening
-    if table is not None:
+    layout, table, dashed = model.layout, model.softening, dashpots is not None
+    constants = law.constants.stretched(state.eigenstrain, layout)
+    if table is not None:  # cracks change the integrity that facets have here
+        body = BodyOfCells.of(model, constants, state, shared, dashed=dashed)
+        body = body._replace(facets=body.facets._replace(integrity=body.beams.integrity.copy()))
         cracking = CrackingBody(
-            table, body, constants_of(model, state), model.layout, state, shared, dt,
+            table, body, constants, layout, state, shared, dt,
             touches=model.contact is not None, pressed=_pressed_moments(model),
         )  # fmt: skip
         stretch, powers, _ = cracking.straining()
         elastic = cells(shared, model, state, body, dashpots, cracking.kept, stretch=stretch, powers=powers)
         return BondParts(cracking.parts(elastic), Joints.of_cracks(apart(model, state), state, cracking.joints))
+    left = constants.damaged(state.integrity, layout.i, layout.j)
+    body = BodyOfCells.of(model, left, state, shared, dashed=dashed)
     damage = damage_of(model.breaking, state, shared.cut, len(body.facets.i))
     forces = cells(shared, model, state, body, dashpots, damage=damage)
     parts = [forces, *mass_of_waves(model, shared, body)]
     if damage is not None:
-        release = facet_release(law.constants, model.layout, body.facets, body.cells, body.walls)
-        dashed = None if dashpots is None else (dashpots, body.beams)
-        parts.append(facet_breakage(damage, state, shared, body.facets, body.walls, release, dashed))
+        release = facet_release(law.constants, layout, body.facets, body.cells, body.walls)
+        beside = None if dashpots is None else (dashpots, body.beams)
+        parts.append(facet_breakage(damage, state, shared, body.facets, body.walls, release, beside))
     return BondParts(parts, Joints(body.facets.integrity, apart(model, state), damage))
 
 

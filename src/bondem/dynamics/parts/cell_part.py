@@ -37,13 +37,15 @@ class BodyOfCells(NamedTuple):
     cells: CellDilatation
     gradients: DilatationGradients
     walls: WallConstraints
-    tractions: FacetTractions | None
-    strains: CellStrains | None
+    tractions: tuple[FacetTractions, ...]  #: one where tractions act on free facets
+    strains: tuple[CellStrains, ...]  #: one where stress-free strains change
 
     @classmethod
-    def of(cls, model: Model, state: State, shared: SharedTables, *, dashed: bool) -> "BodyOfCells":
+    def of(
+        cls, model: Model, constants: CellConstants, state: State, shared: SharedTables, *, dashed: bool
+    ) -> "BodyOfCells":
         """Return the tables of a run from a state, whose arrays they share; `dashed` with dashpots beside facets."""
-        layout, constants, period = model.layout, constants_of(model, state), model.period
+        layout, period = model.layout, model.period
         if dashed:
             bonds = model.bonds.stretched(state.eigenstrain)
             beams, _ = beam_tables(bonds, layout, period, state.integrity, may_share=False)
@@ -53,11 +55,10 @@ class BodyOfCells(NamedTuple):
         facets, cells = cell_tables(constants, layout, period, state.integrity, to_i)
         held = model.constraints
         walls = constants.grips.table(layout, held.row_of, held.works[2], state.grips)
-        integrity = beams.integrity if model.softening is None else beams.integrity.copy()
         if len(held.strain_part):  # levers change
             facets = facets._replace(lever_i=facets.lever_i.copy(), lever_j=facets.lever_j.copy())
         return cls(
-            beams, facets._replace(integrity=integrity), cells,
+            beams, facets._replace(integrity=beams.integrity), cells,
             gradient_tables(constants.gradients, len(layout.order), walls, len(shared.portions.elements)), walls,
             _tractions(model),
             _strains(model, state, shared.portions),
@@ -151,30 +152,22 @@ def _changing(
     shared: SharedTables, body: BodyOfCells, stretch: Sequence[StepEntry], powers: Sequence[StepEntry]
 ) -> tuple[Passes, Passes, Passes]:
     """Return passes of conditions that change: of the present, around the pass of stresses, and behind it."""
-    moving, timeline, rows, walls, strains = shared.moving, shared.timeline, shared.rows, body.walls, body.strains
+    moving, timeline, rows, walls = shared.moving, shared.timeline, shared.rows, body.walls
     present: Passes = []
     beside: Passes = []
     behind: Passes = []
-    if body.tractions is not None:
-        present.append(steps.follow_tractions(timeline, body.tractions, body.cells))
-        beside.append(steps.add_traction_work(moving, body.tractions, rows))
-    if strains is not None:
+    for tractions in body.tractions:
+        present.append(steps.follow_tractions(timeline, tractions, body.cells))
+        beside.append(steps.add_traction_work(moving, tractions, rows))
+    for strains in body.strains:
         present += [steps.follow_cell_strains(timeline, strains, body.facets, walls), *stretch]
         behind.append(steps.sum_strain_powers(moving, strains, body.facets))
         behind.append(steps.add_strain_work(moving, strains, walls, rows))
     if len(walls.cell):
         present.append(steps.follow_walls(moving, walls, rows))
-    if strains is not None:
+    for strains in body.strains:
         present += [*powers, steps.begin_strain_work(moving, strains, body.facets, walls)]
     return present, beside, behind
-
-
-def constants_of(model: Model, state: State) -> CellConstants:
-    """Return the constants of a body with stress-free strains, and with the facets that are left."""
-    strained = model.cell_law.constants.stretched(state.eigenstrain, model.layout)
-    if model.softening is not None:  # cracks that are not treated one by one count by their integrity
-        return strained
-    return strained.damaged(state.integrity, model.layout.i, model.layout.j)
 
 
 def _places(cut: StepCut, i: np.ndarray, n: int) -> np.ndarray:
@@ -183,28 +176,28 @@ def _places(cut: StepCut, i: np.ndarray, n: int) -> np.ndarray:
     return np.where(row < cut.parts, i, n + row - cut.parts).astype(np.uint32)
 
 
-def _tractions(model: Model) -> FacetTractions | None:
-    """Return the tractions on free facets, or None."""
+def _tractions(model: Model) -> tuple[FacetTractions, ...]:
+    """Return the table of tractions on free facets, if there are any."""
     held = model.constraints
     count = len(held.press_schedule)
     if count == 0:
-        return None
+        return ()
     schedule: Ints = held.press_schedule
-    return FacetTractions(held.press_value, schedule, held.works[2], np.zeros(count), np.zeros(count))
+    return (FacetTractions(held.press_value, schedule, held.works[2], np.zeros(count), np.zeros(count)),)
 
 
-def _strains(model: Model, state: State, portions: Portions) -> CellStrains | None:
-    """Return the stress-free strains of the boundary conditions, on top of those of the state, or None."""
+def _strains(model: Model, state: State, portions: Portions) -> tuple[CellStrains, ...]:
+    """Return the table of stress-free strains of the conditions, on top of those of the state, if there are any."""
     held, cells, layout = model.constraints, model.cell_law.constants, model.layout
     if not len(held.strain_part):
-        return None
+        return ()
     count, still = len(held.strain_part), state.eigenstrain if state.eigenstrain.size else np.zeros(len(layout.i))
     wall = cells.grips.cell
-    return CellStrains(
+    return (CellStrains(
         schedule=held.strain_schedule, base_i=np.ascontiguousarray(cells.lever_i.T),
         base_j=np.ascontiguousarray(cells.lever_j.T), still=1.0 + still, part=held.strain_part,
         wall_base=cells.grips.lever, wall_still=1.0 + layout.of_elements(still)[wall],
         wall_part=np.array([layout.of_elements(part)[wall] for part in held.strain_part]),
         place=held.works[1], factor=np.zeros((4, count)), power=np.zeros((len(portions.bonds), count)),
         cracked=np.zeros(count), due=np.zeros(2, dtype=np.uint8),
-    )  # fmt: skip
+    ),)  # fmt: skip
