@@ -10,9 +10,10 @@ import bondem as bd
 from bondem.cli import bondem as root
 from bondem.packing import METHOD, SEED
 from bondem.packing.sizes import SPREAD
+from bondem.study.bond_plan import BondPlan
 from bondem.study.calibration_step import CalibrationPlan
 from bondem.study.specimen_step import SpecimenPlan
-from bondem.study.study_file import BondPlan, Study, parse_study
+from bondem.study.study_file import Study, parse_study
 from validation.__main__ import STUDIES as NAMES
 from validation.__main__ import study_of
 from validation.frame.command import command_of

@@ -104,13 +104,8 @@ def show_results(study: Study, results: Mapping[str, Any], out: Path) -> None:
         console.width = 120
     micro, macro, specimen = results["micro"], results["macro"], results["specimen"]
     title = f"[bold]{escape(study.name)}[/bold]"
-    if study.bond.cells is None:
-        lines = [
-            f"{title}, packings: {study.packings} of {specimen['elements']} elements",
-            f"  z = {specimen['coordination_number']:.3f}, φ = {specimen['volume_fraction']:.4f}",
-        ]
-    else:
-        lines = [f"{title}, specimens: {study.packings} of {specimen['elements']} cells, {specimen['bonds']} facets"]
+    first, *others = study.bond.heading(study.packings, specimen)
+    lines = [f"{title}, {first}", *others]
     if micro is not None:
         spread = (
             "" if macro["E_std"] is None else

@@ -1,12 +1,12 @@
 """Table [failure] of a study: failure criterion of the material."""
 
+from collections.abc import Callable
 from dataclasses import MISSING, Field, fields
 from typing import Any
 
 from bondem.damage.bilinear import Bilinear
-from bondem.damage.criteria.criterion import BondCriterion, Criterion
+from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.criteria.criterion_catalogue import CRITERIA as EVERY
-from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
 from bondem.damage.criteria.stress_criterion import StressCriterion
 from bondem.errors import InputError, StudyError
 from bondem.labtests.failure_tests import FAILURE_TESTS
@@ -56,12 +56,13 @@ def _curve(table: TomlTable) -> Bilinear | None:
         raise StudyError(f"'{table.name('curve')}': {error}") from None
 
 
-def require_strength(tests: tuple[str, ...], failure: Criterion | None, cells: bool) -> None:
-    """Check that tests to failure have a criterion, and that a criterion has a test.
+def require_strength(
+    tests: tuple[str, ...], failure: Criterion | None, require: Callable[[Criterion, list[str]], None]
+) -> None:
+    """Check that tests to failure have a criterion, a criterion has a test, and both have what bonds `require`.
 
     Raises:
-        StudyError: one without the other, a criterion of cells for bonds between spheres or vice versa, a test of
-            cells only, or cells without shear strength for "ucs" or "triaxial".
+        StudyError: one without the other, or what the bonds of the study reject.
     """
     asked = [name for name in tests if name in FAILURE_TESTS]
     if failure is None:
@@ -72,28 +73,4 @@ def require_strength(tests: tuple[str, ...], failure: Criterion | None, cells: b
         raise StudyError(
             f"[failure] is given, but no test needs it; add one of {', '.join(FAILURE_TESTS)} to 'tests'"
         )
-    name = type(failure).__name__
-    if not cells:
-        if not isinstance(failure, BondCriterion):
-            raise StudyError(
-                f'\'failure.criterion\' = "{name}" is one of cells; set law = "CellBond" in [bond], or a criterion of'
-                f" bonds: {', '.join(name for name, kind in CRITERIA.items() if issubclass(kind, BondCriterion))}"
-            )
-        only = [one for one in asked if not FAILURE_TESTS[one].bonded]
-        if only:
-            raise StudyError(f"'tests' contains {only[0]}, a test of cells; set law = \"CellBond\" in [bond]")
-        return
-    if isinstance(failure, BondCriterion) and failure.needs_beams:
-        raise StudyError(
-            f"'failure.criterion' = \"{name}\" is one of bonds between spheres; leave out law = \"CellBond\" in"
-            ' [bond], or set criterion = "MohrCoulomb"'
-        )
-    softening = failure.softening
-    if softening is None and isinstance(failure, MohrCoulomb):
-        raise StudyError("key 'failure.fracture_energy' is missing; cells need it to crack and to yield")
-    slipping = [name for name in asked if FAILURE_TESTS[name].yields]
-    if slipping and (softening is None or not softening.slips):
-        raise StudyError(
-            f"'tests' contains {slipping[0]}, which needs a shear strength; set criterion = \"MohrCoulomb\", or"
-            ' "DruckerPrager" with a fracture_energy'
-        )
+    require(failure, asked)

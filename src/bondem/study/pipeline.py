@@ -10,8 +10,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from bondem._progress import reported
-from bondem.calibration.elastic import Calibration, Trial, calibrate
-from bondem.calibration.reach import recommend
+from bondem.calibration.elastic import Calibration, Trial
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import Plan, settled
 from bondem.errors import ReportWarning, RunFileError
@@ -35,10 +34,8 @@ from bondem.report.curve_files import write_curves
 from bondem.report.findings import Bonding, Examined, Findings
 from bondem.report.page import write_report
 from bondem.specimen.aggregates import Aggregates
-from bondem.specimen.bonding import connect
 from bondem.specimen.fabric import Fabric, fabric
 from bondem.specimen.lattice import Lattice
-from bondem.specimen.material import Material
 from bondem.study.results import collect
 from bondem.study.specimen_step import SpecimenPlan
 from bondem.study.study_file import Study
@@ -69,13 +66,15 @@ def run_study(study: Study, out: str | Path, *, progress: Progress | None = None
 
 
 def _carry_out(study: Study, out: Path, on_stage: Progress) -> dict[str, Any]:
-    if study.material is not None and study.bond.law is None and study.bond.cells is None:
-        recommend(study.material.nu)  # raises before any work
+    if study.material is not None:
+        study.bond.require_law(study.material)
     watch = _Watch()
     bodies = tuple(packed(study, k, on_stage) for k in range(study.packings))
     lattices = tuple(body.lattice for body in bodies)
     watch.lap("pack_s")
-    bonds = bonds_of(study, study.material, lattices, on_stage) if study.material is not None else None
+    bonds = None
+    if study.material is not None:
+        bonds = study.bond.of_material(study.material, lattices[: study.calibrating], on_stage)
     fit = bonds.fit if bonds is not None else None
     watch.lap("calibrate_s")
     specimens = tuple(examined(study, k, body, bonds, on_stage) for k, body in enumerate(bodies))
@@ -153,32 +152,7 @@ def packed(study: Study, k: int, on_stage: Progress) -> _Body:
         balls = study.aggregates.placed(study.specimen.shape, study.specimen.count, seed)
     particles = study.specimen.particles(seed, lambda share: on_stage(stage, share), balls)
     study.require_testable(particles.envelope)
-    if study.bond.cells is not None:
-        return _Body(connect(particles, method="laguerre"), balls)
-    return _Body(connect(particles, tolerance=study.bond.tolerance, reach=study.bond.reach), balls)
-
-
-def bonds_of(study: Study, material: Material, lattices: tuple[Lattice, ...], on_stage: Progress) -> Bonding:
-    """Bonds of a material: the calibrated law, or the uncalibrated cell law."""
-    if study.bond.cells is not None:
-        law = study.bond.cells(E=material.E, nu=material.nu, facet_rotation=study.bond.facet_rotation)
-        return Bonding(law=law, density=material.rho)
-    fit = calibrated(study, material, lattices, on_stage)
-    return Bonding(law=fit.law, density=fit.density, fit=fit)
-
-
-def calibrated(study: Study, material: Material, lattices: tuple[Lattice, ...], on_stage: Progress) -> Calibration:
-    """Calibrate the law to E, ν and ρ of the material on the first packings."""
-    on_stage("calibrate", 0.0)
-    fit = calibrate(
-        lattices[: study.calibrating],
-        material,
-        law=study.bond.law,
-        nu_mu=study.bond.nu_mu,
-        radius_rule=study.bond.radius_rule,
-    )
-    on_stage("calibrate", 1.0)
-    return fit
+    return _Body(study.bond.connect(particles), balls)
 
 
 def examined(study: Study, k: int, body: _Body, bonds: Bonding | None, on_stage: Progress) -> Examined:

@@ -2,11 +2,10 @@
 
 import numpy as np
 
-from bondem.calibration.reach import recommend
 from bondem.damage.criteria.criterion import Criterion
 from bondem.damage.softening_table import require_short
 from bondem.labtests.failure_tests import FAILURE_TESTS
-from bondem.study.pipeline import bonds_of, packed, to_failure
+from bondem.study.pipeline import packed, to_failure
 from bondem.study.specimen_step import SpecimenPlan
 from bondem.study.study_file import Study
 
@@ -30,8 +29,8 @@ def rehearse(study: Study) -> str:
         BondemError: an error that `bondem run` would raise before or at the beginning of a test.
     """
     material = study.material
-    if material is not None and study.bond.law is None and study.bond.cells is None:
-        recommend(material.nu)
+    if material is not None:
+        study.bond.require_law(material)
     tests = [name for name in study.tests if name in FAILURE_TESTS]
     if material is None or not tests:
         return "keys only, as no test is to failure"
@@ -39,7 +38,7 @@ def rehearse(study: Study) -> str:
         _require_short(study.specimen, material.E, study.failure)
         return f"keys and element sizes only, as the specimen has more than {_MOST} elements"
     body = packed(study, 0, lambda stage, share: None)
-    bonds = bonds_of(study, material, (body.lattice,), lambda stage, share: None)
+    bonds = study.bond.of_material(material, (body.lattice,), lambda stage, share: None)
     for name in tests:
         try:
             to_failure(name, study, body, bonds, _begin)

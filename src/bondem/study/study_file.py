@@ -12,9 +12,6 @@ from typing import Any, TypedDict, TypeVar
 from bondem.damage.criteria.criterion import Criterion
 from bondem.errors import StudyError
 from bondem.geometry.elementary_shapes import BoundingBox, Box, Cylinder, Shape
-from bondem.interactions.beams.bond_law import BondLaw
-from bondem.interactions.cells.cell_bond import CellBond, FacetRotation
-from bondem.interactions.law_catalogue import CALIBRATED, CELL_LAWS
 from bondem.io.text_file import read_text
 from bondem.labtests.elastic_tests import ELASTIC_TESTS
 from bondem.labtests.failure_tests import FAILURE_TESTS
@@ -23,6 +20,7 @@ from bondem.packing import EVEN, SEED
 from bondem.specimen import materials
 from bondem.specimen.material import Material
 from bondem.study.aggregate_grains import AggregatePlan, read_aggregates
+from bondem.study.bond_plan import BondPlan, read_bond
 from bondem.study.failure import read_failure, require_strength
 from bondem.study.keys import STUDY
 from bondem.study.lines import located
@@ -35,28 +33,6 @@ Read = TypeVar("Read")
 _CURLY = {*"\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}"}
 #: Elastic tests, which a study runs unless it has its own.
 TESTS = tuple(ELASTIC_TESTS)
-
-
-@dataclass(frozen=True, kw_only=True)
-class BondPlan:
-    """Plan of the bonds and their law.
-
-    Attributes:
-        law: class of the bond law to calibrate; None for the one recommended for the material, as in `bd.calibrate`.
-        cells: class of the cell law of a body of cells, which replaces the bond law and its calibration.
-        facet_rotation: option of the cell law.
-        nu_mu: Poisson's ratio of the bonds [-].
-        tolerance: largest gap of a bond, over R̄ [-]; None if `reach` is given.
-        reach: largest length of a bond, over Ri + Rj [-], or None.
-    """
-
-    law: type[BondLaw] | None = None
-    cells: type[CellBond] | None = None
-    facet_rotation: FacetRotation = CellBond.facet_rotation
-    nu_mu: float = 0.3
-    radius_rule: str = "mean"
-    tolerance: float | None = 0.0
-    reach: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -133,7 +109,7 @@ class Study:
             for key, asked in (("tests", bool(self.tests)), ("output.run_files", self.run_files)):
                 if asked:
                     raise StudyError(f"'{key}' needs calibrated bonds; give [material], or leave out '{key}'")
-        require_strength(self.tests, self.failure, self.bond.cells is not None)
+        require_strength(self.tests, self.failure, self.bond.require_criterion)
         if self.aggregates is not None:
             self._require_matrix(self.aggregates)
         if self.specimen.shape is not None:
@@ -141,7 +117,7 @@ class Study:
 
     def _require_matrix(self, plan: AggregatePlan) -> None:
         """Check that a body can be cut along aggregates, and that its criteria are compatible."""
-        if self.bond.cells is None or isinstance(self.specimen, ImportPlan) or self.specimen.method != EVEN:
+        if not self.bond.of_cells or isinstance(self.specimen, ImportPlan) or self.specimen.method != EVEN:
             raise StudyError(
                 f'[aggregates] is an option of bodies of cells; set law = "CellBond" in [bond], and method = "{EVEN}"'
                 " in [specimen]"
@@ -157,7 +133,7 @@ class Study:
         Raises:
             StudyError: the shape is not a bar along x, or not suitable for a test to failure.
         """
-        if broken_only(shape) is not None and self.bond.cells is not None and self.tests:
+        if broken_only(shape) is not None and self.bond.of_cells and self.tests:
             require_specimen(self.tests, shape)
             return
         if self.material is not None and not _is_prism(shape):
@@ -264,7 +240,7 @@ def parse_study(data: Mapping[str, Any], *, folder: Path = Path()) -> Study:
         name = top.text("name")
         specimen = read_specimen(top.section("specimen"), folder)
         material = _material(top.section("material")) if top.has("material") else None
-        bond = _bond(top.section("bond"))
+        bond = read_bond(top.section("bond"))
         bar = specimen.shape is None or _is_bar(specimen.shape)
         tests = top.texts("tests", default=TESTS if material is not None and bar else ())
         return Study(
@@ -307,43 +283,9 @@ def _material(table: TomlTable) -> Material:
         )
 
 
-def _bond(table: TomlTable) -> BondPlan:
-    with table:
-        law = table.text("law") if table.has("law") else None
-        if law in CELL_LAWS:
-            return _cells(table, law)
-        reach = table.number("reach", default=None)
-        if reach is not None and table.has("tolerance"):
-            raise StudyError(
-                f"'{table.name('tolerance')}' and '{table.name('reach')}' are both given; give one of them, not both"
-            )
-        return BondPlan(
-            law=CALIBRATED[law] if law is not None else BondPlan.law,
-            nu_mu=table.number("nu_mu", default=BondPlan.nu_mu),
-            radius_rule=table.text("radius_rule", default=BondPlan.radius_rule),
-            tolerance=table.number("tolerance", default=BondPlan.tolerance) if reach is None else None,
-            reach=reach,
-        )
-
-
-def _cells(table: TomlTable, law: str) -> BondPlan:
-    """Plan of a cell law, which has no choice of bonds."""
-    for key in ("nu_mu", "radius_rule", "tolerance", "reach"):
-        if table.has(key):
-            raise StudyError(
-                f"'{table.name(key)}' is an option of bonds between spheres; with law = \"{law}\" cells are joined at"
-                " their facets with E and nu of the material; leave it out"
-            )
-    rotation = table.text("facet_rotation", default=BondPlan.facet_rotation)
-    return BondPlan(cells=CELL_LAWS[law], facet_rotation=rotation)
-
-
 def _calibrating(top: TomlTable, bond: BondPlan) -> int:
-    if bond.cells is not None and top.has("calibration"):
-        raise StudyError(
-            f"'calibration': law = \"{bond.cells.__name__}\" uses E and nu of the material without"
-            " calibration; leave out [calibration]"
-        )
+    if top.has("calibration"):
+        bond.require_calibrated()
     with top.section("calibration") as table:
         return table.count("packings", default=Study.calibrating)
 

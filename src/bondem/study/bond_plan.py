@@ -1,0 +1,196 @@
+"""Table [bond] of a study: bonds between spheres, whose law is calibrated, or a body of cells."""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from bondem.calibration.elastic import calibrate
+from bondem.calibration.reach import recommend
+from bondem.damage.criteria.criterion import BondCriterion, Criterion
+from bondem.damage.criteria.mohr_coulomb import MohrCoulomb
+from bondem.errors import StudyError
+from bondem.interactions.beams.bond_law import BondLaw
+from bondem.interactions.cells.cell_bond import CellBond, FacetRotation
+from bondem.interactions.law_catalogue import CALIBRATED, CELL_LAWS
+from bondem.labtests.failure_tests import FAILURE_TESTS
+from bondem.report.findings import Bonding
+from bondem.specimen.bonding import connect
+from bondem.specimen.lattice import Lattice
+from bondem.specimen.material import Material
+from bondem.specimen.particles import Particles
+from bondem.study.failure import CRITERIA
+from bondem.study.toml_table import TomlTable
+
+# Share of the volume that spheres fill.
+_FILLED = 0.63
+
+
+@dataclass(frozen=True, kw_only=True)
+class BondPlan:
+    """Plan of the bonds between spheres and their law.
+
+    Attributes:
+        law: class of the bond law to calibrate; None for the one recommended for the material, as in `bd.calibrate`.
+        nu_mu: Poisson's ratio of the bonds [-].
+        tolerance: largest gap of a bond, over R̄ [-]; None if `reach` is given.
+        reach: largest length of a bond, over Ri + Rj [-], or None.
+        of_cells: True for a body of cells (class attribute, as those below).
+        words: elements and bonds, plural.
+        neighbours: bonds per element: spheres that touch (z = 6.2), or cells with a facet in common.
+        memory: peak memory of an element, of cells as measured at a million (docs/validation/cost.md) [bytes].
+    """
+
+    of_cells: ClassVar[bool] = False
+    words: ClassVar[tuple[str, str]] = "spheres", "bonds"
+    neighbours: ClassVar[float] = 3.1
+    memory: ClassVar[float] = 4e3
+
+    law: type[BondLaw] | None = None
+    nu_mu: float = 0.3
+    radius_rule: str = "mean"
+    tolerance: float | None = 0.0
+    reach: float | None = None
+
+    def connect(self, particles: Particles) -> Lattice:
+        """Return the body of a packing."""
+        return connect(particles, tolerance=self.tolerance, reach=self.reach)
+
+    def require_law(self, material: Material) -> None:
+        """Raise UnreachableTargetError, before any work, if no recommended law has the ν of a material."""
+        if self.law is None:
+            recommend(material.nu)
+
+    def of_material(
+        self, material: Material, lattices: tuple[Lattice, ...], on_stage: Callable[[str, float], None]
+    ) -> Bonding:
+        """Return the bonds of a material, with the law calibrated to its E, ν and ρ on some packings."""
+        on_stage("calibrate", 0.0)
+        fit = calibrate(lattices, material, law=self.law, nu_mu=self.nu_mu, radius_rule=self.radius_rule)
+        on_stage("calibrate", 1.0)
+        return Bonding(law=fit.law, density=fit.density, fit=fit)
+
+    def size(self, volume: float) -> float:
+        """Return the size of an element with a volume of the body of its own [m³] [m]."""
+        return (6.0 * _FILLED * volume / math.pi) ** (1.0 / 3.0)
+
+    def told(self, calibrating: int) -> str:
+        """Return the law, and on how many packings it is calibrated, in words."""
+        law = self.law.__name__ if self.law is not None else "recommended for ν"
+        return f"{law}, calibrated on {calibrating} packing{'s' * (calibrating > 1)}"
+
+    def heading(self, packings: int, specimen: Mapping[str, Any]) -> list[str]:
+        """Return lines about the specimens of a study from its results."""
+        return [
+            f"packings: {packings} of {specimen['elements']} elements",
+            f"  z = {specimen['coordination_number']:.3f}, φ = {specimen['volume_fraction']:.4f}",
+        ]
+
+    def require_calibrated(self) -> None:
+        """Raise StudyError if the law is not calibrated."""
+
+    def require_criterion(self, failure: Criterion, tests: list[str]) -> None:
+        """Raise StudyError for a criterion of cells, or tests to failure of cells only."""
+        if not isinstance(failure, BondCriterion):
+            raise StudyError(
+                f'\'failure.criterion\' = "{type(failure).__name__}" is one of cells; set law = "CellBond" in [bond],'
+                " or a criterion of"
+                f" bonds: {', '.join(name for name, kind in CRITERIA.items() if issubclass(kind, BondCriterion))}"
+            )
+        only = [one for one in tests if not FAILURE_TESTS[one].bonded]
+        if only:
+            raise StudyError(f"'tests' contains {only[0]}, a test of cells; set law = \"CellBond\" in [bond]")
+
+
+@dataclass(frozen=True, kw_only=True)
+class CellPlan(BondPlan):
+    """Plan of a body of cells.
+
+    Attributes:
+        cells: class of the cell law, which replaces the bond law and its calibration.
+        facet_rotation: option of the cell law.
+    """
+
+    of_cells: ClassVar[bool] = True
+    words: ClassVar[tuple[str, str]] = "cells", "facets"
+    neighbours: ClassVar[float] = 7.0
+    memory: ClassVar[float] = 9e3
+
+    cells: type[CellBond]
+    facet_rotation: FacetRotation = CellBond.facet_rotation
+
+    def connect(self, particles: Particles) -> Lattice:
+        return connect(particles, method="laguerre")
+
+    def require_law(self, material: Material) -> None:
+        return
+
+    def of_material(
+        self, material: Material, lattices: tuple[Lattice, ...], on_stage: Callable[[str, float], None]
+    ) -> Bonding:
+        """Return the law with E and ν of the material."""
+        law = self.cells(E=material.E, nu=material.nu, facet_rotation=self.facet_rotation)
+        return Bonding(law=law, density=material.rho)
+
+    def size(self, volume: float) -> float:
+        return volume ** (1.0 / 3.0)
+
+    def told(self, calibrating: int) -> str:
+        return f"{self.cells.__name__}, nothing to calibrate"
+
+    def heading(self, packings: int, specimen: Mapping[str, Any]) -> list[str]:
+        return [f"specimens: {packings} of {specimen['elements']} cells, {specimen['bonds']} facets"]
+
+    def require_calibrated(self) -> None:
+        raise StudyError(
+            f"'calibration': law = \"{self.cells.__name__}\" uses E and nu of the material without"
+            " calibration; leave out [calibration]"
+        )
+
+    def require_criterion(self, failure: Criterion, tests: list[str]) -> None:
+        """Raise StudyError for a criterion of beams, or without the strengths that cells or the tests need."""
+        if isinstance(failure, BondCriterion) and failure.needs_beams:
+            raise StudyError(
+                f"'failure.criterion' = \"{type(failure).__name__}\" is one of bonds between spheres; leave out law ="
+                ' "CellBond" in [bond], or set criterion = "MohrCoulomb"'
+            )
+        if isinstance(failure, MohrCoulomb) and not failure._softenings:
+            raise StudyError("key 'failure.fracture_energy' is missing; cells need it to crack and to yield")
+        slipping = [name for name in tests if FAILURE_TESTS[name].yields]
+        if slipping and not any(softening.slips for softening in failure._softenings):
+            raise StudyError(
+                f"'tests' contains {slipping[0]}, which needs a shear strength; set criterion = \"MohrCoulomb\", or"
+                ' "DruckerPrager" with a fracture_energy'
+            )
+
+
+def read_bond(table: TomlTable) -> BondPlan:
+    """Read the plan of the bonds, or of the cells."""
+    with table:
+        law = table.text("law") if table.has("law") else None
+        if law in CELL_LAWS:
+            return _cells(table, law)
+        reach = table.number("reach", default=None)
+        if reach is not None and table.has("tolerance"):
+            raise StudyError(
+                f"'{table.name('tolerance')}' and '{table.name('reach')}' are both given; give one of them, not both"
+            )
+        return BondPlan(
+            law=CALIBRATED[law] if law is not None else BondPlan.law,
+            nu_mu=table.number("nu_mu", default=BondPlan.nu_mu),
+            radius_rule=table.text("radius_rule", default=BondPlan.radius_rule),
+            tolerance=table.number("tolerance", default=BondPlan.tolerance) if reach is None else None,
+            reach=reach,
+        )
+
+
+def _cells(table: TomlTable, law: str) -> CellPlan:
+    """Plan of a cell law, which has no choice of bonds."""
+    for key in ("nu_mu", "radius_rule", "tolerance", "reach"):
+        if table.has(key):
+            raise StudyError(
+                f"'{table.name(key)}' is an option of bonds between spheres; with law = \"{law}\" cells are joined at"
+                " their facets with E and nu of the material; leave it out"
+            )
+    rotation = table.text("facet_rotation", default=CellPlan.facet_rotation)
+    return CellPlan(cells=CELL_LAWS[law], facet_rotation=rotation)
