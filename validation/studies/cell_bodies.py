@@ -194,7 +194,9 @@ def _work(part: bd.Lattice, law: bd.CellBond, name: str) -> dict[str, float]:
         nodal, traction = np.zeros((len(part.particles), 6)), np.zeros((len(free.area), 3))
         nodal[chosen] = values
         traction[on] = np.array(force) / area.sum() + np.cross(np.linalg.solve(polar, moment), arm)
-        motion = statics.response(nodal, facets=free.area[:, None] * traction)
+        joined = statics.model.interaction
+        swelling = joined.swelling_load(joined.pressed(np.arange(len(free.area)), free.area[:, None] * traction))
+        motion = statics.response(nodal + swelling)
         moved = surface_displacement(statics.model, motion[:, :3], motion[:, 3:], traction=traction)[on]
         turned = np.linalg.solve(polar, (area * np.cross(arm, moved)).sum(axis=0))
         found[load] = float(np.dot(force, (area * moved).sum(axis=0)) / area.sum() + np.dot(moment, turned))

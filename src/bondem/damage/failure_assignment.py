@@ -126,8 +126,7 @@ def _is_plane(criterion: Criterion, *, between: bool) -> bool:
 
     By default this is so `between` two regions. Functions of the stress cannot be evaluated by a traction.
     """
-    softening = criterion.softening
-    if softening is None or softening.surface is not None:
+    if not any(softening.surface is None for softening in criterion._softenings):
         if criterion.on is not None:
             raise InputError(
                 f"{type(criterion).__name__}: on = {criterion.on!r} applies to bd.Rankine and bd.MohrCoulomb with a"

@@ -1,7 +1,7 @@
 """Checks of the contacts of a run against the range of their law and of the time step."""
 
 import warnings
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 from scipy.spatial import KDTree
@@ -10,6 +10,7 @@ from bondem._names import users_line
 from bondem._tables.columns import CrackStatus
 from bondem._types import Floats, Ints, Uint32s
 from bondem.damage.crack_columns import FACET, STATUS
+from bondem.damage.softening_table import SofteningTable
 from bondem.errors import ContactWarning
 from bondem.geometry.rotations import turned_vectors
 from bondem.interactions.contact.contact_model import ContactModel
@@ -152,10 +153,11 @@ class SinkingCheck:
 
     def _slid(self, state: State) -> int:
         """Return the number of facets of material planes whose faces have parted by a slip, not by a gap."""
-        layout, softening = self._model.layout, self._model.softening
+        layout = self._model.layout
         parted = state.cracks[state.cracks[:, STATUS] == CrackStatus.PARTED, FACET].astype(np.int64)
-        if softening is None or not len(parted):
+        if not len(parted):
             return 0
+        softening = cast(SofteningTable, self._model.softening)
         facets = self._model.lattice.elements.require_cells().facets
         parted = parted[softening.plane[parted] != 0]
         user, i, j = layout.bond_order[parted], layout.i[parted], layout.j[parted]

@@ -228,9 +228,9 @@ class DeviceLoop:
         sums = folded.sum(axis=0)
         wide, lost = int(sums[DeviceColumn.WIDE]), int(sums[DeviceColumn.LOST])
         kinetic, supplied = sums[0] + sums[1], sums[DeviceColumn.SUPPLIED]
-        if self._run.walls is not None:
-            self._tables.fetch(self._run.walls)
-            supplied += np.abs(wall_rows(self._run.walls)["work"]).sum()
+        for walls in self._run.walls:
+            self._tables.fetch(walls)
+            supplied += np.abs(wall_rows(walls)["work"]).sum()
         if sums[DeviceColumn.NOT_FINITE] > 0.0 or not (kinetic < np.inf and supplied < np.inf):
             return wide, lost, NOT_FINITE
         self._budget[1] = max(self._budget[1], supplied)

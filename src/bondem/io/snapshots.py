@@ -63,7 +63,7 @@ class Snapshots:
     cracks: Callable[[State], Outlined] | None
     drawn: np.ndarray
     corners: Corners | None = None
-    walls: WallOutlines | None = None
+    walls: tuple[WallOutlines, ...] = ()
 
     @classmethod
     def begin(cls, file: h5py.File, model: Model, cracks: Callable[[State], Outlined] | None) -> "Snapshots":
@@ -94,7 +94,7 @@ class Snapshots:
             pieces["cracks"] = Piece.begin(root, "cracks", "PolyData")
         if model.walls:
             pieces["walls"] = Piece.begin(root, "walls", "PolyData")
-        return cls(pieces, cracks, drawn, corners, _walls(model) if model.walls else None)
+        return cls(pieces, cracks, drawn, corners, _walls(model))
 
     @classmethod
     def of(cls, file: h5py.File, model: Model, cracks: Callable[[State], Outlined] | None) -> "Snapshots":
@@ -106,7 +106,7 @@ class Snapshots:
         moves = solid is not None and (not solid.has_points or solid.has("orientation"))
         return cls(
             pieces, cracks if "cracks" in pieces else None, _drawn(model), Corners(model.lattice) if moves else None,
-            _walls(model) if "walls" in pieces else None,
+            _walls(model) if "walls" in pieces else (),
         )  # fmt: skip
 
     def take(self, model: Model, state: State) -> None:
@@ -145,10 +145,10 @@ class Snapshots:
             self.pieces["cracks"].add_step(
                 state.time, points=found.vertex, point_data={}, cell_data=found.fields, polygons=found.start
             )
-        if self.walls is not None:
+        for walls in self.walls:
             self.pieces["walls"].add_step(
-                state.time, points=self.walls.moved(state.walls), point_data={},
-                cell_data={"wall": self.walls.wall}, polygons=self.walls.start,
+                state.time, points=walls.moved(state.walls), point_data={},
+                cell_data={"wall": walls.wall}, polygons=walls.start,
             )  # fmt: skip
 
     def cut(self, time: float) -> None:
@@ -157,9 +157,11 @@ class Snapshots:
             piece.cut(int((piece.times <= time).sum()))
 
 
-def _walls(model: Model) -> WallOutlines:
+def _walls(model: Model) -> tuple[WallOutlines, ...]:
+    if not model.walls:
+        return ()
     position, radius = model.lattice.particles.position, model.lattice.particles.radius[:, None]
-    return wall_outlines(model.walls, (position - radius).min(axis=0), (position + radius).max(axis=0))
+    return (wall_outlines(model.walls, (position - radius).min(axis=0), (position + radius).max(axis=0)),)
 
 
 def _single(values: Any) -> Any:

@@ -71,7 +71,8 @@ def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> Uni
     check("uniform_stress", lattice, depth=depth)
     if not lattice.particles.envelope.faces:
         raise InputError("uniform_stress: a periodic cell has no surface to load; use bd.bulk_moduli")
-    statics = Statics(Model(lattice, law, 1.0))  # statics do not depend on the density
+    model = Model(lattice, law, 1.0)  # statics do not depend on the density
+    statics, joined = Statics(model), model.interaction
     owner, centre, area = specimen_faces(lattice, depth).patches
     moving = np.flatnonzero(lattice.connected)
     strain = np.empty((6, 6))
@@ -79,7 +80,8 @@ def uniform_stress(lattice: Lattice, law: AnyLaw, *, depth: float = 0.02) -> Uni
         stress = np.zeros((3, 3))
         stress[a, b] = stress[b, a] = 1.0
         load = _nodal(lattice, owner, centre, area @ stress)
-        motion = statics.response(load, facets=area @ stress)
+        swelling = joined.swelling_load(joined.pressed(np.arange(len(area)), area @ stress))
+        motion = statics.response(load + swelling)
         position, moved = at_generators(lattice, motion[:, :3], motion[:, 3:])
         mean = AffineField.fit(position[moving], moved[moving]).strain
         strain[:, column] = [mean[i, j] * (1.0 if i == j else 2.0) for i, j in VOIGT]

@@ -63,11 +63,9 @@ def areas_of(lattice: Lattice, stiffness: BondStiffness) -> PerBond:
 def fracture_energies(state: State) -> tuple[FractureEnergy, ...]:
     """Return the energy that broken bonds or facets have dissipated, for each criterion of `failure=` in its order.
 
-    All broken bonds of the state count, also those of earlier runs. The result is None without a criterion.
+    All broken bonds of the state count, also those of earlier runs. The result is empty without a criterion.
     """
     model = cast(Model, state.model)
-    if model.failure is None:
-        return ()
     broken, dissipated, absorbed = _broken(model, state)
     bond = model.layout.bond_order[broken]
     area = areas_of(model.lattice, model.stiffness)[bond]
@@ -76,11 +74,11 @@ def fracture_energies(state: State) -> tuple[FractureEnergy, ...]:
     for number, part in enumerate(parts):
         of_bond[part.bonds] = number
     crushed = np.maximum(dissipated - absorbed, 0.0)
-    sums = [np.bincount(of_bond[bond], each, len(parts)) for each in (area, dissipated, crushed, absorbed)]
+    each = [np.bincount(of_bond[bond], one, len(parts)) for one in (area, dissipated, crushed, absorbed)]
     regions = tuple(model.failure) if isinstance(model.failure, dict) else (None,)
     return tuple(
         FractureEnergy(where, *map(float, (A, spent, beyond, taken / A if A > 0.0 and taken < np.inf else np.nan)))
-        for where, A, spent, beyond, taken in zip(regions, *sums, strict=True)
+        for _, where, A, spent, beyond, taken in zip(parts, regions, *each, strict=False)
     )
 
 

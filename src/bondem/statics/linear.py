@@ -36,6 +36,14 @@ MECHANISM = (
 )
 
 
+def require_lasting(model: Model, advice: str) -> None:
+    """Raise InputError if a model has contacts or walls, or bonds that break."""
+    if model.contact is not None:
+        raise InputError(f"contacts and walls act in explicit runs only; {advice}")
+    if model.failure is not None:
+        raise InputError("bonds break in solve_explicit and solve_quasistatic; leave failure= out of the model")
+
+
 @dataclass(frozen=True, eq=False)
 class System:
     """The matrix of a model and its free motions, in internal order.
@@ -61,13 +69,9 @@ class System:
         Raises:
             InputError: The model has contacts or walls, which only carry compression and have no matrix, or no bonds.
         """
-        if model.contact is not None:
-            raise InputError(
-                "contacts and walls act in explicit runs only; leave contact= and walls= out of the model, and hold"
-                " or load faces with bd.Fix and bd.Load"
-            )
-        if model.failure is not None:
-            raise InputError("bonds break in solve_explicit and solve_quasistatic; leave failure= out of the model")
+        require_lasting(
+            model, "leave contact= and walls= out of the model, and hold or load faces with bd.Fix and bd.Load"
+        )
         if len(model.lattice.pairs) == 0:
             raise InputError("elements without bonds have no stiffness; bond them, or use solve_explicit")
         lattice, order = model.lattice, model.layout.order

@@ -17,6 +17,7 @@ from bondem.model.highest_frequency import stiffest
 from bondem.model.model import Model
 from bondem.model.state import State
 from bondem.statics.floating import refuse_floating
+from bondem.statics.linear import require_lasting
 from bondem.statics.nonlinear import strained
 from bondem.statics.static import StaticResult
 
@@ -54,10 +55,7 @@ def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_00
     instance("solve_relaxed", "model", model, Model, "bd.Model(...)")
     number("", "tolerance", tolerance, above=0.0, below=1.0, advice="a share of the force in (0, 1), such as 1e-6")
     count("solve_relaxed", "most", most, least=1)
-    if model.contact is not None:
-        raise InputError("contacts and walls act in explicit runs only; use solve_explicit with damping instead")
-    if model.failure is not None:
-        raise InputError("bonds break in solve_explicit and solve_quasistatic; leave failure= out of the model")
+    require_lasting(model, "use solve_explicit with damping instead")
     if not model.interaction.has_potential:
         title = model.interaction.title
         raise InputError(f"solve_relaxed needs a potential, which the {title} lacks; use solve_static")

@@ -204,7 +204,6 @@ class Statics:
         self,
         load: PerElement6,
         *,
-        facets: Floats | None = None,
         guess: PerElement6 | None = None,
         rtol: float = 1e-10,
     ) -> PerElement6:
@@ -214,7 +213,6 @@ class Statics:
 
         Args:
             load: forces and moments, user's order.
-            facets: part of the load that acts on free facets of a body of cells [N], (k, 3).
             guess: start of an iteration.
             rtol: residual over load at which the iteration ends.
         """
@@ -224,9 +222,6 @@ class Statics:
         if self._lagged is not None:
             return self._lagged.settle(load.reshape(-1, 6)[rank]).motion
         assert self._solver is not None
-        if facets is not None:
-            law = self.model.interaction
-            load = load + law.swelling_load(law.pressed(np.arange(len(facets)), facets))[order].ravel()
         start = None if guess is None else guess[order].ravel()
         return self._solver.solve(load, guess=start, rtol=rtol)[0].reshape(-1, 6)[rank]
 

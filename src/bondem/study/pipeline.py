@@ -11,6 +11,7 @@ from typing import Any, cast
 
 from bondem._progress import reported
 from bondem.calibration.elastic import Calibration, Trial
+from bondem.damage.criteria.criterion import Criterion
 from bondem.dynamics.history import History
 from bondem.dynamics.plan import Plan, settled
 from bondem.errors import ReportWarning, RunFileError
@@ -215,8 +216,7 @@ def to_failure(
     name: str, study: Study, body: _Body, bonds: Bonding, progress: Callable[[float], None]
 ) -> Outcome:
     """Run a test to failure, after the checks of the study."""
-    assert study.failure is not None
-    law, failure = _law(study, bonds, body), study.failure
+    law, failure = _law(study, bonds, body), cast(Criterion, study.failure)
     if study.aggregates is not None and body.aggregates is not None:
         failure = study.aggregates.criteria(failure, body.aggregates)
     options = study.options.get(name)

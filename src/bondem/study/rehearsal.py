@@ -1,5 +1,7 @@
 """Rehearsal of a study: the work of `bondem run` before its first step, which finds all errors of input."""
 
+from typing import cast
+
 import numpy as np
 
 from bondem.damage.criteria.criterion import Criterion
@@ -35,7 +37,7 @@ def rehearse(study: Study) -> str:
     if material is None or not tests:
         return "keys only, as no test is to failure"
     if isinstance(study.specimen, SpecimenPlan) and study.specimen.count > _MOST:
-        _require_short(study.specimen, material.E, study.failure)
+        _require_short(study.specimen, material.E, cast(Criterion, study.failure))
         return f"keys and element sizes only, as the specimen has more than {_MOST} elements"
     body = packed(study, 0, lambda stage, share: None)
     bonds = study.bond.of_material(material, (body.lattice,), lambda stage, share: None)
@@ -47,12 +49,12 @@ def rehearse(study: Study) -> str:
     return f"the first specimen is packed, and {', '.join(tests)} began"
 
 
-def _require_short(plan: SpecimenPlan, E: float, failure: Criterion | None) -> None:
+def _require_short(plan: SpecimenPlan, E: float, failure: Criterion) -> None:
     """Reject elements that are too long for the fracture energy, by their mean volume."""
-    softening = None if failure is None else failure.softening
-    if softening is not None and softening.fracture_energy > 0.0:
-        length = _LENGTH * (plan.shape.volume / plan.count) ** (1.0 / 3.0)
-        require_short(np.array([length]), np.array([E]), softening)
+    length = _LENGTH * (plan.shape.volume / plan.count) ** (1.0 / 3.0)
+    for softening in failure._softenings:
+        if softening.fracture_energy > 0.0:
+            require_short(np.array([length]), np.array([E]), softening)
 
 
 def _begin(share: float) -> None:

@@ -51,7 +51,7 @@ def earlier_pairs(run: Translation, pairs: ContactPairs) -> EarlierPairs:
 
 
 def _load(run: Translation, contacts: WallContacts, motions: WallMotions, walls: Walls) -> list[Launch]:
-    run.walls = walls.body
+    run.walls = (walls.body,)
     order = run.once(contacts, lambda: new_row_order(contacts.wall, len(walls.body)))
     return [
         (kernels.load_wall(run.span, contacts, order, walls), len(walls.body)),

@@ -76,7 +76,7 @@ class Translation:
         self.logs: list[EventLog] = []
         self.scratch: list[np.ndarray] = []
         self.before_keeping: list[Callable[[], None]] = []
-        self.walls: np.ndarray | None = None
+        self.walls: tuple[np.ndarray, ...] = ()
         self._rows = rows
         self._made: dict[int, tuple[Any, Any]] = {}
 

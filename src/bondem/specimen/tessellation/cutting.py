@@ -97,8 +97,8 @@ class _Batch:
     ended: Ints
 
 
-def _walls(particles: Particles, shape: Shape, reach: float) -> _Walls | None:
-    """Return the walls of a shape; none for a box, because its sides end all cells anyway.
+def _walls(particles: Particles, shape: Shape, reach: float) -> tuple[Shape, tuple[_Walls, ...]]:
+    """Return a shape with flat walls, and these; none for a box, because its sides end all cells anyway.
 
     Raises:
         InputError: Centres lie outside the shape.
@@ -112,9 +112,9 @@ def _walls(particles: Particles, shape: Shape, reach: float) -> _Walls | None:
             f" element {worst} by {-depth[worst]:.3g} m; remove these elements, or correct the shape"
         )
     if isinstance(shape, Box | BoundingBox | Cell):
-        return None
+        return shape, ()
     flat = faceted(shape, _FLAT * reach)
-    return _Walls(flat, wall_tree(wall_triangles(flat)), flat.depth(particles.position))
+    return flat, (_Walls(flat, wall_tree(wall_triangles(flat)), flat.depth(particles.position)),)
 
 
 def _kept_faces(plain: Solids, kept: np.ndarray, position: PerElement3) -> Polygons:
@@ -128,22 +128,22 @@ def _kept_faces(plain: Solids, kept: np.ndarray, position: PerElement3) -> Polyg
     return Polygons(own, other, area, plain.plane[rows, :3], centroid + position[own], moment)
 
 
-def _batch(centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats) -> _Batch:
+def _batch(centres: Bins, walls: tuple[_Walls, ...], chosen: Ints, half: Floats) -> _Batch:
     """Compute some cells."""
     plain = plain_cells(centres, chosen, half)
     measures = bulk(plain)
     local = np.bincount(solid_of_face(plain), weights=plain.tag == LOCAL, minlength=len(chosen)) > 0
     clear = np.ones(len(chosen), dtype=bool)
-    if walls is not None:
-        clear = measures.farthest < walls.clear[chosen]
+    for one in walls:
+        clear = measures.farthest < one.clear[chosen]
     kept = clear & ~local
     again = chosen[clear & local]
     pieces, piece_bulk = joined([]), bulk(joined([]))
-    if walls is not None and not clear.all():
+    for one in () if clear.all() else walls:
         tolerance = max(_REACHED * centres.reach, centres.tolerance)
-        pieces = trimmed(chosen_solids(plain, np.flatnonzero(~clear)), centres.position, walls.tree, tolerance)
+        pieces = trimmed(chosen_solids(plain, np.flatnonzero(~clear)), centres.position, one.tree, tolerance)
         piece_bulk = bulk(pieces)
-        inside = walls.shape.depth(piece_bulk.middle + centres.position[pieces.cell]) >= 0.0
+        inside = one.shape.depth(piece_bulk.middle + centres.position[pieces.cell]) >= 0.0
         count = solid_count(pieces)
         open_ended = np.bincount(solid_of_face(pieces), weights=pieces.tag == LOCAL, minlength=count) > 0
         redo = np.unique(pieces.cell[inside & open_ended])
@@ -158,7 +158,7 @@ def _batch(centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats) -> _
 
 
 def _batches(
-    centres: Bins, walls: _Walls | None, chosen: Ints, half: Floats, report: Callable[[float], None]
+    centres: Bins, walls: tuple[_Walls, ...], chosen: Ints, half: Floats, report: Callable[[float], None]
 ) -> Iterator[_Batch]:
     """Compute some cells, and repeat those that outgrow their boxes in larger ones; `half`, (n,), is then doubled."""
     waiting, done = chosen, 0
@@ -181,8 +181,8 @@ def tessellation(
     """Cut the shape of particles into cells; see `tessellate`. With `outlines` it keeps the whole cells as solids."""
     shape, n = particles.envelope, len(particles)
     reach = usual_reach(particles)
-    walls = _walls(particles, shape, reach)
-    centres = bins(particles, *(shape if walls is None else walls.shape).bounds, reach)
+    flat, walls = _walls(particles, shape, reach)
+    centres = bins(particles, *flat.bounds, reach)
     half = np.full(n, _HALF * centres.reach)
     made = [
         batch if outlines else replace(batch, plain=joined([]))
