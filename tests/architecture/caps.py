@@ -219,8 +219,8 @@ def _named_from_below() -> list[str]:
 CAPS = (
     Cap("questions to a model about its law", lambda: _questions()["model"], 0),
     Cap("questions to a lattice about its shape", lambda: _questions()["lattice"], 20),
-    Cap("questions to a study about its law", lambda: _questions()["study"], 11),
-    Cap("tests of a part for None", _tests_for_none, 140),
+    Cap("questions to a study about its law", lambda: _questions()["study"], 0),
+    Cap("tests of a part for None", _tests_for_none, 65),
     Cap("files of Python that name the non-local law", _files_of_the_non_local_law, 3),
     Cap("places of the core that lower integrity", lambda: _of_core(_LOWERED.search), 1),
     Cap("passes that are single", lambda: _passes_of_kind("single"), 12),

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import bondem as bd
-from bondem.observables.energy import elastic_energy
 from tests.bits import threads
+from tests.elastic_energy import elastic_energy
 from tests.specimens import bar
 
 E, NU, RHO = 1e9, 0.2, 1e3

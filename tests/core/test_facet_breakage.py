@@ -8,10 +8,10 @@ from bondem._tables.columns import HistoryColumn
 from bondem.dynamics import core_loop
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.observables.cell_forces import CellForces
-from bondem.observables.energy import elastic_energy
 from tests.bits import assert_same_bits
 from tests.core.former_loop import FormerLoop, movement, with_former_law
 from tests.core.test_cells import CONDITIONS, GRID, LAW, X_MAX, X_MIN, body, run_of
+from tests.elastic_energy import elastic_energy
 from tests.specimens import crooked_cells
 
 BRITTLE = bd.MohrCoulomb(tension=3e5, cohesion=6e5, friction_angle=0.5)

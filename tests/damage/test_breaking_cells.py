@@ -9,8 +9,8 @@ import pytest
 import bondem as bd
 from bondem.dynamics.core_loop import CoreLoop
 from bondem.errors import InputError
-from bondem.observables.energy import elastic_energy
 from tests.bits import assert_resumes_to, assert_same_bits, need_two_threads, threads
+from tests.elastic_energy import elastic_energy
 from tests.models import time_step
 from tests.recording import Record
 from tests.specimens import bar, cubes

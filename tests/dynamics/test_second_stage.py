@@ -5,8 +5,8 @@ import pytest
 
 import bondem as bd
 from bondem.errors import InputError
-from bondem.observables.energy import elastic_energy
 from tests.bits import assert_same_bits
+from tests.elastic_energy import elastic_energy
 from tests.specimens import cells
 
 LAW = bd.CellBond(E=30e9, nu=0.2)

@@ -6,11 +6,11 @@ from scipy.spatial.transform import Rotation
 
 import bondem as bd
 from bondem.interactions.cells.cell_strain import CellStrain
-from bondem.observables.energy import elastic_energy
 from bondem.observables.facet_loads import loads_on_facets
 from bondem.observables.surface_displacement import surface_displacement
 from bondem.statics.nonlinear import tangent_matrix
 from tests.bits import threads
+from tests.elastic_energy import elastic_energy
 from tests.models import clamped, time_step
 from tests.specimens import crooked_cells
 

@@ -16,11 +16,12 @@ from bondem.cli.calibrate import command
 from bondem.errors import StudyError
 from bondem.interactions.law_catalogue import CALIBRATED, DEFAULT, LAWS, PARAMETERS, named
 from bondem.io.codec import decode, encode
-from bondem.report.style import law_colour, sheet
+from bondem.report.style import sheet
 from bondem.study.pipeline import run_study
 from bondem.study.study_file import parse_study
 from tests.drawings import only
 from tests.specimens import spheres
+from validation.figures.law_colours import law_colour
 from validation.studies.abacus import SWEEPS
 from validation.studies.surface import FITTED, HELD_OUT
 

@@ -9,7 +9,8 @@ from matplotlib.axes import Axes
 
 from bondem.calibration.abacus import Curve
 from bondem.interactions.law_catalogue import DEFAULT, LAWS, PARAMETERS, named
-from bondem.report.style import BLUE, GREY, INK, ORANGE, law_colour, sheet
+from bondem.report.style import BLUE, GREY, INK, ORANGE, sheet
+from validation.figures.law_colours import law_colour
 
 _MARKS = ("o", "s")
 # ν of materials that the reach is held against.

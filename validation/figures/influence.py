@@ -10,7 +10,8 @@ from matplotlib.axes import Axes
 
 from bondem._types import Floats
 from bondem.interactions.law_catalogue import named
-from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, SEQUENTIAL, law_colour, sheet
+from bondem.report.style import BLUE, GREEN, GREY, INK, ORANGE, SEQUENTIAL, sheet
+from validation.figures.law_colours import law_colour
 
 Groups = Mapping[str, Sequence[Mapping[str, Any]]]
 

@@ -12,10 +12,13 @@ import math
 from pathlib import Path
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import Normalize
 
 import bondem as bd
-from bondem.report.cell_pictures import draw_field, section_through
-from bondem.report.style import INK, sheet
+from bondem.report.cell_pictures import CellSection, section_through
+from bondem.report.style import DIVERGING, INK, sheet
 from validation.frame.record import Record
 
 LENGTH, HEIGHT, THICK = 100e-3, 50e-3, 1.6e-3  # m
@@ -73,6 +76,19 @@ def crest(distance: np.ndarray, pressure: np.ndarray, near: float) -> float:
         square, slope, _ = np.polyfit(distance[here] - near, pressure[here], 2)
         near -= 0.5 * slope / square
     return near
+
+
+def draw_field(ax: Axes, section: CellSection, value: np.ndarray) -> PolyCollection:
+    """Draw a section [mm] with the values of its cells, symmetric about zero, and return what a colour bar maps."""
+    top = float(np.quantile(np.abs(value), 0.985))  # 1.5 % of the cells exceed it
+    field = PolyCollection(
+        [1e3 * one for one in section.outline], array=value[section.cell], cmap=DIVERGING,
+        norm=Normalize(-top, top), edgecolors="face", linewidths=0.35,
+    )  # fmt: skip
+    ax.add_collection(field)
+    ax.set_aspect("equal")
+    ax.grid(visible=False)
+    return field
 
 
 def draw_waves(path: Path, plate: bd.Lattice, pictures: list[tuple[np.ndarray, np.ndarray]]) -> None:

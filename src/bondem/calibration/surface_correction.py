@@ -42,14 +42,6 @@ class ExtrapolationWarning(UserWarning):
     """Warning of a prediction for a law or lattice outside the range of the fit."""
 
 
-def surface_ratio(lattice: Lattice) -> float:
-    """Ratio R̄ S / V: mean radius times the surface of the shape over its volume [-]; 0 for a periodic cell."""
-    if lattice.particles.period is not None:
-        return 0.0
-    shape = lattice.particles.envelope
-    return lattice.particles.mean_radius * shape.area / shape.volume
-
-
 def law_terms(shear: Any, bending: Any) -> Floats:
     """Terms f of the model on the last axis: 1, ln p, ln² p, ln(12 q / p)."""
     x = np.log(shear)

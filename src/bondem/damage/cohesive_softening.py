@@ -16,9 +16,6 @@ from bondem.damage.counter_random import uniform_by_counter
 from bondem.damage.stress_passes import StressPasses
 from bondem.errors import InputError
 
-# Least |n·e| by which the strength of a facet is reduced (`core/laws/softening.hpp`): one along a crack keeps this
-# share of it. Between 0.1 and 0.5 the fracture energy of bars differs by 3 %.
-LEAST_SLOPE = 0.2
 # Traction at which nothing is left of a facet that is too long for its fracture energy, over its strength.
 SNAP = 1.05
 # Largest strength of interest [Pa], and the number of directions drawn by chance in which strengths are found.

@@ -9,19 +9,7 @@ from bondem._core import run_pass
 from bondem._passes import calls
 from bondem._tables.damage_tables import FailureIndices, LoadedTractions, Strengths
 from bondem._types import PerBond, PerBond3
-from bondem.damage.criteria.criterion import BondCriterion
-from bondem.damage.criteria.criterion_catalogue import CRITERIA
 from bondem.damage.failure_table import FailureTable
-
-_OF_BONDS = [one for one in CRITERIA.values() if issubclass(one, BondCriterion)]
-#: Names of the criteria of beams in the passes of the core (`BondCriterion.kind`).
-BEAM_CRITERIA = tuple(one.kind for one in _OF_BONDS)
-#: Names of the criteria that apply to facets of cells too.
-FACET_CRITERIA = tuple(one.kind for one in _OF_BONDS if not one.needs_beams)
-#: Names of the criteria at which beams begin to soften.
-SOFTENING_CRITERIA = tuple(
-    one.kind for one in _OF_BONDS if one.pulled_and_sheared is not BondCriterion.pulled_and_sheared
-)
 
 
 def strengths_of(table: FailureTable) -> Strengths:

@@ -48,7 +48,12 @@ def fastest_decay(model: Model, terms: DampingTerms) -> float:
     held *= root[:, 0] ** 2
     start = np.random.default_rng(0).standard_normal((n, 6)) * (held / held.max())[:, None] ** 2
     operator: Any = LinearOperator((6 * n, 6 * n), matvec=answer, dtype=float)
-    options = {"tol": _TOLERANCE, "v0": start.ravel(), "return_eigenvectors": False}
+    return largest_eigenvalue(operator, start.ravel())
+
+
+def largest_eigenvalue(operator: Any, start: Floats) -> float:
+    """Return an upper bound of the largest eigenvalue of a symmetric operator (k, k), found from a vector (k,)."""
+    options = {"tol": _TOLERANCE, "v0": start, "return_eigenvectors": False}
     found = np.asarray(eigsh(operator, k=1, which="LA", **options))
     return (1.0 + 2.0 * _TOLERANCE) * float(found[0])
 

@@ -11,8 +11,6 @@ from bondem._types import Floats, Ints, Vector
 _MOST_CELLS, _EACH = 1024, 8
 
 
-
-
 def neighbours(
     sphere: Floats, lower: Vector, upper: Vector, period: Vector, skin: float, *, threads: int = 1
 ) -> tuple[Ints, np.ndarray]:

@@ -51,7 +51,6 @@ class Shape(Walled):
         return Cut(self, other)
 
 
-
 def place_shape(shape: Shape, turn: Floats, by: Vector) -> "Placed":
     """Return a shape rotated by a matrix (3, 3) about the origin and then moved by (3,) [m]."""
     if isinstance(shape, Placed):

@@ -18,8 +18,6 @@ _PIECES = 10_000  # more pieces: tighter boxes, more levels
 _FACING = 0.9  # cosine of the largest angle between a triangle and a wall that it may be
 
 
-
-
 class Triangles:
     """A set of triangles with a search tree for distances."""
 
@@ -38,7 +36,8 @@ class Triangles:
         self._length2 = np.maximum((self._side**2).sum(axis=2), 1e-300)
         self._outward = self._outward_normals(triangles, len(vertices))
         piece, owner = _in_order(*_pieces(self._corner, 0.5 * float(size.sum())))
-        self._tree = TriangleTree(*_boxes(piece), owner, self._corner, self._side, self._normal)
+        boxes = boxes_of_tree(piece.min(axis=1), piece.max(axis=1))
+        self._tree = TriangleTree(*boxes, owner, self._corner, self._side, self._normal)
 
     def _outward_normals(self, triangles: Ints, vertices: int) -> Floats:
         """Return outward normals on the inside of each triangle, its three sides and its three corners, (t, 7, 3)."""
@@ -140,9 +139,9 @@ def _in_order(piece: Floats, owner: Ints) -> tuple[Floats, Ints]:
     return piece[chosen], owner[chosen]
 
 
-def _boxes(piece: Floats) -> tuple[Floats, Floats]:
-    """Return the lower and upper corners of the boxes of the tree, as `TriangleTree` stores them."""
-    lower, upper = [piece.min(axis=1)], [piece.max(axis=1)]
+def boxes_of_tree(leaf_lower: Floats, leaf_upper: Floats) -> tuple[Floats, Floats]:
+    """Return the lower and upper corners of all boxes of a tree from those of its leaves, as the core stores them."""
+    lower, upper = [leaf_lower], [leaf_upper]
     while len(lower[0]) > 1:
         lower.insert(0, np.minimum(lower[0][::2], lower[0][1::2]))
         upper.insert(0, np.maximum(upper[0][::2], upper[0][1::2]))

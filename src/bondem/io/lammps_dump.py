@@ -1,6 +1,5 @@
 """Spheres from a LAMMPS dump in text (`dump custom`), as LAMMPS, OVITO and `bd.export` write it."""
 
-from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -13,11 +12,11 @@ from bondem.io.raw_spheres import (
     LAMMPS_UNITS,
     RawSpheres,
     announced_count,
+    chosen_frame,
     floats,
     listed,
     numbered_lines,
     require_count,
-    snapshot_number,
     some_axes,
 )
 
@@ -50,7 +49,7 @@ def read_dump(
     Raises:
         InputError: columns missing, no such snapshot, a tilted box, or a line that does not fit.
     """
-    chosen = _frame(path, frame)
+    chosen = chosen_frame(path, frame, _frames(path))
     line, names, rows = chosen.items.get("ATOMS", (0, "", []))
     columns = names.split()
     announced, _, said = chosen.items.get("NUMBER OF ATOMS", (line, "", []))
@@ -110,17 +109,6 @@ def _item(text: str) -> tuple[str, str]:
         if text.startswith(name):
             return name, text.removeprefix(name).strip()
     return text, ""
-
-
-def _frame(path: Path, number: int) -> _Frame:
-    last: deque[_Frame] = deque(maxlen=max(-number, 1))
-    count = 0
-    for count, one in enumerate(_frames(path), start=1):
-        last.append(one)
-        if count == number + 1:
-            return one
-    snapshot_number(path, number, count)
-    return last[0]
 
 
 def _row(path: Path, line: int, text: str, count: int) -> list[float]:

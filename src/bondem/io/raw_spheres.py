@@ -1,9 +1,11 @@
 """Spheres of a text file, and common parts of the readers of text files."""
 
 import math
+from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeVar
 
 from bondem._checks import shown
 from bondem._types import Floats, Pairs, PerElement, PerElement3
@@ -16,6 +18,7 @@ LAMMPS_UNITS = {
 }  # fmt: skip
 # Counts of more digits are of no file; Python does not convert more than 4300.
 _DIGITS = 18
+_Frame = TypeVar("_Frame")
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,6 +86,23 @@ def snapshot_number(path: Path, frame: int, count: int) -> int:
             f"frame = {shown(frame)}: '{path}' has {count} snapshots; give one from 0 to {count - 1}, or -1"
         )
     return frame % count
+
+
+def chosen_frame(path: Path, number: int, frames: Iterable[_Frame], empty: str = "") -> _Frame:
+    """Return a snapshot by its number, with at most as many in memory as negative numbers count from the end.
+
+    Raises:
+        InputError: the file has no such snapshot, or none at all, with the text `empty` if there is one.
+    """
+    last, count = deque[_Frame](maxlen=max(-number, 1)), 0
+    for count, one in enumerate(frames, start=1):
+        last.append(one)
+        if count == number + 1:
+            return one
+    if empty and not count:
+        raise InputError(empty)
+    snapshot_number(path, number, count)
+    return last[0]
 
 
 def announced_count(path: Path, line: int, text: str, what: str) -> int:

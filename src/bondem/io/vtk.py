@@ -9,10 +9,10 @@ import numpy as np
 from bondem._checks import array, instance, place
 from bondem._types import ArrayLike
 from bondem.errors import InputError
-from bondem.io.atomic import require_writable
 from bondem.io.field_names import check_names
-from bondem.io.hdf5 import put, writing
+from bondem.io.hdf5 import put
 from bondem.io.vtk_cells import fields_of_bodies, fields_of_cells, fields_of_motion, write_cells
+from bondem.io.vtk_polygons import poly_data
 from bondem.model.state import State
 from bondem.specimen.lattice import Lattice
 from bondem.statics.static import StaticResult
@@ -80,20 +80,8 @@ def write_vtkhdf(
         check_names("write_vtkhdf", added or {}, own=own, forbidden="/")
     plain = particles.position[pairs[:, 1]] - particles.position[pairs[:, 0]]
     drawn = np.abs(plain - lattice.branch).max(axis=1) < 1e-6 * particles.mean_radius
-    require_writable(path, "VTK file")
-    with writing(path) as file:
-        root = file.create_group("VTKHDF")
-        root.attrs["Version"] = (2, 0)
-        root.attrs.create("Type", b"PolyData", dtype=h5py.string_dtype("ascii", 8))
-        root["NumberOfPoints"] = [len(points)]
-        put(root, "Points", points)
-        for kind in ("Vertices", "Lines", "Polygons", "Strips"):
-            cells = pairs[drawn] if kind == "Lines" else np.zeros((0, 2), dtype=np.int64)
-            group = root.create_group(kind)
-            group["NumberOfCells"] = [len(cells)]
-            group["NumberOfConnectivityIds"] = [cells.size]
-            put(group, "Offsets", 2 * np.arange(len(cells) + 1))
-            put(group, "Connectivity", cells.ravel())
+    lines = pairs[drawn]
+    with poly_data(path, points, "Lines", 2 * np.arange(len(lines) + 1), lines.ravel()) as root:
         _write_fields(root.create_group("PointData"), of_elements | dict(elements or {}), len(points))
         _write_fields(root.create_group("CellData"), of_bonds | dict(bonds or {}), len(pairs), drawn)
 

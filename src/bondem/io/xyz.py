@@ -1,7 +1,6 @@
 """Spheres from XYZ, plain and extended (OVITO, ASE, LAMMPS)."""
 
 import re
-from collections import deque
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -13,11 +12,11 @@ from bondem.errors import InputError
 from bondem.io.raw_spheres import (
     RawSpheres,
     announced_count,
+    chosen_frame,
     floats,
     listed,
     numbered_lines,
     require_count,
-    snapshot_number,
     some_axes,
 )
 
@@ -46,7 +45,7 @@ def read_xyz(
     Raises:
         InputError: no radii, no such snapshot, or a line that does not fit, naming file and line.
     """
-    line, comment, rows = _frame(path, frame)
+    line, comment, rows = chosen_frame(path, frame, _frames(path), f"'{path}' holds no atoms; write it again")
     said = {key.lower(): value.strip('"') for key, value in _SETTING.findall(comment)}
     chosen, share = _columns(path, line, said.get("properties"), columns, size)
     least = max(chosen) + 1
@@ -76,19 +75,6 @@ def _frames(path: Path) -> Iterator[tuple[int, str, _Rows]]:
         require_count(path, line, "atoms", count, len(rows))
         yield line + 1, comment, rows
         at += skip + count
-
-
-def _frame(path: Path, number: int) -> tuple[int, str, _Rows]:
-    last: deque[tuple[int, str, _Rows]] = deque(maxlen=max(-number, 1))
-    count = 0
-    for count, one in enumerate(_frames(path), start=1):
-        last.append(one)
-        if count == number + 1:
-            return one
-    if not count:
-        raise InputError(f"'{path}' holds no atoms; write it again")
-    snapshot_number(path, number, count)
-    return last[0]
 
 
 def _columns(

@@ -84,12 +84,8 @@ def _pressed_elements(
     specimen: BondedSpecimen, disc: Disc, half_angle: float | None, friction: float
 ) -> tuple[Ints, Ints, float, float]:
     """Elements below and above that are pressed, half the angle of flats or strips [rad], and its factor [-]."""
+    disc.refuse_angle(half_angle)
     if disc.flat is not None:
-        if half_angle is not None:
-            raise InputError(
-                "labtests.brazilian: half_angle is an option of plain cylinders; leave it out for a disc with"
-                " flats"
-            )
         specimen.require_smooth(friction)
         bottom, top = (specimen.layer(1, side) for side in (-1.0, 1.0))
         return bottom, top, disc.flat, flattened(disc.flat)

@@ -33,6 +33,13 @@ class Disc:
     thickness: float
     flat: float | None
 
+    def refuse_angle(self, half_angle: float | None) -> None:
+        """Raise InputError for a half angle of strips if the disc has flats."""
+        if self.flat is not None and half_angle is not None:
+            raise InputError(
+                "labtests.brazilian: half_angle is an option of plain cylinders; leave it out for a disc with flats"
+            )
+
 
 def require_disc(body: Lattice) -> Disc:
     """Return the disc of a body.

@@ -7,11 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
-from matplotlib.colors import Normalize
 
 from bondem._types import Floats, Mask
 from bondem.report.spheres import View
-from bondem.report.style import DIVERGING
 from bondem.specimen.tessellation.polyhedra import Polyhedra
 
 _LIGHT = np.array([-0.45, 0.60, 0.66]) / np.linalg.norm([-0.45, 0.60, 0.66])
@@ -144,22 +142,6 @@ def draw_section(ax: Axes, section: CellSection, colour: Floats, *, scale: float
         PolyCollection([scale * one for one in section.outline], facecolors=face, edgecolors="white", linewidths=0.35)
     )
     _frame(ax, section, scale)
-
-
-def draw_field(ax: Axes, section: CellSection, value: Floats, *, scale: float = 1e3) -> PolyCollection:
-    """Draw a section with the values of its cells, (n,), symmetric about zero, and return the mappable of a colour
-    bar.
-
-    The colour scale ends at the value that 1.5 % of the cells exceed.
-    """
-    top = float(np.quantile(np.abs(value), 0.985))
-    field = PolyCollection(
-        [scale * one for one in section.outline], array=value[section.cell], cmap=DIVERGING,
-        norm=Normalize(-top, top), edgecolors="face", linewidths=0.35,
-    )  # fmt: skip
-    ax.add_collection(field)
-    _frame(ax, section, scale)
-    return field
 
 
 def _frame(ax: Axes, section: CellSection, scale: float) -> None:

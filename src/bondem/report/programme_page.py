@@ -94,4 +94,3 @@ def _pictures(folder: Path) -> list[Picture]:
     drawn = [(name, file) for name, file in files if file.exists()]
     broken = any(name in SHOWN for name, _ in drawn)
     return [Picture.of(file, CAPTIONS[name]) for name, file in drawn if not broken or name != "specimen"]
-

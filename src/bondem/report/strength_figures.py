@@ -27,7 +27,6 @@ _EXAGGERATED, _STEPS = 0.08, (1.0, 2.0, 5.0)
 _COLUMNS = 3
 
 
-
 def draw_curves(path: Path, findings: Findings) -> None:
     """Draw the curve of every packing, with the strength of the material and the measured range of peaks."""
     names = broken_in(findings.specimens[0])

@@ -13,7 +13,6 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import ScalarFormatter
 from PIL import Image, ImageChops
 
-from bondem.interactions.law_catalogue import LAWS
 from bondem.io.atomic import replacing
 
 INK = "#1f2933"
@@ -29,8 +28,6 @@ DIVERGING = "RdBu_r"
 #: One-sided colour scale.
 SEQUENTIAL = "cividis"
 
-# Of the laws in the order of the catalogue, from the start again where there are more.
-_LAW_COLOURS = (BLUE, PURPLE, ORANGE, GREEN, GREY, INK)
 
 #: Settings of matplotlib in which every figure is drawn.
 SETTINGS: Any = {
@@ -69,11 +66,6 @@ _MARGIN = 12
 # Width of a figure for a phone, and the least height of its panels [inch].
 _NARROW, _LOW = 4.2, 3.4
 _for_phones: ContextVar[bool] = ContextVar("for_phones", default=False)
-
-
-def law_colour(law: str) -> str:
-    """Colour of a bond law in all figures, by the name of its class."""
-    return _LAW_COLOURS[list(LAWS).index(law) % len(_LAW_COLOURS)]
 
 
 @contextmanager

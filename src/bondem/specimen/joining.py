@@ -186,4 +186,3 @@ def _refuse_overlap(
             f"join: bodies {names[label[i[k]]]!r} and {names[label[j[k]]]!r} overlap by {overlap[k]:.3g} m at"
             f" elements {i[k]} and {j[k]} ({int((over > 0.0).sum())} such pairs); move them apart with .moved(...)"
         )
-

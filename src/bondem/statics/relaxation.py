@@ -31,8 +31,6 @@ _CHUNK = 2_000
 _TURNING = 20
 
 
-
-
 @staged("relaxation")
 def solve_relaxed(model: Model, *, tolerance: float = 1e-6, most: int = 1_000_000) -> StaticResult:
     """Compute the equilibrium at any rotation under the loads and prescribed motions at the end of their schedules.

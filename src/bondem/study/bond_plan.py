@@ -74,7 +74,7 @@ class BondPlan:
         """Return the size of an element with a volume of the body of its own [m³] [m]."""
         return (6.0 * _FILLED * volume / math.pi) ** (1.0 / 3.0)
 
-    def told(self, calibrating: int) -> str:
+    def described(self, calibrating: int) -> str:
         """Return the law, and on how many packings it is calibrated, in words."""
         law = self.law.__name__ if self.law is not None else "recommended for ν"
         return f"{law}, calibrated on {calibrating} packing{'s' * (calibrating > 1)}"
@@ -135,7 +135,7 @@ class CellPlan(BondPlan):
     def size(self, volume: float) -> float:
         return volume ** (1.0 / 3.0)
 
-    def told(self, calibrating: int) -> str:
+    def described(self, calibrating: int) -> str:
         return f"{self.cells.__name__}, nothing to calibrate"
 
     def heading(self, packings: int, specimen: Mapping[str, Any]) -> list[str]:

@@ -50,7 +50,7 @@ def _work(study: Study) -> list[tuple[str, str]]:
         return [*lines, ("tests", "none: packed and checked only")]
     m = study.material
     lines.append(("material", f"{m.name}, E = {with_unit(m.E, 'Pa')}, ν = {m.nu:g}, ρ = {with_unit(m.rho, 'kg/m³')}"))
-    lines.append(("law", study.bond.told(study.calibrating)))
+    lines.append(("law", study.bond.described(study.calibrating)))
     if study.failure is not None:
         lines.append(("failure", type(study.failure).__name__))
     return [*lines, ("tests", ", ".join(study.tests) or "none")]

@@ -269,4 +269,3 @@ class _Watch:
         now = time.perf_counter()
         self.laps[name] = round(now - self._since, 3)
         self._since = now
-

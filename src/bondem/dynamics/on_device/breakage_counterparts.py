@@ -1,6 +1,5 @@
 """Breakage of beams on a device."""
 
-
 import numpy as np
 
 from bondem._device import Launch

@@ -1,6 +1,5 @@
 """Beams of the total formulation: forces, energies, the guard of large rotations, and strains that change."""
 
-
 import numpy as np
 
 from bondem._passes import StepEntry, steps

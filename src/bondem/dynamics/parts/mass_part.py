@@ -3,14 +3,11 @@
 import numpy as np
 
 from bondem._passes import steps
-from bondem._tables.cell_tables import CorrectedMass, ElasticFacets, WallConstraints
-from bondem._tables.step_tables import Moving
+from bondem._tables.cell_tables import CorrectedMass
 from bondem.dynamics.parts.cell_part import BodyOfCells
 from bondem.dynamics.parts.shared_tables import SharedTables
 from bondem.interactions.step_part import Part
 from bondem.model.model import Model
-
-_OF_CELLS = Moving, ElasticFacets, WallConstraints, CorrectedMass
 
 
 def mass_of_waves(model: Model, shared: SharedTables, body: BodyOfCells) -> list[Part]:

@@ -44,8 +44,6 @@ def new_wall_sources(radius: Floats, skin: float) -> WallSources:
     return WallSources(radius, *none, np.zeros(0), *none, np.zeros((0, 6)), skin, np.empty_like(none[0]))
 
 
-
-
 def found_pairs(grid: SphereGrid, sources: PairSources) -> FoundPairs:
     """Return near spheres that no bond joins and the wanted pairs of bonds, with the memory of those that touch."""
     room = 4 * len(grid.sphere) + int(sources.wanted.sum())

@@ -227,12 +227,8 @@ class _Jaws:
             InputError: neither exists, or an angle is out of range.
         """
         disc = require_disc(body)
+        disc.refuse_angle(half_angle)
         if disc.flat is not None:
-            if half_angle is not None:
-                raise InputError(
-                    "labtests.brazilian: half_angle is an option of plain cylinders; leave it out for a disc with"
-                    " flats"
-                )
             return cls(Face("top"), Face("bottom"), disc, disc.flat, flattened(disc.flat))
         if half_angle is None:
             half_angle = max(_STRIP, math.asin(min(_CELLS * body.elements.size / (0.5 * disc.diameter), 1.0)))

@@ -31,8 +31,6 @@ ROW, COLUMN = np.array([0, 1, 2, 0, 0, 1]), np.array([0, 1, 2, 1, 2, 2])
 SCALE = np.where(ROW == COLUMN, 1.0, np.sqrt(2.0))
 
 
-
-
 @one_blas_thread
 def solved_balance(position: PerElement3, pairs: Pairs, branch: PerBond3, right: Floats, most: float) -> Floats:
     """Return the tensors Y of the cells, scaled as rows, shape (n, 6).

@@ -40,8 +40,6 @@ def with_more_pieces(splitting: Splitting) -> Splitting:
     return splitting._replace(cell=cell, end=end)
 
 
-
-
 def trimmed(solids: Solids, position: PerElement3, walls: WallTree, tolerance: float) -> Solids:
     """Return the pieces of cells between walls, those inside and those outside.
 

@@ -23,8 +23,6 @@ def with_more_parts(dividing: Dividing) -> Dividing:
     return dividing._replace(cell=cell, owner=owner, end=end)
 
 
-
-
 def divided(solids: Solids, sphere: Floats, near: Ints, start: Ints, tolerance: float) -> tuple[Solids, Ints]:
     """Divide solids among elements, each point to the one with the least power x² - R².
 

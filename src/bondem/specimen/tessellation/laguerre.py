@@ -123,8 +123,6 @@ def new_cell_room() -> CellRoom:
     )  # fmt: skip
 
 
-
-
 def plain_cells(centres: Bins, chosen: Ints, half: Floats) -> Solids:
     """Compute Laguerre cells of some elements, within boxes around their centres and the box around all.
 

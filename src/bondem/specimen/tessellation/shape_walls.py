@@ -13,6 +13,7 @@ from bondem.errors import InputError
 from bondem.geometry.elementary_shapes import Ball, BoundingBox, Box, Cylinder
 from bondem.geometry.shape import Cut, Joined, Overlap, Placed, Shape
 from bondem.geometry.surface import Surface
+from bondem.geometry.triangles import boxes_of_tree
 
 # Fewest sides of a cylinder, and fewest times that the triangles of an icosahedron are quartered to make a ball.
 _SIDES, _QUARTERED = 64, 3
@@ -185,13 +186,9 @@ def wall_tree(corner: Floats) -> WallTree:
         order = order.reshape(2 * len(order), -1)
     owner = order.ravel()
     none = owner[:, None] < 0
-    lower = [np.where(none, np.inf, corner.min(axis=1)[owner])]
-    upper = [np.where(none, -np.inf, corner.max(axis=1)[owner])]
-    while len(lower[0]) > 1:
-        lower.insert(0, np.minimum(lower[0][::2], lower[0][1::2]))
-        upper.insert(0, np.maximum(upper[0][::2], upper[0][1::2]))
-    unused = np.zeros((1, 3))
-    return WallTree(corner, plane, np.concatenate([unused, *lower]), np.concatenate([unused, *upper]), owner)
+    lower = np.where(none, np.inf, corner.min(axis=1)[owner])
+    upper = np.where(none, -np.inf, corner.max(axis=1)[owner])
+    return WallTree(corner, plane, *boxes_of_tree(lower, upper), owner)
 
 
 def _spread(points: Floats) -> Floats:

@@ -55,8 +55,6 @@ def joined(parts: Sequence[Solids]) -> Solids:
     )
 
 
-
-
 def polygon_measures(corner: Ints, vertex: Floats) -> tuple[Floats, Floats, Floats]:
     """Return area [m²], (f,), centroid [m], (f, 3), and second moments about it [m⁴], (f, 3, 3), of polygons."""
     count = len(corner) - 1
@@ -68,8 +66,6 @@ def polygon_measures(corner: Ints, vertex: Floats) -> tuple[Floats, Floats, Floa
 def chosen_bulk(every: Bulk, solids: Ints) -> Bulk:
     """Return the values of some solids, by number."""
     return Bulk(*(values[solids] for values in every))
-
-
 
 
 def bulk(solids: Solids) -> Bulk:

@@ -38,8 +38,6 @@ def new_clump_correction(begun: Iteration) -> ClumpCorrection:
     )  # fmt: skip
 
 
-
-
 class GradientSolver:
     """Conjugate gradients with one preconditioner; the matrix is read at each call.
 
