@@ -1,4 +1,4 @@
-"""What results declare for pictures and tables, which `bondem.report` draws and `bondem.io` writes."""
+"""Pictures and tables as results declare them, for `bondem.report` to draw and `bondem.io` to write."""
 
 from collections.abc import Iterable, Mapping
 from pathlib import Path

@@ -20,7 +20,7 @@ STUB = ROOT / "src/bondem/__init__.pyi"
 INTERNAL = {
     "BondTable", "CellConstants", "Constraints", "ContactLaws", "ContactModel", "FailureTable", "Joint", "Layout",
     "Interaction", "CellInteraction", "Origin", "Softening", "BeamSoftening", "SofteningTable", "FailurePart",
-    "Elements",
+    "Elements", "SlipTable",
 }  # fmt: skip
 
 

@@ -32,7 +32,7 @@ def crack_index(
 
     Args:
         model: model whose facets may crack.
-        table: their strengths.
+        table: strengths of the facets.
         state: state of this model.
         motion: small motion of which `state` is the pose, or `state` itself.
 
