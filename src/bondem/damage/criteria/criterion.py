@@ -94,7 +94,7 @@ class Criterion(ABC):
     @property
     def _softenings(self) -> tuple[Softening, ...]:
         """Data for cracks and yielding cells, none or one."""
-        return () if self.softening is None else (self.softening,)
+        return () if (softening := self.softening) is None else (softening,)
 
     @property
     def principal(self) -> tuple[float, float, float] | None:
