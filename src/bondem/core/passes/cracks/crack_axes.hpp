@@ -26,7 +26,7 @@ struct LeadingCrack {
         if (s < left || (s == left && s < 1.0 && k < facet)) facet = k, left = s;
     }
 };
-// Finds the crack of the material that leads those of cell p which are treated one by one and have not let go.
+// Finds the crack of the material that leads those of cell p which are treated one by one and have a grip.
 inline void find_leader(const CohesiveCracks &cracks, const CrackLists &lists, Index p) {
     LeadingCrack leader;
     for (Index h = lists.head(p); h > 0; h = lists.next(h)) {
