@@ -346,3 +346,26 @@ def room_for(values: np.ndarray, rows: int) -> np.ndarray:
     longer = np.empty((rows, *values.shape[1:]), values.dtype)
     longer[: len(values)] = values
     return longer
+
+
+# ---- memory of the process
+
+# Bonds of a body whose building frees so much memory that a call of some ms is worth it; glibc's M_ARENA_MAX.
+_MANY_BONDS, _HEAPS = 20_000, -8
+
+
+@functools.cache
+def _of_system(name: str) -> Callable[..., int] | None:
+    """Return a function of the C library; None where it has none of this name."""
+    return getattr(ctypes.CDLL(None), name, None) if sys.platform == "linux" else None
+
+
+def return_free_memory(bonds: int) -> None:
+    """Return memory that work on so many bonds has freed to the system, where the C library can and where it pays."""
+    if bonds >= _MANY_BONDS and (trim := _of_system("malloc_trim")) is not None:
+        trim(0)
+
+
+# glibc keeps what is free at the end of the heaps of further threads, 10 MB and more: all threads share one.
+if "MALLOC_ARENA_MAX" not in os.environ and (_limit := _of_system("mallopt")) is not None:
+    _limit(_HEAPS, 1)

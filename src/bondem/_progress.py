@@ -11,16 +11,12 @@ import os
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from typing import Any, ParamSpec, TypeVar
 
-from rich.console import Console, RenderableType
-from rich.markup import escape
-from rich.progress import BarColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
-from rich.text import Text
-
 from bondem._checks import shown
+from bondem._outlets import OUTLETS
 from bondem.errors import InputError
 
 P = ParamSpec("P")
@@ -181,7 +177,7 @@ class Board:
         self._since: dict[str, float] = {}
         self._stage = ""
         self._start, self._closed = time.monotonic(), threading.Event()
-        self._view: _Bars | _Lines | None = None
+        self._view: Any = None  # _Lines or Bars
         self._lock = threading.RLock()
         self._delay = delay
         if self.kind != "off":
@@ -223,7 +219,9 @@ class Board:
         with self._lock:
             if self._view is not None or self._closed.is_set():
                 return
-            view = self._view = _Bars(self) if self.kind == "bars" else _Lines(self)
+            view = self._view = _Lines(self)
+            if self.kind == "bars":  # rich, which they need, takes 2 MB
+                view = self._view = OUTLETS.bars(lambda: self.note)
             for stage, share in self._shares.items():
                 view.update(stage, share)
 
@@ -257,37 +255,3 @@ class _Lines:
             return
         with suppress(OSError):  # a disk that is full need not end the call
             print(f"bondem: {span(self._board.seconds):>8}  {words}", file=sys.stderr, flush=True)
-
-
-class _Bars:
-    """A bar per stage, by rich."""
-
-    def __init__(self, board: Board) -> None:
-        columns = SpinnerColumn(), TextColumn("{task.description:<28}"), BarColumn(), TimeElapsedColumn()
-        self._progress = _Noted(board, columns)
-        self._tasks: dict[str, TaskID] = {}
-        self._progress.start()
-
-    def update(self, stage: str, share: float) -> None:
-        if stage not in self._tasks:
-            self._tasks[stage] = self._progress.add_task(escape(stage), total=1.0)
-        self._progress.update(self._tasks[stage], completed=share)
-
-    def beat(self) -> None:
-        """Do nothing, because bars update themselves."""
-
-    def close(self) -> None:
-        self._progress.stop()
-
-
-class _Noted(Progress):
-    """Bars with a line on the present activity."""
-
-    def __init__(self, board: Board, columns: tuple[Any, ...]) -> None:
-        self._board = board
-        super().__init__(*columns, console=Console(stderr=True))
-
-    def get_renderables(self) -> Iterable[RenderableType]:
-        yield from super().get_renderables()
-        if self._board.note:
-            yield Text(f"  {self._board.note}", style="dim")

@@ -320,17 +320,10 @@ def calibrate(
             lattices, calibrated, ucs=ucs, tension=tension, friction_angle=friction_angle, density=density
         )
     return Calibration(
-        law=calibrated,
-        density=density,
-        material=material,
-        parameter=free.name,
-        table=tuple(trials[key] for key in sorted(trials)),
-        responses=responses,
-        slopes=slopes,
-        reason=reason,
-        strength=strength,
-        friction_angle=friction_angle,
-    )
+        law=calibrated, density=density, material=material, parameter=free.name,
+        table=tuple(trials[key] for key in sorted(trials)), responses=responses, slopes=slopes, reason=reason,
+        strength=strength, friction_angle=friction_angle,
+    )  # fmt: skip
 
 
 def _require_slender(lattice: Lattice) -> None:

@@ -41,7 +41,7 @@ def facet_breakage(
     facets: ElasticFacets,
     walls: WallConstraints,
     release: FacetRelease,
-    dashed: tuple[Dashpots, Beams] | None,
+    dashed: tuple[tuple[Dashpots, Beams], ...],
 ) -> Part:
     """Return the part of facets that break; `dashed` are dashpots and the beams that they act on."""
     moving, candidates, postponed = shared.moving, damage.candidates, damage.postponed
@@ -49,8 +49,8 @@ def facet_breakage(
     judge = steps.JUDGE_FACETS_BY[damage.table.kind](moving, facets, release, strengths, candidates, postponed)
     exchanged = moving, facets, walls, release, candidates
     remove: Passes = []
-    if dashed is not None:
-        remove.append(steps.withdraw_dashpots(moving, dashed[1], dashed[0], candidates, postponed))
+    for dashpots, beams in dashed:
+        remove.append(steps.withdraw_dashpots(moving, beams, dashpots, candidates, postponed))
     remove += [
         steps.withdraw_facets(*exchanged, postponed),
         steps.break_facets(*exchanged, damage.log),
@@ -58,6 +58,6 @@ def facet_breakage(
     ]
     if len(walls.cell):
         remove.append(steps.renew_wall_rows(walls, shared.rows, candidates))
-    part = damage.part(shared, [], remove, None if dashed is None else dashed[0])
+    part = damage.part(shared, [], remove, dashed[0][0] if dashed else None)
     stages = {**part.stages, "constrain": [judge]}  # before any cell moves, as stresses change those of neighbours
     return Part(stages, part.record, lambda: damage.keep(facets.integrity, state))

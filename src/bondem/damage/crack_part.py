@@ -98,9 +98,9 @@ class CrackingBody:
             np.zeros(len(shared.portions.bonds) + 1, dtype=np.int64),
         )  # fmt: skip
         self.stresses = StressesOfCells(constants.volume, lines(n), np.zeros((n, 12)), pressed)
+        slack_i, slack_j = map(with_zeros, constants.slack())
         self.slack = CellSlack(
-            adjacency.in_start, adjacency.out_start, adjacency.out_bond, with_zeros(constants.slack[0]),
-            with_zeros(constants.slack[1]), constants.weight,
+            adjacency.in_start, adjacency.out_start, adjacency.out_bond, slack_i, slack_j, constants.weight,
         )  # fmt: skip
         self.of_cells = FacetsOfCells(*adjacency)
         self.lists = new_crack_lists(n, m)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bondem._core import run_pass
+from bondem._core import return_free_memory, run_pass
 from bondem._core_steps import Composer
 from bondem._passes import calls
 from bondem._tables.columns import HistoryColumn
@@ -57,20 +57,16 @@ class CoreLoop:
         self._lasting(composed([part for part in self._parts if part.renewed is None], *STAGES))
         self._make_lists()
         self._begin()
+        return_free_memory(self._m)
 
     def _make_lists(self) -> None:
         """Compose the lists of passes of the present parts."""
         self._compose = Composer(self._lasting)
         self._lists = StepPasses(
-            present=self._list("present"),
-            opening=self._list("opening"),
-            travel=self._list("travel"),
-            forces=self._list(*FORCES),
-            resume=self._list("resume"),
-            reopening=self._list("reopening"),
-            guard=self._list("guard"),
-            record=self._compose([]),
-        )
+            present=self._list("present"), opening=self._list("opening"), travel=self._list("travel"),
+            forces=self._list(*FORCES), resume=self._list("resume"), reopening=self._list("reopening"),
+            guard=self._list("guard"), record=self._compose([]),
+        )  # fmt: skip
 
     def _begin(self) -> None:
         """Call the passes that begin a run, at the time of the state."""

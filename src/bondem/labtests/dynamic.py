@@ -52,13 +52,9 @@ def dynamic_tension(
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
-        name="dynamic_tension",
-        measured=modes.tension,
-        theory=bar.paper.axial_frequency,
-        theory_refined=bar.moving.axial_frequency,
-        unit="Hz",
-        curves=_curves(vibration, "tension"),
-    )
+        name="dynamic_tension", measured=modes.tension, theory=bar.paper.axial_frequency,
+        theory_refined=bar.moving.axial_frequency, unit="Hz", curves=_curves(vibration, "tension"),
+    )  # fmt: skip
 
 
 @staged("dynamic bending")
@@ -84,14 +80,10 @@ def dynamic_bending(
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
-        name="dynamic_bending",
-        measured=modes.bending,
-        theory=bar.paper.bending_frequency,
+        name="dynamic_bending", measured=modes.bending, theory=bar.paper.bending_frequency,
         theory_timoshenko=bar.paper.bending_frequency_timoshenko,
-        theory_refined=bar.moving.bending_frequency_timoshenko,
-        unit="Hz",
-        curves=_curves(vibration, "bending"),
-    )
+        theory_refined=bar.moving.bending_frequency_timoshenko, unit="Hz", curves=_curves(vibration, "bending"),
+    )  # fmt: skip
 
 
 @staged("dynamic torsion")
@@ -117,13 +109,9 @@ def dynamic_torsion(
     bar = Cantilever.of(lattice, E=E, nu=nu, rho=rho, gyration=gyration, density=density, depth=depth)
     modes = modes or natural_frequencies(lattice, law, density=density, depth=depth)
     return Outcome(
-        name="dynamic_torsion",
-        measured=modes.torsion,
-        theory=bar.paper.torsional_frequency,
-        theory_refined=bar.moving.torsional_frequency,
-        unit="Hz",
-        curves=_curves(vibration, "torsion"),
-    )
+        name="dynamic_torsion", measured=modes.torsion, theory=bar.paper.torsional_frequency,
+        theory_refined=bar.moving.torsional_frequency, unit="Hz", curves=_curves(vibration, "torsion"),
+    )  # fmt: skip
 
 
 def _curves(vibration: FreeVibration | None, kind: str) -> dict[str, Floats]:

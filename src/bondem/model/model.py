@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast, get_args
 import numpy as np
 
 from bondem._checks import array, choice, instance, possible, several
+from bondem._core import return_free_memory
 from bondem._outlets import OUTLETS
 from bondem._plausibility import physical, question_strength
 from bondem._types import ArrayLike, Floats, PerElement
@@ -140,6 +141,7 @@ class Model:
         implied = self.implied_fracture
         if implied is not None:
             question_strength(implied.strength, implied.E, implied.density, implied.fracture_energy)
+        return_free_memory(len(self.lattice.pairs))
 
     def _check_magnitudes(self) -> None:
         with np.errstate(all="ignore"):

@@ -14,7 +14,7 @@ from bondem._tables.cell_tables import (
     WallConstraints,
 )
 from bondem._tables.device_tables import BondsOfElements, DeviceSpan, LoadsOfBonds, RowOrder, WallEnergy
-from bondem._tables.step_tables import Beams, Moving, Portions, Rows, StepCut, Timeline
+from bondem._tables.step_tables import Moving, Portions, Rows, StepCut, Timeline
 
 
 def add_energies(dilatation_energy: DilatationEnergy, wall_energy: WallEnergy, portions: Portions) -> Kernel:
@@ -99,13 +99,13 @@ def bend_layer(
 
 
 def check_portion_of_facets(
-    device_span: DeviceSpan, moving: Moving, beams: Beams, elastic_facets: ElasticFacets, portions: Portions
+    device_span: DeviceSpan, moving: Moving, elastic_facets: ElasticFacets, portions: Portions
 ) -> Kernel:
     """Counts unbroken facets of a portion that are turned beyond the range of their energy, and beyond its end.
 
     Over one index.
     """
-    return Kernel("check_portion_of_facets", (device_span, moving, beams, elastic_facets, portions))
+    return Kernel("check_portion_of_facets", (device_span, moving, elastic_facets, portions))
 
 
 def dilate_facet(moving: Moving, elastic_facets: ElasticFacets, loads_of_bonds: LoadsOfBonds) -> Kernel:

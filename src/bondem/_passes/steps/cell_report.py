@@ -5,7 +5,7 @@ Written by `python -m tests.core.passes`.
 
 from bondem._passes import StepEntry
 from bondem._tables.cell_tables import CellDilatation, DilatationEnergy, ElasticFacets, WallConstraints
-from bondem._tables.step_tables import Beams, Moving, Portions
+from bondem._tables.step_tables import Moving, Portions
 
 
 def add_cell_energies(
@@ -19,12 +19,12 @@ def add_cell_energies(
     return StepEntry("add_cell_energies", (moving, wall_constraints, dilatation_energy, portions))
 
 
-def check_facets(moving: Moving, beams: Beams, elastic_facets: ElasticFacets, portions: Portions) -> StepEntry:
+def check_facets(moving: Moving, elastic_facets: ElasticFacets, portions: Portions) -> StepEntry:
     """Counts unbroken facets of a portion that are turned beyond the range of their energy, and beyond its end.
 
     Over bonds, in portions. Reads `pose` at both ends.
     """
-    return StepEntry("check_facets", (moving, beams, elastic_facets, portions))
+    return StepEntry("check_facets", (moving, elastic_facets, portions))
 
 
 def sum_dilatation_energies(cell_dilatation: CellDilatation, dilatation_energy: DilatationEnergy) -> StepEntry:

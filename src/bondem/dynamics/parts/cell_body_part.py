@@ -23,27 +23,26 @@ def body_of_cells(
     law: CellInteraction, model: Model, state: State, shared: SharedTables, dashpots: Dashpots | None, dt: float
 ) -> BondParts:
     """Return the parts of a body of cells; `dt` is the time step [s]."""
-    layout, table, dashed = model.layout, model.softening, dashpots is not None
+    layout, table = model.layout, model.softening
     constants = law.constants.stretched(state.eigenstrain, layout)
     if table is not None:  # cracks change the integrity that facets have here
-        body = BodyOfCells.of(model, constants, state, shared, dashed=dashed)
-        body = body._replace(facets=body.facets._replace(integrity=body.beams.integrity.copy()))
+        body = BodyOfCells.of(model, constants, state, shared, dashpots)
+        body = body._replace(facets=body.facets._replace(integrity=body.facets.integrity.copy()))
         cracking = CrackingBody(
             table, body, constants, layout, state, shared, dt,
             touches=model.contact is not None, pressed=_pressed_moments(model),
         )  # fmt: skip
         stretch, powers, _ = cracking.straining()
-        elastic = cells(shared, model, state, body, dashpots, cracking.kept, stretch=stretch, powers=powers)
+        elastic = cells(shared, model, state, body, cracking.kept, stretch=stretch, powers=powers)
         return BondParts(cracking.parts(elastic), Joints.of_cracks(apart(model, state), state, cracking.joints))
     left = constants.damaged(state.integrity, layout.i, layout.j)
-    body = BodyOfCells.of(model, left, state, shared, dashed=dashed)
+    body = BodyOfCells.of(model, left, state, shared, dashpots)
     damage = damage_of(model.breaking, state, shared.cut, len(body.facets.i))
-    forces = cells(shared, model, state, body, dashpots, damage=damage)
+    forces = cells(shared, model, state, body, damage=damage)
     parts = [forces, *mass_of_waves(model, shared, body)]
     if damage is not None:
         release = facet_release(law.constants, layout, body.facets, body.cells, body.walls)
-        beside = None if dashpots is None else (dashpots, body.beams)
-        parts.append(facet_breakage(damage, state, shared, body.facets, body.walls, release, beside))
+        parts.append(facet_breakage(damage, state, shared, body.facets, body.walls, release, body.dashed))
     return BondParts(parts, Joints(body.facets.integrity, apart(model, state), damage))
 
 

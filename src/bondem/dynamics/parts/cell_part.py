@@ -20,8 +20,7 @@ from bondem._tables.step_tables import Beams, Dashpots, Portions, StepCut
 from bondem._types import Ints
 from bondem.damage.damage_part import DamageTables
 from bondem.dynamics.parts.shared_tables import SharedTables
-from bondem.interactions.beams.beam_tables import beam_tables, directed_beams
-from bondem.interactions.beams.bond_table import directions
+from bondem.interactions.beams.beam_tables import beam_tables
 from bondem.interactions.cells.cell_constants import CellConstants
 from bondem.interactions.cells.cell_tables import cell_tables, gradient_tables
 from bondem.interactions.step_part import Part, Passes
@@ -32,7 +31,7 @@ from bondem.model.state import State
 class BodyOfCells(NamedTuple):
     """Tables of the facets, cells and walls of a run."""
 
-    beams: Beams  #: directions between the centres of cells, for the guard and dashpots
+    dashed: tuple[tuple[Dashpots, Beams], ...]  #: dashpots beside facets, on beams about as stiff; one pair or none
     facets: ElasticFacets
     cells: CellDilatation
     gradients: DilatationGradients
@@ -42,23 +41,23 @@ class BodyOfCells(NamedTuple):
 
     @classmethod
     def of(
-        cls, model: Model, constants: CellConstants, state: State, shared: SharedTables, *, dashed: bool
+        cls, model: Model, constants: CellConstants, state: State, shared: SharedTables, dashpots: Dashpots | None
     ) -> "BodyOfCells":
-        """Return the tables of a run from a state, whose arrays they share; `dashed` with dashpots beside facets."""
+        """Return the tables of a run from a state, whose arrays they share, with dashpots beside facets or none."""
         layout, period = model.layout, model.period
-        if dashed:
-            bonds = model.bonds.stretched(state.eigenstrain)
-            beams, _ = beam_tables(bonds, layout, period, state.integrity, may_share=False)
-        else:
-            beams = directed_beams(directions(model.lattice, layout), layout, period, state.integrity)
         to_i = _places(shared.cut, layout.i, len(layout.order))
         facets, cells = cell_tables(constants, layout, period, state.integrity, to_i)
+        dashed: tuple[tuple[Dashpots, Beams], ...] = ()
+        if dashpots is not None:
+            bonds = model.bonds.stretched(state.eigenstrain)
+            beams, _ = beam_tables(bonds, layout, period, state.integrity, may_share=False)
+            dashed = ((dashpots, beams._replace(integrity=facets.integrity)),)
         held = model.constraints
         walls = constants.grips.table(layout, held.row_of, held.works[2], state.grips)
-        if len(held.strain_part):  # levers change
+        if len(held.strain_part) or len(state.plastic):  # cells that grow or yield change levers
             facets = facets._replace(lever_i=facets.lever_i.copy(), lever_j=facets.lever_j.copy())
         return cls(
-            beams, facets._replace(integrity=beams.integrity), cells,
+            dashed, facets, cells,
             gradient_tables(constants.gradients, len(layout.order), walls, len(shared.portions.elements)), walls,
             _tractions(model),
             _strains(model, state, shared.portions),
@@ -70,7 +69,6 @@ def cells(
     model: Model,
     state: State,
     body: BodyOfCells,
-    dashpots: Dashpots | None,
     kept: FacetForces | None = None,
     damage: DamageTables | None = None,
     stretch: Sequence[StepEntry] = (),
@@ -83,7 +81,6 @@ def cells(
         model: model of the body.
         state: state from which the run begins.
         body: tables of the body.
-        dashpots: dashpots of the facets, or None.
         kept: forces of facets and moments of cells where cracks need them, or None. Then the energies of dilatation
             are those of another part, which knows the stresses of cells with cracks.
         damage: tables of facets that break at once, or None.
@@ -104,8 +101,7 @@ def cells(
         mark = [steps.accumulate_left_dilatation(moving, body.facets, body.cells)]
         loads = [steps.add_and_keep_facet_loads(moving, body.facets, kept, cut)]
         gather = [steps.collect_facet_moments(cut, kept), steps.take_moments(kept)]
-    if dashpots is not None:
-        loads.append(steps.add_dashpot_loads(moving, body.beams, dashpots, cut))
+    loads += [steps.add_dashpot_loads(moving, beams, dashpots, cut) for dashpots, beams in body.dashed]
     present, beside, behind = _changing(shared, body, stretch, powers)
     constrain: Passes = [*beside, steps.apply_walls(moving, walls, rows)] if held else [*beside]
     energy = DilatationEnergy(np.zeros(len(portions.elements)))
@@ -122,7 +118,7 @@ def cells(
             "stress": gradients,
             "constrain": [*constrain, *behind], "loads": loads, "gather": gather,
             "add": [*([steps.add_wall_loads(rows, cut)] if held else []), *torques],
-            "guard": [steps.check_facets(moving, body.beams, body.facets, portions)],
+            "guard": [steps.check_facets(moving, body.facets, portions)],
         },
         record=lambda _: [*energies, *further] if kept is None else energies[-2:-1],
     )  # fmt: skip

@@ -38,13 +38,6 @@ def beam_tables(
     return beams, None if same is None else AlikeBeams(with_zeros(hold), *same)
 
 
-def directed_beams(direction: Floats, layout: Layout, period: Floats, integrity: PerBond) -> Beams:
-    """Return beams of which a pass reads directions (3, m) and integrity alone, which stands for the rest too."""
-    i, j, hold = with_twins(layout.i), with_twins(layout.j), with_zeros(integrity)
-    x, y, z = map(with_twins, direction)
-    return Beams(i, j, x, y, z, hold, hold, hold, hold, hold, hold, hold, hold, hold, period)
-
-
 def load_beams(pose: Floats, beams: Beams, alike: AlikeBeams | None, sums: BeamSums) -> None:
     """Add force and torques of all beams to the sums of their ends."""
     if alike is None:

@@ -1,7 +1,8 @@
 """Constants of the cell law on a body, for its facets and cells."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -19,13 +20,12 @@ from bondem.specimen.ordering import Layout, Reversed
 from bondem.specimen.regions import Region, as_region
 from bondem.specimen.tessellation.facets import Cells, Facets, FreeFacets
 from bondem.specimen.tessellation.raster import LEVER_BITS, on_raster, pitch
+from bondem.specimen.tessellation.symmetric_columns import NINE, SIX
 
 CellAssignment = CellBond | Mapping[Region, CellBond]
 
 # Least 1 + c_p λ/2G. A centre behind the plane of a facet, as beside a slot, has d < 0, and this could be negative.
 _LEAST_SLACK = 0.1
-# Six components of a symmetric tensor among its nine, xx, yy, zz, xy, xz, yz, and the nine among the six.
-_SIX, _NINE = [0, 4, 8, 1, 2, 5], [0, 3, 4, 3, 1, 5, 4, 5, 2]
 # Depth of a centre behind the plane of a facet, over its distance from the centroid, that counts as none.
 _FLAT = 1e-6
 
@@ -50,7 +50,6 @@ class CellConstants:
         volume: V [m³], shape (n,).
         weight: λ_p / V_p, the factor from V_p θ_p to the stress λ_p θ_p [Pa/m³], shape (n,).
         direction: normals of the facets, from i to j [-], shape (3, m).
-        slack: increase of 1 / weight of each side if the facet breaks, A d |m|² / 2G [m³/Pa], (2, m).
         G, lame: shear modulus and Lamé's λ of the material of each cell [Pa], shape (n,).
         grips: facets that walls hold; their cells in the user's order.
         softness: d / 2 G of each free facet, the opening per traction [m/Pa], shape (k,).
@@ -61,6 +60,8 @@ class CellConstants:
         pressed: contribution of tractions on its free facets to V θ of each cell [m³], shape (n,).
         pitch: levers are whole multiples of it along x, y, z [m], shape (3,).
         gradients: constants of the gradients of the dilatation.
+        slack: function that computes the increase of 1 / weight of each side if the facet breaks, A d |m|² / 2G
+            [m³/Pa], (2, m), which only bodies that fail need.
     """
 
     k: PerBond
@@ -71,7 +72,6 @@ class CellConstants:
     volume: PerElement
     weight: PerElement
     direction: Floats
-    slack: Floats
     G: PerElement
     lame: PerElement
     grips: Grips
@@ -81,6 +81,7 @@ class CellConstants:
     pressed: PerElement
     pitch: Floats
     gradients: GradientConstants
+    slack: Callable[[], Floats]
 
     @classmethod
     def of(
@@ -128,15 +129,15 @@ class CellConstants:
         grid = pitch(float(max(np.abs(arm).max(), np.abs(other).max())), body.particles.period, LEVER_BITS)
         arm = on_raster(arm, grid)
         levers = np.rint(arm / grid), np.rint((arm - body.branch) / grid)
-        slacks = [area * half * (way**2).sum(axis=1) for half, way in ((half_i, way_i), (half_j, way_j))]
         return cls(
             k=k, levers=np.array([each.T for each in levers], dtype=np.int32), strain=np.zeros(0),
-            bend=H.reshape(-1, 9).T[_SIX].astype(np.float32), direction=normal.T, slack=np.array(slacks),
+            bend=H.reshape(-1, 9).T[SIX].astype(np.float32), direction=normal.T,
             shares=np.array([share_i.T, share_j.T], dtype=np.float32), volume=cells.volume,
             weight=lame / slack / cells.volume, G=G, lame=lame, grips=grips,
             softness=free.depth / (2.0 * G[free.cell]),
             way=open_axes * (n_free + _along_facets(free, body.particles.position)), free_cell=free.cell,
             pressed=np.zeros(len(cells.volume)), pitch=grid, gradients=gradients,
+            slack=partial(_slack, body, G),
         )  # fmt: skip
 
     def stress_of(self, swelling: PerElement) -> PerElement:
@@ -155,19 +156,15 @@ class CellConstants:
     def ordered(self, layout: Layout | Reversed) -> "CellConstants":
         """Return the constants in internal order, or by the reversed layout in the user's."""
         bond, element, back = layout.bond_order, layout.order, layout.flipped
-
-        def sides(columns: np.ndarray) -> np.ndarray:
-            taken = columns.take(bond, axis=-1)
-            return np.where(back, taken[::-1], taken)
-
-        shares, direction = sides(self.shares), self.direction.take(bond, axis=-1)
+        shares, direction = _of_sides(self.shares, layout), self.direction.take(bond, axis=-1)
         np.negative(shares, out=shares, where=back)
         np.negative(direction, out=direction, where=back)
         return replace(
-            self, k=self.k[bond], levers=sides(self.levers), bend=self.bend.take(bond, axis=-1), shares=shares,
-            strain=self.strain[bond] if self.strain.size else self.strain, direction=direction,
-            volume=self.volume[element], weight=self.weight[element], slack=sides(self.slack), G=self.G[element],
+            self, k=self.k[bond], levers=_of_sides(self.levers, layout), bend=self.bend.take(bond, axis=-1),
+            shares=shares, strain=self.strain[bond] if self.strain.size else self.strain, direction=direction,
+            volume=self.volume[element], weight=self.weight[element], G=self.G[element],
             lame=self.lame[element], pressed=self.pressed[element], gradients=self.gradients.ordered(layout),
+            slack=partial(_ordered_slack, self.slack, layout),
         )  # fmt: skip
 
     @property
@@ -202,7 +199,7 @@ class CellConstants:
     @property
     def H(self) -> Floats:
         """Resistance to relative rotation [N·m], shape (m, 3, 3)."""
-        return _rows(self.bend[_NINE]).reshape(-1, 3, 3)
+        return _rows(self.bend[NINE]).reshape(-1, 3, 3)
 
     def stretched(self, strain: PerBond, layout: Layout) -> "CellConstants":
         """Return the constants with cells that are larger without stress, by the ε* of their facets.
@@ -226,8 +223,8 @@ class CellConstants:
         """
         if (integrity == 1.0).all():
             return self
-        n, open_share = len(self.weight), 1.0 - integrity
-        slack = np.bincount(j, open_share * self.slack[1], n) + np.bincount(i, open_share * self.slack[0], n)
+        n, open_share, (slack_i, slack_j) = len(self.weight), 1.0 - integrity, self.slack()
+        slack = np.bincount(j, open_share * slack_j, n) + np.bincount(i, open_share * slack_i, n)
         return replace(self, weight=self.weight / (1.0 + self.weight * slack))
 
     def as_bonds(self, body: Lattice) -> BondStiffness:
@@ -243,6 +240,23 @@ class CellConstants:
 def _rows(columns: np.ndarray) -> Floats:
     """Return columns (…, m) as rows of double precision, (m, …)."""
     return np.ascontiguousarray(columns.T, dtype=float)
+
+
+def _of_sides(columns: np.ndarray, layout: Layout | Reversed) -> np.ndarray:
+    """Return columns of both sides of the facets, (2, …, m), in another order, where sides may change places."""
+    taken = columns.take(layout.bond_order, axis=-1)
+    return np.where(layout.flipped, taken[::-1], taken)
+
+
+def _slack(body: Lattice, G: PerElement) -> Floats:
+    facets, _ = body_of(body)
+    sides = zip(body.pairs.T, (facets.depth_i, facets.depth_j), ways(facets), strict=True)
+    halves = [(depth / (2.0 * G[cell]), way) for cell, depth, way in sides]
+    return np.array([facets.area * half * (way**2).sum(axis=1) for half, way in halves])
+
+
+def _ordered_slack(slack: Callable[[], Floats], layout: Layout | Reversed) -> Floats:
+    return _of_sides(slack(), layout)
 
 
 def _single(values: Floats) -> Floats:

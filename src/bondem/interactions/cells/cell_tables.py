@@ -46,7 +46,7 @@ def cell_tables(
         levers = np.array([np.rint(each / cells.pitch).T for each in (cells.lever_i, cells.lever_j)], dtype=np.int32)
     facets = ElasticFacets(
         i=with_twins(layout.i), j=with_twins(layout.j), integrity=with_zeros(integrity), k=with_zeros(cells.k),
-        pitch=cells.pitch, lever_i=with_zeros(levers[0].copy()), lever_j=with_zeros(levers[1].copy()),
+        pitch=cells.pitch, lever_i=with_zeros(levers[0]), lever_j=with_zeros(levers[1]),
         share_i=with_zeros(cells.shares[0]), share_j=with_zeros(cells.shares[1]), H=with_zeros(cells.bend),
         normal=with_zeros(cells.direction), period=period,
     )  # fmt: skip
@@ -65,7 +65,8 @@ def gradient_tables(
         walls: walls that hold facets of the cells.
         portions: number of portions of cells whose energies are summed.
     """
-    start, order, other = _of_cells(gradients.i, gradients.j, n)
+    near, far, spring = gradients.springs()
+    start, order, other = _of_cells(near, far, n)
     layered = len(gradients.weight)
     layer, rows, following = _of_cells(gradients.a, gradients.b, layered)
     way = np.concatenate([
@@ -78,7 +79,7 @@ def gradient_tables(
     hold = np.concatenate([[0], np.cumsum(np.bincount(cell, minlength=layered))]).astype(np.int64)
     turned = turned_vectors(np.repeat(walls.base[held, 3:], 2, axis=0), gradients.held_way.reshape(-1, 3))
     return DilatationGradients(
-        start, other, np.tile(gradients.spring, 2)[order], np.zeros(n), layer, following, np.ascontiguousarray(way),
+        start, other, np.tile(spring, 2)[order], np.zeros(n), layer, following, np.ascontiguousarray(way),
         hold, held[by_cell], np.ascontiguousarray(turned.reshape(-1, 6)[by_cell]),
         np.ascontiguousarray(gradients.weight), np.zeros((layered, 2)), np.zeros((layered, 3)), np.zeros(portions),
     )  # fmt: skip
@@ -104,7 +105,7 @@ def facet_release(
         cells: cells, whose weights are set.
         walls: walls that hold facets of the cells.
     """
-    n, (slack_i, slack_j) = len(constants.weight), constants.slack
+    n, (slack_i, slack_j) = len(constants.weight), constants.slack()
     wall_start = np.concatenate([[0], np.cumsum(np.bincount(walls.cell, minlength=n))]).astype(np.int64)
     release = FacetRelease(
         constants.weight, cells.weight, cells.given, slack_i, slack_j, layout.in_start,

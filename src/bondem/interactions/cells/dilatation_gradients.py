@@ -13,7 +13,9 @@ Both are for λ ≥ 0. Models whose facets may fail have neither: a facet that f
 neighbours of its cells.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from scipy.sparse import bsr_array, coo_array, csr_array
@@ -25,6 +27,7 @@ from bondem.interactions.cells.free_walls import FreeWalls
 from bondem.specimen.lattice import Lattice
 from bondem.specimen.ordering import Layout, Reversed
 
+Springs = tuple[np.ndarray, np.ndarray, PerBond]
 # Lamé's λ over G from which the gradient between cells does not grow any more.
 _STIFFEST = 2.0
 # Squared cosine of the angle between the normals of two cells within which they are one layer.
@@ -36,8 +39,7 @@ class GradientConstants:
     """Constants of both terms, user's or internal order.
 
     Attributes:
-        i, j: cells of the facets with a spring, int32, shape (k,).
-        spring: c [m³/Pa], shape (k,).
+        springs: function that computes cells i and j of the facets with a spring, int32, and c [m³/Pa], (k,) each.
         a, b: cells of the facets within layers, shape (l,).
         facet: numbers of these facets, shape (l,).
         way_a, way_b: n × s of both cells for each direction across their layer [m²], shape (l, 2, 3): V χ is
@@ -48,9 +50,7 @@ class GradientConstants:
         weight: J λ_p / V² of each cell and direction, shape (n, 2); (0, 2) without layers [Pa/m].
     """
 
-    i: np.ndarray
-    j: np.ndarray
-    spring: PerBond
+    springs: Callable[[], Springs]
     a: Ints
     b: Ints
     facet: Ints
@@ -65,7 +65,7 @@ class GradientConstants:
     def none(cls) -> "GradientConstants":
         """Return constants without terms."""
         no, ways = np.zeros(0, dtype=np.int64), np.zeros((0, 2, 3))
-        return cls(no, no, np.zeros(0), no, no, no, ways, ways, no, no, ways, np.zeros((0, 2)))
+        return cls(_no_springs, no, no, no, ways, ways, no, no, ways, np.zeros((0, 2)))
 
     @classmethod
     def of(
@@ -82,12 +82,8 @@ class GradientConstants:
             shares: shares of the facets in both cells [m²], (m, 3) each.
             grips: walls that hold facets.
         """
-        facets, cells = body_of(body)
+        _, cells = body_of(body)
         i, j = body.pairs.T
-        area, span = facets.area, facets.span
-        inner = np.flatnonzero((lame[i] == lame[j]) & (G[i] == G[j]) & (lame[i] > 0.0))
-        soft = gradient_stiffness(body, G, lame)[i][inner] / lame[i][inner] ** 2
-        spring = (area * span)[inner] * soft / mean_square_span(body)
         layer = walls.layer
         parallel = (np.einsum("mxa,mya->mxy", layer[i], layer[j]) ** 2).sum(axis=2) > _PARALLEL
         back = (np.einsum("mxa,mya->mxy", layer[j], layer[i]) ** 2).sum(axis=2) > _PARALLEL
@@ -102,8 +98,8 @@ class GradientConstants:
         if not len(facet) or not weight.any():
             facet, held, weight = facet[:0], held[:0], weight[:0]
         return cls(
-            i[inner].astype(np.int32), j[inner].astype(np.int32), spring, i[facet], j[facet], facet, way_a[facet],
-            way_b[facet], held, grips.cell[held], held_way[held], weight,
+            partial(_springs, body, G, lame), i[facet], j[facet], facet, way_a[facet], way_b[facet], held,
+            grips.cell[held], held_way[held], weight,
         )  # fmt: skip
 
     def ordered(self, layout: Layout | Reversed) -> "GradientConstants":
@@ -113,14 +109,15 @@ class GradientConstants:
         weight = self.weight[layout.order] if len(self.weight) else self.weight
         rank = layout.rank
         return GradientConstants(
-            rank[self.i].astype(np.int32), rank[self.j].astype(np.int32), self.spring, rank[self.a], rank[self.b],
-            place[self.facet], self.way_a, self.way_b, self.held, rank[self.held_cell], self.held_way, weight,
+            partial(_ranked, self.springs, rank), rank[self.a], rank[self.b], place[self.facet], self.way_a,
+            self.way_b, self.held, rank[self.held_cell], self.held_way, weight,
         )  # fmt: skip
 
     def differences(self, stress: PerElement) -> PerElement:
         """Return Σ c (σ_p - σ_q) over the facets of each cell [m³], for stresses λ_p θ_p [Pa], (n,)."""
-        force, n = self.spring * (stress[self.i] - stress[self.j]), len(stress)
-        return np.asarray(np.bincount(self.i, force, n) - np.bincount(self.j, force, n), dtype=float)
+        (i, j, spring), n = self.springs(), len(stress)
+        force = spring * (stress[i] - stress[j])
+        return np.asarray(np.bincount(i, force, n) - np.bincount(j, force, n), dtype=float)
 
     def bends(self, turn: Floats, rotation: Floats) -> Floats:
         """Return V χ of each cell and direction [m²], (n, 2).
@@ -150,11 +147,12 @@ class GradientConstants:
 
     def coupling(self, weight: PerElement) -> csr_array | None:
         """Return W L W, (n, n), of W = λ_p / V_p [Pa/m³] and the Laplacian L of the springs; None without springs."""
-        if not len(self.spring):
+        i, j, spring = self.springs()
+        if not len(spring):
             return None
-        n, value = len(weight), self.spring * weight[self.i] * weight[self.j]
-        between = coo_array((value, (self.i, self.j)), shape=(n, n))
-        own = np.bincount(self.i, self.spring, n) + np.bincount(self.j, self.spring, n)
+        n, value = len(weight), spring * weight[i] * weight[j]
+        between = coo_array((value, (i, j)), shape=(n, n))
+        own = np.bincount(i, spring, n) + np.bincount(j, spring, n)
         own_part = coo_array((own * weight**2, (np.arange(n), np.arange(n))), shape=(n, n))
         return csr_array(own_part - between - between.T)
 
@@ -184,6 +182,24 @@ class GradientConstants:
         columns = (6 * np.concatenate(column)[:, None] + np.arange(3, 6)).ravel()
         found = coo_array((blocks.ravel(), (rows, columns)), shape=(2 * n, 6 * n))
         return bsr_array(csr_array(found), blocksize=(1, 6))
+
+
+def _springs(body: Lattice, G: PerElement, lame: PerElement) -> Springs:
+    facets, _ = body_of(body)
+    i, j = body.pairs.T
+    inner = np.flatnonzero((lame[i] == lame[j]) & (G[i] == G[j]) & (lame[i] > 0.0))
+    i, j = i[inner].astype(np.int32), j[inner].astype(np.int32)
+    soft = gradient_stiffness(body, G, lame)[i] / lame[i] ** 2
+    return i, j, (facets.area * facets.span)[inner] * soft / mean_square_span(body)
+
+
+def _no_springs() -> Springs:
+    return np.zeros(0, dtype=np.int32), np.zeros(0, dtype=np.int32), np.zeros(0)
+
+
+def _ranked(springs: Callable[[], Springs], rank: Ints) -> Springs:
+    i, j, spring = springs()
+    return rank[i].astype(np.int32), rank[j].astype(np.int32), spring
 
 
 def gradient_stiffness(body: Lattice, G: PerElement, lame: PerElement) -> PerElement:

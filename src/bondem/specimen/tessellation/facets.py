@@ -9,6 +9,7 @@ import numpy as np
 
 from bondem._types import Floats, Ints, PerBond, PerBond3, PerElement, PerElement3
 from bondem.specimen.particles import freeze
+from bondem.specimen.tessellation.symmetric_columns import SymmetricColumn
 
 T = TypeVar("T", "Facets", "FreeFacets", "Cells")
 
@@ -100,6 +101,9 @@ class FreeFacets:
     depth: Floats
     face: Ints
     share: Floats
+
+
+SymmetricColumn("moment", Facets, FreeFacets)
 
 
 @dataclass(frozen=True, eq=False)

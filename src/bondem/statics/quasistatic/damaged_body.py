@@ -106,7 +106,7 @@ class DamagedBody:
         self._facets = OpenedFacets(self.weakened, len(order))
         self.matrix = FacetMatrix(system.matrix, layout, root)
         self.system = replace(system, matrix=self.matrix.plain)
-        self._slack = np.zeros(len(order))
+        self._slack, self._of_sides = np.zeros(len(order)), self.constants.slack()
         self._soft = c.volume / c.G
 
         users, still = model.cell_constants, np.zeros((len(order), 3))
@@ -234,7 +234,7 @@ class DamagedBody:
     def _weigh(self, facets: Ints, sign: float) -> None:
         """Add the missing part of facets to the slack of their cells, or subtract it."""
         c, weight, open_part = self.weakened, self.constants.weight, sign * (1.0 - self.integrity[facets])
-        (slack_i, slack_j), n = self.constants.slack, c.normal[facets]
+        (slack_i, slack_j), n = self._of_sides, c.normal[facets]
         for cells, slack, share, shut in (
             (self.i[facets], slack_i[facets], c.share_i[facets], self.closed[facets, 0]),
             (self.j[facets], slack_j[facets], c.share_j[facets], self.closed[facets, 1]),

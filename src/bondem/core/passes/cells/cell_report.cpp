@@ -6,14 +6,24 @@
 #include "walls.hpp"
 
 namespace bondem {
+namespace {
 
-void check_facets(const Turn &turn, const Moving &all, const Beams &beams, const ElasticFacets &facets,
-                  const Portions &portions) {
+// Direction from centre i to centre j of facet k in the reference [-].
+Vector direction_at_rest(const Array<const double, 2> &rest, const ElasticFacets &facets, Index k) {
+    const Index i = facets.i(k), j = facets.j(k);
+    const Vector d = {rest(j, 0) - rest(i, 0), rest(j, 1) - rest(i, 1), rest(j, 2) - rest(i, 2)};
+    const Vector between = over_nearest_image(d, facets.period.data);
+    return between / length(between);
+}
+
+}  // namespace
+
+void check_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Portions &portions) {
     Index wide = 0, lost = 0, not_finite = 0;
     const FacetColumns columns(facets);
     for (Index k = turn.first; k < turn.last; k++) {
         const Ends<double> ends = ends_of(all.pose.data, facets, k);
-        const BeamTurn<double> turned = beam_turn(ends, direction_of<double>(beams, k));
+        const BeamTurn<double> turned = beam_turn(ends, direction_at_rest(all.rest, facets, k));
         const double c = least(turned.c1, turned.c2);
         double w2 = turned.w2;
         not_finite |= !(c * c + w2 < 4.0);

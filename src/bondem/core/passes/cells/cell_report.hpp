@@ -5,8 +5,7 @@
 namespace bondem {
 
 // Counts unbroken facets of a portion that are turned beyond the range of their energy, and beyond its end.
-void check_facets(const Turn &turn, const Moving &all, const Beams &beams, const ElasticFacets &facets,
-                  const Portions &portions);
+void check_facets(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Portions &portions);
 // Sums normal, shear, bending and twisting energy of the facets of a portion, without dilatation [J].
 void sum_facet_energies(const Turn &turn, const Moving &all, const ElasticFacets &facets, const Portions &portions);
 // Sums the energy of dilatation of a portion of cells, whose V θ is complete and is set to zero [J].

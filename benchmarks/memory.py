@@ -1,0 +1,104 @@
+"""Resident memory of bodies of cells, and of beams between spheres, by stage and size.
+
+Each case is a process of its own: it imports bondem, builds a model of a crooked grid of elements, its state, and the
+loop of an explicit run, which takes three steps. What is resident after the last stage beyond that after the imports
+is divided by the number of elements, `untrimmed`, and once more when the benchmark has returned free memory to the
+system, `bytes`.
+
+    python benchmarks/memory.py [--sizes 28 46] [--stages model state loop] [--kinds cells beams] [--part cases]
+
+A size is the number of elements along an edge. It writes benchmarks/results/memory.json, which keeps other cases. The
+part `before` was measured by this script beside the sources before decision 0066.
+"""
+
+import argparse
+import ctypes
+import gc
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import bondem as bd
+from bondem.dynamics.core_loop import CoreLoop
+from bondem.dynamics.plan import Plan
+from bondem.dynamics.timestep import critical_step
+from bondem.model.state import State
+from kept import RESULTS, Record, command
+
+STAGES = ("model", "state", "loop")
+BEAMS = bd.EulerBernoulli(E=1e7, nu=0.2, radius_ratio=0.6)
+CELLS = bd.CellBond(E=1e7, nu=0.2)
+
+
+def resident() -> int:
+    """Bytes that this process keeps in memory."""
+    return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
+def trimmed() -> int:
+    """Bytes that this process keeps in memory once what is free in its heap is returned."""
+    gc.collect()
+    ctypes.CDLL(None).malloc_trim(0)
+    return resident()
+
+
+def model_of(kind: str, size: int) -> bd.Model:
+    """Elastic body of size³ elements of about 1 mm beside the points of a grid."""
+    rng = np.random.default_rng(size)
+    grid = np.indices((size,) * 3).reshape(3, -1).T
+    place, radius = grid + 0.5 + rng.uniform(-0.1, 0.1, grid.shape), rng.uniform(0.3, 0.4, len(grid))
+    particles = bd.Particles(1e-3 * place, 1e-3 * radius, shape=bd.Box((1e-3 * size,) * 3))
+    if kind == "cells":
+        return bd.Model(bd.connect(particles, method="laguerre"), CELLS, 1000.0)
+    return bd.Model(bd.connect(particles, reach=1.62), BEAMS, 1000.0)
+
+
+def built(kind: str, size: int, stage: str) -> dict[str, float]:
+    """Bytes and bonds per element after a stage, whose objects live until they are counted."""
+    before, kept = trimmed(), []
+    model = model_of(kind, size)
+    if stage != "model":
+        state = State(model)
+        kept.append(state)
+    if stage == "loop":
+        dt = 0.8 * critical_step(model, bd.VelocityVerlet())
+        loop = CoreLoop(model, Plan(duration=3.0 * dt, dt=dt, every=0), state, dt)
+        loop.run(3)
+        kept.append(loop)
+    untrimmed = resident()
+    sizes = {"bytes": trimmed() - before, "untrimmed": untrimmed - before, "bonds": len(model.lattice.pairs)}
+    return {name: round(value / size**3, 2) for name, value in sizes.items()}
+
+
+def measured(kind: str, size: int, stage: str) -> dict[str, float]:
+    """Bytes and bonds per element after a stage, of a new process."""
+    words = [sys.executable, "-W", "ignore", __file__, "--alone", kind, str(size), stage]
+    return json.loads(subprocess.run(words, stdout=subprocess.PIPE, text=True, check=True).stdout)
+
+
+def main(arguments: list[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--sizes", type=int, nargs="+", default=[28, 46])
+    parser.add_argument("--stages", nargs="+", choices=STAGES, default=STAGES)
+    parser.add_argument("--kinds", nargs="+", choices=("cells", "beams"), default=("cells", "beams"))
+    parser.add_argument("--part", default="cases", help="part of the record that the rows belong to")
+    parser.add_argument("--alone", nargs=3, help=argparse.SUPPRESS)
+    given = parser.parse_args(arguments)
+    if given.alone:
+        kind, size, stage = given.alone
+        print(json.dumps(built(kind, int(size), stage)))
+        return
+    record = Record(RESULTS / "memory.json", command())
+    for kind in given.kinds:
+        for size in given.sizes:
+            for stage in given.stages:
+                case = {"kind": kind, "elements": size**3, "stage": stage}
+                record.add(lambda case=(kind, size, stage): measured(*case), given.part, **case)
+
+
+if __name__ == "__main__":
+    main()
